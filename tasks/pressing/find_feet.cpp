@@ -63,14 +63,32 @@ class FootSearch {
 
   std::optional<Feet> find() {
     std::vector<End> ends = low_ends();
-    if (ends.empty() || !order(ends)) return std::nullopt;
-    const std::size_t count = ends.size();
-    const int joints = ends.front().joints;
-    const bool soles = joints >= (count == 2 ? 4 : 5);
+    if (ends.empty()) {
+      why_ = "none of its branches ends below its base";
+      return std::nullopt;
+    }
+    if (!order(ends)) {
+      // Others hang as low as the feet: those that are named after feet count.
+      const std::string why = why_;
+      std::erase_if(ends, [&](const End& end) { return name_score(end) == 0; });
+      if (ends.empty() || !order(ends)) {
+        why_ = why;
+        return std::nullopt;
+      }
+    }
     for (const End& end : ends)
-      if (is_wheel(end)) return std::nullopt;
-    return soles ? with_soles(ends) : with_balls(ends);
+      if (is_wheel(end)) {
+        why_ = name_of(end) + " is a wheel on joint " + in_quotes(joint(end.body).name);
+        return std::nullopt;
+      }
+    const bool soles = ends.front().joints >= (ends.size() == 2 ? 4 : 5);
+    std::optional<Feet> feet = soles ? with_soles(ends) : with_balls(ends);
+    if (feet) add_notes(*feet);
+    return feet;
   }
+
+  /// Reason for which find() returned nothing.
+  const std::string& why() const { return why_; }
 
  private:
   /// Placements of bodies and of the base in the world, and the axes x forwards, z up.
@@ -100,12 +118,16 @@ class FootSearch {
   const Joint& joint(int body) const { return model_.joints[static_cast<std::size_t>(body)]; }
   bool is_root(int body) const { return body < 0 || joint(body).kind == JointKind::FreeFlyer; }
 
-  /// Lowest point of a body [m]: of its solids, or else of its frames.
-  double lowest(int body) const {
+  /// Lowest point of the solids of a body [m]; infinite without any.
+  double lowest_solid(int body) const {
     double low = infinity;
     for (const Visual& solid : pressing::solids_of(robot_, {body}))
-      low = std::min(low, pressing::lowest_of(solid.shape, bodies_[static_cast<std::size_t>(body)] *
-                                                               solid.placement));
+      low = std::min(low, pressing::lowest_of(solid.shape, body_at(body) * solid.placement));
+    return low;
+  }
+  /// Lowest point of a body [m]: of its solids, or else of its frames.
+  double lowest(int body) const {
+    double low = lowest_solid(body);
     if (std::isfinite(low)) return low;
     for (std::size_t i = 0; i < model_.frames.size(); ++i)
       if (model_.frames[i].body == body) low = std::min(low, frames_[i].translation().z());
@@ -123,7 +145,33 @@ class FootSearch {
     return count;
   }
   bool is_wheel(const End& end) const {
-    return joint(end.body).kind == JointKind::Continuous || is_named(end.body, {"wheel"});
+    return is_named(end.body, {"wheel"}) ||
+           (pressing::turns_freely(model_, end.body) && name_score(end) < score_of("toe"));
+  }
+  int name_score(const End& end) const {
+    return end.frame < 0 ? 0 : score_of(frame(end.frame).name);
+  }
+  std::string name_of(const End& end) const {
+    return in_quotes(end.frame < 0 ? joint(end.body).name : frame(end.frame).name);
+  }
+  bool carries(int body, bool rotors_too) const {
+    for (int other = 0; other < static_cast<int>(model_.joints.size()); ++other)
+      if (joint(other).parent == body && (rotors_too || !is_rotor(other))) return true;
+    return false;
+  }
+  /// The rotor of a motor, which some descriptions have as a body beside the link that it drives.
+  bool is_rotor(int body) const {
+    if (!is_named(body, {"rotor"}) && joint(body).mass > 0.0) return false;
+    const int best = named_frame(body);
+    return !carries(body, true) && (best < 0 || score_of(frame(best).name) == 0);
+  }
+
+  /// Says which ends of legs only mass and inertia tell.
+  void add_notes(Feet& feet) const {
+    if (assumed_.empty()) return;
+    feet.notes.push_back(listed("link", assumed_) + (assumed_.size() == 1 ? " has" : " have") +
+                         " neither geometry nor a frame of a foot: where the leg ends was assumed "
+                         "from mass and inertia; a frame for it in robot.yaml goes before that");
   }
 
   End end_at(int body) const {
@@ -147,9 +195,7 @@ class FootSearch {
   std::vector<End> low_ends() {
     std::vector<End> ends;
     for (int body = 0; body < static_cast<int>(model_.joints.size()); ++body) {
-      const bool is_last = std::none_of(model_.joints.begin(), model_.joints.end(),
-                                        [&](const Joint& other) { return other.parent == body; });
-      if (!is_last || is_root(body) ||
+      if (is_root(body) || carries(body, false) || is_rotor(body) ||
           is_named(body, {"hand", "finger", "gripper", "wrist", "palm", "thumb"}))
         continue;
       End end = end_at(body);
@@ -170,10 +216,18 @@ class FootSearch {
     return ends;
   }
 
-  /// Into pairs from front to rear; false where ends have no mirrored partner.
-  bool order(std::vector<End>& ends) const {
+  /// Into pairs from front to rear; false where ends have no mirrored partner, and why.
+  bool order(std::vector<End>& ends) {
     const std::size_t count = ends.size();
-    if (count != 2 && count != 4 && count != 6) return false;
+    if (count != 2 && count != 4 && count != 6) {
+      why_ = std::to_string(count) + (count == 1 ? " branch ends" : " branches end") + " low:";
+      constexpr std::size_t most = 8;
+      for (std::size_t i = 0; i < std::min(count, most); ++i)
+        why_ += (i == 0 ? " " : ", ") + name_of(ends[i]);
+      if (count > most) why_ += " and " + std::to_string(count - most) + " more";
+      why_ += "; two, four or six were expected";
+      return false;
+    }
     const auto place = [&](const End& end) -> Eigen::Vector3d {
       return heading_.transpose() * (end.middle - base_.translation());
     };
@@ -189,7 +243,19 @@ class FootSearch {
         if (off < least) partner = k;
         least = std::min(least, off);
       }
-      if (least > opposite * height_ || ends[partner].joints != ends[i].joints) return false;
+      const std::string pair = name_of(ends[i]) + " and " + name_of(ends[partner]);
+      if (least > opposite * height_) {
+        why_ = pair + " end low, but " + number(std::round(1e3 * least) / 1e3) +
+               " m from opposite each other, with at most " +
+               number(std::round(1e3 * opposite * height_) / 1e3) + " m allowed";
+        return false;
+      }
+      if (ends[partner].joints != ends[i].joints) {
+        why_ = pair + " end low and opposite each other, but after " +
+               std::to_string(ends[i].joints) + " and " + std::to_string(ends[partner].joints) +
+               " joints";
+        return false;
+      }
       std::swap(ends[i + 1], ends[partner]);
       if (place(ends[i]).y() < place(ends[i + 1]).y()) std::swap(ends[i], ends[i + 1]);
     }
@@ -312,7 +378,28 @@ class FootSearch {
     return feet;
   }
 
-  std::optional<Feet> with_balls(const std::vector<End>& ends) const {
+  /// Where a link without geometry ends: the tip of a rod from its joint through its centre of mass
+  /// that has its mass and its largest moment of inertia.
+  std::optional<Eigen::Vector3d> tip_of(const End& end) const {
+    const Joint& link = joint(end.body);
+    const Eigen::Vector3d arm = body_at(end.body).linear() * link.com;
+    constexpr double least = 0.02;  // of the base's height
+    if (!(link.mass > 0.0) || arm.norm() < least * height_) return std::nullopt;
+    const double moment = link.inertia_at_com.diagonal().maxCoeff();
+    return Eigen::Vector3d(body_at(end.body).translation() + arm +
+                           std::sqrt(3.0 * moment / link.mass) * arm.normalized());
+  }
+
+  /// The frame of a foot so far above its lowest solid as the middle of a locked wheel or its
+  /// motor.
+  bool is_above_rounding(const End& end) const {
+    constexpr double widest_ball = 0.2;  // of the base's height
+    const double radius = end.middle.z() - end.low;
+    return name_score(end) >= score_of("toe") && std::isfinite(lowest_solid(end.body)) &&
+           radius > level * height_ && radius < widest_ball * height_;
+  }
+
+  std::optional<Feet> with_balls(const std::vector<End>& ends) {
     constexpr double near = 2e-3;  // m
     Feet feet;
     feet.radius = infinity;
@@ -321,7 +408,17 @@ class FootSearch {
       if (const auto found = pressing::ball_of(solids_in(end, heading_))) {
         ball = *found;
         feet.size_from = Feet::Size::Collision;
+      } else if (const auto tip = tip_of(end);
+                 tip && name_score(end) == 0 && !std::isfinite(lowest_solid(end.body))) {
+        ball.centre = heading_.transpose() * *tip;
+        ball.radius = ball_share * (base_.translation().z() - tip->z());
+        ball.centre.z() += ball.radius;
+        assumed_.push_back(end.frame < 0 ? joint(end.body).name : frame(end.frame).name);
+      } else if (is_above_rounding(end)) {
+        ball.radius = end.middle.z() - end.low;
+        feet.size_from = Feet::Size::Collision;
       } else if (end.frame < 0 || end.middle.z() > end.low + level * height_) {
+        why_ = name_of(end) + " ends low, but no sphere or frame at its end says where it stands";
         return std::nullopt;
       }
       feet.radius = std::min(feet.radius, ball.radius);
@@ -335,14 +432,22 @@ class FootSearch {
   std::vector<Eigen::Isometry3d> frames_, bodies_;  ///< world
   Eigen::Isometry3d base_;
   Eigen::Matrix3d heading_;
-  double height_ = 0.0;  ///< of the base above the lowest point [m]
+  double height_ = 0.0;               ///< of the base above the lowest point [m]
+  std::string why_;                   ///< no feet were found
+  std::vector<std::string> assumed_;  ///< last links whose ends only mass and inertia tell
 };
 
 }  // namespace
 
-std::optional<Feet> find_feet(const Robot& robot) {
-  if (robot.model.joints.empty()) return std::nullopt;
-  return FootSearch(robot).find();
+std::optional<Feet> find_feet(const Robot& robot, std::string* why) {
+  if (robot.model.joints.empty()) {
+    if (why != nullptr) *why = "nothing of it moves";
+    return std::nullopt;
+  }
+  FootSearch search(robot);
+  auto feet = search.find();
+  if (!feet && why != nullptr) *why = search.why();
+  return feet;
 }
 
 Robot with_feet(Robot robot, const Feet& feet) {
@@ -373,7 +478,7 @@ std::string feet_text(const Feet& feet) {
     case Feet::Size::Inertia:
       return text + ", from the inertia of the foot";
     case Feet::Size::Height:
-      return text + ", a fraction of the height of the base: no geometry states it";
+      return text + ", assumed as a fraction of the height of the base: no geometry states it";
   }
   return text;
 }

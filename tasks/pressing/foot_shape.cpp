@@ -49,6 +49,16 @@ std::vector<Visual> solids_of(const Robot& robot, const std::vector<int>& bodies
   return solids;
 }
 
+bool turns_freely(const Model& model, int body) {
+  const auto joint = [&](int i) -> const Joint& {
+    return model.joints[static_cast<std::size_t>(i)];
+  };
+  if (body < 0 || joint(body).kind != JointKind::Continuous) return false;
+  for (int at = joint(body).parent; at >= 0; at = joint(at).parent)
+    if (joint(at).kind == JointKind::Revolute) return true;
+  return false;
+}
+
 double lowest_of(const Shape& shape, const Eigen::Isometry3d& in_axes) {
   double lowest = infinity;
   for (const Eigen::Vector3d& p : low_points(shape, in_axes)) lowest = std::min(lowest, p.z());

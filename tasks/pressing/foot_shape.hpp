@@ -11,6 +11,10 @@ namespace burnish::pressing {
 /// Collision solids of these bodies; where those have no primitive, primitives of their visuals.
 std::vector<Visual> solids_of(const Robot& robot, const std::vector<int>& bodies);
 
+/// Whether a body is on a joint without limits where others of its leg have them, as a wheel is:
+/// some files state no limits at all.
+bool turns_freely(const Model& model, int body);
+
 /// Height of the lowest point of a solid [m] along z of `R`, solid placed by `in_axes` in the axes
 /// of `R`. Infinite for meshes.
 double lowest_of(const Shape& shape, const Eigen::Isometry3d& in_axes);

@@ -6,8 +6,25 @@
 #include "base/sentence.hpp"
 #include "burnish/tasks/pressing/find_feet.hpp"
 #include "pressing/arm.hpp"
+#include "pressing/foot_shape.hpp"
 
 namespace burnish::pressing {
+namespace {
+
+/// Says which feet are wheels.
+void note_wheels(const Model& model, const std::vector<std::string>& feet,
+                 std::vector<std::string>& notes) {
+  for (const std::string& foot : feet) {
+    if (!model.has_frame(foot)) continue;
+    const int body = model.frames[static_cast<std::size_t>(model.frame_index(foot))].body;
+    if (turns_freely(model, body))
+      notes.push_back(foot + " turns freely about " +
+                      model.joints[static_cast<std::size_t>(body)].name +
+                      ": lock it to stand on it");
+  }
+}
+
+}  // namespace
 
 Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::string>& notes) {
   const std::vector<std::string>& stated = standing.feet;
@@ -16,21 +33,26 @@ Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::st
       !stated.empty() && std::none_of(stated.begin(), stated.end(), [&](const std::string& foot) {
         return robot.model.has_frame(foot);
       });
-  if (!is_auto && !is_of_another) return standing;
-  const auto feet = find_feet(robot);
+  if (!is_auto && !is_of_another) {
+    note_wheels(robot.model, stated, notes);
+    return standing;
+  }
+  std::string why;
+  const auto feet = find_feet(robot, &why);
   if (!feet)
     throw EntryError(
         "standing.feet",
-        (is_auto ? "robot " + in_quotes(robot.model.name) +
-                       " has no pairs of branches that end low and opposite each other"
+        (is_auto ? "no feet were found on robot " + in_quotes(robot.model.name)
                  : "frame " + none_of(robot.model, stated.front()) + ", and no feet were found") +
-            "; wanted the frames that it stands on");
+            ": " + why + "; wanted the frames that it stands on");
   robot = with_feet(std::move(robot), *feet);
   notes.push_back((is_auto ? "feet: "
                            : "standing.feet: " + in_quotes(stated.front()) +
                                  " and the others are not in robot " + in_quotes(robot.model.name) +
                                  "; feet: ") +
                   feet_text(*feet));
+  notes.insert(notes.end(), feet->notes.begin(), feet->notes.end());
+  note_wheels(robot.model, feet->frames, notes);
   return with_feet(standing, *feet);
 }
 

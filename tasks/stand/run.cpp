@@ -125,7 +125,9 @@ class Measured {
   SwayFigures figures_;
 };
 
-std::string outcome_of(const RunResult& result, const pressing::RunEnd& end) {
+bool sways(const Sway& sway) { return !sway.shift.isZero(0.0) || !sway.turn.isZero(0.0); }
+
+std::string outcome_of(const Task& task, const RunResult& result, const pressing::RunEnd& end) {
   const std::string& phase = phase_names()[static_cast<std::size_t>(end.phase)];
   const std::string trouble = pressing::trouble_of(result, end, phase);
   if (!trouble.empty()) return trouble;
@@ -133,13 +135,19 @@ std::string outcome_of(const RunResult& result, const pressing::RunEnd& end) {
   if (!result.sway)
     return "it did not come to sway: the run ended at " + number(end.time) + " s, in phase " +
            phase;
+  constexpr double unloaded = 0.5;  // N, less is written as 0
+  const double load = result.standing->least_load;
   char text[200];
   std::snprintf(text, sizeof text,
                 "stood: %.1f s, the centre of mass %.1f mm and the base %.2f degrees rms off their "
                 "way; each foot bore %.0f N or more and slid %.1f mm at most",
                 end.time, 1e3 * result.sway->com_rmse, degrees_per_radian * result.sway->turn_rmse,
-                result.standing->least_load, 1e3 * result.sway->foot_slip);
-  return text;
+                load, 1e3 * result.sway->foot_slip);
+  std::string outcome = text;
+  if (load < unloaded) outcome += "; a foot came off the ground for a time";
+  if (sways(task.sway) && !sways(result.setting.sway))
+    outcome += "; no direction could be swayed in";
+  return outcome;
 }
 
 }  // namespace
@@ -180,7 +188,7 @@ RunResult run_task(const RunSpec& spec) {
     result.sway = measured.figures(ended.time);
     result.fell = measured.fell();
   }
-  result.outcome = outcome_of(result, ended);
+  result.outcome = outcome_of(task, result, ended);
   result.done = result.plant_status <= Status::NotConverged &&
                 result.fault.kind == FaultKind::None && !result.interrupted && !result.fell &&
                 mpc.schedule().time() >= end;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
+#include "pressing/found_standing.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
 
@@ -19,13 +20,18 @@ struct LegText {
   std::string more = {};            ///< links and joints; %s stands for the side
   int joints = 6;
   std::string last_type = "revolute";
+  std::string type = "revolute";      ///< of the others
+  std::string last_centre = "0 0 0";  ///< of mass, of the last link
 };
 
 /// A pelvis on legs of equal links, 0.1 m to both sides of each of these places along x.
 std::string legs(const LegText& leg, const std::vector<double>& places) {
-  const std::string inertial =
-      "<inertial><origin xyz='0 0 0'/><mass value='1'/><inertia ixx='0.001' ixy='0' ixz='0' "
-      "iyy='0.0042' iyz='0' izz='0.005'/></inertial>";
+  const auto inertial_at = [](const std::string& centre) {
+    return "<inertial><origin xyz='" + centre +
+           "'/><mass value='1'/><inertia ixx='0.001' ixy='0' ixz='0' iyy='0.0042' iyz='0' "
+           "izz='0.005'/></inertial>";
+  };
+  const std::string inertial = inertial_at("0 0 0");
   std::string all = "<robot name='legs'><link name='pelvis'>" + inertial + "</link>";
   int number = 0;
   for (const double x : places)
@@ -35,10 +41,10 @@ std::string legs(const LegText& leg, const std::vector<double>& places) {
       for (int i = 1; i <= leg.joints; ++i) {
         const bool is_last = i == leg.joints;
         const std::string link = side + "_" + (is_last ? leg.foot_name : std::to_string(i));
-        all += "<link name='" + link + "'>" + inertial + (is_last ? leg.solid : "") +
-               "</link><joint name='" + side + "_j" + std::to_string(i) + "' type='" +
-               (is_last ? leg.last_type : "revolute") + "'><parent link='" + parent +
-               "'/><child link='" + link + "'/><origin xyz='" +
+        all += "<link name='" + link + "'>" + (is_last ? inertial_at(leg.last_centre) : inertial) +
+               (is_last ? leg.solid : "") + "</link><joint name='" + side + "_j" +
+               std::to_string(i) + "' type='" + (is_last ? leg.last_type : leg.type) +
+               "'><parent link='" + parent + "'/><child link='" + link + "'/><origin xyz='" +
                (i == 1 ? std::to_string(x) + " " + std::to_string(y) + " 0'" : "0 0 -0.15'") +
                (is_last ? " rpy='" + leg.foot_rpy + "'" : "") +
                "/><axis xyz='0 1 0'/><limit lower='-1' upper='1' effort='9' velocity='9'/></joint>";
@@ -171,6 +177,100 @@ TEST(FindFeet, ToesOfAFoot_TheFootStands) {
   const auto feet = find_feet(loaded(legs({.foot_name = "foot", .more = toe}, {0.0})));
   ASSERT_TRUE(feet);
   EXPECT_TRUE(feet->frames.front().starts_with("leg0_foot")) << feet->frames.front();
+}
+
+/// Link and joint of a motor's rotor, at the place of the link `at` of each leg.
+std::string rotor(const std::string& parent, const std::string& place) {
+  return "<link name='%s_" + parent +
+         "_rotor'><inertial><mass value='0'/><inertia ixx='1e-5' ixy='0' ixz='0' iyy='1e-5' "
+         "iyz='0' izz='1e-5'/></inertial></link><joint name='%s_" +
+         parent + "_rotor_joint' type='continuous'><parent link='%s_" + parent +
+         "'/><child link='%s_" + parent + "_rotor'/><origin xyz='" + place +
+         "'/><axis xyz='0 1 0'/></joint>";
+}
+
+TEST(FindFeet, NoGeometryNoLimitsAndRotors_TwoSolesFourBalls) {
+  // One rotor as low as the foot, and one on the foot's own link.
+  const std::string rotors = rotor("5", "0 0.05 -0.15") + rotor("ankle", "0 0.05 0");
+  const auto biped = find_feet(
+      loaded(legs({.more = rotors, .last_type = "continuous", .type = "continuous"}, {0.0})));
+  ASSERT_TRUE(biped);
+  EXPECT_EQ(biped->frames.size(), 2U);
+  EXPECT_TRUE(biped->has_soles());
+  EXPECT_TRUE(biped->frames.front().starts_with("leg0_ankle"));
+  EXPECT_TRUE(biped->notes.empty()) << biped->notes.front();
+
+  LegText shank{.foot_name = "knee",
+                .more = rotor("2", "0 0.05 -0.15"),
+                .joints = 3,
+                .last_type = "continuous",
+                .type = "continuous",
+                .last_centre = "0 0 -0.08"};
+  const Robot robot = loaded(legs(shank, {0.2, -0.2}));
+  const auto feet = find_feet(robot);
+  ASSERT_TRUE(feet);
+  EXPECT_EQ(feet->frames.front(), "leg0_knee/ball");
+  EXPECT_EQ(feet->size_from, Feet::Size::Height);
+  // The rod of 1 kg with 0.005 kg m^2 is 0.245 m long; the knee is 0.3 m below the base.
+  const double tip = 0.08 + std::sqrt(3.0 * 0.005);
+  EXPECT_NEAR(feet->radius, 0.05 * (0.3 + tip), 1e-9);
+  EXPECT_NEAR(first_seen_from(robot, *feet, "leg0_knee").z(), feet->radius - tip, 1e-9);
+  ASSERT_EQ(feet->notes.size(), 1U);
+  expect_words(feet->notes.front(), {"leg0_knee", "mass and inertia"});
+  expect_words(feet_text(*feet), {"assumed"});
+
+  // A frame that is named after a foot goes before the inertia.
+  shank.more +=
+      "<link name='%s_foot'/><joint name='%s_foot_joint' type='fixed'><parent "
+      "link='%s_knee'/><child link='%s_foot'/><origin xyz='0 0 -0.19'/></joint>";
+  const auto named = find_feet(loaded(legs(shank, {0.2, -0.2})));
+  ASSERT_TRUE(named);
+  EXPECT_EQ(named->frames.front(), "leg0_foot");
+  EXPECT_TRUE(named->notes.empty());
+}
+
+TEST(FindFeet, FootOnAJointWithoutLimits_NoteWhetherFoundOrStated) {
+  const Robot robot =
+      loaded(legs({.foot_name = "foot", .joints = 4, .last_type = "continuous"}, {0.2, -0.2}));
+  Standing standing;
+  const auto notes_on = [&](const Names& feet) {
+    standing.feet = feet;
+    Robot stood_on = robot;
+    Names notes;
+    pressing::standing_on(stood_on, standing, notes);
+    return notes;
+  };
+  const std::string note = "leg0_foot turns freely about leg0_j4: lock it to stand on it";
+  const Names found = notes_on({"auto"});
+  ASSERT_EQ(found.size(), 5U);
+  EXPECT_EQ(found[1], note);
+  EXPECT_EQ(notes_on({"leg0_foot"}), Names{note});
+  EXPECT_EQ(notes_on({"leg0_3"}), Names{});
+}
+
+TEST(FindFeet, LockedWheel_BallAsWideAsItsMotor) {
+  const std::string motor =
+      "<collision><origin rpy='1.5707963267948966 0 0'/><geometry><cylinder length='0.05' "
+      "radius='0.05'/></geometry></collision>";
+  const auto feet =
+      find_feet(loaded(legs({.foot_name = "foot", .solid = motor, .joints = 3}, {0.2, -0.2})));
+  ASSERT_TRUE(feet);
+  EXPECT_EQ(feet->frames.front(), "leg0_foot");
+  EXPECT_NEAR(feet->radius, 0.05, 1e-9);
+  EXPECT_EQ(feet->size_from, Feet::Size::Collision);
+}
+
+TEST(FindFeet, NoFeet_ReasonIsSaid) {
+  std::string why;
+  EXPECT_FALSE(find_feet(loaded(legs({.last_type = "continuous"}, {0.0})), &why));
+  expect_words(why, {"'leg0_ankle' is a wheel", "'leg0_j6'"});
+  EXPECT_FALSE(find_feet(loaded(legs({}, {0.4, 0.2, 0.0, -0.2})), &why));
+  expect_words(why, {"8 branches end low", "'leg7_ankle'", "two, four or six"});
+  std::string lame = legs({}, {0.0});
+  const std::string place = "0.000000 -0.100000 0";
+  lame.replace(lame.find(place), place.size(), "0.3 -0.1 0");
+  EXPECT_FALSE(find_feet(loaded(lame), &why));
+  expect_words(why, {"'leg1_ankle' and 'leg0_ankle'", "0.3 m from opposite"});
 }
 
 TEST(FindFeet, WheelsOrLegsOfOneSide_None) {

@@ -102,6 +102,18 @@ TEST_F(Stand, survives_a_push_at_its_trunk) {
   EXPECT_NE(result.trace.column("push_y_world").maxCoeff(), 0.0);
 }
 
+TEST_F(Stand, FootPushedOffTheGroundAndNoSway_OutcomeSaysBoth) {
+  Task task = short_task();
+  task.disturbances.pushes = {{0.9, 0.1, Eigen::Vector3d(0.0, 90.0, 0.0)}};
+  Setting setting = make_setting(task);
+  setting.sway.shift.setZero();
+  setting.sway.turn.setZero();
+  const RunResult result = run_task({.task = task, .setting = setting, .plan_rate = 0.0});
+  EXPECT_TRUE(result.done) << result.outcome;
+  expect_words(result.outcome,
+               {"stood: ", "; a foot came off the ground", "; no direction could be swayed in"});
+}
+
 TEST_F(Stand, says_whether_it_fell) {
   Task task = short_task();
   task.disturbances.pushes = {{0.9, 0.4, Eigen::Vector3d(0.0, 400.0, 0.0)}};
@@ -161,7 +173,7 @@ TEST(StandRobot, AnotherRobot_FeetAndPostureAreFoundAndSaid) {
   EXPECT_NE(task_text(asked).find("  feet: auto\n"), std::string::npos);
   expect_words(
       refusal([] { make_setting(short_task(BURNISH_ROBOTS_DIR "/arm7", {"standing.feet=auto"})); }),
-      {"standing.feet: robot 'arm7' has no pairs of branches"});
+      {"standing.feet: no feet were found on robot 'arm7': "});
   expect_words(
       refusal([] { make_setting(short_task(quadruped, {"standing.feet=[fl_foot, rr_foot]"})); }),
       {"standing.feet: 2 point feet", "three of them, or soles"});

@@ -24,6 +24,7 @@ struct Feet {
   double half_y = 0.0;              ///< half the width along y [m]; 0: ball
   double radius = 0.0;              ///< radius of a ball [m]; 0: the feet have soles
   Size size_from = Size::Height;
+  std::vector<std::string> notes;  ///< what was assumed or is to be mended, one sentence each
 
   bool has_soles() const { return half_x > 0.0; }
 };
@@ -34,9 +35,13 @@ struct Feet {
 ///
 /// Frames named after a sole, foot, toe or ankle are preferred. If no frame lies at the centre of
 /// the sole or ball, `added` holds a new one. Collision geometry is read from Robot::collisions and
-/// from primitives among the visuals; meshes are ignored. Returns nullopt if the robot has no such
-/// branches or stands on wheels.
-std::optional<Feet> find_feet(const Robot& robot);
+/// from primitives among the visuals; meshes are ignored. A last link without geometry and without
+/// such a frame ends where a rod of its mass and inertia does. Rotors are not branches.
+///
+/// Returns nullopt if the robot has no such branches or stands on wheels; `why`, if given, is then
+/// the reason. A wheel is named so, or turns without limits at the end of a leg whose other joints
+/// have them; if a frame on it is named after a foot, it counts as one.
+std::optional<Feet> find_feet(const Robot& robot, std::string* why = nullptr);
 
 /// Returns `robot` with the frames of Feet::added.
 Robot with_feet(Robot robot, const Feet& feet);
