@@ -177,6 +177,28 @@ std::string list_of_experiments() {
   return text;
 }
 
+void add_robots(CLI::App& command, Campaign& a) {
+  command
+      .add_option(
+          "--robot", a.robots,
+          "Robot, URDF or MJCF file in place of those that come along; again for more (robots, "
+          "force_test)")
+      ->type_name("ROBOT")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--tool", a.tools,
+          "Frame that holds the tool, for each --robot in its turn [tool] (robots, force_test)")
+      ->type_name("FRAME")
+      ->allow_extra_args(false);
+  command
+      .add_option("--folder", a.folder,
+                  "Folder with checkouts of public repositories. Tries the arms and legged robots "
+                  "that its robots.yaml lists or, without that file, those of "
+                  "docs/public_robots.md (robots)")
+      ->type_name("DIR");
+}
+
 void add_words(CLI::App& command, Campaign& a) {
   command.add_option("EXPERIMENT", a.name, "Its name, see below")->required()->type_name("");
   command
@@ -199,25 +221,7 @@ void add_words(CLI::App& command, Campaign& a) {
                   "Other surfaces than the experiment's own; again for more (not: orientation)")
       ->type_name("SURFACE")
       ->allow_extra_args(false);
-  command
-      .add_option(
-          "--robot", a.robots,
-          "Robot, URDF or MJCF file in place of those that come along; again for more (robots, "
-          "force_test)")
-      ->type_name("ROBOT")
-      ->allow_extra_args(false);
-  command
-      .add_option(
-          "--tool", a.tools,
-          "Frame that holds the tool, for each --robot in its turn [tool] (robots, force_test)")
-      ->type_name("FRAME")
-      ->allow_extra_args(false);
-  command
-      .add_option("--folder", a.folder,
-                  "Folder with checkouts of public repositories. Tries the arms and legged robots "
-                  "that its robots.yaml lists or, without that file, those of "
-                  "docs/public_robots.md (robots)")
-      ->type_name("DIR");
+  add_robots(command, a);
   command
       .add_option("--plant", a.plant,
                   polishing::has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"

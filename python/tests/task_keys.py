@@ -79,7 +79,7 @@ def _arm(joint: str, joints: int) -> Dict[str, Case]:
         "limits.release": at("limits.unexpected_force=1", to=["0.001"]),
         "limits.contact_lost": at(*lift, to=["0.001"]),
         "limits.contact_threshold": at(to=["20"]),
-        "limits.force": at(push("[0, 0, -100]", 0.02, 0.25), "limits.force=never", to=["45"]),
+        "limits.force": at(push("[0, 0, -200]", 0.02, 0.25), "limits.force=never", to=["45"]),
         "limits.force_window": at(push("[0, 0, -300]", 0.004, 0.25), to=["0.05", "0.0005"]),
         "limits.deadline": at(to=["1e-9"]),
         "limits.late_solves": at("limits.deadline=1e-9", to=["20"]),
