@@ -160,7 +160,9 @@ void bind_robot(py::module_& m) {
                          py::cast<std::vector<std::string>>(state[4]),
                          py::cast<std::vector<std::string>>(state[5])};
           }));
+}
 
+void bind_loading(py::module_& m) {
   m.def(
       "load_robot",
       [](const std::string& name, const std::optional<RobotOverrides>& overrides) {
@@ -406,6 +408,7 @@ void bind_model(py::module_& m) {
   bind_configurations(m);
   bind_joint_order(m);
   bind_robot(m);
+  bind_loading(m);
 }
 
 }  // namespace burnish::python

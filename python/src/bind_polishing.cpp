@@ -182,6 +182,28 @@ void bind_task(py::module_& m) {
         "says that the plant is exactly what the controller believes.");
 }
 
+void bind_margins(py::module_& m) {
+  m.def(
+      "fit_gains",
+      [](Task task, const Setting& setting, const std::optional<RequiredMargins>& required) {
+        FittedGains fitted = fit_gains(task, setting, required.value_or(RequiredMargins{}));
+        return std::pair(std::move(task), std::move(fitted));
+      },
+      py::arg("task"), py::arg("setting"), py::arg("required") = py::none(),
+      py::call_guard<py::gil_scoped_release>(),
+      "(Task, FittedGains): a copy of the task in which model_error.boost, model_error.bandwidth "
+      "and weights.position have values where they were None: 6, 120 rad/s and 1e4 /m^2 at first. "
+      "weights.position is raised to at most ten times that, as far as the required margins "
+      "allow; where they are missed the boost is lowered, then the bandwidth, then "
+      "weights.position.");
+  m.def(
+      "margins", [](const Task& task, const Setting& setting) { return margins(task, setting); },
+      py::arg("task"), py::arg("setting"), py::call_guard<py::gil_scoped_release>(),
+      "TaskMargins behind the disturbances `sensors`; None for robots on their feet or with "
+      "loops, plates that the robot carries, tasks without a force sensor, and where there is no "
+      "plan from the start.");
+}
+
 void bind_setting(py::module_& m) {
   m.def(
       "make_setting",
@@ -203,25 +225,6 @@ void bind_setting(py::module_& m) {
   m.def("make_mpc", &make_mpc, py::arg("task"), py::arg("setting"),
         "MpcSpec: the task as an optimal control problem over time. Gains that the task has not "
         "are fitted to the arm, see fit_gains().");
-  m.def(
-      "fit_gains",
-      [](Task task, const Setting& setting, const std::optional<RequiredMargins>& required) {
-        FittedGains fitted = fit_gains(task, setting, required.value_or(RequiredMargins{}));
-        return std::pair(std::move(task), std::move(fitted));
-      },
-      py::arg("task"), py::arg("setting"), py::arg("required") = py::none(),
-      py::call_guard<py::gil_scoped_release>(),
-      "(Task, FittedGains): a copy of the task in which model_error.boost, model_error.bandwidth "
-      "and weights.position have values where they were None: 6, 120 rad/s and 1e4 /m^2 at first. "
-      "weights.position is raised to at most ten times that, as far as the required margins "
-      "allow; where they are missed the boost is lowered, then the bandwidth, then "
-      "weights.position.");
-  m.def(
-      "margins", [](const Task& task, const Setting& setting) { return margins(task, setting); },
-      py::arg("task"), py::arg("setting"), py::call_guard<py::gil_scoped_release>(),
-      "TaskMargins behind the disturbances `sensors`; None for robots on their feet or with "
-      "loops, plates that the robot carries, tasks without a force sensor, and where there is no "
-      "plan from the start.");
   m.def("make_admittance", &make_admittance, py::arg("task"), py::arg("setting"),
         "AdmittanceSpec: the admittance controller on the same task.");
   m.def("make_baseline", &make_baseline, py::arg("task"), py::arg("setting"),
@@ -296,6 +299,7 @@ void bind_runs_and_experiments(py::module_& m) {
 void bind_polishing(py::module_& m) {
   bind_task(m);
   bind_setting(m);
+  bind_margins(m);
   bind_result(m);
   bind_runs_and_experiments(m);
 }
