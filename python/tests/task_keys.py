@@ -79,7 +79,7 @@ def _arm(joint: str, joints: int) -> Dict[str, Case]:
         "limits.release": at("limits.unexpected_force=1", to=["0.001"]),
         "limits.contact_lost": at(*lift, to=["0.001"]),
         "limits.contact_threshold": at(to=["20"]),
-        "limits.force": at(push("[0, 0, -200]", 0.02, 0.25), "limits.force=never", to=["45"]),
+        "limits.force": at(push("[0, 0, -100]", 0.02, 0.25), "limits.force=never", to=["45"]),
         "limits.force_window": at(push("[0, 0, -300]", 0.004, 0.25), to=["0.05", "0.0005"]),
         "limits.deadline": at(to=["1e-9"]),
         "limits.late_solves": at("limits.deadline=1e-9", to=["20"]),
@@ -280,7 +280,8 @@ TASKS: Dict[str, Task] = {
     "polishing": Task("polishing", "polishing/table.yaml", [
         "phases.clearance=0.002", "phases.reach_duration=0.05", "phases.ramp_duration=0.05",
         "phases.polish_duration=0.12", "phases.retreat_duration=0.1", "controller.horizon=0.1", "controller.step=0.02",
-        "controller.update_rate=200", "controller.tick_rate=1000", "path.start_up=0.05"], _polishing()),
+        "controller.update_rate=200", "controller.tick_rate=1000", "path.start_up=0.05",
+        "weights.position=1e4", "model_error.boost=6", "model_error.bandwidth=120"], _polishing()),
     "press_hold": Task("press_hold", "press_hold/arm7.yaml", [
         "phases.clearance=0.002", "phases.ramp_duration=0.05", "phases.aside_duration=0.1", "phases.hold_duration=0.1",
         "phases.retreat_duration=0.1", "controller.tick_rate=500"], _press_hold()),
