@@ -242,6 +242,9 @@ void bind_setting(py::module_& m) {
       "position, joint limits, torques that hold the robot still, and the arm as a skeleton beside "
       "the surface. It knows no motion, no shapes of links, and no other collisions. setting: of "
       "the task if None. Raises Error for a path that is none.");
+}
+
+void bind_postures(py::module_& m) {
   m.def("pressing_axis", &pressing_axis, py::arg("tool_placement"),
         "(3,), the direction of the -z of a tool at a placement (4, 4); see "
         "pressing_direction().");
@@ -300,6 +303,7 @@ void bind_polishing(py::module_& m) {
   bind_task(m);
   bind_setting(m);
   bind_margins(m);
+  bind_postures(m);
   bind_result(m);
   bind_runs_and_experiments(m);
 }
