@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
@@ -65,13 +66,13 @@ Lying lying_at(const Setting& setting, const Trunk& wanted, const Eigen::Vector3
   return {(wanted.com.z() - com.z()) / height, turn_between(wanted.base, R_base)};
 }
 
-Swaying::Swaying(const MpcSpec& spec, const Task& task, const Setting& setting)
-    : task_(task), setting_(setting) {
+Swaying::Swaying(const MpcSpec& spec, Task task, Setting setting)
+    : task_(std::move(task)), setting_(std::move(setting)) {
   const RigidBody body(spec.problem.model);
-  base_ = body.frame(setting.base);
-  for (const std::string& foot : setting.standing.feet) {
+  base_ = body.frame(setting_.base);
+  for (const std::string& foot : setting_.standing.feet) {
     feet_.push_back(body.frame(foot));
-    start_.push_back(frame_placement(spec.problem.model, setting.q_start, foot));
+    start_.push_back(frame_placement(spec.problem.model, setting_.q_start, foot));
   }
 }
 

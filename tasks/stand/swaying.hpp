@@ -24,7 +24,7 @@ Lying lying_at(const Setting& setting, const Trunk& wanted, const Eigen::Vector3
 
 class Swaying final : public MpcTask {
  public:
-  Swaying(const MpcSpec& spec, const Task& task, const Setting& setting);
+  Swaying(const MpcSpec& spec, Task task, Setting setting);
 
   std::vector<WatchedQuantity> watched() const override;
   void watch(const TaskView& view, std::span<Reading> out) noexcept override;
