@@ -19,6 +19,7 @@
 #include "model/loops.hpp"
 #include "robots/carrying_joints.hpp"
 #include "robots/description.hpp"
+#include "robots/joint_settings.hpp"
 #include "robots/known_robots.hpp"
 #include "robots/robot_settings.hpp"
 #include "urdf/srdf.hpp"
@@ -157,56 +158,6 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
     refuse(origin, "every joint that the settings leave free is to be locked; leave one free");
   }
   return options;
-}
-
-/// The moving joint that a key of the settings is about.
-JointSpec& moving_joint(TreeSpec& tree, const std::string& name, const std::string& key,
-                        const std::string& origin) {
-  const auto joint = std::find_if(tree.joints.begin(), tree.joints.end(),
-                                  [&](const JointSpec& spec) { return spec.name == name; });
-  if (joint == tree.joints.end()) {
-    std::vector<std::string> known;
-    for (const JointSpec& spec : tree.joints) known.push_back(spec.name);
-    refuse(origin, key + " does not exist" + did_you_mean(name, known));
-  }
-  if (joint->type == JointType::Fixed) refuse(origin, key + " is fixed and has none");
-  return *joint;
-}
-
-/// Takes back what a file's limit of 0 was taken for: the settings state the limit.
-void drop_assumption(TreeSpec& tree, const std::string& joint, const char* limit) {
-  const std::string said = "joint " + in_quotes(joint) + ": <limit> has '" + limit + "' = 0";
-  std::erase_if(tree.warnings, [&](const std::string& warning) {
-    return warning.find(said) != std::string::npos;
-  });
-}
-
-void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limits,
-                const std::string& origin) {
-  const std::string key = "limits: joint " + in_quotes(name);
-  JointSpec& joint = moving_joint(tree, name, key, origin);
-  const bool has_range = joint.type == JointType::Revolute || joint.type == JointType::Prismatic;
-  if ((limits.lower || limits.upper) && !has_range) {
-    refuse(origin, key + " has no 'lower' and 'upper'; only revolute and prismatic joints have");
-  }
-  joint.lower = limits.lower.value_or(joint.lower);
-  joint.upper = limits.upper.value_or(joint.upper);
-  joint.velocity_limit = limits.velocity.value_or(joint.velocity_limit);
-  joint.effort_limit = limits.effort.value_or(joint.effort_limit);
-  if (limits.velocity) drop_assumption(tree, name, "velocity");
-  if (limits.effort) drop_assumption(tree, name, "effort");
-}
-
-void set_figures(TreeSpec& tree, const std::string& name, const JointFigures& figures,
-                 const std::string& origin) {
-  JointSpec& joint = moving_joint(tree, name, "joints: joint " + in_quotes(name), origin);
-  joint.armature = figures.armature.value_or(joint.armature);
-  joint.damping = figures.damping.value_or(joint.damping);
-  joint.friction = figures.friction.value_or(joint.friction);
-  joint.stiffness = figures.stiffness.value_or(joint.stiffness);
-  joint.rest = figures.rest.value_or(joint.rest);
-  const double ratio = figures.gear_ratio.value_or(1.0);
-  joint.armature += ratio * ratio * figures.rotor_inertia.value_or(0.0);
 }
 
 /// Frames and postures that a description has itself stand behind those of the settings.
