@@ -14,7 +14,7 @@ struct FittedController {
   std::optional<polishing::TaskMargins> margins = {};
 };
 
-/// Gives the task the gains that it has not.
+/// Sets the gains that the task does not state, see fit_gains(), and computes the margins.
 FittedController fit_controller(polishing::Task& task, const polishing::Setting& setting);
 
 /// Prints what was chosen and what the loop tolerates, and warns where that is too little.

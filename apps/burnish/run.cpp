@@ -64,26 +64,25 @@ void note_light_joints(const Task& task, const Setting& setting) {
   if (!light.empty()) fmt::print(stderr, "burnish: note: {}\n", light_joints_text(light));
 }
 
-/// What the loop of an arm tolerates, behind the disturbances `sensors`; a warning where that is
-/// less than the required delay. Nothing where margins are not computed.
+/// Prints what the loop of an arm tolerates with the disturbances `sensors`, and warns where it
+/// misses the required margins. Prints nothing where margins cannot be computed.
 template <class Task>
 void tell_margins(const std::string& name, const Task& task, const MpcSpec& spec, bool talks) {
   if (!without_margins(spec).empty()) return;
-  const Disturbances usual = disturbance_preset("sensors");
-  const LoopChain chain{.command_delay = usual.command_delay,
-                        .difference_velocity = usual.finite_difference_velocity,
-                        .velocity_cutoff = usual.velocity_cutoff,
-                        .force_cutoff = usual.force_cutoff,
-                        .stiffness = task.stiffness,
-                        .damping = task.damping};
-  const auto at = [&](int phase) {
-    return LoopAnalysis(spec, chain, phase).margins(spec.model_error);
+  const LoopChain chain =
+      polishing::chain_of(disturbance_preset("sensors"), task.stiffness, task.damping);
+  const LoopAnalysis air(spec, chain, free_phase(spec)), contact(spec, chain, pressing_phase(spec));
+  const polishing::RequiredMargins wanted;
+  const auto meets = [&](const LoopAnalysis& loop) {
+    return loop.tolerates(spec.model_error, wanted.delay, wanted.gain);
   };
-  const polishing::TaskMargins margins{at(free_phase(spec)), at(pressing_phase(spec))};
-  const double wanted = polishing::RequiredMargins{}.delay;
-  if (margins.delay() < wanted)
-    fmt::print(stderr, "burnish: {}: warning: the loop tolerates {}; wanted {:g} ms\n", name,
-               margins.text(), 1e3 * wanted);
+  const polishing::TaskMargins margins{air.margins(spec.model_error),
+                                       contact.margins(spec.model_error)};
+  if (!meets(air) || !meets(contact))
+    fmt::print(stderr,
+               "burnish: {}: warning: the loop tolerates {}; wanted {:g} ms, and half and twice "
+               "the gain\n",
+               name, margins.text(), 1e3 * wanted.delay);
   else if (talks)
     fmt::print("{}: tolerates {}\n", name, margins.text());
 }

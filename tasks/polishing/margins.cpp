@@ -32,16 +32,6 @@ std::optional<Loops> loops_of(const Task& task, const Setting& setting, const Lo
   }
 }
 
-LoopChain chain_of(const Task& task, const Disturbances& disturbances) {
-  return {.command_delay = disturbances.command_delay,
-          .torque_cutoff = disturbances.torque_cutoff,
-          .difference_velocity = disturbances.finite_difference_velocity,
-          .velocity_cutoff = disturbances.velocity_cutoff,
-          .force_cutoff = disturbances.force_cutoff,
-          .stiffness = task.stiffness,
-          .damping = task.damping};
-}
-
 /// The joint with the least room, of both situations.
 GainRange narrowest(const TaskMargins& margins, bool above) {
   std::vector<GainRange> all = margins.air.gains;
@@ -141,13 +131,25 @@ std::string TaskMargins::text() const {
          " (" + most.joint + ")";
 }
 
+LoopChain chain_of(const Disturbances& disturbances, double stiffness, double damping) {
+  return {.command_delay = disturbances.command_delay,
+          .torque_cutoff = disturbances.torque_cutoff,
+          .difference_velocity = disturbances.finite_difference_velocity,
+          .velocity_cutoff = disturbances.velocity_cutoff,
+          .force_cutoff = disturbances.force_cutoff,
+          .stiffness = stiffness,
+          .damping = damping};
+}
+
 LoopChain usual_chain(const Task& task) {
   Disturbances usual = disturbance_preset("sensors");
   usual.torque_cutoff = task.torque_cutoff;
-  return chain_of(task, usual);
+  return chain_of(usual, task.stiffness, task.damping);
 }
 
-LoopChain loop_chain(const Task& task) { return chain_of(task, task.disturbances); }
+LoopChain loop_chain(const Task& task) {
+  return chain_of(task.disturbances, task.stiffness, task.damping);
+}
 
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting) {
   return margins(task, setting, usual_chain(task));

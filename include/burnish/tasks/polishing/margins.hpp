@@ -28,6 +28,9 @@ struct TaskMargins {
   std::string text() const;
 };
 
+/// Returns the chain with the delays and filters of `disturbances`, and a surface of `stiffness`
+/// [N/m] and `damping` [Ns/m].
+LoopChain chain_of(const Disturbances& disturbances, double stiffness, double damping);
 /// Returns the chain for which gains are fitted: delays and filters of the disturbance preset
 /// `sensors`, the task's surface, and the motor lag that its plans model. Fitted gains therefore
 /// do not depend on the task's disturbances, which the controller does not know.
