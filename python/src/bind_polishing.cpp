@@ -223,8 +223,8 @@ void bind_setting(py::module_& m) {
         "TaskPoint: where the tool shall be and how hard it shall press, at a time (s) of the "
         "schedule.");
   m.def("make_mpc", &make_mpc, py::arg("task"), py::arg("setting"),
-        "MpcSpec: the task as an optimal control problem over time. Gains that the task has not "
-        "are fitted to the arm, see fit_gains().");
+        "MpcSpec: the task as an optimal control problem over time. Gains that the task does not "
+        "state are fitted to the arm, see fit_gains().");
   m.def("make_admittance", &make_admittance, py::arg("task"), py::arg("setting"),
         "AdmittanceSpec: the admittance controller on the same task.");
   m.def("make_baseline", &make_baseline, py::arg("task"), py::arg("setting"),

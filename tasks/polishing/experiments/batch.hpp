@@ -19,8 +19,8 @@ struct BatchRun {
   /// are `made` unless the progress function stopped it.
   std::function<RunFigures(const RunProgress& progress)> perform = {};
   std::string depends_on = {};  ///< with `perform`: all that its result depends on
-  /// s of computing that it may take at least, whatever the runs before it took; less where the
-  /// specification's time_limit says so
+  /// Computing time that the run is allowed even where the runs before it were quicker [s]. The
+  /// specification's time_limit goes before it.
   double usual_limit = 10.0;
 };
 

@@ -24,7 +24,7 @@ struct UntriedRobot {
 /// What is measured of a public robot's run besides its figures.
 namespace public_figures {
 inline constexpr const char* mass = "mass";      ///< kg that move
-inline constexpr const char* force = "force";    ///< N that it pressed with
+inline constexpr const char* force = "force";    ///< Force that the tool presses with [N].
 inline constexpr const char* rotors = "rotors";  ///< joints with assumed rotors
 inline constexpr const char* light = "light";    ///< joints whose rotor is missing
 /// s of extra delay that margins() predicts, beyond that of the disturbances `sensors`

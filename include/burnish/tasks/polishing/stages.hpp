@@ -47,7 +47,7 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
 /// at the path's origin: place, velocity, acceleration and the surface's normal.
 TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& point);
 
-/// Gains that the task has not are fitted to the arm, see fit_gains().
+/// Gains that the task does not state are fitted to the arm, see fit_gains().
 /// Without a preview of the force (ForceProfile::preview) plans take it from a clock that
 /// controllers made of one specification share: make a specification for each.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
