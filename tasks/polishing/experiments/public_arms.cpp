@@ -12,9 +12,9 @@
 namespace burnish::polishing {
 namespace {
 
-/// s on the path: half of it is until the circle has its full size, the other half is measured.
+/// Time on the path [s]. The circle grows during its first half; the other half is measured.
 constexpr double path_duration = 4.0;
-/// s that commands are late, and whether the controller knows it.
+/// Delay of the commands [s], and whether the controller knows it.
 constexpr std::pair<double, bool> delays[] = {{3e-3, false}, {5e-3, true}};
 
 Task task_of(const ExperimentSpec& spec, const PublicRobot& arm, const std::string& surface,
