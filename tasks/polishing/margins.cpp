@@ -155,14 +155,14 @@ std::optional<TaskMargins> margins(const Task& task, const Setting& setting) {
   return margins(task, setting, usual_chain(task));
 }
 
-std::optional<TaskMargins> margins(const Task& asked, const Setting& setting,
+std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                                    const LoopChain& chain) {
-  Task task = asked;
-  (void)fit_gains(task, setting);
-  const std::optional<Loops> loops = loops_of(task, setting, chain);
+  Task fitted = task;
+  (void)fit_gains(fitted, setting);
+  const std::optional<Loops> loops = loops_of(fitted, setting, chain);
   if (!loops) return std::nullopt;
-  return TaskMargins{loops->air.margins(task.model_error),
-                     loops->contact.margins(task.model_error)};
+  return TaskMargins{loops->air.margins(fitted.model_error),
+                     loops->contact.margins(fitted.model_error)};
 }
 
 FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required) {

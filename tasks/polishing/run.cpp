@@ -146,8 +146,7 @@ std::string name_of(ControllerKind kind) {
   return words_of(kind).words[static_cast<std::size_t>(kind)].word;
 }
 
-RunResult run_task(const RunSpec& asked) {
-  RunSpec spec = asked;
+RunResult run_task(const RunSpec& spec) {
   check_task(spec.task);
   RunResult result;
   result.setting = make_setting(spec.task, spec.robot ? *spec.robot : load_task_robot(spec.task));
@@ -156,8 +155,10 @@ RunResult run_task(const RunSpec& asked) {
     result.reach = check_reach(spec.task, setting, spec.reach);
     if (!result.reach.ok()) throw Error("the task is out of reach: " + result.reach.text);
   }
-  if (spec.controller == ControllerKind::Mpc) result.fitted = fit_gains(spec.task, setting).changes;
-  const Pieces pieces = make_controller(spec, setting);
+  RunSpec fitted = spec;
+  if (spec.controller == ControllerKind::Mpc)
+    result.fitted = fit_gains(fitted.task, setting).changes;
+  const Pieces pieces = make_controller(fitted, setting);
   Watch watch(spec, pieces);
   pressing::ClosedRun run{.controller = *pieces.controller,
                           .period = pieces.period,

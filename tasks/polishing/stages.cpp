@@ -334,9 +334,12 @@ void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
 }
 }  // namespace
 
-MpcSpec make_mpc(const Task& asked, const Setting& setting) {
-  Task task = asked;
-  (void)fit_gains(task, setting);
+MpcSpec make_mpc(const Task& task, const Setting& setting) {
+  if (!task.model_error.boost || !task.model_error.bandwidth || !task.weights.position) {
+    Task fitted = task;
+    (void)fit_gains(fitted, setting);
+    return make_mpc(fitted, setting);
+  }
   const Model& model = setting.robot.model;
   const auto path = std::make_shared<const Path>(task.path);
   std::shared_ptr<std::atomic<double>> known;
