@@ -29,6 +29,11 @@ auto named_by(const std::string& file, const Work& work) {
   }
 }
 
+/// Adds the commands of this program to the command line. `exit_code` is set when one has run.
+void add_commands(CLI::App& app, int& exit_code);
+/// Where other commands are, as an end of a sentence; empty in the whole program.
+extern const char* const other_commands;
+
 /// Of burnish, such as "0.3.0".
 const char* program_version();
 

@@ -5,6 +5,7 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "help_formatter.hpp"
 #include "named_tasks.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/experiments/experiment.hpp"
@@ -101,11 +102,6 @@ CommandText describe_command(const CLI::App& app) {
 }
 
 }  // namespace
-
-std::string value_name(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  return type.substr(0, type.find(':'));
-}
 
 ProgramText describe(const CLI::App& app) {
   ProgramText text{.itself = describe_command(app), .commands = {}};

@@ -41,9 +41,6 @@ struct ProgramText {
 
 ProgramText describe(const CLI::App& app);
 
-/// The value's name without what CLI11 writes behind it: "N" of "N:POSITIVE".
-std::string value_name(const CLI::Option& option);
-
 /// A manual page for section 1, in the man macros of roff.
 std::string man_page(const ProgramText& program, const std::string& version);
 

@@ -2,9 +2,12 @@
 
 #include <sstream>
 
-#include "describe.hpp"
-
 namespace burnish::app {
+
+std::string value_name(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return type.substr(0, type.find(':'));
+}
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (option->get_type_size_max() == 0) return "";

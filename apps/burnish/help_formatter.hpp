@@ -6,6 +6,9 @@
 
 namespace burnish::app {
 
+/// The value's name without what CLI11 writes behind it: "N" of "N:POSITIVE".
+std::string value_name(const CLI::Option& option);
+
 /// CLI11's, with names of values alone ("N" where CLI11 writes "N:POSITIVE"), defaults in brackets
 /// behind the description, and descriptions that end before column 100.
 class HelpFormatter : public CLI::Formatter {

@@ -16,29 +16,10 @@
 
 #include "burnish/base/error.hpp"
 #include "command.hpp"
-#include "describe.hpp"
 #include "help_formatter.hpp"
-#include "robot_list.hpp"
 #include "signals.hpp"
 
 namespace burnish::app {
-
-// Each in a file of its name. `exit_code` is set when the command has run.
-void add_show(CLI::App& app, int& exit_code);
-void add_check(CLI::App& app, int& exit_code);
-void add_eval(CLI::App& app, int& exit_code);
-void add_solve(CLI::App& app, int& exit_code);
-void add_polish(CLI::App& app, int& exit_code);
-void add_run(CLI::App& app, int& exit_code);
-void add_experiment(CLI::App& app, int& exit_code);
-void add_merge(CLI::App& app, int& exit_code);
-/// Those that Python does end with it.
-void add_sweep(CLI::App& app);
-void add_tune(CLI::App& app);
-void add_report(CLI::App& app, int& exit_code);
-void add_bench(CLI::App& app, int& exit_code);
-void add_identify(CLI::App& app, int& exit_code);
-
 namespace {
 
 constexpr const char* footer =
@@ -98,28 +79,9 @@ void check_command(const CLI::App& app, int count, char** words) {
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
   for (const std::string& name : known)
     if (name == words[1]) return;
-  throw Error(fmt::format("unknown command '{}'{} (burnish --help lists them)", words[1],
-                          did_you_mean(words[1], known)));
+  throw Error(fmt::format("unknown command '{}'{} (burnish --help lists them{})", words[1],
+                          did_you_mean(words[1], known), other_commands));
 }
-
-/// What the program says about itself.
-struct SelfDescription {
-  bool robots = false, manual = false;
-  std::string shell;
-
-  void add_to(CLI::App& app) {
-    app.add_flag("--robots", robots, "Print the robots that are known by name");
-    app.add_flag("--man", manual, "Print the manual page: burnish --man | man -l -");
-    app.add_option("--completion", shell,
-                   "Print what teaches a shell to complete: bash, zsh or fish")
-        ->type_name("SHELL");
-  }
-  void print(const CLI::App& app) const {
-    if (robots) fmt::print("{}", robot_list());
-    if (manual) fmt::print("{}", man_page(describe(app), BURNISH_VERSION));
-    if (!shell.empty()) fmt::print("{}", completion(describe(app), shell));
-  }
-};
 
 int run(int count, char** words) {
   CLI::App app(
@@ -131,22 +93,8 @@ int run(int count, char** words) {
   app.set_version_flag("--version", "burnish " BURNISH_VERSION, "Print the version and exit");
   app.footer(footer);
   app.require_subcommand(0, 1);
-  SelfDescription self;
-  self.add_to(app);
   int exit_code = exit_ok;
-  add_show(app, exit_code);
-  add_check(app, exit_code);
-  add_eval(app, exit_code);
-  add_solve(app, exit_code);
-  add_polish(app, exit_code);
-  add_run(app, exit_code);
-  add_experiment(app, exit_code);
-  add_merge(app, exit_code);
-  add_sweep(app);
-  add_tune(app);
-  add_report(app, exit_code);
-  add_bench(app, exit_code);
-  add_identify(app, exit_code);
+  add_commands(app, exit_code);
   if (count < 2) {
     fmt::print(stderr, "{}", app.help());
     return exit_usage;
@@ -159,7 +107,6 @@ int run(int count, char** words) {
   } catch (const CLI::ParseError& error) {
     throw Error(usage_sentence(app, error));
   }
-  self.print(app);
   return exit_code;
 }
 
