@@ -219,8 +219,9 @@ std::vector<std::string> setting_notes(const Task& task, const Setting& setting)
   const MpcSpec mpc = make_mpc(task, setting);
   const std::string left = pressing::directions_left_out(setting.standing, mpc.problem.contacts);
   if (!left.empty())
-    notes.push_back("standing.feet: the legs cannot move every foot by itself, so that " + left +
-                    " follows from the other directions, which hold the feet");
+    notes.push_back(
+        "standing.feet: the legs cannot move every foot in every direction by itself; " + left +
+        " follows from the directions that plans hold");
   const double part = mpc.fallback.damping / setting.standing.fallback.damping;
   if (part < 1.0)
     notes.push_back("standing.fallback: " + number(part) +

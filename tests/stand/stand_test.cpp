@@ -286,7 +286,8 @@ TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
   EXPECT_GT(setting.sway.shift.x(), 0.01);
   EXPECT_GT(setting.sway.turn.y(), 0.01);
   expect_words(notes_text(task, setting),
-               {"sway: y, roll and yaw left out", " of r_sole follows from the other directions"});
+               {"sway: y, roll and yaw left out",
+                "turning about z of 'r_sole' follows from the directions"});
   // Eleven of the twelve directions are independent.
   int held = 0;
   for (const ContactSpec& foot : make_mpc(task, setting).problem.contacts)
@@ -462,8 +463,9 @@ TEST(StandFile, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
   expect_words(refused(head + "standing: {feet: [fl_foot, fr_fot, rl_foot, rr_foot]}\n"),
                {"line 3: standing.feet", "'fr_fot'", "did you mean 'fr_foot'?"});
   expect_words(refused(head + "standing: {half_x: 0.1}\n"), {"standing.half_x: half sides"});
-  expect_words(refused(head + "standing: {half_x: 0.1, half_y: 0.1}\n"),
-               {"standing.feet: the z axis of"});
+  expect_words(
+      refused(head + "standing: {half_x: 0.1, half_y: 0.1}\n"),
+      {"standing.feet: the sole of", "is not level at the start", "degrees off the vertical"});
   expect_words(refused(head + "sway: {shift: [0, 0.2, 0], fit: false}\n"),
                {"line 3: sway: ", "in the way"});
   expect_words(refused(head + "posture: standin\n"), {"line 3: posture", "'standing'"});
