@@ -124,7 +124,7 @@ std::string posture_of(const Task& task, Setting& s) {
       s.robot.postures.contains(task.posture))
     return task.posture;
   s.notes.push_back("posture: robot " + in_quotes(s.robot.model.name) + " does not have " +
-                    in_quotes(task.posture) + "; one was searched");
+                    in_quotes(task.posture) + "; one was found");
   return searched_posture;
 }
 
@@ -151,7 +151,9 @@ Setting make_setting(const Task& task, const Robot& robot) {
   const Model& model = s.robot.model;
   pressing::check_standing(model, s.standing);
   s.q_start = pressing::start_posture(s.robot, posture_of(task, s), [&] {
-    const Eigen::VectorXd q = pressing::crouched_posture(model, s.standing, task.crouch);
+    const Eigen::VectorXd from =
+        s.robot.default_posture.empty() ? model.q_neutral : s.robot.reference_configuration();
+    const Eigen::VectorXd q = pressing::crouched_posture(model, s.standing, from, task.crouch);
     constexpr double same = 0.01;
     const double crouch = pressing::crouch_at(model, s.standing, q);
     if (crouch < task.crouch - same)

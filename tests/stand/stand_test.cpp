@@ -7,6 +7,8 @@
 #include "biped.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/foot_posture.hpp"
 #include "stand/descriptions.hpp"
 #include "stand/swaying.hpp"
 #include "support/refusal.hpp"
@@ -276,6 +278,23 @@ Task biped_task(const std::string& file, double size, std::vector<std::string> o
   return read_task(BURNISH_TASKS_DIR "/stand/talos.yaml", overrides);
 }
 
+TEST(StandPosture, SolesThatAreNotLevelAtZero_AreLevelled) {
+  const testing::Scratch scratch;
+  Robot robot = pressing::load_floating(scratch.write("biped.urdf", biped(1.0)).string());
+  Standing standing;
+  for (const std::string sole : {"l_sole", "r_sole"}) {
+    Frame tilted = robot.model.frames[static_cast<std::size_t>(robot.model.frame_index(sole))];
+    tilted.name = sole + "_tilted";
+    tilted.placement.rotate(Eigen::AngleAxisd(0.25, Eigen::Vector3d::UnitY()));
+    robot.model.frames.push_back(tilted);
+    standing.feet.push_back(tilted.name);
+  }
+  const Model& model = robot.model;
+  const Eigen::VectorXd q = pressing::crouched_posture(model, standing, model.q_neutral, 0.1);
+  for (const std::string& foot : standing.feet)
+    EXPECT_GT(frame_placement(model, q, foot).linear()(2, 2), 1.0 - 1e-7) << foot;
+}
+
 TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
   const testing::Scratch scratch;
   const Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
@@ -367,7 +386,7 @@ TEST(StandRobot, DescriptionWithoutPostures_OneIsSearchedAndSaid) {
   Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
   task.posture = "standing_board";
   expect_words(notes_text(task, make_setting(task)),
-               {"posture: robot 'biped' does not have 'standing_board'; one was searched"});
+               {"posture: robot 'biped' does not have 'standing_board'; one was found"});
 }
 
 TEST(StandRobot, GroundStatedMuchTooStiff_NoteSaysWhatTheWeightAsksFor) {
