@@ -49,15 +49,20 @@ struct PolishArguments {
 
 files::Said<polishing::Task> make_task(const PolishArguments& arguments,
                                        const std::string& surface) {
-  std::vector<std::string> words;
-  if (!arguments.robot.empty()) words.push_back("robot=" + yaml_word(arguments.robot));
-  if (!arguments.tool.empty()) words.push_back("tool.frame=" + yaml_word(arguments.tool));
-  if (!surface.empty()) words.push_back("surface=" + surface);
-  if (!arguments.disturbances.empty()) words.push_back("disturbances=" + arguments.disturbances);
-  if (arguments.assume_rotors) words.emplace_back("assume_rotors=true");
+  std::vector<files::Override> words;
+  const auto say = [&](const std::string& key, const char* option, const std::string& value) {
+    if (!value.empty())
+      words.push_back({key + "=" + yaml_word(value), std::string(option) + " " + value});
+  };
+  say("robot", "--robot", arguments.robot);
+  say("tool.frame", "--tool", arguments.tool);
+  say("surface", "--surface", surface);
+  say("disturbances", "--disturbances", arguments.disturbances);
+  if (arguments.assume_rotors) words.push_back({"assume_rotors=true", "--assume-rotors"});
   if (arguments.duration)
-    words.push_back(fmt::format("phases.polish_duration={}", *arguments.duration));
-  words.insert(words.end(), arguments.overrides.begin(), arguments.overrides.end());
+    words.push_back({fmt::format("phases.polish_duration={}", *arguments.duration),
+                     fmt::format("--duration {}", *arguments.duration)});
+  for (const std::string& word : arguments.overrides) words.push_back({word});
   if (!arguments.file.empty())
     return polishing::parse_said_task(read_text(arguments.file, "YAML file"), arguments.file,
                                       words);

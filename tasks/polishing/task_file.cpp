@@ -157,7 +157,7 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
 }
 
 files::Said<Task> parse_said_task(const std::string& text, const std::string& name,
-                                  const std::vector<std::string>& overrides) {
+                                  const std::vector<files::Override>& overrides) {
   files::Said<Task> said = files::parse_said<Task>(text, name, overrides);
   try {
     check_task(said.spec);
@@ -173,7 +173,7 @@ Task read_task(const fs::path& file, const std::vector<std::string>& overrides) 
 
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides) {
-  return parse_said_task(text, name, overrides).spec;
+  return parse_said_task(text, name, files::as_overrides(overrides)).spec;
 }
 
 void override_task(Task& task, const std::vector<std::string>& overrides) {
