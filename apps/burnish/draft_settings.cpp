@@ -190,7 +190,7 @@ std::string lock_text(const Drafted& drafted) {
 void check_tool(const Model& model, const std::string& tool) {
   if (tool.empty()) return;
   if (!model.has_frame(tool))
-    throw Error("--tool: the tool's frame " + pressing::none_of(model, tool));
+    throw Error("--tool: the tool's frame " + pressing::none_of(model, tool, true));
   if (model.has_frame("tool") && tool != "tool")
     throw Error(fmt::format(
         "--tool: robot '{}' has a frame 'tool' of its own, which commands take; wanted that",

@@ -224,7 +224,7 @@ TEST(Posture, OfADescriptionOnlyTheJointsThatCarryTheToolMove) {
                {"the tool's frame 'fl_shank_lik' is none of robot", "'fl_shank_link'"});
   task.tool = "nothing_like_it_at_all";
   expect_words(refusal([&] { load_task_robot(task); }),
-               {"links at its ends are ", "fl_shank_link"});
+               {"links at its ends are ", "fl_shank_link", "tool.frame or --tool FRAME"});
 }
 
 TEST(Posture, AToolThatIsMissingIsSoughtAmongSitesToo) {
