@@ -189,3 +189,6 @@ RunResult run_task(const RunSpec& spec) {
 }
 
 }  // namespace burnish::polishing
+  if (const std::string beyond = beyond_limits(setting.robot.model, result.trace, end.time);
+      result.verdict && !beyond.empty())
+    failure = failure.empty() ? "not polished: " + beyond : failure + "; " + beyond;
