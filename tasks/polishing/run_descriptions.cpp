@@ -64,7 +64,19 @@ const Description& description_of(const Setting* /*of*/) {
           .field("ramp_end", &S::ramp_end, "{s} of the schedule")
           .field("track_end", &S::track_end, "{s} of the schedule")
           .field("assumed_rotors", &S::assumed_rotors,
-                 "kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature");
+                 "kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature")
+          .field("home", &S::home, "from where a run begins (Task.home) to q_start");
+  return all;
+}
+
+const Description& description_of(const FreeHome* /*of*/) {
+  using F = FreeHome;
+  static const Description all =
+      Describe<F>("polishing", "FreeHome",
+                  "Posture of a robot from which its joints can move straight to a task's start.")
+          .result()
+          .field("posture", &F::posture, "of the robot's settings")
+          .field("duration", &F::duration, "{s}, of the move");
   return all;
 }
 

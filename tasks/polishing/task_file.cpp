@@ -140,7 +140,8 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
     form.reads<Task>("path", "points",
                      [](Task& task, const Reader& reader) { read_points(task.path, reader); })
         .word("path", "kind")
-        .word("force_profile", "kind");
+        .word("force_profile", "kind")
+        .word("home", "posture");
     pressing::read_presets<Task>(form, "surface.friction");
     form.gone("weights", "position_limits", "constraints.joint_margin, which plans keep")
         .gone("weights", "velocity_limits", "constraints.joint_speed, which plans keep")

@@ -72,6 +72,39 @@ const Description& description_of(const PostureLimits* /*of*/) {
   return all;
 }
 
+const Description& description_of(const HomeSpec* /*of*/) {
+  using H = HomeSpec;
+  static const Description all =
+      Describe<H>("pressing", "HomeSpec",
+                  "Posture at which a run begins. From there the robot moves to the start of its "
+                  "task.")
+          .field("posture", &H::posture,
+                 "of the robot, that a run begins at; none: the run begins at its task's start")
+          .in_code(
+              "posture of the robot that a run begins at; empty: the run begins at its task's "
+              "start")
+          .word("none")
+          .field(
+              "joints", &H::joints,
+              "{joint: rad (m), ...} in place of the posture's; without one the others are as at "
+              "the start")
+          .in_code(
+              "rad (m) by joint, in place of the posture's; without a posture the others are as at "
+              "the start")
+          .field("speed_ratio", &H::speed_ratio,
+                 "of the joints' velocity limits, highest speed on the way",
+                 Range{.least = 0.01, .most = 1.0})
+          .field("duration", &H::duration,
+                 "{s}; auto: the shortest that keeps speed_ratio and 0.8 of the effort limits, at "
+                 "least 1 s",
+                 range::positive)
+          .in_code(
+              "s; none: the shortest that keeps speed_ratio and 0.8 of the effort limits, at least "
+              "1 s")
+          .word("auto");
+  return all;
+}
+
 // NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const Standing* /*of*/) {
   using S = Standing;
