@@ -103,9 +103,9 @@ const Description& description_of(const RequiredMargins* /*of*/) {
   using R = RequiredMargins;
   static const Description all =
       Describe<R>("polishing", "RequiredMargins",
-                  "What every arm must tolerate beyond what the chain of its loop has.")
+                  "Margins that every arm must have beyond the delays and filters of its loop.")
           .field("delay", &R::delay, "{s}, extra delay of the commands", range::not_negative)
-          .field("gain", &R::gain, "factor of one joint's torque, and its inverse",
+          .field("gain", &R::gain, "factor on one joint's torque; also its inverse",
                  range::positive);
   return all;
 }
@@ -114,7 +114,7 @@ const Description& description_of(const TaskMargins* /*of*/) {
   using T = TaskMargins;
   static const Description all =
       Describe<T>("polishing", "TaskMargins",
-                  "What a polishing task's loop tolerates at its starting posture.")
+                  "Stability margins of a polishing task's loop at its starting posture.")
           .result()
           .field("air", &T::air, "in free air")
           .field("contact", &T::contact, "with the tool on the surface");
@@ -124,10 +124,11 @@ const Description& description_of(const TaskMargins* /*of*/) {
 const Description& description_of(const FittedGains* /*of*/) {
   using F = FittedGains;
   static const Description all =
-      Describe<F>("polishing", "FittedGains", "What fit_gains() did.")
+      Describe<F>("polishing", "FittedGains", "Result of fit_gains().")
           .result()
-          .field("meets", &F::meets, "the required margins, or none are computed")
-          .field("changes", &F::changes, "a sentence; empty where nothing is fitted");
+          .field("meets", &F::meets, "true if the required margins are met, or cannot be computed")
+          .field("changes", &F::changes,
+                 "sentence that names the fitted gains; empty if none was fitted");
   return all;
 }
 

@@ -68,7 +68,7 @@ void check_standing(const Model& model, const Standing& standing) {
                          "a variant of its settings may have");
   if (standing.feet == std::vector<std::string>{"auto"})
     throw EntryError("standing.feet",
-                     "it is auto, which `task: stand` alone takes; wanted frames of robot " +
+                     "it is auto, which only `task: stand` accepts; wanted frames of robot " +
                          in_quotes(model.name));
   for (const std::string& foot : standing.feet)
     if (!model.has_frame(foot)) throw EntryError("standing.feet", "frame " + none_of(model, foot));
