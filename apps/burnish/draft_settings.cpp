@@ -11,6 +11,7 @@
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
+#include "draft_feet.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/tool_direction.hpp"
 #include "robots/description.hpp"
@@ -79,9 +80,14 @@ std::string held_values(const Drafted& drafted) {
   return text;
 }
 
-std::string posture_text(const Drafted& drafted) {
+std::string default_posture_text(const Drafted& drafted, const DraftedFeet& feet) {
   const std::string stated = likely_default(drafted.robot);
   if (!stated.empty()) return fmt::format("default_posture: {}\n", yaml_word(stated));
+  if (!feet.posture.empty())
+    return "default_posture: standing\npostures:\n"
+           "  # On level soles, the base a fifth lower than with straight legs.\n"
+           "  standing: " +
+           feet.posture + "\n";
   std::string text =
       "default_posture: start\npostures:\n"
       "  # Zero, or a tenth of the range off the limits. Put in where the tool works;\n"
@@ -124,7 +130,7 @@ std::string tool_text(const Drafted& drafted, const std::string& tool) {
   const std::string parent = tool.empty() && !candidates.empty() ? candidates.front() : tool;
   if (parent.empty()) return "";
   std::string text =
-      "frames:\n  # What commands take as the tool: its origin is the centre of a round tip, and "
+      "  # What commands take as the tool: its origin is the centre of a round tip, and "
       "it "
       "presses\n  # along z or -z, away from the arm. Move it to where it touches: xyz in m, rpy "
       "in "
@@ -184,7 +190,7 @@ std::string lock_text(const Drafted& drafted) {
 void check_tool(const Model& model, const std::string& tool) {
   if (tool.empty()) return;
   if (!model.has_frame(tool))
-    throw Error("--tool: the tool's frame " + pressing::none_of(model, tool));
+    throw Error("--tool: the tool's frame " + pressing::none_of(model, tool, true));
   if (model.has_frame("tool") && tool != "tool")
     throw Error(fmt::format(
         "--tool: robot '{}' has a frame 'tool' of its own, which commands take; wanted that",
@@ -267,11 +273,14 @@ std::string draft_settings(const Robot& robot, const TreeSpec& tree, const Draft
   if (!place.srdf.empty()) text += fmt::format("srdf: {}\n", yaml_word(place.srdf));
   text += fmt::format("description: {}\n",
                       yaml_word(fmt::format("{}, {} joints", model.name, model.joints.size())));
-  text += fmt::format("base: {}\n",
-                      floats ? "free_flyer" : "fixed  # or free_flyer, for what walks or flies");
+  const DraftedFeet feet = place.fixed ? DraftedFeet{} : draft_feet(place.origin, floats);
+  text += fmt::format("base: {}\n", floats || (feet.any() && place.key == "urdf")
+                                        ? "free_flyer"
+                                        : "fixed  # or free_flyer, for what walks or flies");
   text += "base_placement: {xyz: [0, 0, 0], rpy: [0, 0, 0]}  # of the root link in the world\n";
-  return text + lock_text(drafted) + posture_text(drafted) + tool_text(drafted, place.tool) +
-         limits_text(drafted);
+  const std::string frames = feet.frames + tool_text(drafted, place.tool);
+  return text + feet.comment + lock_text(drafted) + default_posture_text(drafted, feet) +
+         (frames.empty() ? "" : "frames:\n" + frames) + limits_text(drafted);
 }
 
 fs::path write_settings(const Robot& robot, const RobotArguments& arguments, const fs::path& folder,
@@ -299,7 +308,8 @@ fs::path write_settings(const Robot& robot, const RobotArguments& arguments, con
   };
   const fs::path srdf = arguments.srdf.empty() ? srdf_of(from) : fs::path(arguments.srdf);
   write_whole_file(file, draft_settings(robot, read_description(from),
-                                        {description_key(from), beside(from), beside(srdf), tool}));
+                                        {description_key(from), beside(from), beside(srdf), tool,
+                                         from, arguments.fixed || (!tool.empty() && !arguments.free_flyer)}));
   return file;
 }
 

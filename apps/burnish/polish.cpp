@@ -49,15 +49,20 @@ struct PolishArguments {
 
 files::Said<polishing::Task> make_task(const PolishArguments& arguments,
                                        const std::string& surface) {
-  std::vector<std::string> words;
-  if (!arguments.robot.empty()) words.push_back("robot=" + yaml_word(arguments.robot));
-  if (!arguments.tool.empty()) words.push_back("tool.frame=" + yaml_word(arguments.tool));
-  if (!surface.empty()) words.push_back("surface=" + surface);
-  if (!arguments.disturbances.empty()) words.push_back("disturbances=" + arguments.disturbances);
-  if (arguments.assume_rotors) words.emplace_back("assume_rotors=true");
+  std::vector<files::Override> words;
+  const auto say = [&](const std::string& key, const char* option, const std::string& value) {
+    if (!value.empty())
+      words.push_back({key + "=" + yaml_word(value), std::string(option) + " " + value});
+  };
+  say("robot", "--robot", arguments.robot);
+  say("tool.frame", "--tool", arguments.tool);
+  say("surface", "--surface", surface);
+  say("disturbances", "--disturbances", arguments.disturbances);
+  if (arguments.assume_rotors) words.push_back({"assume_rotors=true", "--assume-rotors"});
   if (arguments.duration)
-    words.push_back(fmt::format("phases.polish_duration={}", *arguments.duration));
-  words.insert(words.end(), arguments.overrides.begin(), arguments.overrides.end());
+    words.push_back({fmt::format("phases.polish_duration={}", *arguments.duration),
+                     fmt::format("--duration {}", *arguments.duration)});
+  for (const std::string& word : arguments.overrides) words.push_back({word});
   if (!arguments.file.empty())
     return polishing::parse_said_task(read_text(arguments.file, "YAML file"), arguments.file,
                                       words);
@@ -167,9 +172,31 @@ struct CheckedPlace {
   PolishJob* job;  ///< the first one there
   polishing::ReachReport reach = {};
   std::optional<Posture> found = {};  ///< the start, where it was searched for
+  std::optional<HomeMove> home = {};
+  std::vector<polishing::FreeHome> free_homes = {};  ///< where no home is stated
   std::vector<LightJoint> light_joints = {};
   FittedController controller = {};
 };
+
+/// How the robot gets to its start.
+void describe_way(const CheckedPlace& place) {
+  const std::string& name = place.job->place;
+  if (place.home)
+    return fmt::print("{}: moves there from home in {:.2g} s{} (joint '{}' by {:.2g})\n", name,
+                      place.home->duration(),
+                      place.home->corners.size() > 2 ? ", at last down to the surface" : "",
+                      place.home->farthest_joint, place.home->farthest);
+  if (place.free_homes.empty()) return;
+  constexpr std::size_t most = 3;
+  std::string homes;
+  for (std::size_t i = 0; i < std::min(most, place.free_homes.size()); ++i)
+    homes += fmt::format("{}{} ({:.2g} s)", i == 0 ? "" : ", ", place.free_homes[i].posture,
+                         place.free_homes[i].duration);
+  fmt::print(
+      "{}: the run begins there; `--set home=POSTURE` begins it elsewhere and moves there "
+      "first: the way is free from {}\n",
+      name, homes);
+}
 
 /// The posture that was searched for: added to the robot's settings where that is wanted, and said.
 void keep_posture(const CheckedPlace& place, const PolishArguments& arguments) {
@@ -202,6 +229,12 @@ void look_at(CheckedPlace& place, const std::vector<document::Reader>& said, boo
     place.reach = polishing::check_reach(task, setting);
     if (!place.reach.ok())
       throw Error(fmt::format("{} is out of reach: {}", name, place.reach.text));
+    const polishing::ReachReport way = polishing::check_home(task, setting);
+    if (!way.ok())
+      throw Error(
+          fmt::format("{}: the way from home to the start is not free: {}", name, way.text));
+    place.home = setting.home;
+    if (!place.home) place.free_homes = polishing::free_homes(task, setting);
     place.light_joints = polishing::light_joints(task, setting);
     if (polishing::searches_posture(task, setting.robot) && !task.standing.stands())
       place.found = posture_of(setting.robot.model, setting.q_start);
@@ -226,6 +259,7 @@ void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArgumen
       fmt::print(stderr, "burnish: {}: note: {}, or --assume-rotors\n", place.job->place,
                  light_joints_text(place.light_joints));
     keep_posture(place, arguments);
+    if (arguments.talks() && !arguments.unchecked) describe_way(place);
     describe(place.controller, place.job->place, arguments.talks());
     describe_job(*place.job, place.reach, texts.at(place.job->place), arguments.talks());
   }

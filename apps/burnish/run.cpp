@@ -38,19 +38,24 @@ struct RunArguments {
 };
 
 /// What `--robot` and its like change in the file.
-std::vector<std::string> changes_of(const RunArguments& a) {
-  std::vector<std::string> words;
-  if (!a.robot.empty()) words.push_back("robot=" + yaml_word(a.robot));
-  if (!a.tool.empty()) words.push_back("tool.frame=" + yaml_word(a.tool));
-  words.insert(words.end(), a.overrides.begin(), a.overrides.end());
-  if (a.seed) words.push_back(fmt::format("disturbances.seed={}", *a.seed));
+std::vector<files::Override> changes_of(const RunArguments& a) {
+  std::vector<files::Override> words;
+  if (!a.robot.empty()) words.push_back({"robot=" + yaml_word(a.robot), "--robot " + a.robot});
+  if (!a.tool.empty()) words.push_back({"tool.frame=" + yaml_word(a.tool), "--tool " + a.tool});
+  for (const std::string& word : a.overrides) words.push_back({word});
+  if (a.seed)
+    words.push_back(
+        {fmt::format("disturbances.seed={}", *a.seed), fmt::format("--seed {}", *a.seed)});
   return words;
 }
 
 /// That makes the run again.
 std::string command_of(const RunArguments& a, PlantKind plant) {
   std::string text = "burnish run " + shell_word(a.file) + " --plant " + name_of(plant);
-  for (const std::string& word : changes_of(a)) text += " --set " + shell_word(word);
+  if (!a.robot.empty()) text += " --robot " + shell_word(a.robot);
+  if (!a.tool.empty()) text += " --tool " + shell_word(a.tool);
+  if (a.seed) text += fmt::format(" --seed {}", *a.seed);
+  for (const std::string& change : a.overrides) text += " --set " + shell_word(change);
   return text + (a.unchecked ? " --unchecked" : "");
 }
 
@@ -109,6 +114,10 @@ int run_as(const RunArguments& a) {
       check_task(spec.task);
       const Robot robot = load_task_robot(spec.task);
       print_warnings(robot, a.strict);
+      if constexpr (requires { fit_to_robot(spec.task, robot); })
+        if (!a.robot.empty())
+          for (const std::string& change : fit_to_robot(spec.task, robot))
+            fmt::print(stderr, "burnish: note: {}\n", change);
       spec.setting = make_setting(spec.task, robot);
       note_light_joints(spec.task, *spec.setting);
       if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
@@ -248,7 +257,7 @@ void add_run(CLI::App& app, int& exit_code) {
       "  burnish run tasks/stand/quadruped.yaml --set disturbances=joint_friction\n"
       "  burnish run my_task.yaml --plant ideal --out /tmp/my_run\n"
       "  burnish run tasks/press_hold/arm7.yaml --robot my_arm.urdf --tool flange \\\n"
-      "      --set posture=search --set 'aside={my_joint: 0.5}'\n"
+      "      --set 'aside={my_joint: 0.5}'\n"
       "\n"
       "The file names its task:\n" +
       what_tasks_do() +

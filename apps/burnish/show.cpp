@@ -280,7 +280,7 @@ void show(const ShowArguments& arguments) {
   std::optional<ToolMargins> margins;
   if (!arguments.tool.empty()) {
     if (!robot.model.has_frame(arguments.tool))
-      throw Error("--tool: " + pressing::none_of(robot.model, arguments.tool));
+      throw Error("--tool: " + pressing::none_of(robot.model, arguments.tool, true));
     try {
       margins = margins_of(robot, arguments);
     } catch (const Error& error) {  // the table is worth having

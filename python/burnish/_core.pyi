@@ -1048,6 +1048,7 @@ from .polishing import (
     ExperimentReport,
     ExperimentSpec,
     FittedGains,
+    FreeHome,
     NamedSurface,
     PathSpec,
     PlanarPoint,
@@ -1160,6 +1161,12 @@ def make_baseline(task: Task, setting: Setting) -> ImpedanceSpec: ...
 def check_reach(
     task: Task, setting: Optional[Setting] = None, options: Optional[ReachOptions] = None
 ) -> ReachReport: ...
+def check_home(
+    task: Task, setting: Optional[Setting] = None, options: Optional[ReachOptions] = None
+) -> ReachReport: ...
+def free_homes(
+    task: Task, setting: Optional[Setting] = None, options: Optional[ReachOptions] = None
+) -> List[FreeHome]: ...
 def pressing_axis(tool_placement: ArrayLike) -> Array: ...  # (4, 4) -> (3,)
 def pressing_direction(task: Task, model: Model) -> Array: ...  # (3,)
 def posture_options(task: Task) -> PostureOptions: ...

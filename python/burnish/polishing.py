@@ -18,6 +18,7 @@ from . import _core
 from ._core import (
     RunResult,
     SurfacePath,
+    check_home,
     check_reach,
     check_task,
     disturbance_preset,
@@ -25,6 +26,7 @@ from ._core import (
     experiments,
     find_posture,
     fit_gains,
+    free_homes,
     make_admittance,
     make_baseline,
     make_mpc,
@@ -53,6 +55,8 @@ from .mpc import Fallback, FrictionEstimateOptions, LoopMargins, ModelErrorOptio
 from .pressing import (
     SEARCHED_POSTURE,
     FoundPosture,
+    HomeMove,
+    HomeSpec,
     PlanLimits,
     PlanRecord,
     PlantKind,
@@ -72,12 +76,12 @@ from .solver import StepUpdate
 
 __all__ = [
     "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "FittedGains", "ForceAxes",
-    "ForceProfile", "ForceProfileKind", "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec",
+    "ForceProfile", "ForceProfileKind", "FoundPosture", "FreeHome", "HomeMove", "HomeSpec", "NamedSurface", "NamedTask", "PathKind", "PathSpec",
     "PlanLimits", "PlanRecord", "PlanarPoint", "PlantKind", "PostureLimits", "PostureOptions", "ReachOptions",
     "ReachProblem", "ReachReport", "RequiredMargins", "ResultCell", "ResultColumn", "ResultTable", "RunResult",
     "RunSpec", "SEARCHED_POSTURE", "Setting", "SurfacePath", "Task", "TaskMargins", "TickTimes", "Verdict",
-    "VerdictFigures", "Waving", "Weights", "check_reach", "check_task", "disturbance_preset",
-    "disturbance_presets", "experiments", "find_posture", "fit_gains", "has_mujoco", "make_admittance",
+    "VerdictFigures", "Waving", "Weights", "check_home", "check_reach", "check_task", "disturbance_preset",
+    "disturbance_presets", "experiments", "find_posture", "fit_gains", "free_homes", "has_mujoco", "make_admittance",
     "make_baseline", "make_mpc", "make_setting", "make_task", "margins", "named_surfaces", "override_task",
     "perform_experiment", "posture_options", "pressing_axis", "pressing_direction", "put_on", "read_task",
     "run", "run_task", "task_notes", "task_point", "task_text", "task_units", "write_task",

@@ -17,7 +17,7 @@ from .contact import SurfaceShape
 from .mpc import Fallback, SlipOptions
 
 __all__ = [
-    "FoundPosture", "Phase", "PlanLimits", "PlanRecord", "PlantKind", "PostureLimits",
+    "FoundPosture", "HomeMove", "HomeSpec", "Phase", "PlanLimits", "PlanRecord", "PlantKind", "PostureLimits",
     "PostureOptions",
     "PressedSurface", "PressingTask", "ReachOptions", "ReachProblem", "ReachReport", "SEARCHED_POSTURE", "Standing",
     "SurfaceEstimateOptions", "TaskTarget",
@@ -37,6 +37,8 @@ class Phase(enum.IntEnum):
     RAMP = 2
     TRACK = 3
     RETREAT = 4
+    HOME = 5
+    """first where there is one: see HomeSpec"""
 
 
 # Described classes stand here (scripts/describe).

@@ -166,6 +166,21 @@ class TestReach:
         coarse = polishing.ReachOptions(torque_share=100.0)
         assert polishing.check_reach(task, options=coarse).problem is not polishing.ReachProblem.TORQUE
 
+    def test_a_home_is_moved_from(self):
+        task = polishing.make_task("table", overrides=["home=board_y", "home.speed_ratio=0.5"])
+        assert task.home == polishing.HomeSpec(posture="board_y", speed_ratio=0.5)
+        setting = polishing.make_setting(task)
+        home = setting.home
+        assert len(home.corners) == len(home.durations) + 1
+        np.testing.assert_array_equal(home.corners[-1], setting.q_start)
+        assert polishing.check_home(task, setting).ok
+        assert "board_y" in [free.posture for free in polishing.free_homes(task, setting)]
+        result = short_run(home=task.home, controller="baseline")
+        assert result.polished, result.outcome
+        phase = result.trace["phase"]
+        assert phase[0] == burnish.pressing.Phase.HOME and phase[-1] == burnish.pressing.Phase.TRACK
+        assert polishing.make_setting(polishing.make_task("table")).home is None
+
     def test_a_posture_is_found_and_used(self):
         task = polishing.make_task("table", normal_world=[-1.0, 0.5, 1.5], posture="search")
         found = polishing.find_posture(task)
@@ -225,7 +240,8 @@ class TestSetting:
         task = polishing.make_task("table", force=22.0)
         setting = polishing.make_setting(task)
         mpc = polishing.make_mpc(task, setting)
-        assert [p.name for p in mpc.schedule] == [p.name.lower() for p in burnish.Phase]
+        phases = [p.name.lower() for p in burnish.Phase if p is not burnish.Phase.HOME]
+        assert [p.name for p in mpc.schedule] == phases
         assert mpc.task.target(setting.ramp_end + 1.0).force == 22.0
         baseline = polishing.make_baseline(task, setting)
         assert baseline.path.task(1.0).force == 22.0

@@ -197,12 +197,14 @@ std::optional<Reader> stated(const Reader& text, const std::string& key) {
   return value;
 }
 
-Reader parse_override(const std::string& word) {
+Reader parse_override(const Override& change) {
+  const std::string& word = change.word;
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == word.size())
     throw Error(in_quotes(word) + " is no override; wanted key.path=value");
-  return Reader::parse_override(word.substr(0, equals), word.substr(equals + 1),
-                                "override " + in_quotes(word));
+  return Reader::parse_override(
+      word.substr(0, equals), word.substr(equals + 1),
+      change.said_by.empty() ? "override " + in_quotes(word) : change.said_by);
 }
 
 void refuse_at(const EntryError& error, const std::vector<Reader>& texts) {

@@ -93,8 +93,21 @@ class DescribedFile {
   std::function<void(void*, const std::vector<Reader>&)> settle_ = {};
 };
 
-/// "key.path=value" as a text that says it. Throws Error where the word is none.
-Reader parse_override(const std::string& word);
+/// "key.path=value", and what refusals of it name: the option that stands for it, such as "--robot
+/// arm.urdf"; empty: "override 'key.path=value'".
+struct Override {
+  std::string word, said_by = {};
+};
+
+/// Overrides that --set says.
+inline std::vector<Override> as_overrides(const std::vector<std::string>& words) {
+  std::vector<Override> changes;
+  for (const std::string& word : words) changes.push_back({word});
+  return changes;
+}
+
+/// The override as a text that says it. Throws Error where the word is none.
+Reader parse_override(const Override& change);
 
 /// The value of "section.key" where the text states it.
 std::optional<Reader> stated(const Reader& text, const std::string& key);
@@ -123,21 +136,25 @@ decltype(auto) placed(const std::vector<Reader>& texts, const Work& work) {
 /// Reads overrides over a specification, whose form `const DescribedFile& file_of(const Spec*)`
 /// says.
 template <class Spec>
-void change(Said<Spec>& said, const std::vector<std::string>& overrides) {
+void change(Said<Spec>& said, const std::vector<Override>& overrides) {
   const DescribedFile& form = file_of(static_cast<const Spec*>(nullptr));
   std::vector<Reader> changes;
-  for (const std::string& word : overrides) {
-    changes.push_back(parse_override(word));
+  for (const Override& stated : overrides) {
+    changes.push_back(parse_override(stated));
     said.texts.push_back(changes.back());
     form.read(&said.spec, changes.back());
   }
   form.settle(&said.spec, changes);
 }
+template <class Spec>
+void change(Said<Spec>& said, const std::vector<std::string>& overrides) {
+  change(said, as_overrides(overrides));
+}
 /// Reads a text and then overrides. Throws Error naming file (or override), line, key and what was
 /// wanted.
-template <class Spec>
+template <class Spec, class Overrides = std::vector<std::string>>
 Said<Spec> parse_said(const std::string& text, const std::string& name,
-                      const std::vector<std::string>& overrides = {}) {
+                      const Overrides& overrides = {}) {
   Said<Spec> said{.texts = {Reader::parse(text, name)}};
   const DescribedFile& form = file_of(static_cast<const Spec*>(nullptr));
   form.check_task(said.texts.front());
@@ -147,9 +164,8 @@ Said<Spec> parse_said(const std::string& text, const std::string& name,
   return said;
 }
 /// The same of a file.
-template <class Spec>
-Said<Spec> read_said(const std::filesystem::path& file,
-                     const std::vector<std::string>& overrides = {}) {
+template <class Spec, class Overrides = std::vector<std::string>>
+Said<Spec> read_said(const std::filesystem::path& file, const Overrides& overrides = {}) {
   return parse_said<Spec>(read_text(file, "YAML file"), file.string(), overrides);
 }
 

@@ -36,50 +36,50 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                   "given back to the model (offset-free model predictive control).")
           .field("kind", &M::kind, "none, torque (per joint) or force (along the normal)")
           .field("bandwidth", &M::bandwidth,
-                 "{rad/s} of the observer; more follows friction, and bears less delay; auto: "
-                 "fitted to the arm where a task does that, else 30",
+                 "{rad/s} of the observer; a higher one follows friction sooner and tolerates less "
+                 "delay; auto: fitted to the arm where a task does that, else 30",
                  range::positive)
           .in_code(
-              "rad/s of the observer; more follows friction, and bears less delay; none: fitted to "
-              "the arm where a task does that, else 30")
+              "rad/s of the observer; a higher one follows friction sooner and tolerates less "
+              "delay; none: fitted to the arm where a task does that, else 30")
           .word("auto")
           .more(
-              "Force closes a loop through the controller and is not to be faster than its delays "
-              "bear: behind a force sensor filtered at 50 Hz, 50 rad/s are well, 100 rad/s "
-              "oscillate.")
-          .field("boost", &M::boost,
-                 "times the bandwidth, while a torque error changes faster than its noise does: "
-                 "after a push, an impact, where a joint turns around; 1: never; auto: fitted to "
-                 "the arm where a task does that, else 3",
-                 range::positive)
+              "With kind force the observer closes a loop through the controller, whose delays "
+              "bound its bandwidth: behind a force sensor filtered at 50 Hz, 50 rad/s work and 100 "
+              "rad/s oscillate.")
+          .field(
+              "boost", &M::boost,
+              "factor on the bandwidth while a torque error changes faster than its noise: "
+              "after a push or an impact, or where a joint reverses; 1: no boost; auto: fitted to "
+              "the arm where a task does that, else 3",
+              range::positive)
           .in_code(
-              "times the bandwidth, while a torque error changes faster than its noise does: after "
-              "a push, an impact, where a joint turns around; 1: never; none: fitted to the arm "
+              "factor on the bandwidth while a torque error changes faster than its noise: after a "
+              "push or an impact, or where a joint reverses; 1: no boost; none: fitted to the arm "
               "where a task does that, else 3")
           .word("auto")
           .field("calm", &M::calm,
-                 "times the bandwidth, while what changes is noise alone (encoders' steps): then a "
-                 "slower observer passes less of it on; 1: never",
+                 "factor on the bandwidth while noise alone, such as encoder steps, changes the "
+                 "torque error: a slower observer passes less of it on; 1: never",
                  range::from(0.01, 1.0))
           .field("sliding_bandwidth", &M::sliding_bandwidth,
-                 "{rad/s} that friction along the surface is followed at, of kind torque; 0: the "
+                 "{rad/s} of the estimate of friction along the surface, with kind torque; 0: the "
                  "bandwidth",
                  range::not_negative)
-          .field(
-              "fading", &M::fading,
-              "{s} that plans take a torque error to last that has come just now, as a push does",
-              range::positive_or_infinite)
-          .more("what has been there for some seconds lasts; infinite: all of it does")
+          .field("fading", &M::fading,
+                 "{s}, decay time that plans assume for a torque error that has just appeared, as "
+                 "after a push",
+                 range::positive_or_infinite)
+          .more("Errors that have lasted for some seconds do not decay; infinite: none does.")
           .field("limit", &M::limit,
-                 "{Nm (N)}: estimates stay within +- this; of a base that floats at least 6 % of "
+                 "{Nm (N)}, largest magnitude of an estimate; for a floating base at least 6 % of "
                  "its weight",
                  range::positive)
-          .field(
-              "joint_friction", &M::joint_friction,
-              "with kind torque: friction in joints is told apart and fed forward, so that it is "
-              "there at once where a joint turns around")
+          .field("joint_friction", &M::joint_friction,
+                 "with kind torque: joint friction is estimated separately and fed forward, so "
+                 "that it changes sign as soon as a joint reverses")
           .field("friction_speed", &M::friction_speed,
-                 "{rad/s} (m/s) within which that friction changes its sign", range::positive);
+                 "{rad/s} (m/s) over which that friction changes its sign", range::positive);
   return all;
 }
 
@@ -463,14 +463,14 @@ const Description& description_of(const GainRange* /*of*/) {
 const Description& description_of(const LoopMargins* /*of*/) {
   using L = LoopMargins;
   static const Description all =
-      Describe<L>("mpc", "LoopMargins", "What a controller's loop around an arm tolerates.")
+      Describe<L>("mpc", "LoopMargins", "Stability margins of a controller's loop around an arm.")
           .result()
           .field("delay", &L::delay,
-                 "{s}, largest extra delay of the commands, up to 0.01; zero where the loop is "
-                 "unstable without any")
+                 "{s}, largest extra command delay at which the loop is stable, up to 0.01; 0: it "
+                 "is unstable without any")
           .field("bandwidth", &L::bandwidth,
-                 "{rad/s} of the model-error observer at which the delay is least")
-          .field("gains", &L::gains, "one per entry of v");
+                 "{rad/s} of the model-error observer for which that delay is smallest")
+          .field("gains", &L::gains, "one range per entry of v");
   return all;
 }
 

@@ -84,6 +84,21 @@ void read_range(const XMLElement& limit, const XmlPlace& place, JointSpec& joint
   }
 }
 
+/// Says that a continuous joint has no range where its <limit> states one of less than a turn. No
+/// range at all, 0 to 0, is what some exporters write for every joint.
+void warn_of_range(const XMLElement& limit, const XmlPlace& place, Findings& findings) {
+  constexpr double turn = 6.283;  // rad, rounded as files have it
+  double lower = 0.0, upper = 0.0;
+  read_number(limit, "lower", place, false, lower, findings);
+  read_number(limit, "upper", place, false, upper, findings);
+  if (!(upper > lower) || upper - lower >= turn) return;
+  findings.warn(
+      line_text(limit) + place.element + ": its type is continuous, so that 'lower' = " +
+      number(lower) + " and 'upper' = " + number(upper) +
+      " of its <limit> do not count, and it turns without end; wanted type revolute where "
+      "they are meant");
+}
+
 /// A limit of velocity or effort. The format wants both, so that files whose author knows none say
 /// 0; a joint that may not move is not meant by that, nor one without a motor.
 void read_largest(const XMLElement& limit, const char* attribute, const XmlPlace& place,
@@ -109,6 +124,7 @@ void read_limits(const XMLElement& element, const XmlPlace& place, JointSpec& jo
     return;
   }
   if (has_range) read_range(*limit, place, joint, findings);
+  if (joint.type == JointType::Continuous) warn_of_range(*limit, place, findings);
   read_largest(*limit, "velocity", place, joint.velocity_limit, findings);
   // A follower has no motor of its own: what it states is added to its leader's, and may be 0.
   if (element.FirstChildElement("mimic") != nullptr)

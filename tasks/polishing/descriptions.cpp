@@ -238,6 +238,10 @@ Describe<T>& describe_place(Describe<T>& task) {
              "How the robot moves the frame that carries the surface, where one does.")
       .in_code("of that frame")
       .field("search", &T::search, "What a posture that is searched keeps to.")
+      .field("home", &T::home,
+             "Where a run begins, if not at its start: a posture, from which the joints move "
+             "straight to the start\nin a phase `home`.")
+      .in_code("where a run begins, if not at the start of the arm")
       .field("standing", &T::standing, "What a robot whose base floats stands on.")
       .field("path", &T::path,
              "In the plane of the surface, from the point under the start, beginning at rest.")

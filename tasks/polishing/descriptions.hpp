@@ -22,6 +22,6 @@ const Description& description_of(const Task*);
 const files::DescribedFile& file_of(const Task*);
 /// A checked task, and what said it. Throws Error as read_task() does.
 files::Said<Task> parse_said_task(const std::string& text, const std::string& name,
-                                  const std::vector<std::string>& overrides = {});
+                                  const std::vector<files::Override>& overrides = {});
 
 }  // namespace burnish::polishing

@@ -47,6 +47,11 @@ std::string rounded(double value, const char* format) {
   return text;
 }
 
+/// "0.1 or less (joint 'a')", for the end of the range that was looked at.
+std::string range_end(const std::string& joint, double gain, bool is_bound, const char* beyond) {
+  return rounded(gain, "%.2g") + (is_bound ? beyond : "") + " (" + joint + ")";
+}
+
 /// The task with the gains that the fit begins with. They were tuned with Talos' right arm.
 Task with_first_gains(Task task) {
   ModelErrorOptions& error = task.model_error;
@@ -127,8 +132,10 @@ std::string TaskMargins::text() const {
   const bool is_far = delay() >= LoopAnalysis::longest_delay;
   return rounded(1e3 * delay(), "%.1f ms") + (is_far ? " or more" : "") + " of extra delay (" +
          (air.delay < contact.delay ? "in free air" : "in contact") + "), gains of " +
-         rounded(least.below, "%.2g") + " (" + least.joint + ") to " + rounded(most.above, "%.2g") +
-         " (" + most.joint + ")";
+         range_end(least.joint, least.below, least.below <= LoopAnalysis::smallest_gain,
+                   " or less") +
+         " to " +
+         range_end(most.joint, most.above, most.above >= LoopAnalysis::largest_gain, " or more");
 }
 
 LoopChain chain_of(const Disturbances& disturbances, double stiffness, double damping) {

@@ -1,9 +1,12 @@
 #include "burnish/tasks/polishing/reach.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "base/sentence.hpp"
 #include "pressing/arm.hpp"
+#include "pressing/home_move.hpp"
 #include "pressing/posture_search.hpp"
 #include "pressing/reach_walk.hpp"
 #include "pressing/tool_direction.hpp"
@@ -61,6 +64,48 @@ ReachReport check_reach(const Task& task, const Setting& setting, const ReachOpt
   return walk.report();
 }
 
+namespace {
+
+ReachReport look_at_home(const HomeMove& move, const Setting& setting,
+                         const ReachOptions& options) {
+  return pressing::check_home_move(move, setting.robot.model, setting.scene, options);
+}
+
+}  // namespace
+
+std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,
+                                 const ReachOptions& options) {
+  constexpr double is_start = 0.01;  // rad (m)
+  std::vector<FreeHome> found;
+  if (task.standing.stands() || !task.surface_frame.empty()) return found;
+  for (const auto& [name, posture] : setting.robot.postures) {
+    try {
+      const auto move =
+          pressing::home_move({.posture = name}, setting.robot, setting.q_start, setting.scene);
+      if (move->farthest > is_start && look_at_home(*move, setting, options).ok())
+        found.push_back({name, move->duration()});
+    } catch (const Error&) {
+      continue;  // beyond a joint's limits, or of another variant's joints
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const FreeHome& a, const FreeHome& b) { return a.duration < b.duration; });
+  return found;
+}
+
+ReachReport check_home(const Task& task, const Setting& setting, const ReachOptions& options) {
+  if (!setting.home) return {};
+  ReachReport report = look_at_home(*setting.home, setting, options);
+  if (report.ok()) return report;
+  const std::vector<FreeHome> others = free_homes(task, setting, options);
+  report.text += others.empty()
+                     ? "; wanted another home, such as one on the near side of the surface "
+                       "(home.posture, home.joints)"
+                     : "; wanted another home: from the posture " + in_quotes(others[0].posture) +
+                           " the way is free";
+  return report;
+}
+
 PostureOptions posture_options(const Task& task) { return pressing::posture_options_of(task); }
 
 Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
@@ -77,7 +122,14 @@ FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOpt
                                       task.force_profile.most(task.force)};
   return pressing::search_posture(
       place, robot.model, pressing::known_postures(robot), options, [&](const Eigen::VectorXd& q) {
-        return check_reach(task, make_setting(task, robot, q), options.reach);
+        const Setting setting = make_setting(task, robot, q);
+        ReachReport report = check_reach(task, setting, options.reach);
+        if (!report.ok() || !setting.home) return report;
+        const ReachReport way = look_at_home(*setting.home, setting, options.reach);
+        if (way.ok()) return report;
+        report.problem = way.problem;
+        report.text = way.text + "; wanted another home";
+        return report;
       });
 }
 

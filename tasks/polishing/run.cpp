@@ -12,6 +12,7 @@
 #include "polishing/run_descriptions.hpp"
 #include "polishing/verdict.hpp"
 #include "pressing/closed_run.hpp"
+#include "pressing/home_move.hpp"
 #include "pressing/standing_terms.hpp"
 
 namespace burnish::polishing {
@@ -47,6 +48,7 @@ Pieces make_controller(const RunSpec& spec, const Setting& setting) {
     const double above = gap(setting.scene, setting.p_start);
     pieces.planned_end = above / task.approach_speed + task.ramp_duration + task.polish_duration;
   }
+  pieces.planned_end += pressing::time_from_home(setting.home);
   return pieces;
 }
 
@@ -104,10 +106,10 @@ void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch&
   const Setting& setting = result.setting;
   const Model& model = setting.robot.model;
   metrics.tool_axis = pressing_direction(spec.task, model);
-  metrics.tool_start_world =
-      (surface_placement(model, setting.q_start, setting.scene.surface).inverse() *
-       frame_placement(model, setting.q_start, spec.task.tool))
-          .linear();
+  const Eigen::VectorXd& q_begin = setting.home ? setting.home->corners.front() : setting.q_start;
+  metrics.tool_start_world = (surface_placement(model, q_begin, setting.scene.surface).inverse() *
+                              frame_placement(model, q_begin, spec.task.tool))
+                                 .linear();
   Trace room;
   result.metrics = measure(seen_from_surface(result.trace, room), model, metrics);
 }
@@ -140,6 +142,11 @@ std::string outcome_of(const RunResult& result, const Watch& watch, const pressi
   return text;
 }
 
+void refuse_blocked_home(const Task& task, const Setting& setting, const ReachOptions& options) {
+  const ReachReport way = check_home(task, setting, options);
+  if (!way.ok()) throw Error("the way from home to the start is not free: " + way.text);
+}
+
 }  // namespace
 
 std::string name_of(ControllerKind kind) {
@@ -154,6 +161,7 @@ RunResult run_task(const RunSpec& spec) {
   if (spec.check_reach) {
     result.reach = check_reach(spec.task, setting, spec.reach);
     if (!result.reach.ok()) throw Error("the task is out of reach: " + result.reach.text);
+    refuse_blocked_home(spec.task, setting, spec.reach);
   }
   RunSpec fitted = spec;
   if (spec.controller == ControllerKind::Mpc)
@@ -166,6 +174,7 @@ RunResult run_task(const RunSpec& spec) {
                           .scene = setting.scene,
                           .disturbances = spec.task.disturbances,
                           .q_start = setting.q_start,
+                          .home = setting.home ? &*setting.home : nullptr,
                           .longest = pieces.planned_end + pieces.patience + 1.0,
                           .plant = spec.plant,
                           .standing = &spec.task.standing,
@@ -179,8 +188,11 @@ RunResult run_task(const RunSpec& spec) {
   const pressing::RunEnd end = pressing::run_closed_loop(run, result);
   measure_path(spec, end, watch, result);
   judge(spec, end, watch, result);
-  const std::string failure =
+  std::string failure =
       result.verdict ? verdict_failure(spec.task, *result.verdict) : std::string();
+  if (const std::string beyond = beyond_limits(setting.robot.model, result.trace, end.time);
+      result.verdict && !beyond.empty())
+    failure = failure.empty() ? "not polished: " + beyond : failure + "; " + beyond;
   result.outcome = outcome_of(result, watch, end, failure);
   result.polished = result.plant_status <= Status::NotConverged &&
                     result.fault.kind == FaultKind::None && !result.interrupted &&

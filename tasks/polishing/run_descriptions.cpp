@@ -64,7 +64,19 @@ const Description& description_of(const Setting* /*of*/) {
           .field("ramp_end", &S::ramp_end, "{s} of the schedule")
           .field("track_end", &S::track_end, "{s} of the schedule")
           .field("assumed_rotors", &S::assumed_rotors,
-                 "kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature");
+                 "kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature")
+          .field("home", &S::home, "from where a run begins (Task.home) to q_start");
+  return all;
+}
+
+const Description& description_of(const FreeHome* /*of*/) {
+  using F = FreeHome;
+  static const Description all =
+      Describe<F>("polishing", "FreeHome",
+                  "Posture of a robot from which its joints can move straight to a task's start.")
+          .result()
+          .field("posture", &F::posture, "of the robot's settings")
+          .field("duration", &F::duration, "{s}, of the move");
   return all;
 }
 
@@ -91,9 +103,9 @@ const Description& description_of(const RequiredMargins* /*of*/) {
   using R = RequiredMargins;
   static const Description all =
       Describe<R>("polishing", "RequiredMargins",
-                  "What every arm must tolerate beyond what the chain of its loop has.")
+                  "Margins that every arm must have beyond the delays and filters of its loop.")
           .field("delay", &R::delay, "{s}, extra delay of the commands", range::not_negative)
-          .field("gain", &R::gain, "factor of one joint's torque, and its inverse",
+          .field("gain", &R::gain, "factor on one joint's torque; also its inverse",
                  range::positive);
   return all;
 }
@@ -102,7 +114,7 @@ const Description& description_of(const TaskMargins* /*of*/) {
   using T = TaskMargins;
   static const Description all =
       Describe<T>("polishing", "TaskMargins",
-                  "What a polishing task's loop tolerates at its starting posture.")
+                  "Stability margins of a polishing task's loop at its starting posture.")
           .result()
           .field("air", &T::air, "in free air")
           .field("contact", &T::contact, "with the tool on the surface");
@@ -112,10 +124,11 @@ const Description& description_of(const TaskMargins* /*of*/) {
 const Description& description_of(const FittedGains* /*of*/) {
   using F = FittedGains;
   static const Description all =
-      Describe<F>("polishing", "FittedGains", "What fit_gains() did.")
+      Describe<F>("polishing", "FittedGains", "Result of fit_gains().")
           .result()
-          .field("meets", &F::meets, "the required margins, or none are computed")
-          .field("changes", &F::changes, "a sentence; empty where nothing is fitted");
+          .field("meets", &F::meets, "true if the required margins are met, or cannot be computed")
+          .field("changes", &F::changes,
+                 "sentence that names the fitted gains; empty if none was fitted");
   return all;
 }
 

@@ -15,6 +15,7 @@ const Description& description_of(const VerdictFigures*);
 const Words& words_of(ControllerKind);
 const Description& description_of(const NamedSurface*);
 const Description& description_of(const Setting*);
+const Description& description_of(const FreeHome*);
 const Description& description_of(const RunSpec*);
 const Description& description_of(const RequiredMargins*);
 const Description& description_of(const TaskMargins*);

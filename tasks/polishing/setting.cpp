@@ -12,6 +12,7 @@
 #include "burnish/tasks/pressing/plants.hpp"
 #include "polishing/rotors.hpp"
 #include "pressing/arm.hpp"
+#include "pressing/home_move.hpp"
 #include "pressing/standing_terms.hpp"
 #include "pressing/tool_direction.hpp"
 
@@ -67,6 +68,17 @@ void check_path_on(const Setting& setting, const Task& task) {
                          "] m from its origin there is no surface under it, or one that is "
                          "steeper than 70 degrees; wanted a smaller path or a larger shape");
   }
+}
+
+void check_home(const Task& task) {
+  if (!task.home.is_stated()) return;
+  const auto refuse = [](const std::string& what) {
+    throw EntryError("home", "a move of the joints " + what + "; wanted none");
+  };
+  if (task.standing.stands()) refuse("keeps no balance, and this robot stands on its feet");
+  if (!task.surface_frame.empty())
+    refuse("is not checked against a surface that the robot carries, here at " +
+           in_quotes(task.surface_frame));
 }
 
 void check_carrier(const Task& task, const Model& model) {
@@ -132,6 +144,7 @@ std::string assumed_rotors_text(const Setting& setting) {
 
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
   pressing::check_standing(robot.model, task.standing);
+  check_home(task);
   check_carrier(task, robot.model);
   Setting s;
   s.robot = robot;
@@ -166,6 +179,7 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
     s.scene.surface.extent = Path(task.path).reach() + task.extent;
   }
   check_path_on(s, task);
+  s.home = pressing::home_move(task.home, s.robot, q_start, s.scene);
   s.reach_end = task.reach_duration;
   s.touch = s.reach_end + task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;

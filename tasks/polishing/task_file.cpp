@@ -140,7 +140,8 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
     form.reads<Task>("path", "points",
                      [](Task& task, const Reader& reader) { read_points(task.path, reader); })
         .word("path", "kind")
-        .word("force_profile", "kind");
+        .word("force_profile", "kind")
+        .word("home", "posture");
     pressing::read_presets<Task>(form, "surface.friction");
     form.gone("weights", "position_limits", "constraints.joint_margin, which plans keep")
         .gone("weights", "velocity_limits", "constraints.joint_speed, which plans keep")
@@ -157,7 +158,7 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
 }
 
 files::Said<Task> parse_said_task(const std::string& text, const std::string& name,
-                                  const std::vector<std::string>& overrides) {
+                                  const std::vector<files::Override>& overrides) {
   files::Said<Task> said = files::parse_said<Task>(text, name, overrides);
   try {
     check_task(said.spec);
@@ -173,7 +174,7 @@ Task read_task(const fs::path& file, const std::vector<std::string>& overrides) 
 
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides) {
-  return parse_said_task(text, name, overrides).spec;
+  return parse_said_task(text, name, files::as_overrides(overrides)).spec;
 }
 
 void override_task(Task& task, const std::vector<std::string>& overrides) {

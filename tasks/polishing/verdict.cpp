@@ -86,6 +86,26 @@ VerdictFigures verdict_figures(const Task& task, const Setting& setting, const T
   return figures;
 }
 
+std::string beyond_limits(const Model& model, const Trace& trace, double end) {
+  double farthest = 1e-3;  // rad (m)
+  std::string text;
+  const int time = trace.index("time");
+  for (const Joint& joint : model.joints) {
+    if (joint.nq != 1) continue;
+    const int k = joint.q_index, column = trace.index("q_" + model.q_name(k));
+    for (int row = 0; row < trace.rows() && trace.at(row, time) <= end; ++row) {
+      const double q = trace.at(row, column);
+      const double beyond = std::max(model.q_lower[k] - q, q - model.q_upper[k]);
+      if (!(beyond > farthest)) continue;
+      farthest = beyond;
+      text = "joint " + in_quotes(joint.name) + " was " + number(std::round(1e4 * beyond) / 1e4) +
+             (joint.kind == JointKind::Prismatic ? " m" : " rad") + " beyond its limit at " +
+             number(trace.at(row, time)) + " s";
+    }
+  }
+  return text;
+}
+
 std::string verdict_failure(const Task& task, const VerdictFigures& figures) {
   const Verdict& wanted = task.verdict;
   std::string text;

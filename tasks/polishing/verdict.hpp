@@ -16,6 +16,11 @@ double path_time(const Task& task);
 VerdictFigures verdict_figures(const Task& task, const Setting& setting, const Trace& trace,
                                double begin, double end);
 
+/// "joint 'a' was 0.12 rad beyond its limit at 3 s": the farthest in a trace, from its first row to
+/// `end` (s), by more than a milliradian (millimetre), which no stop of a joint allows. Empty:
+/// none.
+std::string beyond_limits(const Model& model, const Trace& trace, double end);
+
 /// Empty where the figures are what the task asks for; otherwise a sentence that begins with "not
 /// polished: " or "stopped early: " and has every figure that is not.
 std::string verdict_failure(const Task& task, const VerdictFigures& figures);

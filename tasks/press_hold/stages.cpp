@@ -175,6 +175,60 @@ Robot load_task_robot(const Task& task) {
   return robot;
 }
 
+namespace {
+
+bool has_joint(const Model& model, const std::string& name) {
+  return std::any_of(model.joints.begin(), model.joints.end(),
+                     [&](const Joint& joint) { return joint.nq == 1 && joint.name == name; });
+}
+
+/// The third joint from the base that carries the tool, or the last one of fewer.
+const Joint& third_joint(const Model& model, const std::string& tool) {
+  const int body = model.frames[static_cast<std::size_t>(model.frame_index(tool))].body;
+  const Joint* last = nullptr;
+  int count = 0;
+  for (const int v : model.support(body)) {
+    const auto j = static_cast<std::size_t>(model.joint_of_v[static_cast<std::size_t>(v)]);
+    if (model.joints[j].nq != 1) continue;
+    last = &model.joints[j];
+    if (++count == 3) break;
+  }
+  if (last == nullptr)
+    throw EntryError("aside", "robot " + in_quotes(model.name) +
+                                  " has no joint with one position below its tool; wanted one");
+  return *last;
+}
+
+}  // namespace
+
+std::vector<std::string> fit_to_robot(Task& task, const Robot& robot) {
+  const Model& model = robot.model;
+  const std::string of_robot = "robot " + in_quotes(model.name) + " does not have ";
+  std::vector<std::string> changes;
+  if (!task.posture.empty() && task.posture != searched_posture &&
+      !robot.postures.contains(task.posture)) {
+    changes.push_back("posture: " + of_robot + in_quotes(task.posture) +
+                      "; one was found for the surface");
+    task.posture = searched_posture;
+  }
+  if (task.aside.empty() || std::any_of(task.aside.begin(), task.aside.end(),
+                                        [&](const auto& of) { return has_joint(model, of.first); }))
+    return changes;
+  const auto [stated, way] = *task.aside.begin();
+  task.aside.clear();
+  const Joint& joint = third_joint(model, task.tool);
+  const double q = make_setting(task, robot).q_start[joint.q_index];
+  const double above = model.q_upper[joint.q_index] - q, below = q - model.q_lower[joint.q_index];
+  const double room = way > 0.0 ? above : below;
+  const bool turns_back = room < std::abs(way) && std::max(above, below) > room;
+  const double size = std::min(std::abs(way), 0.9 * std::max(above, below));
+  task.aside[joint.name] = (way > 0.0) != turns_back ? size : -size;
+  changes.push_back("aside: " + of_robot + "joint " + in_quotes(stated) + "; " +
+                    in_quotes(joint.name) + " goes by " + number(task.aside[joint.name]) +
+                    (joint.kind == JointKind::Prismatic ? " m" : " rad"));
+  return changes;
+}
+
 Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
 
 Setting make_setting(const Task& task, const Robot& robot) {

@@ -1,6 +1,7 @@
 #include "pressing/arm.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "base/entry_error.hpp"
@@ -16,8 +17,21 @@ bool is_of_loop(const Model& model, const std::string& frame) {
                      [&](const Loop& loop) { return loop.first == frame || loop.second == frame; });
 }
 
-/// "; its own frames are a, b; links at its ends are c, d", what there is of them.
-std::string frames_of(const Model& model) {
+/// How much a name looks like that of a tool's frame; 0: not at all.
+int likeness(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  int rank = 6;
+  for (const char* word : {"tcp", "tool", "flange", "grasp", "_ee", "end_effector"}) {
+    if (name.find(word) != std::string::npos) return rank;
+    --rank;
+  }
+  return 0;
+}
+
+/// "; its own frames are a, b; links at its ends are c, d", what there is of them, after links and
+/// frames whose names look like those of tools.
+std::string frames_of(const Model& model, bool of_tool) {
   const auto listed = [](const std::string& what, const std::vector<std::string>& names) {
     constexpr std::size_t most = 8;
     std::string text = names.empty() ? "" : "; " + what + " are ";
@@ -25,9 +39,13 @@ std::string frames_of(const Model& model) {
       text += (i == 0 ? "" : ", ") + names[i];
     return text;
   };
-  std::vector<std::string> links, frames, before_ends;
+  std::vector<std::string> likely, links, frames, before_ends;
   for (const Frame& frame : model.frames) {
     if (frame.kind == FrameKind::Joint || frame.body < 0) continue;
+    if (of_tool && likeness(frame.name) > 0 && !is_of_loop(model, frame.name)) {
+      likely.push_back(frame.name);
+      continue;
+    }
     const bool is_end = std::none_of(model.joints.begin(), model.joints.end(),
                                      [&](const Joint& j) { return j.parent == frame.body; });
     if (frame.kind == FrameKind::Link) {
@@ -37,17 +55,21 @@ std::string frames_of(const Model& model) {
     }
   }
   frames.insert(frames.end(), before_ends.begin(), before_ends.end());
-  return listed("its own frames", frames) + listed("links at its ends", links);
+  std::stable_sort(likely.begin(), likely.end(), [](const std::string& a, const std::string& b) {
+    return likeness(a) > likeness(b);
+  });
+  return listed("frames that may be its tool's", likely) + listed("its own frames", frames) +
+         listed("links at its ends", links);
 }
 
 }  // namespace
 
-std::string none_of(const Model& model, const std::string& frame) {
+std::string none_of(const Model& model, const std::string& frame, bool of_tool) {
   std::vector<std::string> names;
   for (const Frame& known : model.frames) names.push_back(known.name);
   const std::string near = did_you_mean(frame, names);
   return in_quotes(frame) + " is none of robot " + in_quotes(model.name) +
-         (near.empty() ? frames_of(model) : near);
+         (near.empty() ? frames_of(model, of_tool) : near);
 }
 
 namespace {
@@ -77,7 +99,8 @@ Robot load_arm(const std::string& robot, const std::string& tool, bool stands) {
   Robot loaded = stands ? load_floating(robot)
                         : simulable(about("robot", [&] { return load_robot(robot, overrides); }));
   if (!loaded.model.has_frame(tool))
-    throw EntryError("tool.frame", "the tool's frame " + none_of(loaded.model, tool));
+    throw EntryError("tool.frame", "the tool's frame " + none_of(loaded.model, tool, true) +
+                                       "; wanted one of its frames, as tool.frame or --tool FRAME");
   return loaded;
 }
 

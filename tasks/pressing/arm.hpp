@@ -16,7 +16,8 @@ Robot load_arm(const std::string& robot, const std::string& tool, bool stands = 
 
 /// "'x' is none of robot 'y'", with the nearest known name of a frame or, where none is near, with
 /// those that its files add, sites among them, and the links at its ends, of many the first.
-std::string none_of(const Model& model, const std::string& frame);
+/// `of_tool`: after frames whose names look like those of tools.
+std::string none_of(const Model& model, const std::string& frame, bool of_tool = false);
 
 /// With a base that floats, whatever its files say of it, and these joints locked. Throws
 /// EntryError, "robot", as load_robot() refuses it.

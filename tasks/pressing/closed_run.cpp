@@ -131,11 +131,17 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   options.support_sensors = run.standing == nullptr || run.standing->force_sensors;
   options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
   Stopwatch stopwatch(run.controller, options.max_duration / run.period);
-  ClosedLoop loop(*plant, stopwatch, run.disturbances, options);
+  std::unique_ptr<Controller> from_home;
+  if (run.home != nullptr)
+    from_home = make_home_controller(run.model, *run.home, scene.tip.frame, scene.surface.normal,
+                                     stopwatch);
+  Controller& controller = from_home ? *from_home : stopwatch;
+  ClosedLoop loop(*plant, controller, run.disturbances, options);
   if (const auto estimator = estimator_of(run))
     loop.estimate_base(run.model, *estimator, foot_contact_options(run.model));
   const Clock::time_point begin = Clock::now();
-  result.plant_status = loop.reset(run.q_start, Eigen::VectorXd::Zero(run.model.nv));
+  result.plant_status = loop.reset(from_home ? run.home->corners.front() : run.q_start,
+                                   Eigen::VectorXd::Zero(run.model.nv));
   RunEnd end{plant->time(), loop.command().phase};
   if (result.plant_status <= Status::NotConverged)
     end = advance(run, loop, *plant, plans ? &*plans : nullptr, result);

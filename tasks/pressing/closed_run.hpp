@@ -3,6 +3,7 @@
 
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/disturbances.hpp"
+#include "burnish/tasks/pressing/home.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/standing.hpp"
 
@@ -16,7 +17,9 @@ struct ClosedRun {
   const SceneSpec& scene;  ///< as the controller knows it
   const Disturbances& disturbances;
   const Eigen::VectorXd& q_start;  ///< nq, at rest
-  double longest;                  ///< s that it may take, without what comes after a fault
+  /// From where the run begins in place of q_start; null: there.
+  const HomeMove* home = nullptr;
+  double longest;  ///< s that it may take, without what comes after a fault
   PlantKind plant = PlantKind::Ideal;
   /// How the robot stands, where its task says so: what holds it at first, whether its base is
   /// estimated and its feet have sensors, and for how long a run goes on after a fault.

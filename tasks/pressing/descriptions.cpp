@@ -72,6 +72,39 @@ const Description& description_of(const PostureLimits* /*of*/) {
   return all;
 }
 
+const Description& description_of(const HomeSpec* /*of*/) {
+  using H = HomeSpec;
+  static const Description all =
+      Describe<H>("pressing", "HomeSpec",
+                  "Posture at which a run begins. From there the robot moves to the start of its "
+                  "task.")
+          .field("posture", &H::posture,
+                 "of the robot, that a run begins at; none: the run begins at its task's start")
+          .in_code(
+              "posture of the robot that a run begins at; empty: the run begins at its task's "
+              "start")
+          .word("none")
+          .field(
+              "joints", &H::joints,
+              "{joint: rad (m), ...} in place of the posture's; without one the others are as at "
+              "the start")
+          .in_code(
+              "rad (m) by joint, in place of the posture's; without a posture the others are as at "
+              "the start")
+          .field("speed_ratio", &H::speed_ratio,
+                 "of the joints' velocity limits, highest speed on the way",
+                 Range{.least = 0.01, .most = 1.0})
+          .field("duration", &H::duration,
+                 "{s}; auto: the shortest that keeps speed_ratio and 0.8 of the effort limits, at "
+                 "least 1 s",
+                 range::positive)
+          .in_code(
+              "s; none: the shortest that keeps speed_ratio and 0.8 of the effort limits, at least "
+              "1 s")
+          .word("auto");
+  return all;
+}
+
 // NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const Standing* /*of*/) {
   using S = Standing;
@@ -86,72 +119,68 @@ const Description& description_of(const Standing* /*of*/) {
                  "base is fixed")
           .word("auto")
           .field("half_x", &S::half_x,
-                 "{m}, half the side of a sole along x of its frame, about its origin; 0: a ball",
+                 "{m}, half the length of a sole along x of its frame, about its origin; 0: point "
+                 "feet",
                  size)
-          .field("half_y", &S::half_y, "{m}, along y", size)
-          .field("radius", &S::radius, "{m}, of a foot that is a ball", range::positive)
+          .field("half_y", &S::half_y, "{m}, half its width along y", size)
+          .field("radius", &S::radius, "{m}, of a point foot", range::positive)
           .field("friction", &S::friction, "Coulomb coefficient of the plant's ground", size)
           .field("stiffness", &S::stiffness,
-                 "{N/m}, of the plant's ground under each foot; auto: 0.23 mm of way under the "
-                 "weight, of balls 0.245 mm",
+                 "{N/m}, of the plant's ground under each foot; auto: it yields by 0.23 mm under "
+                 "the weight, under point feet by 0.245 mm",
                  range::positive)
           .in_code(
-              "N/m, of the plant's ground under each foot; none: 0.23 mm of way under the "
-              "weight, of balls 0.245 mm")
+              "N/m, of the plant's ground under each foot; none: it yields by 0.23 mm under the "
+              "weight, under point feet by 0.245 mm")
           .word("auto")
           .field("damping", &S::damping,
-                 "{Ns/m}, of the plant's ground under each foot; auto: 0.05 s of the stiffness, of "
-                 "balls 0.02 s",
+                 "{Ns/m}, of the plant's ground under each foot; auto: 0.05 s times the stiffness, "
+                 "for point feet 0.02 s",
                  range::positive)
           .in_code(
-              "Ns/m, of the plant's ground under each foot; none: 0.05 s of the stiffness, of "
-              "balls 0.02 s")
+              "Ns/m, of the plant's ground under each foot; none: 0.05 s times the stiffness, for "
+              "point feet 0.02 s")
           .word("auto")
-          .field("plan_friction", &S::plan_friction, "coefficient that plans keep within",
+          .field("plan_friction", &S::plan_friction, "friction coefficient that plans assume",
                  range::positive)
           .field("plan_sole", &S::plan_sole,
-                 "of half a sole's sides, that plans keep the centre of pressure within; 0 to 1",
+                 "fraction of a sole's half sides within which plans keep the centre of pressure",
                  range::share)
           .field("least_load", &S::least_load,
-                 "{N} that plans keep on each foot; auto: 0.09 of the weight that a foot bears "
-                 "when all bear alike",
+                 "{N}, smallest load of each foot in plans; auto: 0.09 of the weight per foot",
                  size)
-          .in_code(
-              "N that plans keep on each foot; none: 0.09 of the weight that a foot bears when all "
-              "bear alike")
+          .in_code("N, smallest load of each foot in plans; none: 0.09 of the weight per foot")
           .word("auto")
           .field("balance", &S::balance, "{1/m^2}: centre of mass to where it starts", size)
           .field("base", &S::base, "{1/rad^2}: base to its orientation at the start", size)
           .field("momentum", &S::momentum,
                  "{per (kg m/s)^2 and (kg m^2/s)^2}: momentum about the centre of mass", size)
           .field("rubbing", &S::rubbing,
-                 "{1/N^2}: what each foot bears along the ground, and about its normal as forces "
-                 "at a sole's ends",
-                 size)
-          .more("what feet do against each other costs grip and holds nothing")
+                 "{1/N^2}, on tangential forces and yaw moments of each foot", size)
+          .more("It discourages internal forces between the feet.")
           .field("contact_kd", &S::contact_kd,
                  "{1/s}, damping of the feet's constraint (Baumgarte)", size)
           .field("estimate", &S::estimate,
-                 "the base is told from an inertial unit, the joints and the feet; false: known")
+                 "the base is estimated from an inertial unit, the joints and the feet; false: its "
+                 "state is known")
           .in_code(
-              "the base is told from an inertial unit, the joints and the feet (BaseEstimator); "
-              "false: known")
+              "the base is estimated from an inertial unit, the joints and the feet "
+              "(BaseEstimator); false: its state is known")
           .field("imu_frame", &S::imu_frame, "of that unit; empty: the base's body")
           .field("fallback", &S::fallback,
-                 "how it is held at first and after a fault, in the place of the task's: a light "
-                 "foot on ground that gives way bears no stiffer one")
+                 "hold at first and after a fault, in place of the task's; light feet on compliant "
+                 "ground need a soft one")
           .field("hoist", &S::hoist,
-                 "{s} at first, within settle, in which a hoist that holds its base gives the "
-                 "weight to "
-                 "its feet",
+                 "{s} at first, within settle, in which a hoist hands the weight over to the feet",
                  size)
-          .field("slip", &S::slip, "what plans make of a foot that slips")
+          .field("slip", &S::slip, "how plans treat a foot that slips")
           .field("settle", &S::settle,
-                 "{s} that it is held at first, while the estimate of the base settles", size)
+                 "{s} that the posture is held at first, while the estimate of the base settles",
+                 size)
           .field("force_sensors", &S::force_sensors, "in the feet, of forces and moments")
           .field("after_fault", &S::after_fault,
-                 "{s} that a run goes on after a fault, to see what becomes of the robot", size)
-          .more("what the task's figures are about ends with the fault");
+                 "{s} that a run continues after a fault, to show whether the robot falls", size)
+          .more("The task's figures end at the fault.");
   return all;
 }
 

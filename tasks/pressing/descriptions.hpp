@@ -3,6 +3,7 @@
 
 #include "base/description.hpp"
 #include "burnish/tasks/pressing/admittance_controller.hpp"
+#include "burnish/tasks/pressing/home.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
@@ -15,6 +16,7 @@ namespace burnish {
 const Description& description_of(const ToolLimits*);
 const Description& description_of(const PlanLimits*);
 const Description& description_of(const PostureLimits*);
+const Description& description_of(const HomeSpec*);
 const Description& description_of(const Standing*);
 const Words& words_of(Touch);
 const Description& description_of(const TaskTarget*);

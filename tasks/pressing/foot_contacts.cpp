@@ -1,7 +1,10 @@
 #include "pressing/foot_contacts.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
+#include "base/sentence.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
 
@@ -20,6 +23,20 @@ Directions held_by(const Standing& standing) {
 Directions without(Directions directions, const std::string& left_out) {
   directions.bits = static_cast<std::uint8_t>(directions.bits & ~Directions::parse(left_out).bits);
   return directions;
+}
+
+struct DirectionWords {
+  std::uint8_t bit;
+  const char* words;
+};
+std::array<DirectionWords, 6> direction_words() {
+  const auto bit = [](const char* name) { return Directions::parse(name).bits; };
+  return {{{bit("x"), "moving along x"},
+           {bit("y"), "moving along y"},
+           {bit("z"), "moving along z"},
+           {bit("rx"), "turning about x"},
+           {bit("ry"), "turning about y"},
+           {bit("rz"), "turning about z"}}};
 }
 
 }  // namespace
@@ -47,7 +64,9 @@ std::string directions_left_out(const Standing& standing, const std::vector<Cont
   std::string text;
   for (const ContactSpec& foot : feet) {
     const Directions missing = without(held_by(standing), foot.directions.text());
-    if (missing.bits != 0) text += (text.empty() ? "" : ", ") + missing.text() + " of " + foot.name;
+    for (const auto& [bit, words] : direction_words())
+      if ((missing.bits & bit) != 0)
+        text += std::string(text.empty() ? "" : ", ") + words + " of " + in_quotes(foot.name);
   }
   return text;
 }

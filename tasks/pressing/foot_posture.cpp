@@ -95,16 +95,17 @@ double room_of(const Model& model, const Joint& joint) {
   return std::min(usual, part * (model.q_upper[joint.q_index] - model.q_lower[joint.q_index]));
 }
 
-/// The neutral configuration with the joints of the legs moved by `way`, rad (m), within their
-/// ranges. Others come off their limits, at which they could not move.
-Eigen::VectorXd bent(const Model& model, const Standing& standing, double way) {
+/// A configuration with the joints of the legs moved by `way`, rad (m), within their ranges. Others
+/// come off their limits, at which they could not move.
+Eigen::VectorXd bent(const Model& model, const Standing& standing, const Eigen::VectorXd& from,
+                     double way) {
   Eigen::VectorXd dq = Eigen::VectorXd::Zero(model.nv);
   for (const std::string& foot : standing.feet) {
     const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(foot))];
     for (const int k : model.support(frame.body))
       if (model.joints[static_cast<std::size_t>(model.joint_of_v[k])].nv == 1) dq[k] = way;
   }
-  Eigen::VectorXd q = integrate(model, model.q_neutral, dq);
+  Eigen::VectorXd q = integrate(model, from, dq);
   clamp(model, q);
   const std::vector<bool> leg = entries_of_legs(model, standing);
   for (const Joint& joint : model.joints) {
@@ -201,16 +202,29 @@ std::string joints_at_limits(const Model& model, const Standing& standing,
   return text.empty() ? "" : "; the search ended at limits of " + text;
 }
 
-/// The posture that takes the least torque with the base lower by `crouch`; nothing where none was
-/// found. `last`: where the search ended.
+/// Placement of a foot whose sole is level, turned about its origin by the smallest angle. A frame
+/// whose z does not point up, as that of a sole does, is left as it is.
+Eigen::Isometry3d level(Eigen::Isometry3d foot) {
+  constexpr double upwards = 0.7;  // cosine: 45 degrees
+  const Eigen::Vector3d z = foot.linear().col(2);
+  if (z.z() > upwards)
+    foot.linear() = Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ()) *
+                    Eigen::Matrix3d(foot.linear());
+  return foot;
+}
+
+/// The posture that takes the least torque with the base lower by `crouch`, searched from `from`
+/// on; nothing where none was found. `last`: where the search ended.
 std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standing& standing,
-                                                double crouch, Eigen::VectorXd& last) {
+                                                const Eigen::VectorXd& from, double crouch,
+                                                Eigen::VectorXd& last) {
   const Eigen::VectorXd& q = model.q_neutral;
   const Eigen::Isometry3d base = frame_placement(model, q, base_frame(model));
   FootPosture wanted{.R_base = base.linear(), .com = Eigen::Vector3d::Zero()};
   double ground = std::numeric_limits<double>::infinity();
   for (const std::string& foot : standing.feet) {
-    wanted.feet.push_back(frame_placement(model, q, foot));
+    const Eigen::Isometry3d at = frame_placement(model, q, foot);
+    wanted.feet.push_back(standing.has_soles() ? level(at) : at);
     ground = std::min(ground, wanted.feet.back().translation().z());
   }
   for (Eigen::Isometry3d& foot : wanted.feet) {
@@ -226,8 +240,8 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
   for (const double others : {0.0, 0.1, 1.0}) {
     wanted.others = others;
     for (const double way : {0.0, 0.4, -0.4, 0.8, -0.8}) {
-      auto found =
-          posture_on_feet(model, standing, wanted, bent(model, standing, way), tolerance, &last);
+      auto found = posture_on_feet(model, standing, wanted, bent(model, standing, from, way),
+                                   tolerance, &last);
       if (!found) continue;
       const double torque = torque_at(model, standing, *found);
       if (torque < least) best = std::move(found);
@@ -240,14 +254,15 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
 
 }  // namespace
 
-Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch) {
+Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing,
+                                 const Eigen::VectorXd& from, double crouch) {
   constexpr double less = 0.7;
   constexpr int most = 5;  // tries, the last but one at a third of it; then on straight legs
   std::optional<Eigen::VectorXd> first;
   Eigen::VectorXd last;
   double lower = crouch;
   for (int i = 0; i < most; ++i, lower = i + 1 < most ? lower * less : 0.0) {
-    auto found = posture_lower_by(model, standing, lower, last);
+    auto found = posture_lower_by(model, standing, from, lower, last);
     if (found && has_room(model, standing, *found)) return *found;
     if (!first) first = std::move(found);
   }

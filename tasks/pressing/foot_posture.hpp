@@ -32,13 +32,16 @@ std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standin
                                                double tolerance = 1e-4,
                                                Eigen::VectorXd* last = nullptr);
 
-/// nq: a posture to stand in, for a robot without any. The base is upright as in the neutral
-/// configuration, the feet are level where they are there seen from above, the centre of mass is
-/// above their middle, and the base lower than there by `crouch` of its height above the feet, or
-/// by less where that leaves a joint of the legs no room to its limits. Legs may bend to either
-/// side: of the postures that are found it is the one that takes the least torque. Joints outside
-/// the legs move where the legs alone do not get there. Throws Error where none is found.
-Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch);
+/// nq: a posture to stand in. The search begins at `from`, where joints outside the legs stay if
+/// the legs alone suffice. The base is upright as in the neutral configuration, the feet are where
+/// they are there seen from above, with soles turned by the smallest angle until they are level,
+/// the centre of mass is above their middle, and the base lower than there by `crouch` of its
+/// height above the feet, or by less where that leaves a joint of the legs no room to its limits.
+/// Legs may bend to either side: of the postures that are found it is the one that takes the least
+/// torque. Joints outside the legs move where the legs alone do not get there. Throws Error where
+/// none is found.
+Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing,
+                                 const Eigen::VectorXd& from, double crouch);
 
 /// How much lower the base is at q (nq) than in the neutral configuration, as a fraction of its
 /// height above the lowest foot there.

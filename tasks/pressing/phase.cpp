@@ -3,7 +3,8 @@
 namespace burnish {
 
 const std::vector<std::string>& phase_names() {
-  static const std::vector<std::string> names{"reach", "approach", "ramp", "track", "retreat"};
+  static const std::vector<std::string> names{"reach", "approach", "ramp",
+                                              "track", "retreat",  "home"};
   return names;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "base/decomposition.hpp"
@@ -91,6 +92,7 @@ class Search {
     // Joints that were stopped at their limits have left the tool a little off its place.
     if (place_.point_world) walk(q, {std::numeric_limits<double>::infinity(), 0.0}, 50);
     clamp(q);
+    unwind(q);
     return judged(q);
   }
 
@@ -186,6 +188,26 @@ class Search {
         q[joint.q_index] =
             lower > upper ? 0.5 * (lower + upper) : std::clamp(q[joint.q_index], lower, upper);
       }
+  }
+
+  /// Turns joints by whole turns to where they are nearest to the middle of their range, or to zero
+  /// where it has no end. Joints that others follow stay.
+  void unwind(Eigen::VectorXd& q) const {
+    constexpr double turn = 2.0 * std::numbers::pi;
+    for (const Joint& joint : model_.joints) {
+      if (joint.kind != JointKind::Revolute || joint.nq != 1 || moves_others(joint)) continue;
+      double& angle = q[joint.q_index];
+      const double middle = is_limited(model_, joint) ? q_middle_[joint.q_index] : 0.0;
+      const double unwound = angle - turn * std::round((angle - middle) / turn);
+      if (unwound >= model_.q_lower[joint.q_index] + options_.joint_margin &&
+          unwound <= model_.q_upper[joint.q_index] - options_.joint_margin)
+        angle = unwound;
+    }
+  }
+  bool moves_others(const Joint& joint) const {
+    return std::any_of(model_.joints.begin(), model_.joints.end(), [&](const Joint& other) {
+      return other.follows && other.v_index == joint.v_index;
+    });
   }
 
   /// A slide may have less way than the margin takes.

@@ -56,6 +56,16 @@ class ReachWalk::Impl {
            (stop.force == 0.0 || torques_fit(stop, stop.force));
   }
 
+  bool pass(const Eigen::VectorXd& q, const std::string& where) {
+    ++report_.points;
+    q_ = q;
+    evaluate(q_);
+    note_margins();
+    const ReachStop stop{body_.placement(tool_).translation(), 0.0, 0.0, where};
+    return tip_stays_outside(stop) && stays_outside(stop) && torques_fit(stop, 0.0);
+  }
+
+  const Eigen::VectorXd& posture() const { return q_; }
   ReachReport& report() { return report_; }
 
  private:
@@ -201,8 +211,9 @@ class ReachWalk::Impl {
         has_path_      ? stop.s < 0.0 ? " before the start of the path" : " along the path"
         : stop.s < 0.0 ? " above the surface"
                        : "";
-    report_.text = (where.empty() ? std::string("at the point") : mm + where) +
-                   ", with the tool at " + at + ", " + what;
+    const std::string place = where.empty() ? std::string("at the point") : mm + where;
+    report_.text =
+        (stop.where.empty() ? place : stop.where) + ", with the tool at " + at + ", " + what;
   }
 
   /// With the limits no posture was found: is it they?
@@ -270,6 +281,16 @@ class ReachWalk::Impl {
         low += third;
     }
     return 0.5 * (low + high);
+  }
+
+  bool tip_stays_outside(const ReachStop& stop) {
+    const double room = room_at(stop.p_world), least = scene_.tip.radius;
+    if (room >= least) return true;
+    refuse(ReachProblem::Collision, stop, "", room, least,
+           "the tool's centre would be " + number(std::abs(room)) +
+               (room < 0.0 ? " m inside the surface" : " m from the surface") +
+               "; allowed are at least " + number(least) + " m, its radius");
+    return false;
   }
 
   /// Whether the arm stays outside the surface.
@@ -380,6 +401,10 @@ ReachWalk::ReachWalk(const Model& model, const SceneSpec& scene, const Eigen::Ve
       spacing_(options.spacing) {}
 ReachWalk::~ReachWalk() = default;
 bool ReachWalk::visit(const ReachStop& stop) { return impl_->visit(stop); }
+bool ReachWalk::pass(const Eigen::VectorXd& q, const std::string& where) {
+  return impl_->pass(q, where);
+}
+const Eigen::VectorXd& ReachWalk::posture() const { return impl_->posture(); }
 ReachReport& ReachWalk::report() { return impl_->report(); }
 
 bool ReachWalk::visit_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double s_end) {

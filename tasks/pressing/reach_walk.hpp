@@ -11,8 +11,9 @@ namespace burnish::pressing {
 /// Where the tool shall be, and whether it presses.
 struct ReachStop {
   Eigen::Vector3d p_world;
-  double s;      ///< m, see ReachReport
-  double force;  ///< N
+  double s;                ///< m, see ReachReport
+  double force;            ///< N
+  std::string where = {};  ///< for refusals; empty: as `s` says
 };
 
 /// A posture that is carried from stop to stop. Model, scene and start outlive it. At every stop: a
@@ -33,6 +34,10 @@ class ReachWalk {
   bool visit(const ReachStop& stop);
   /// From one point straight to another, both included; s_end: m, at the second.
   bool visit_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double s_end);
+  /// Looks at a posture of its own, with the tool in the air. The tool's centre stays `tip.radius`
+  /// outside the surface. `where`: for refusals, such as "at home".
+  bool pass(const Eigen::VectorXd& q, const std::string& where);
+  const Eigen::VectorXd& posture() const;  ///< nq, at the last stop
   ReachReport& report();
 
  private:

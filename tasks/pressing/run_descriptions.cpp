@@ -29,6 +29,22 @@ const Words& words_of(ReachProblem /*of*/) {
   return all;
 }
 
+const Description& description_of(const HomeMove* /*of*/) {
+  using H = HomeMove;
+  static const Description all =
+      Describe<H>("pressing", "HomeMove",
+                  "Move in joint space from where a run begins to its task's start, straight from "
+                  "corner to corner and at rest at each.")
+          .field("corners", &H::corners,
+                 "nq each: home, the start lifted off the surface where the straight way would "
+                 "touch it, the start")
+          .field("durations", &H::durations, "{s}, from each corner to the next")
+          .field("settle", &H::settle, "{s} at rest after it, until the task begins")
+          .field("farthest_joint", &H::farthest_joint, "entry of v that moves most")
+          .field("farthest", &H::farthest, "rad (m), how far");
+  return all;
+}
+
 const Description& description_of(const ReachOptions* /*of*/) {
   using R = ReachOptions;
   static const Description all =

@@ -68,7 +68,7 @@ void check_standing(const Model& model, const Standing& standing) {
                          "a variant of its settings may have");
   if (standing.feet == std::vector<std::string>{"auto"})
     throw EntryError("standing.feet",
-                     "it is auto, which `task: stand` alone takes; wanted frames of robot " +
+                     "it is auto, which only `task: stand` accepts; wanted frames of robot " +
                          in_quotes(model.name));
   for (const std::string& foot : standing.feet)
     if (!model.has_frame(foot)) throw EntryError("standing.feet", "frame " + none_of(model, foot));
@@ -84,6 +84,13 @@ void check_standing(const Model& model, const Standing& standing) {
                          " cannot stand still without stepping; wanted three of them, or soles "
                          "(half_x, half_y)");
 }
+
+namespace {
+double degrees_off_up(const Eigen::Isometry3d& at) {
+  const double angle = std::acos(std::clamp(at.linear()(2, 2), -1.0, 1.0));
+  return std::round(angle * 180.0 / std::numbers::pi);
+}
+}  // namespace
 
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q) {
@@ -104,11 +111,13 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
     constexpr double upright = 0.98;  // cosine: 11 degrees
     if (standing.has_soles() && !(at.linear()(2, 2) > upright))
       throw EntryError("standing.feet",
-                       "the z axis of " + in_quotes(foot) + " points along [" +
-                           number(at.linear()(0, 2)) + ", " + number(at.linear()(1, 2)) + ", " +
-                           number(at.linear()(2, 2)) +
-                           "] at the start; wanted a frame whose z is up, with the sole in its x "
-                           "and y, as frames: of robot.yaml can add");
+                       "the sole of " + in_quotes(foot) +
+                           " is not level at the start: z of that "
+                           "frame, which is normal to the sole, is " +
+                           number(degrees_off_up(at)) +
+                           " degrees off the vertical; wanted at most 11 degrees: a posture with "
+                           "level soles, a frame whose z points up from the sole (`frames` of "
+                           "robot.yaml adds one), or point feet (standing.half_x and half_y 0)");
     support.point.z() += sinks - (standing.has_soles() ? 0.0 : standing.radius);
     supports.push_back(support);
   }

@@ -124,7 +124,7 @@ std::string posture_of(const Task& task, Setting& s) {
       s.robot.postures.contains(task.posture))
     return task.posture;
   s.notes.push_back("posture: robot " + in_quotes(s.robot.model.name) + " does not have " +
-                    in_quotes(task.posture) + "; one was searched");
+                    in_quotes(task.posture) + "; one was found");
   return searched_posture;
 }
 
@@ -151,7 +151,9 @@ Setting make_setting(const Task& task, const Robot& robot) {
   const Model& model = s.robot.model;
   pressing::check_standing(model, s.standing);
   s.q_start = pressing::start_posture(s.robot, posture_of(task, s), [&] {
-    const Eigen::VectorXd q = pressing::crouched_posture(model, s.standing, task.crouch);
+    const Eigen::VectorXd from =
+        s.robot.default_posture.empty() ? model.q_neutral : s.robot.reference_configuration();
+    const Eigen::VectorXd q = pressing::crouched_posture(model, s.standing, from, task.crouch);
     constexpr double same = 0.01;
     const double crouch = pressing::crouch_at(model, s.standing, q);
     if (crouch < task.crouch - same)
@@ -219,8 +221,9 @@ std::vector<std::string> setting_notes(const Task& task, const Setting& setting)
   const MpcSpec mpc = make_mpc(task, setting);
   const std::string left = pressing::directions_left_out(setting.standing, mpc.problem.contacts);
   if (!left.empty())
-    notes.push_back("standing.feet: the legs cannot move every foot by itself, so that " + left +
-                    " follows from the other directions, which hold the feet");
+    notes.push_back(
+        "standing.feet: the legs cannot move every foot in every direction by itself; " + left +
+        " follows from the directions that plans hold");
   const double part = mpc.fallback.damping / setting.standing.fallback.damping;
   if (part < 1.0)
     notes.push_back("standing.fallback: " + number(part) +

@@ -230,6 +230,23 @@ TEST(Show, DraftsSettings) {
   expect_refused(run("show arm7 --write-settings " + folder), "a URDF or MJCF file");
 }
 
+TEST(Show, DraftsSettingsOfALeggedRobot_WithItsFeetAndAPostureOnThem) {
+  const Scratch scratch;
+  const std::string file =
+      quoted(std::filesystem::path(BURNISH_ROBOTS_DIR) / "quadruped" / "quadruped.urdf");
+  const std::string folder = quoted(scratch.folder / "drafted");
+  const Outcome outcome = run("show " + file + " --free-flyer --write-settings " + folder);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string text = contents(scratch.folder / "drafted/robot.yaml");
+  for (const std::string line :
+       {"base: free_flyer\n", "# Feet: ", "standing: {feet: [", "half_x: 0, half_y: 0, radius: 0.",
+        "default_posture: standing\n", "  standing: {", "root_joint: ["})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  const Json json = Json::parse(run("show --json " + folder).out);
+  EXPECT_EQ(json["default_posture"], "standing");
+  EXPECT_EQ(json["nv"], 18);
+}
+
 TEST(Show, DraftsSettingsForATool_WithAPostureForATable) {
   const Scratch scratch;
   const std::string file = quoted(scratch.write("arm.urdf", six_joint_arm(with_gripper())));

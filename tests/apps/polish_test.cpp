@@ -255,8 +255,10 @@ TEST(Polish, ARobotThatHasNoSettingsNeedsAFrameAndNothingElse) {
             summary[0]["metrics"]["force_rmse_N"]);
   const Outcome lost = run(what);
   EXPECT_EQ(lost.exit_code, 2);
-  EXPECT_NE(lost.err.find("the tool's frame 'tool' is none of robot 'arm7'"), std::string::npos)
-      << lost.err;
+  for (const char* words : {"--robot ", "the tool's frame 'tool' is none of robot 'arm7'",
+                            "frames that may be its tool's are flange", "--tool FRAME"})
+    EXPECT_NE(lost.err.find(words), std::string::npos) << words << ": " << lost.err;
+  EXPECT_EQ(lost.err.find("override"), std::string::npos) << lost.err;
 }
 
 TEST(Polish, TheTaskItWritesRunsAgainToTheSameResult) {

@@ -43,6 +43,24 @@ TEST(PressHold, holds_force_and_point_while_the_arm_moves_aside) {
   }
 }
 
+TEST(PressHold, OnAnotherRobot_SearchesThePostureAndMovesItsThirdJoint) {
+  Task task = read_task(shipped, {std::string("robot=") + BURNISH_ROBOTS_DIR + "/talos:right_arm"});
+  const Robot robot = load_task_robot(task);
+  expect_words(refusal([&] { make_setting(task, robot); }), {"posture", "'ready'"});
+  const std::vector<std::string> changes = fit_to_robot(task, robot);
+  ASSERT_EQ(changes.size(), 2U);
+  expect_words(changes[0], {"posture: robot 'talos' does not have 'ready'", "found"});
+  expect_words(changes[1], {"aside: ", "'joint_3'", "goes by", " rad"});
+  EXPECT_EQ(task.posture, searched_posture);
+  ASSERT_EQ(task.aside.size(), 1U);
+  EXPECT_GT(std::abs(task.aside.begin()->second), 0.1);
+  EXPECT_NO_THROW(refuse_out_of_reach(task, make_setting(task, robot)));
+  // What fits stays.
+  Task own = arm7_task();
+  EXPECT_TRUE(fit_to_robot(own, load_task_robot(own)).empty());
+  EXPECT_EQ(task_text(own), task_text(arm7_task()));
+}
+
 TEST(PressHold, waits_for_a_surface_that_is_farther_than_known) {
   Task task = arm7_task();
   task.disturbances.surface_height = -0.01;

@@ -7,6 +7,8 @@
 #include "biped.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/foot_posture.hpp"
 #include "stand/descriptions.hpp"
 #include "stand/swaying.hpp"
 #include "support/refusal.hpp"
@@ -276,6 +278,23 @@ Task biped_task(const std::string& file, double size, std::vector<std::string> o
   return read_task(BURNISH_TASKS_DIR "/stand/talos.yaml", overrides);
 }
 
+TEST(StandPosture, SolesThatAreNotLevelAtZero_AreLevelled) {
+  const testing::Scratch scratch;
+  Robot robot = pressing::load_floating(scratch.write("biped.urdf", biped(1.0)).string());
+  Standing standing;
+  for (const std::string sole : {"l_sole", "r_sole"}) {
+    Frame tilted = robot.model.frames[static_cast<std::size_t>(robot.model.frame_index(sole))];
+    tilted.name = sole + "_tilted";
+    tilted.placement.rotate(Eigen::AngleAxisd(0.25, Eigen::Vector3d::UnitY()));
+    robot.model.frames.push_back(tilted);
+    standing.feet.push_back(tilted.name);
+  }
+  const Model& model = robot.model;
+  const Eigen::VectorXd q = pressing::crouched_posture(model, standing, model.q_neutral, 0.1);
+  for (const std::string& foot : standing.feet)
+    EXPECT_GT(frame_placement(model, q, foot).linear()(2, 2), 1.0 - 1e-7) << foot;
+}
+
 TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
   const testing::Scratch scratch;
   const Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
@@ -286,7 +305,8 @@ TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
   EXPECT_GT(setting.sway.shift.x(), 0.01);
   EXPECT_GT(setting.sway.turn.y(), 0.01);
   expect_words(notes_text(task, setting),
-               {"sway: y, roll and yaw left out", " of r_sole follows from the other directions"});
+               {"sway: y, roll and yaw left out",
+                "turning about z of 'r_sole' follows from the directions"});
   // Eleven of the twelve directions are independent.
   int held = 0;
   for (const ContactSpec& foot : make_mpc(task, setting).problem.contacts)
@@ -366,7 +386,7 @@ TEST(StandRobot, DescriptionWithoutPostures_OneIsSearchedAndSaid) {
   Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
   task.posture = "standing_board";
   expect_words(notes_text(task, make_setting(task)),
-               {"posture: robot 'biped' does not have 'standing_board'; one was searched"});
+               {"posture: robot 'biped' does not have 'standing_board'; one was found"});
 }
 
 TEST(StandRobot, GroundStatedMuchTooStiff_NoteSaysWhatTheWeightAsksFor) {
@@ -462,8 +482,9 @@ TEST(StandFile, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
   expect_words(refused(head + "standing: {feet: [fl_foot, fr_fot, rl_foot, rr_foot]}\n"),
                {"line 3: standing.feet", "'fr_fot'", "did you mean 'fr_foot'?"});
   expect_words(refused(head + "standing: {half_x: 0.1}\n"), {"standing.half_x: half sides"});
-  expect_words(refused(head + "standing: {half_x: 0.1, half_y: 0.1}\n"),
-               {"standing.feet: the z axis of"});
+  expect_words(
+      refused(head + "standing: {half_x: 0.1, half_y: 0.1}\n"),
+      {"standing.feet: the sole of", "is not level at the start", "degrees off the vertical"});
   expect_words(refused(head + "sway: {shift: [0, 0.2, 0], fit: false}\n"),
                {"line 3: sway: ", "in the way"});
   expect_words(refused(head + "posture: standin\n"), {"line 3: posture", "'standing'"});

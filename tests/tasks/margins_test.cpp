@@ -55,6 +55,18 @@ TEST_P(MarginsInSimulation, DelayMargin_IsWithinAQuarterOfWhereRunsFault) {
 
 INSTANTIATE_TEST_SUITE_P(Arms, MarginsInSimulation, ::testing::Values("talos:right_arm", "arm7"));
 
+TEST(TaskMargins, Text_SaysWhereAGainIsABound) {
+  polishing::TaskMargins margins;
+  margins.air = {.delay = 3e-3, .gains = {{"a", 0.1, 3.7}}};
+  margins.contact = {.delay = 4e-3, .gains = {{"a", 0.1, 10.0}}};
+  EXPECT_EQ(margins.text(),
+            "3.0 ms of extra delay (in free air), gains of 0.1 or less (a) to 3.7 (a)");
+  margins.air.gains = {{"a", 0.12, 10.0}};
+  margins.contact.gains = margins.air.gains;
+  EXPECT_EQ(margins.text(),
+            "3.0 ms of extra delay (in free air), gains of 0.12 (a) to 10 or more (a)");
+}
+
 TEST(TaskMargins, FitGains_OfAnArm_RaisesThePositionAndDropsTheBoost) {
   Task task = first_task();
   const polishing::Setting setting = polishing::make_setting(task);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
@@ -199,6 +200,20 @@ TEST(Posture, IsSearchedWhereTheRobotHasNone) {
   expect_words(refusal([&] { make_setting(task); }), {"did you mean 'bent'?"});
 }
 
+TEST(Posture, JointsWithTwoTurns_AreFoundWithinHalfATurnOfTheMiddle) {
+  Robot arm = load_robot("arm7");
+  arm.postures.clear();
+  arm.model.q_lower.setConstant(-2.0 * std::numbers::pi);
+  arm.model.q_upper.setConstant(2.0 * std::numbers::pi);
+  Task task = task_for_arm7("tool");
+  for (const std::uint64_t seed : {0, 1, 2}) {
+    PostureOptions options = posture_options(task);
+    options.seed = seed;
+    const FoundPosture found = find_posture(task, arm, options);
+    EXPECT_LE(found.q.cwiseAbs().maxCoeff(), std::numbers::pi + 1e-9) << found.q.transpose();
+  }
+}
+
 TEST(Posture, OfADescriptionOnlyTheJointsThatCarryTheToolMove) {
   Task task;
   task.robot = std::string(BURNISH_ROBOTS_DIR) + "/quadruped/quadruped.urdf";
@@ -209,7 +224,7 @@ TEST(Posture, OfADescriptionOnlyTheJointsThatCarryTheToolMove) {
                {"the tool's frame 'fl_shank_lik' is none of robot", "'fl_shank_link'"});
   task.tool = "nothing_like_it_at_all";
   expect_words(refusal([&] { load_task_robot(task); }),
-               {"links at its ends are ", "fl_shank_link"});
+               {"links at its ends are ", "fl_shank_link", "tool.frame or --tool FRAME"});
 }
 
 TEST(Posture, AToolThatIsMissingIsSoughtAmongSitesToo) {

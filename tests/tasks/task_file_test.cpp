@@ -147,7 +147,7 @@ TEST_F(TaskFile, ANamedSurfaceWithOneThingChanged) {
 TEST_F(TaskFile, WhatTheRobotHasNotIsRefusedWhereTheFileSaysIt) {
   const auto refused = [](const std::string& text, const std::vector<std::string>& overrides = {}) {
     return refusal([&] {
-      const auto said = parse_said_task(text, "my.yaml", overrides);
+      const auto said = parse_said_task(text, "my.yaml", files::as_overrides(overrides));
       files::placed(said.texts, [&] { make_setting(said.spec); });
     });
   };

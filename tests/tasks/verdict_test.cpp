@@ -51,6 +51,10 @@ TEST(PolishingVerdict, IsNotBorneWithoutContact) {
   EXPECT_LT(result.verdict->contact_share, 0.9);
   // What is not asked for is not missed.
   spec.task.verdict = {.contact_share = 0.0, .force_rmse = never, .path_share = 0.0};
+  expect_words(run_task(spec).outcome, {"not polished: joint '", "beyond its limit"});
+  spec.robot = load_task_robot(spec.task);
+  spec.robot->model.q_lower.setConstant(-10.0);
+  spec.robot->model.q_upper.setConstant(10.0);
   EXPECT_TRUE(run_task(spec).polished);
 }
 
@@ -75,6 +79,21 @@ TEST(PolishingVerdict, IsNotBorneBesideThePath) {
   const RunResult result = run_task(spec);
   expect_failed(result, {"not polished: the tool was over ", "verdict.path_share wants 99 %"});
   EXPECT_LT(result.verdict->path_share, 0.5);
+}
+
+TEST(PolishingVerdict, IsNotBorneBeyondAJointsLimit) {
+  RunSpec spec = faultless_run();
+  Robot robot = load_task_robot(spec.task);
+  const Setting setting = make_setting(spec.task, robot);
+  // The path needs more of the joint than this.
+  const int elbow = robot.model.joints[3].q_index;
+  robot.model.q_upper[elbow] = setting.q_start[elbow] + 5e-3;
+  robot.model.q_lower[elbow] = setting.q_start[elbow] - 5e-3;
+  spec.robot = robot;
+  spec.check_reach = false;
+  const RunResult result = run_task(spec);
+  expect_failed(result, {"not polished: joint '" + robot.model.joints[3].name + "' was ",
+                         " rad beyond its limit at "});
 }
 
 TEST(PolishingVerdict, OfAPathThatWasTooLongForItsTimeIsStoppedEarly) {

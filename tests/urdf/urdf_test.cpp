@@ -163,6 +163,20 @@ TEST(Urdf, MissingFiguresAreInfiniteOrZero) {
             -infinity);
 }
 
+TEST(Urdf, ContinuousJointWithARange_IsWarnedAbout) {
+  const auto warnings = [](const std::string& limit) {
+    return parse_urdf(robot_of_type("continuous", limit)).warnings;
+  };
+  const auto said = warnings("<limit lower=\"-1.05\" upper=\"0.7\" velocity=\"1\" effort=\"1\"/>");
+  ASSERT_EQ(said.size(), 1U);
+  expect_words(said[0], {"joint 'j'", "continuous", "-1.05", "0.7", "revolute"});
+  // Ranges of a turn and more, and none at all, are what exporters write for such joints.
+  for (const char* range : {"lower=\"-3.1416\" upper=\"3.1416\"", "lower=\"0\" upper=\"0\"",
+                            "lower=\"-6.28\" upper=\"6.28\"", ""})
+    EXPECT_TRUE(warnings("<limit " + std::string(range) + " velocity=\"1\" effort=\"1\"/>").empty())
+        << range;
+}
+
 TEST(Urdf, ReadsMimic) {
   const JointSpec joint = parse_urdf(robot_of_type("continuous", "<mimic joint=\"k\"/>")).joints[0];
   ASSERT_TRUE(joint.mimic.has_value());

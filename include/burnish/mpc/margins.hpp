@@ -31,11 +31,11 @@ struct GainRange {
 };
 
 struct LoopMargins {
-  /// s, largest extra delay of the commands, up to 0.01; zero where the loop is unstable without
-  /// any
+  /// s, largest extra command delay at which the loop is stable, up to 0.01; 0: it is unstable
+  /// without any
   double delay = 0.0;
-  double bandwidth = 0.0;  ///< rad/s of the model-error observer at which the delay is least
-  std::vector<GainRange> gains = {};  ///< one per entry of v
+  double bandwidth = 0.0;  ///< rad/s of the model-error observer for which that delay is smallest
+  std::vector<GainRange> gains = {};  ///< one range per entry of v
 };
 
 /// The linearised loop of one phase of a schedule, at rest in the specification's initial state.

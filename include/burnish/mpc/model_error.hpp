@@ -30,29 +30,29 @@ enum class ModelErrorKind {
 struct ModelErrorOptions {
   /// none, torque (per joint) or force (along the normal)
   ModelErrorKind kind = ModelErrorKind::Torque;
-  /// rad/s of the observer; more follows friction, and bears less delay; none: fitted to the arm
-  /// where a task does that, else 30. Force closes a loop through the controller and is not to be
-  /// faster than its delays bear: behind a force sensor filtered at 50 Hz, 50 rad/s are well,
-  /// 100 rad/s oscillate.
+  /// rad/s of the observer; a higher one follows friction sooner and tolerates less delay; none:
+  /// fitted to the arm where a task does that, else 30. With kind force the observer closes a loop
+  /// through the controller, whose delays bound its bandwidth: behind a force sensor filtered at 50
+  /// Hz, 50 rad/s work and 100 rad/s oscillate.
   std::optional<double> bandwidth = {};
-  /// times the bandwidth, while a torque error changes faster than its noise does: after a push, an
-  /// impact, where a joint turns around; 1: never; none: fitted to the arm where a task does that,
-  /// else 3
+  /// factor on the bandwidth while a torque error changes faster than its noise: after a push or an
+  /// impact, or where a joint reverses; 1: no boost; none: fitted to the arm where a task does
+  /// that, else 3
   std::optional<double> boost = {};
-  /// times the bandwidth, while what changes is noise alone (encoders' steps): then a slower
-  /// observer passes less of it on; 1: never
+  /// factor on the bandwidth while noise alone, such as encoder steps, changes the torque error: a
+  /// slower observer passes less of it on; 1: never
   double calm = 1.0;
-  /// rad/s that friction along the surface is followed at, of kind torque; 0: the bandwidth
+  /// rad/s of the estimate of friction along the surface, with kind torque; 0: the bandwidth
   double sliding_bandwidth = 0.0;
-  /// s that plans take a torque error to last that has come just now, as a push does; what has been
-  /// there for some seconds lasts; infinite: all of it does
+  /// s, decay time that plans assume for a torque error that has just appeared, as after a push.
+  /// Errors that have lasted for some seconds do not decay; infinite: none does.
   double fading = std::numeric_limits<double>::infinity();
-  /// Nm (N): estimates stay within +- this; of a base that floats at least 6 % of its weight
+  /// Nm (N), largest magnitude of an estimate; for a floating base at least 6 % of its weight
   double limit = 30.0;
-  /// with kind torque: friction in joints is told apart and fed forward, so that it is there at
-  /// once where a joint turns around
+  /// with kind torque: joint friction is estimated separately and fed forward, so that it changes
+  /// sign as soon as a joint reverses
   bool joint_friction = true;
-  double friction_speed = 0.001;  ///< rad/s (m/s) within which that friction changes its sign
+  double friction_speed = 0.001;  ///< rad/s (m/s) over which that friction changes its sign
 
   double usual_bandwidth() const { return bandwidth.value_or(30.0); }  ///< rad/s
   double usual_boost() const { return boost.value_or(3.0); }

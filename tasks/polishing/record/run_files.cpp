@@ -48,6 +48,10 @@ Json run_json(const PolishJob& job, const RunResult& result) {
                    {"force_joint", result.reach.force_joint}};
   if (!result.setting.assumed_rotors.empty())
     json["assumed_rotors_kg_m2"] = result.setting.assumed_rotors;
+  if (result.setting.home)
+    json["home"] = {{"duration_s", result.setting.home->duration()},
+                    {"farthest_joint", result.setting.home->farthest_joint},
+                    {"farthest_rad", result.setting.home->farthest}};
   json["wall_time_s"] = result.wall_time;
   return json;
 }

@@ -11,10 +11,10 @@
 
 namespace burnish::polishing {
 
-/// What every arm must tolerate beyond what the chain of its loop has.
+/// Margins that every arm must have beyond the delays and filters of its loop.
 struct RequiredMargins {
   double delay = 2e-3;  ///< s, extra delay of the commands
-  double gain = 2.0;    ///< factor of one joint's torque, and its inverse
+  double gain = 2.0;    ///< factor on one joint's torque; also its inverse
 };
 
 /// Margins in free air and with the tool on the surface, at the starting posture.
@@ -45,10 +45,10 @@ std::optional<TaskMargins> margins(const Task& task, const Setting& setting);
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                                    const LoopChain& chain);
 
-/// What fit_gains() did.
+/// Result of fit_gains().
 struct FittedGains {
-  bool meets = true;         ///< the required margins, or none are computed
-  std::string changes = {};  ///< a sentence; empty where nothing is fitted
+  bool meets = true;         ///< true if the required margins are met, or cannot be computed
+  std::string changes = {};  ///< sentence that names the fitted gains; empty if none was fitted
 };
 
 /// Sets model_error.boost, model_error.bandwidth and weights.position where the task does not state

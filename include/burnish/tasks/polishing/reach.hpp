@@ -1,6 +1,9 @@
 // Whether the arm can do a task at all, and from which posture, found out before anything moves.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "burnish/tasks/polishing/stages.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
 
@@ -27,6 +30,22 @@ using burnish::searched_posture;
 /// It knows the nominal robot and surface, no motion, no shapes of links, and no collisions of the
 /// robot with itself or with anything but the surface. Throws Error for a path that is none.
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options = {});
+
+/// Walks along the move from where a run begins (Task::home) to its start, by steps of 0.02 rad:
+/// the tool and the arm, as check_reach() has it, stay outside the surface, and torques that hold
+/// the robot still stay within their share of the limits. The text of a problem names postures of
+/// the robot from which the way is free. Returns an empty report where no home is stated.
+ReachReport check_home(const Task& task, const Setting& setting, const ReachOptions& options = {});
+
+/// Posture of a robot from which its joints can move straight to a task's start.
+struct FreeHome {
+  std::string posture;    ///< of the robot's settings
+  double duration = 0.0;  ///< s, of the move
+};
+/// Returns the robot's postures, the start itself left out, from which check_home() finds nothing
+/// in the way; the nearest first. Empty where the task can have no home.
+std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,
+                                 const ReachOptions& options = {});
 
 /// With the limits that a task has for it.
 PostureOptions posture_options(const Task& task);

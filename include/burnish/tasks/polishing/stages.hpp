@@ -7,6 +7,7 @@
 #include "burnish/robots/robot.hpp"
 #include "burnish/tasks/polishing/task.hpp"
 #include "burnish/tasks/pressing/admittance_controller.hpp"
+#include "burnish/tasks/pressing/home.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"
 
 namespace burnish::polishing {
@@ -24,6 +25,7 @@ struct Setting {
   double reach_end = 0.0, touch = 0.0, ramp_end = 0.0, track_end = 0.0;  ///< s of the schedule
   /// kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature
   std::map<std::string, double> assumed_rotors = {};
+  std::optional<HomeMove> home = {};  ///< from where a run begins (Task.home) to q_start
 };
 
 /// The task's robot. Of a URDF file, which has no settings, only the joints that carry the tool

@@ -11,6 +11,7 @@
 #include "burnish/tasks/polishing/force_profile.hpp"
 #include "burnish/tasks/polishing/path.hpp"
 #include "burnish/tasks/pressing/admittance_controller.hpp"
+#include "burnish/tasks/pressing/home.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
@@ -18,6 +19,7 @@
 
 namespace burnish::polishing {
 
+using burnish::HomeSpec;
 using burnish::PostureLimits;
 
 /// Axes that the contact and its force are written in.
@@ -79,6 +81,7 @@ struct Task {
   /// it.
   bool assume_rotors = false;
   PostureLimits search = {};
+  HomeSpec home = {};         ///< where a run begins, if not at the start of the arm
   Standing standing = {};     ///< of a robot whose base floats
   std::string tool = "tool";  ///< its origin is the centre of a round tip
   /// that the tool presses along, in its frame, any length; without it see pressing_direction(); a

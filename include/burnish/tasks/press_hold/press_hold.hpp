@@ -101,6 +101,11 @@ struct Setting {
 /// The task's robot. Of a URDF file, which has no settings, only the joints that carry the tool
 /// move: the others are held at zero. Throws Error as load_robot() does.
 Robot load_task_robot(const Task& task);
+/// Adapts a task that was written for another robot: a posture that `robot` does not have is
+/// searched for, and where it has no joint of `aside`, its third joint from the base goes by the
+/// first value there, or the other way where a limit is nearer. Returns a sentence for each change.
+/// Throws Error as make_setting() does.
+std::vector<std::string> fit_to_robot(Task& task, const Robot& robot);
 /// Throws Error for a robot, posture, tool or joint that there is not, a base that floats free, a
 /// posture that is to be searched where there is none, and one that would go beyond its limits.
 Setting make_setting(const Task& task);

@@ -14,14 +14,14 @@
 
 namespace burnish {
 
-/// Those of a tool that comes to a surface, presses on it, follows a path there and leaves, as
-/// Command::phase and traces count them.
-enum class Phase { Reach, Approach, Ramp, Track, Retreat };
+/// Phases of a tool that comes to a surface, presses on it, follows a path there and leaves, as
+/// Command::phase and traces count them. Home comes first where there is one: see HomeSpec.
+enum class Phase { Reach, Approach, Ramp, Track, Retreat, Home };
 
 constexpr int number_of(Phase phase) { return static_cast<int>(phase); }
-/// "reach", "approach", "ramp", "track" or "retreat".
+/// "reach", "approach", "ramp", "track", "retreat" or "home".
 std::string name_of(Phase phase);
-const std::vector<std::string>& phase_names();  ///< of all, in their order
+const std::vector<std::string>& phase_names();  ///< of all, by number
 
 /// What the tool has to do with the surface in a phase.
 enum class Touch {

@@ -1,0 +1,91 @@
+#include "draft_feet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "base/yaml_word.hpp"
+#include "burnish/base/error.hpp"
+#include "burnish/tasks/pressing/find_feet.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/foot_posture.hpp"
+#include "settings_posture.hpp"
+#include "show_json.hpp"
+
+namespace burnish::app {
+namespace {
+
+/// Lowering of the base in the drafted posture, as Task::crouch of the task `stand` has it.
+constexpr double drafted_crouch = 0.2;
+
+bool is_named_after_a_foot(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr std::array words{"foot", "feet", "sole", "toe", "ankle"};
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+std::string numbers(const Eigen::Vector3d& v) {
+  constexpr double digits = 1e6;
+  const auto rounded = [](double x) { return std::round(digits * x) / digits + 0.0; };
+  return fmt::format("[{:g}, {:g}, {:g}]", rounded(v.x()), rounded(v.y()), rounded(v.z()));
+}
+
+/// The frame below a link of its body.
+std::string frame_line(const Model& model, const Frame& frame) {
+  const auto parent =
+      std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& other) {
+        return other.body == frame.body && other.kind == FrameKind::Link;
+      });
+  if (parent == model.frames.end()) return "";
+  const Eigen::Isometry3d at = parent->placement.inverse() * frame.placement;
+  return fmt::format("  {}: {{parent: {}, xyz: {}, rpy: {}}}\n", yaml_word(frame.name),
+                     yaml_word(parent->name), numbers(at.translation()),
+                     numbers(roll_pitch_yaw(at.linear())));
+}
+
+std::string standing_keys(const Feet& feet) {
+  std::string frames;
+  for (const std::string& frame : feet.frames)
+    frames += (frames.empty() ? "" : ", ") + yaml_word(frame);
+  const std::string size =
+      feet.has_soles() ? fmt::format("half_x: {:.4g}, half_y: {:.4g}", feet.half_x, feet.half_y)
+                       : fmt::format("half_x: 0, half_y: 0, radius: {:.4g}", feet.radius);
+  return fmt::format("standing: {{feet: [{}], {}}}", frames, size);
+}
+
+std::string standing_posture(const Robot& robot, const Feet& feet) {
+  const Standing standing = with_feet(Standing{}, feet);
+  const Model& model = robot.model;
+  const Eigen::VectorXd from =
+      robot.default_posture.empty() ? model.q_neutral : robot.reference_configuration();
+  try {
+    return posture_text(
+        posture_of(model, pressing::crouched_posture(model, standing, from, drafted_crouch)));
+  } catch (const Error&) {
+    return "";
+  }
+}
+
+}  // namespace
+
+DraftedFeet draft_feet(const std::string& file, bool floats) {
+  DraftedFeet drafted;
+  Robot robot = pressing::load_floating(file);
+  const auto feet = find_feet(robot);
+  if (!feet) return drafted;
+  if (!floats && !std::all_of(feet->frames.begin(), feet->frames.end(), is_named_after_a_foot))
+    return drafted;
+  robot = with_feet(std::move(robot), *feet);
+  drafted.comment = "# Feet: " + feet_text(*feet) + ".\n# Tasks take them as `" +
+                    standing_keys(*feet) + "`, or `standing.feet: auto`.\n";
+  for (const Frame& frame : feet->added) drafted.frames += frame_line(robot.model, frame);
+  drafted.posture = standing_posture(robot, *feet);
+  return drafted;
+}
+
+}  // namespace burnish::app

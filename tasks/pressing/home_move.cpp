@@ -1,0 +1,205 @@
+#include "pressing/home_move.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "burnish/model/state.hpp"
+#include "pressing/reach_walk.hpp"
+
+namespace burnish::pressing {
+namespace {
+
+void refuse_impossible(const Model& model) {
+  if (!model.loops.empty())
+    throw EntryError("home", "robot " + in_quotes(model.name) +
+                                 " has closed loops, which a straight move of its joints does not "
+                                 "keep; wanted none");
+  for (const Joint& joint : model.joints)
+    if (joint.kind == JointKind::FreeFlyer)
+      throw EntryError("home",
+                       "the base of robot " + in_quotes(model.name) +
+                           " floats, and a move of its joints keeps no balance; wanted none");
+}
+
+Eigen::VectorXd home_configuration(const HomeSpec& home, const Robot& robot,
+                                   const Eigen::VectorXd& q_start) {
+  const Model& model = robot.model;
+  Eigen::VectorXd q =
+      home.posture.empty() ? q_start : about("home", [&] { return robot.posture(home.posture); });
+  for (const auto& [name, value] : home.joints) {
+    std::vector<std::string> names;
+    bool found = false;
+    for (const Joint& joint : model.joints) {
+      if (joint.follows) continue;
+      names.push_back(joint.name);
+      if (joint.name != name) continue;
+      found = true;
+      if (joint.nq == 1) {
+        q[joint.q_index] = value;
+      } else if (joint.kind == JointKind::Continuous) {
+        q.segment<2>(joint.q_index) << std::cos(value), std::sin(value);
+      } else {
+        throw EntryError(
+            "home.joints",
+            "joint " + in_quotes(name) + " has more than one entry; wanted a posture that has it");
+      }
+    }
+    if (!found)
+      throw EntryError("home.joints", "robot " + in_quotes(model.name) + " has no moving joint " +
+                                          in_quotes(name) + did_you_mean(name, names));
+  }
+  return q;
+}
+
+void check_limits(const Model& model, const Eigen::VectorXd& q) {
+  constexpr double rounding = 1e-4;  // rad (m): postures in files are rounded
+  for (const Joint& joint : model.joints) {
+    if (joint.nq != 1) continue;
+    const double value = q[joint.q_index];
+    const double low = model.q_lower[joint.q_index], high = model.q_upper[joint.q_index];
+    if (value >= low - rounding && value <= high + rounding) continue;
+    throw EntryError("home", "joint " + in_quotes(joint.name) + " is at " + number(value) +
+                                 "; wanted " + number(low) + " to " + number(high) +
+                                 ", its limits: another posture, or home.joints with it");
+  }
+}
+
+/// Time that the leg takes with its fastest joint at its velocity limit [s], and that joint's
+/// entry.
+double time_at_limit(const Model& model, const Eigen::VectorXd& way, int& fastest) {
+  constexpr double usual = 1.0;  // rad/s (m/s), of joints without a velocity limit
+  double most = 0.0;
+  for (int k = 0; k < model.nv; ++k) {
+    const double limit = model.velocity_limit[k];
+    const double time =
+        quintic_speed * std::abs(way[k]) / (std::isfinite(limit) && limit > 0.0 ? limit : usual);
+    if (time <= most) continue;
+    most = time;
+    fastest = k;
+  }
+  return most;
+}
+
+/// By how much a leg must be longer so that its torques stay within their share of the limits.
+/// What the motion takes falls with the square of its duration.
+double stretch_for_torque(const Model& model, const Eigen::VectorXd& q_begin,
+                          const Eigen::VectorXd& way, double duration) {
+  constexpr int samples = 40;
+  constexpr double share = 0.8;  // as ReachOptions::torque_share
+  constexpr double least = 0.1;  // of the limit, that the motion is left at the least
+  constexpr double longest = 5.0;
+  ContactDynamics dynamics(model);
+  double stretch = 1.0;
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
+  for (int i = 0; i <= samples; ++i) {
+    const Quintic at = quintic(static_cast<double>(i) / samples);
+    const Eigen::VectorXd q = integrate(model, q_begin, at.s * way);
+    if (dynamics.forward(q, zero, zero) > Status::NotConverged) continue;
+    const Eigen::VectorXd rest = dynamics.bias();
+    if (dynamics.forward(q, at.ds / duration * way, zero) > Status::NotConverged) continue;
+    const Eigen::VectorXd motion =
+        dynamics.bias() - rest + at.ds2 / (duration * duration) * (dynamics.mass_matrix() * way);
+    for (int k = 0; k < model.nv; ++k) {
+      const double limit = model.effort_limit[k];
+      if (!std::isfinite(limit) || limit <= 0.0) continue;
+      const double left = std::max(least * limit, share * limit - std::abs(rest[k]));
+      stretch = std::max(stretch, std::sqrt(std::abs(motion[k]) / left));
+    }
+  }
+  return std::min(stretch, longest);
+}
+
+/// Durations of the legs, and the joint that moves most.
+void set_durations(const HomeSpec& home, const Model& model, HomeMove& move) {
+  constexpr double shortest = 1.0;  // s
+  double at_limit = 0.0;
+  std::string fastest;
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(model.nv);
+  for (std::size_t i = 0; i + 1 < move.corners.size(); ++i) {
+    const Eigen::VectorXd way = difference(model, move.corners[i], move.corners[i + 1]);
+    moved += way.cwiseAbs();
+    int k = 0;
+    const double time = time_at_limit(model, way, k);
+    if (i == 0) fastest = model.v_name(k);
+    at_limit += time;
+    const double usual = std::max(shortest, time / home.speed_ratio);
+    move.durations.push_back(usual * stretch_for_torque(model, move.corners[i], way, usual));
+  }
+  Eigen::Index farthest = 0;
+  move.farthest = moved.maxCoeff(&farthest);
+  move.farthest_joint = model.v_name(static_cast<int>(farthest));
+  if (!home.duration) return;
+  if (at_limit > *home.duration)
+    throw EntryError("home.duration",
+                     "it is " + number(*home.duration) + " s, and joint " + in_quotes(fastest) +
+                         " needs " + number(at_limit) +
+                         " s at its velocity limit; wanted at least that, or auto");
+  const double scale = *home.duration / move.duration();
+  for (double& duration : move.durations) duration *= scale;
+}
+
+HomeMove move_over(const HomeSpec& home, const Model& model, std::vector<Eigen::VectorXd> corners) {
+  HomeMove move{.corners = std::move(corners)};
+  set_durations(home, model, move);
+  return move;
+}
+
+}  // namespace
+
+std::optional<HomeMove> home_move(const HomeSpec& home, const Robot& robot,
+                                  const Eigen::VectorXd& q_start, const SceneSpec& scene) {
+  if (!home.is_stated()) return std::nullopt;
+  const Model& model = robot.model;
+  refuse_impossible(model);
+  const Eigen::VectorXd q_home = home_configuration(home, robot, q_start);
+  check_limits(model, q_home);
+  const HomeMove straight = move_over(home, model, {q_home, q_start});
+  const ReachOptions usual;
+  if (check_home_move(straight, model, scene, usual).problem != ReachProblem::Collision)
+    return straight;
+  ReachWalk walk(model, scene, q_start, usual);
+  const Eigen::Vector3d p = frame_placement(model, q_start, scene.tip.frame).translation();
+  double before = 0.0;
+  for (const double lift : {0.05, 0.1, 0.2}) {
+    const Eigen::Vector3d& n = scene.surface.normal;
+    if (!walk.visit_line(p + before * n, p + lift * n, 0.0)) break;
+    before = lift;
+    HomeMove lifted = move_over(home, model, {q_home, walk.posture(), q_start});
+    if (check_home_move(lifted, model, scene, usual).ok()) return lifted;
+  }
+  return straight;
+}
+
+ReachReport check_home_move(const HomeMove& move, const Model& model, const SceneSpec& scene,
+                            const ReachOptions& options) {
+  constexpr double spacing = 0.02;  // rad (m), of the joint that moves most
+  constexpr double most = 1000.0;
+  ReachWalk walk(model, scene, move.corners.back(), options);
+  double passed = 0.0;
+  for (std::size_t leg = 0; leg < move.durations.size(); ++leg) {
+    const Eigen::VectorXd& from = move.corners[leg];
+    const Eigen::VectorXd way = difference(model, from, move.corners[leg + 1]);
+    const double size = std::ceil(way.cwiseAbs().maxCoeff() / spacing);
+    const int steps = static_cast<int>(std::clamp(size, 1.0, most));
+    for (int i = 0; i <= steps; ++i) {
+      const double share = static_cast<double>(i) / steps;
+      const double done = (passed + share * move.durations[leg]) / move.duration();
+      const std::string where =
+          done == 0.0 ? "at home" : number(std::round(100.0 * done)) + " % of the way from home";
+      if (!walk.pass(integrate(model, from, share * way), where)) return walk.report();
+    }
+    passed += move.durations[leg];
+  }
+  return walk.report();
+}
+
+double time_from_home(const std::optional<HomeMove>& move) {
+  constexpr double lateness = 2.0;  // s, see make_home_controller()
+  return move ? move->duration() + move->settle + lateness : 0.0;
+}
+
+}  // namespace burnish::pressing
