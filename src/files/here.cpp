@@ -51,8 +51,7 @@ PositionAxes position_axes(const Model& model, const Eigen::VectorXd& q, const s
   const Kinematics<double> kinematics = at_rest(Tree(model), q);
   const CompiledReference in = compile_reference(model, asked_for_positions(reference),
                                                  compile_frame(model, frame), world_frame());
-  PositionAxes result{Eigen::Isometry3d::Identity(),
-                      to_eigen(reference_pose(in, kinematics).R)};
+  PositionAxes result{Eigen::Isometry3d::Identity(), to_eigen(reference_pose(in, kinematics).R)};
   result.numbers.linear() = to_eigen(reference_axes(in, in.fixed_in, kinematics));
   result.numbers.translation() = to_eigen(reference_origin(in, kinematics));
   return result;

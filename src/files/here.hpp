@@ -20,8 +20,8 @@ struct PositionAxes {
   Eigen::Isometry3d numbers;  ///< coordinates of targets -> world
   Eigen::Matrix3d rows;       ///< axes of the residual's rows -> world
 };
-/// Axes of residual::FramePosition of a frame, in a reference of one time, at `q`. Throws Error with
-/// the nearest known name.
+/// Axes of residual::FramePosition of a frame, in a reference of one time, at `q`. Throws Error
+/// with the nearest known name.
 PositionAxes position_axes(const Model& model, const Eigen::VectorXd& q, const std::string& frame,
                            const Reference& reference);
 

@@ -179,8 +179,14 @@ Followed followed(const ProblemSpec& spec) {
       if (const auto* r = std::get_if<residual::FramePlacement>(&term.residual)) add(r->frame);
     }
   };
+  const auto look_at_limits = [&](const std::vector<Constraint>& constraints) {
+    for (const Constraint& constraint : constraints)
+      if (const auto* r = std::get_if<residual::FramePosition>(&constraint.residual)) add(r->frame);
+  };
   for (const Stage& stage : spec.stages) look(stage.costs);
   look(spec.terminal);
+  for (const Stage& stage : spec.stages) look_at_limits(stage.constraints);
+  look_at_limits(spec.terminal_constraints);
   for (const ContactSpec& contact : spec.contacts)
     for (const int d : held(contact)) result.forces.push_back(force_column(contact, d));
   return result;

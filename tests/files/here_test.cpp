@@ -1,10 +1,11 @@
 // What starts from `here`: along the axes that its cost names.
+#include "files/here.hpp"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "burnish/dynamics/placement.hpp"
-#include "files/here.hpp"
 #include "support/problem_files.hpp"
 
 namespace burnish::testing {
@@ -15,8 +16,8 @@ class HereTargets : public ProblemFiles {
   /// Where a target of the tool's position leads at a time, from the tool at the start, along the
   /// axes of the residual's rows [m].
   Eigen::Vector3d moved(const std::string& axes, const std::string& target, double time) const {
-    const ProblemFile file = read(
-        small("frame: tool, target: here", "frame: tool, " + axes + ", target: " + target));
+    const ProblemFile file =
+        read(small("frame: tool, target: here", "frame: tool, " + axes + ", target: " + target));
     const auto& cost = std::get<residual::FramePosition>(file.spec.stages[0].costs[1].residual);
     const Eigen::VectorXd q = file.spec.initial_state.head(file.spec.model.nq);
     const files::PositionAxes seen =
@@ -40,9 +41,9 @@ const std::vector<std::string> all_axes{
 
 TEST_F(HereTargets, Offset_IsAlongTheAxesOfTheCost) {
   for (const std::string& axes : all_axes)
-    EXPECT_LT((moved(axes, "{here: [0.1, 0.02, -0.03]}", 0.0) - Eigen::Vector3d(0.1, 0.02, -0.03))
-                  .norm(),
-              1e-9)
+    EXPECT_LT(
+        (moved(axes, "{here: [0.1, 0.02, -0.03]}", 0.0) - Eigen::Vector3d(0.1, 0.02, -0.03)).norm(),
+        1e-9)
         << axes;
 }
 

@@ -276,3 +276,9 @@ test('what has feet may stand and press nothing', () => {
   assert.ok(data.presses(run([{}], 30)));
   assert.ok(!data.presses(run([{}], 0)));
 });
+
+test('a planned motion presses nothing, whatever its columns say', () => {
+  const columns = new Map([['in_contact', { data: new Float32Array([0, 1]) }]]);
+  assert.equal(data.presses({ columns }), true);
+  assert.equal(data.presses({ columns, plan: { frames: [], forces: [], limits: [] } }), false);
+});
