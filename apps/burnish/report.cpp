@@ -20,7 +20,8 @@ struct ReportArguments {
   std::string out = "report.html";
 };
 
-constexpr const char* wanted_run = "wanted a folder that burnish polish wrote, with run.json in it";
+constexpr const char* wanted_run =
+    "wanted a folder that burnish polish, run or solve wrote, with run.json in it";
 
 /// The run.json files that an argument means: a file, a run's folder, or a folder of such.
 std::vector<fs::path> files_of(const std::string& argument) {
@@ -105,7 +106,7 @@ void add_report(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<ReportArguments>();
   command
       ->add_option("RUN", arguments->runs,
-                   "Folder of a run, or of several, that burnish polish wrote")
+                   "Folder of a run, or of several, that burnish polish, run or solve wrote")
       ->type_name("")
       ->required();
   command->add_option("--out", arguments->out, "The page [report.html]")->type_name("FILE");

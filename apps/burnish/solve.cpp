@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "model/mass_check.hpp"
 #include "record/json_text.hpp"
+#include "record/page_files.hpp"
 #include "record/run_folder.hpp"
 #include "record/solution.hpp"
 #include "robot_arguments.hpp"
@@ -21,6 +22,7 @@ struct SolveArguments {
   int iterations = -1, threads = -1;
   double tolerance = -1.0;
   bool check = false, pin = false, quiet = false, json = false, force = false, strict = false;
+  bool no_page = false;
 };
 
 DdpOptions options_of(const ProblemFile& problem, const SolveArguments& arguments) {
@@ -75,7 +77,8 @@ int solve(const SolveArguments& arguments) {
                     .name = fs::path(arguments.file).stem().string() + "_solution",
                     .force = arguments.force});
   folder.claim({"trajectory.csv", "gains.json", "summary.json", "limits.csv", "states.svg",
-                "torques.svg", "forces.svg", "path.svg", "limits.svg", "cost.svg"});
+                "torques.svg", "forces.svg", "path.svg", "limits.svg", "cost.svg", "run.json",
+                "run.html"});
 
   const bool talks = !arguments.quiet && !arguments.json;
   if (talks) print_start(problem, arguments.file);
@@ -83,9 +86,14 @@ int solve(const SolveArguments& arguments) {
   const StepReport steps = check_steps(problem, solver.xs(), solver.us());
   const auto report = summary_json(arguments.file, problem, solver, steps);
   std::vector<std::string> names;
+  PageWriter pages(!arguments.no_page, false);
   std::string unwritten;  // why files are missing
   try {
     names = write_solution(problem, solver, report, folder.path());
+    for (std::string& name : pages.write(folder.path(), [&] {
+           return solution_page({arguments.file, file}, problem, solver, steps);
+         }))
+      names.push_back(std::move(name));
     folder.finish();
   } catch (const Error& error) {
     unwritten = error.what();
@@ -99,6 +107,8 @@ int solve(const SolveArguments& arguments) {
     if (talks && unwritten.empty())
       fmt::print("in {}: {}\n", folder.path().string(), fmt::join(names, ", "));
   }
+  if (const std::string missing = pages.missing_meshes(); !missing.empty())
+    fmt::print(stderr, "burnish: {}: note: {}\n", arguments.file, missing);
   if (steps.coarse)
     fmt::print(stderr, "burnish: {}: warning: {}\n", arguments.file, steps.warning());
   if (!unwritten.empty()) throw Error(unwritten);
@@ -132,6 +142,7 @@ void add_solve(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber);
   command->add_flag("--check", arguments->check,
                     "Check the problem's derivatives first; if they fail, do not solve");
+  command->add_flag("--no-page", arguments->no_page, "Write no run.json and run.html");
   command->add_flag("--quiet", arguments->quiet, "Say nothing but how it ended");
   command->add_flag("--json", arguments->json, "Print summary.json and nothing else");
   add_strict(*command, arguments->strict);
@@ -140,9 +151,10 @@ void add_solve(CLI::App& app, int& exit_code) {
       "  burnish solve examples/problems/reaching.yaml\n"
       "  burnish solve examples/problems/polishing.yaml --out /tmp/polishing --threads 4\n"
       "\n"
-      "Writes trajectory.csv, gains.json, summary.json, limits.csv where there are constraints, "
-      "and\n"
-      "plots. Ctrl-C (or SIGTERM, or SIGHUP) stops after the iteration and writes what there is.\n"
+      "Writes run.html, a page with a replay of the planned motion for any browser, "
+      "trajectory.csv,\n"
+      "gains.json, summary.json, limits.csv where there are constraints, and plots. Ctrl-C (or "
+      "SIGTERM, or SIGHUP) stops after the iteration and writes what there is.\n"
       "docs/optimal_control.md describes problem files.\n"
       "Exit codes: 0 converged; 1 not converged; 2 bad input.");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +11,8 @@ import pytest
 
 from burnish import _core
 
-SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "describe"
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPT = ROOT / "scripts" / "describe"
 
 
 @pytest.mark.skipif(not SCRIPT.exists(), reason="a package without its sources")
@@ -50,3 +52,21 @@ def test_the_build_writes_every_described_class_where_its_module_has_room(tmp_pa
         assert (tmp_path / name).read_text() == (package / name).read_text(), name
     for spec in _core.descriptions() + _core.enumerations():
         assert (tmp_path / f"{spec['module']}.py").read_text().count(f"\nclass {spec['name']}(") == 1, spec["name"]
+
+
+@pytest.mark.skipif(not SCRIPT.exists(), reason="a package without its sources")
+def test_names_of_problem_files_are_those_of_both_sides() -> None:
+    """Keys of the table are read somewhere, and members are declared where it says."""
+    docs = (ROOT / "docs/files.md").read_text()
+    table = re.search(r"<!-- names of problem files -->\n(.*?)<!-- end -->", docs, re.DOTALL)
+    assert table
+    sources = "".join(path.read_text() for path in (ROOT / "src/files").glob("*.cpp"))
+    headers = "".join(path.read_text() for path in (ROOT / "include/burnish").rglob("*.hpp"))
+    rows = [row.split("|")[1:3] for row in table[1].splitlines()[2:]]
+    assert len(rows) > 5
+    for keys, members in rows:
+        for key in re.findall(r"`([\w.]+)", keys):
+            assert f'"{key.split(".")[-1]}"' in sources or key.endswith("NAME"), key
+        for owner, member in re.findall(r"`(\w+)\.(\w+)", members):
+            if owner != "residual":
+                assert re.search(rf"struct {owner} (final )?{{.*?\b{member}\b.*?\n}};", headers, re.DOTALL), member

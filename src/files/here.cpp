@@ -46,16 +46,22 @@ Eigen::VectorXd rotation_here(const Model& model, const Eigen::VectorXd& q,
   return Eigen::Quaterniond(to_eigen(transpose_times(pose.R, state.R))).coeffs();
 }
 
-Eigen::Vector3d position_here(const Model& model, const Eigen::VectorXd& q,
-                              const std::string& frame, const Reference& reference) {
+PositionAxes position_axes(const Model& model, const Eigen::VectorXd& q, const std::string& frame,
+                           const Reference& reference) {
   const Kinematics<double> kinematics = at_rest(Tree(model), q);
-  const CompiledFrame seen = compile_frame(model, frame);
-  const CompiledReference in =
-      compile_reference(model, asked_for_positions(reference), seen, world_frame());
-  FrameState<double> state;
-  update_frame(seen, kinematics, state);
-  return to_eigen(transpose_times(reference_axes(in, in.fixed_in, kinematics),
-                                  state.p - reference_origin(in, kinematics)));
+  const CompiledReference in = compile_reference(model, asked_for_positions(reference),
+                                                 compile_frame(model, frame), world_frame());
+  PositionAxes result{Eigen::Isometry3d::Identity(), to_eigen(reference_pose(in, kinematics).R)};
+  result.numbers.linear() = to_eigen(reference_axes(in, in.fixed_in, kinematics));
+  result.numbers.translation() = to_eigen(reference_origin(in, kinematics));
+  return result;
+}
+
+PositionHere position_here(const Model& model, const Eigen::VectorXd& q, const std::string& frame,
+                           const Reference& reference) {
+  const PositionAxes axes = position_axes(model, q, frame, reference);
+  return {axes.numbers.inverse() * frame_placement(model, q, frame).translation(),
+          axes.numbers.linear().transpose() * axes.rows};
 }
 
 }  // namespace burnish::files

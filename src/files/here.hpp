@@ -15,9 +15,22 @@ Eigen::VectorXd placement_here(const Model& model, const Eigen::VectorXd& q,
 /// frame and whose base is the world. Throws Error with the nearest known name.
 Eigen::VectorXd rotation_here(const Model& model, const Eigen::VectorXd& q,
                               const std::string& frame, const Reference& reference);
-/// Origin of a frame from that of a reference, in the axes that its rotation is fixed in, m; its
-/// tool is the frame, its base the world. Throws Error with the nearest known name.
-Eigen::Vector3d position_here(const Model& model, const Eigen::VectorXd& q,
-                              const std::string& frame, const Reference& reference);
+/// The two kinds of coordinates of a cost of a frame's position, at one configuration.
+struct PositionAxes {
+  Eigen::Isometry3d numbers;  ///< coordinates of targets -> world
+  Eigen::Matrix3d rows;       ///< axes of the residual's rows -> world
+};
+/// Axes of residual::FramePosition of a frame, in a reference of one time, at `q`. Throws Error
+/// with the nearest known name.
+PositionAxes position_axes(const Model& model, const Eigen::VectorXd& q, const std::string& frame,
+                           const Reference& reference);
+
+/// Target of a frame's position that leaves the frame where it is.
+struct PositionHere {
+  Eigen::Vector3d target;   ///< [m]
+  Eigen::Matrix3d offsets;  ///< axes of the residual's rows -> coordinates of targets
+};
+PositionHere position_here(const Model& model, const Eigen::VectorXd& q, const std::string& frame,
+                           const Reference& reference);
 
 }  // namespace burnish::files

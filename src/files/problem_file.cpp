@@ -254,6 +254,7 @@ ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder)
   ProblemFile result;
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);
+  result.robot_name = robot_name(top["robot"], folder);
   if (const auto payload = top.find("payload"))
     result.robot.model = payload->named(
         [&] { return with_payload(std::move(result.robot.model), read_payload(*payload)); });

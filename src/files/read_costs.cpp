@@ -29,13 +29,14 @@ struct CostReader {
   }
 
   Signal target(std::optional<Eigen::VectorXd> here,
-                TargetSpace::Kind kind = TargetSpace::Kind::Plain) const {
+                TargetSpace::Kind kind = TargetSpace::Kind::Plain,
+                const std::optional<Eigen::Matrix3d>& offsets = {}) const {
     const auto given = reader.find("target");
     if (!given) return {};
     std::vector<RowGroup> groups = rows.rows;
     if (kind == TargetSpace::Kind::Rotation) groups = {{"quaternion", 4}};
     if (kind == TargetSpace::Kind::Placement) groups = {{"xyz", 3}, {"quaternion", 4}};
-    return read_target(scope.folder, {groups, std::move(here), kind}, *given);
+    return read_target(scope.folder, {groups, std::move(here), kind, offsets}, *given);
   }
 
   std::string frame() const {
@@ -80,8 +81,11 @@ struct CostReader {
     if (const auto axes = reader.find("axes"))
       result.reference = Reference::world(read_axes(*axes));
     result = in_reference(result, "axes");
-    result.target = target(reader.named(
-        [&] { return position_here(model(), scope.q, result.frame, result.reference); }));
+    const PositionHere here = reader.named([&] {
+      return position_here(model(), scope.q, result.frame,
+                           result.reference.at(scope.spec.start_time));
+    });
+    result.target = target(here.target, TargetSpace::Kind::Plain, here.offsets);
     return result;
   }
 

@@ -40,12 +40,18 @@ RobotOverrides read_overrides(const Reader& reader) {
   return overrides;
 }
 
+std::string robot_name(const Reader& reader, const fs::path& folder) {
+  if (!reader.is_map()) return locate(reader.text(), folder);
+  std::string name = locate(reader["name"].text(), folder);
+  if (const auto variant = reader.find("variant")) name += ":" + variant->text();
+  return name;
+}
+
 Robot read_robot(const Reader& reader, const fs::path& folder, const RobotOverrides& overrides) {
   if (!reader.is_map())
     return reader.named([&] { return load_robot(locate(reader.text(), folder), overrides); });
   reader.allow_only({"name", "variant", "base", "lock", "free", "lock_posture", "strict"});
-  std::string name = locate(reader["name"].text(), folder);
-  if (const auto variant = reader.find("variant")) name += ":" + variant->text();
+  const std::string name = robot_name(reader, folder);
   return reader.named([&] { return load_robot(name, read_overrides(reader)); });
 }
 

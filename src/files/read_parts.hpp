@@ -7,6 +7,8 @@ namespace burnish::files {
 
 /// base, lock, free, lock_posture and strict, as far as the map states them.
 RobotOverrides read_overrides(const Reader& reader);
+/// The name alone, as load_robot() takes it: a path from `folder`, :variant behind it.
+std::string robot_name(const Reader& reader, const std::filesystem::path& folder);
 /// A name, which goes with `overrides`, or {name: ..., variant: ...} with overrides of its own.
 Robot read_robot(const Reader& reader, const std::filesystem::path& folder,
                  const RobotOverrides& overrides = {});

@@ -19,6 +19,18 @@ Eigen::VectorXd here_of(const TargetSpace& space, const Reader& reader) {
 
 Eigen::VectorXd coefficients(const Eigen::Quaterniond& rotation) { return rotation.coeffs(); }
 
+bool starts_here(const Reader& reader) {
+  return reader.is("here") || (reader.is_map() && reader.has("here"));
+}
+
+/// Columns of offsets from `origin`, in the coordinates of the numbers: beside `here` they are
+/// along the axes of the term, beside numbers in the coordinates of these.
+Eigen::MatrixXd offsets_from(const Reader& origin, const TargetSpace& space,
+                             const Eigen::MatrixXd& offsets) {
+  if (!space.offsets || !starts_here(origin)) return offsets;
+  return *space.offsets * offsets;
+}
+
 /// A fixed point of the space: numbers, `here`, or {here: offset}; a rotation or a placement.
 Eigen::VectorXd read_point(const TargetSpace& space, const Reader& reader) {
   if (reader.is("here")) return here_of(space, reader);
@@ -33,7 +45,7 @@ Eigen::VectorXd read_point(const TargetSpace& space, const Reader& reader) {
   if (reader.is_list()) return reader.numbers(space.size());
   if (reader.has("here")) {
     reader.allow_only({"here"});
-    return here_of(space, reader) + read_point(space, reader["here"]);
+    return here_of(space, reader) + offsets_from(reader, space, read_point(space, reader["here"]));
   }
   return read_rows(reader, space.rows, 0.0);
 }
@@ -60,13 +72,12 @@ Signal read_circle(const TargetSpace& space, const Reader& reader) {
   const double phase = number_at(reader, "phase", 0.0);
   if (reader.has("center") == reader.has("start"))
     reader.refuse("wanted either 'center' or 'start', where the path is at time 0");
-  Eigen::Vector3d center;
-  if (const auto given = reader.find("center")) {
-    center = read_point(space, *given);
-  } else {
-    center =
-        read_point(space, reader["start"]) - radius * (std::cos(phase) * a + std::sin(phase) * b);
-  }
+  const bool from_center = reader.has("center");
+  const Reader origin = reader[from_center ? "center" : "start"];
+  a = offsets_from(origin, space, a);
+  b = offsets_from(origin, space, b);
+  Eigen::Vector3d center = read_point(space, origin);
+  if (!from_center) center -= radius * (std::cos(phase) * a + std::sin(phase) * b);
   return Signal::over_time(3, [=](double t, Out p) {
     const double angle = rate * t + phase;
     p = center + radius * (std::cos(angle) * a + std::sin(angle) * b);
@@ -99,7 +110,8 @@ Signal read_line(const TargetSpace& space, const Reader& reader) {
 Signal read_sine(const TargetSpace& space, const Reader& reader) {
   reader.allow_only({"center", "amplitude", "rate", "phase"});
   const Eigen::VectorXd center = read_point(space, reader["center"]);
-  const Eigen::VectorXd amplitude = read_rows(reader["amplitude"], space.rows, 0.0);
+  const Eigen::VectorXd amplitude =
+      offsets_from(reader["center"], space, read_rows(reader["amplitude"], space.rows, 0.0));
   const double rate = reader["rate"].number(), phase = number_at(reader, "phase", 0.0);
   return Signal::over_time(
       space.size(), [=](double t, Out p) { p = center + std::sin(rate * t + phase) * amplitude; });
@@ -147,7 +159,7 @@ Signal read_points(const std::filesystem::path& folder, const TargetSpace& space
         columns.named([&] { return table.column(names[static_cast<std::size_t>(i)]); }).transpose();
   if (const auto origin = reader.find("relative_to")) {
     if (space.kind != TargetSpace::Kind::Plain) origin->refuse("rotations have no offset");
-    points.colwise() += read_point(space, *origin);
+    points = offsets_from(*origin, space, points).colwise() + read_point(space, *origin);
   }
   const Eigen::Index turned = space.turned();
   if (turned > 0) align_quaternions(file, times, points);

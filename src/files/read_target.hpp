@@ -17,6 +17,8 @@ struct TargetSpace {
   std::vector<RowGroup> rows = {};
   std::optional<Eigen::VectorXd> here = {};  ///< value at the start, where there is one
   Kind kind = Kind::Plain;
+  /// Axes that offsets from `here` are along, in the coordinates of the numbers; none: the same.
+  std::optional<Eigen::Matrix3d> offsets = {};
 
   int size() const { return rows_of(rows); }
   /// How many of the last entries are a quaternion.

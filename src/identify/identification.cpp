@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/model/state.hpp"
 #include "identify/estimate.hpp"
+#include "identify/even_times.hpp"
 #include "identify/faults.hpp"
 #include "identify/misfit.hpp"
 #include "identify/record_check.hpp"
@@ -226,7 +227,8 @@ Identification identify(const Model& model, const MotionRecord& record,
   result.rms_before = fit.rms_before;
   result.rms_after = fit.rms_after;
   result.rms_expected = expected;
-  result.warnings = checked.warnings;
+  result.warnings = record.warnings;
+  result.warnings.insert(result.warnings.end(), checked.warnings.begin(), checked.warnings.end());
   std::vector<std::string> oddities = beyond_limits(model, checked.record);
   oddities.insert(oddities.end(), checked.oddities.begin(), checked.oddities.end());
   for (const int k : checked.constant_torques)
@@ -253,14 +255,13 @@ MotionRecord motion_record(const Model& model, const Trace& trace) {
   const Eigen::Index n = time.size();
   record.q.resize(n, model.nq);
   record.tau.resize(n, model.nv);
-  record.period = identify_detail::even_period(time);
-  record.first_time = time[0];
   for (int k = 0; k < model.nq; ++k) {
     const std::string name = "q_" + model.q_name(k);
     record.q.col(k) = column("measured_" + name, name);
   }
   for (int k = 0; k < model.nv; ++k)
     record.tau.col(k) = column("tau_measured_" + model.v_name(k), "tau_" + model.v_name(k));
+  identify_detail::make_even(model, Eigen::VectorXd(time), record);
   return record;
 }
 

@@ -40,27 +40,6 @@ int half_of(double window, double period) {
 
 }  // namespace
 
-double even_period(const Eigen::Ref<const Eigen::VectorXd>& time) {
-  if (time.size() < 2) throw Error("the record has fewer than two samples");
-  if (!time.allFinite()) throw Error("'time' holds a NaN or an infinity; wanted seconds");
-  const double period = (time[time.size() - 1] - time[0]) / static_cast<double>(time.size() - 1);
-  for (Eigen::Index i = 1; i < time.size(); ++i) {
-    const double step = time[i] - time[i - 1];
-    const std::string sample = "sample " + std::to_string(i);
-    if (step == 0.0)
-      throw Error("the record's " + sample + " repeats the time of the one before, " +
-                  number(time[i]) + " s; wanted each row once");
-    if (!(step > 0.0))
-      throw Error("the record's time does not increase: " + number(time[i]) + " s at " + sample +
-                  " after " + number(time[i - 1]) + " s; wanted rows in the order of their times");
-    if (!(std::abs(step - period) <= 0.01 * period))
-      throw Error("the record's times are not evenly spaced: " + number(step) + " s before " +
-                  sample + ", at " + number(time[i]) + " s, and " + number(period) +
-                  " s on average" + (step > 1.5 * period ? "; are samples missing there?" : ""));
-  }
-  return period;
-}
-
 Eigen::MatrixXd joint_path(const Model& model, const RowMatrix& q) {
   Eigen::MatrixXd path = Eigen::MatrixXd::Zero(q.rows(), model.nv);
   for (Eigen::Index i = 1; i < q.rows(); ++i)

@@ -6,9 +6,6 @@
 
 namespace burnish::identify_detail {
 
-/// s between samples. Throws Error unless times rise evenly, to 1 % of a period.
-double even_period(const Eigen::Ref<const Eigen::VectorXd>& time);
-
 /// How a record is cut. Two windows differentiate the motion, of which the longer one only tells
 /// what the shorter one takes from it; a third smooths torques and what they are compared with.
 struct Windows {

@@ -158,6 +158,9 @@ FramePositionError TermBuilder::position(const std::string& name, const Referenc
     refuse(
         "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
         "another frame");
+  const CompiledReference& seen = result.view.reference;
+  result.is_in_world =
+      seen.at_world && seen.axes_body < 0 && to_eigen(seen.fixed_in).isIdentity(0.0);
   return result;
 }
 

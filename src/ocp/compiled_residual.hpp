@@ -80,6 +80,7 @@ struct FrameView {
 struct FramePositionError {
   int frame;
   FrameView view;
+  bool is_in_world = false;  ///< targets are in the world's own coordinates
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };

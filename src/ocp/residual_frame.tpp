@@ -72,7 +72,7 @@ void FramePositionError::evaluate(const KnotState<S>& knot, const S* target, S* 
   const FrameReference<S> seen = view.at(knot, frame);
   const ReferencePose<S>& at = seen.pose;
   Vec3<S> p_target{target[0], target[1], target[2]};
-  if (!view.reference.at_world || view.reference.axes_body >= 0)
+  if (!is_in_world)
     p_target = at.p + reference_axes(view.reference, lift<S>(view.reference.fixed_in), kinematics) *
                           p_target;
   frame_detail::store(transpose_times(at.R, state.p - p_target), r);

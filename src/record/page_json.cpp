@@ -129,6 +129,18 @@ void add_supports(Json& json, const RunPage& run) {
     });
 }
 
+/// Of a planned motion: what it follows, and its rows with limits.
+void add_planned(Json& json, const RunPage& run) {
+  if (!run.plan) return;
+  json["plan"] = {{"frames", run.plan->frames},
+                  {"forces", run.plan->forces},
+                  {"limits", list_json(run.plan->limits, [](const PageLimit& limit) {
+                     return Json{{"name", limit.name},
+                                 {"margin", floats_json(limit.margin)},
+                                 {"multiplier", floats_json(limit.multiplier)}};
+                   })}};
+}
+
 void add_series(Json& json, const RunPage& run) {
   const auto column_json = [](const PageColumn& column) {
     return Json{{"name", column.name}, {"unit", column.unit}, {"data", floats_json(column.values)}};
@@ -230,6 +242,7 @@ std::string run_page_json(const RunPage& run) {
   json["robot"] = robot_json(run.robot);
   add_scene(json, run);
   add_supports(json, run);
+  add_planned(json, run);
   add_series(json, run);
   json["limits"] = limits_json(run.robot.model);
   json["phases"] = list_json(run.phases, [](const PagePhase& phase) {

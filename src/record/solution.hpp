@@ -11,12 +11,13 @@
 #include "burnish/files/problem_file.hpp"
 #include "burnish/ocp/step_check.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "report/run_page.hpp"
 
 namespace burnish {
 
-/// What the costs of a problem follow, for plots.
+/// What the costs of a problem follow, and the frames whose positions it limits, for plots.
 struct Followed {
-  std::vector<std::string> frames;  ///< with a target position
+  std::vector<std::string> frames;  ///< of costs first, whose target positions there are
   std::vector<std::string> forces;  ///< rows such as "table_force_z_centered", of all contacts
 };
 Followed followed(const ProblemSpec& spec);
@@ -43,6 +44,16 @@ std::map<std::string, nlohmann::ordered_json> active_times(const Problem& proble
 /// `steps`: what check_steps() says of the solver's trajectory.
 nlohmann::ordered_json summary_json(const std::string& file, Problem& problem,
                                     const DdpSolver& solver, const StepReport& steps);
+
+/// A problem that was solved and the file that it is from.
+struct SolvedFile {
+  std::string file;
+  const ProblemFile& problem;
+};
+/// The page of a planned motion: its replay, the paths and forces that it follows, its stages, and
+/// its constraint rows with their multipliers. Times are from the first knot.
+RunPage solution_page(const SolvedFile& solved, Problem& problem, const DdpSolver& solver,
+                      const StepReport& steps);
 
 /// Writes trajectory.csv, gains.json, summary.json (`summary`), the plots, and where the problem
 /// has constraints limits.csv; their names. Throws Error if a file cannot be written.

@@ -138,9 +138,9 @@ PlotSpec paths(const Problem& problem, const Trace& trace) {
       plot.panels.push_back(std::move(panel));
     }
     Panel over_time{.title = frame, .x_label = time_axis, .y_label = "position [m]"};
-    Panel error{
-        .title = frame + ", distance from the target", .x_label = time_axis, .y_label = "[mm]"};
-    Eigen::VectorXd squared = Eigen::VectorXd::Zero(trace.rows());
+    Panel error{.title = frame + ", distance from the target along weighted axes",
+                .x_label = time_axis,
+                .y_label = "[mm]"};
     int color = 0;
     for (const char axis : {'x', 'y', 'z'}) {
       over_time.curves.push_back(curve(trace, column(axis, ""), std::string(1, axis)));
@@ -148,12 +148,11 @@ PlotSpec paths(const Problem& problem, const Trace& trace) {
       over_time.curves.push_back(curve(trace, column(axis, "_target"), ""));
       over_time.curves.back().color = color++;
       over_time.curves.back().dashed = true;
-      squared +=
-          (trace.column(column(axis, "")) - trace.column(column(axis, "_target"))).cwiseAbs2();
     }
-    error.curves.push_back({.x = trace.column("time"), .y = 1e3 * squared.cwiseSqrt()});
+    error.curves.push_back(
+        {.x = trace.column("time"), .y = 1e3 * trace.column(frame + "_distance_from_target")});
     plot.panels.push_back(std::move(over_time));
-    plot.panels.push_back(std::move(error));
+    if (has_values(error.curves[0].y)) plot.panels.push_back(std::move(error));
   }
   return plot;
 }

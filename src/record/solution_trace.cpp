@@ -4,6 +4,7 @@
 
 #include "burnish/dynamics/placement.hpp"
 #include "contact/force_column.hpp"
+#include "files/here.hpp"
 #include "model/joint_entries.hpp"
 #include "record/solution.hpp"
 
@@ -55,6 +56,8 @@ std::vector<TraceColumn> columns_of(const Problem& problem) {
     for (const char* what : {"", "_target"})
       for (const char axis : {'x', 'y', 'z'})
         columns.push_back({frame + "_" + axis + "_world" + what, "m"});
+  for (const std::string& frame : followed(problem.spec()).frames)
+    columns.push_back({frame + "_distance_from_target", "m"});
   return columns;
 }
 
@@ -121,22 +124,43 @@ struct RowWriter {
     }
   }
 
+  /// Where a frame shall be, and how far from there it is along the rows that have a weight.
+  struct Aim {
+    Eigen::Vector3d target = Eigen::Vector3d::Constant(nothing);  // world [m]
+    double distance = nothing;                                    // [m]
+  };
+  Aim aim_of(const std::string& frame, const Eigen::Vector3d& p) const {
+    Aim aim;
+    for (const CostTerm& term : terms()) {
+      if (const auto* r = std::get_if<residual::FramePosition>(&term.residual)) {
+        if (r->frame != frame) continue;
+        const files::PositionAxes axes = files::position_axes(
+            problem.model(), x.head(problem.model().nq), frame, r->reference.at(row[0]));
+        aim.target = axes.numbers * Eigen::Vector3d(value(r->target, 3, row[0]));
+        Eigen::Vector3d error = axes.rows.transpose() * (p - aim.target);
+        for (Eigen::Index i = 0; i < term.weights.size(); ++i)
+          if (term.weights[i] == 0.0) error[i] = 0.0;
+        aim.distance = error.norm();
+      } else if (const auto* s = std::get_if<residual::FramePlacement>(&term.residual)) {
+        if (s->frame != frame) continue;
+        aim.target = value(s->target, 7, row[0]).head(3);
+        aim.distance = (p - aim.target).norm();
+      }
+    }
+    return aim;
+  }
+
   void frames() {
     const Model& model = problem.model();
     for (const std::string& frame : followed(problem.spec()).frames) {
       const Eigen::Vector3d p = frame_placement(model, x.head(model.nq), frame).translation();
-      Eigen::Vector3d target = Eigen::Vector3d::Constant(nothing);
-      for (const CostTerm& term : terms()) {
-        if (const auto* r = std::get_if<residual::FramePosition>(&term.residual))
-          if (r->frame == frame) target = value(r->target, 3, row[0]);
-        if (const auto* r = std::get_if<residual::FramePlacement>(&term.residual))
-          if (r->frame == frame) target = value(r->target, 7, row[0]).head(3);
-      }
+      const Aim aim = aim_of(frame, p);
       for (int i = 0; i < 3; ++i) {
         const std::string column = frame + "_" + "xyz"[i] + "_world";
         at(column) = p[i];
-        at(column + "_target") = target[i];
+        at(column + "_target") = aim.target[i];
       }
+      at(frame + "_distance_from_target") = aim.distance;
     }
   }
 };
@@ -155,8 +179,14 @@ Followed followed(const ProblemSpec& spec) {
       if (const auto* r = std::get_if<residual::FramePlacement>(&term.residual)) add(r->frame);
     }
   };
+  const auto look_at_limits = [&](const std::vector<Constraint>& constraints) {
+    for (const Constraint& constraint : constraints)
+      if (const auto* r = std::get_if<residual::FramePosition>(&constraint.residual)) add(r->frame);
+  };
   for (const Stage& stage : spec.stages) look(stage.costs);
   look(spec.terminal);
+  for (const Stage& stage : spec.stages) look_at_limits(stage.constraints);
+  look_at_limits(spec.terminal_constraints);
   for (const ContactSpec& contact : spec.contacts)
     for (const int d : held(contact)) result.forces.push_back(force_column(contact, d));
   return result;

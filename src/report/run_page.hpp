@@ -97,6 +97,20 @@ struct PageFault {
   std::string text;  ///< one sentence
 };
 
+/// A constraint row along a planned motion, one entry per row of the page; NaN where it is absent.
+struct PageLimit {
+  std::string name;
+  Eigen::VectorXd margin;      ///< distance to the nearest limit over the row's scale [-]
+  Eigen::VectorXd multiplier;  ///< cost per scale of the row
+};
+
+/// What a page shows of a motion that was planned and not run. Columns are those of trajectory.csv.
+struct PagePlan {
+  std::vector<std::string> frames = {};  ///< whose paths are drawn, with those of their targets
+  std::vector<std::string> forces = {};  ///< columns of contact forces
+  std::vector<PageLimit> limits = {};
+};
+
 /// All that a page shows of a run. SI units, angles in rad.
 struct RunPage {
   std::string name;
@@ -129,6 +143,7 @@ struct RunPage {
   std::optional<Model> plant_model = {};
   std::vector<SupportSpec> supports = {};  ///< that it stands on, as the plant has them
   std::vector<Push> pushes = {};           ///< of which each has its frame
+  std::optional<PagePlan> plan = {};       ///< of a planned motion, whose `polished` is convergence
 };
 
 /// How large a page may become.

@@ -59,12 +59,28 @@ struct AxisRange {
       upper = middle + half;
     }
   }
+  void widen_to(double least) {
+    const double by = 0.5 * (least - span());
+    if (!(by > 0.0)) return;
+    lower -= by;
+    upper += by;
+  }
   void widen(double share) {
     const double by = share * span();
     lower -= by;
     upper += by;
   }
 };
+
+/// Span that a vertical axis has at least, by the unit in brackets of its label: less is rounding.
+double least_span(const std::string& label) {
+  static const std::pair<const char*, double> known[] = {
+      {"[N]", 0.01},   {"[Nm]", 0.01},  {"[mm]", 1e-3},    {"[deg]", 1e-3}, {"[m]", 1e-6},
+      {"[rad]", 1e-5}, {"[m/s]", 1e-5}, {"[rad/s]", 1e-4}, {"[ms]", 1e-3}};
+  for (const auto& [unit, span] : known)
+    if (label.find(unit) != std::string::npos) return span;
+  return 0.0;
+}
 
 /// 1, 2 or 5 times a power of ten, so that about `wanted` of them fit.
 double tick_step(double span, double wanted) {
@@ -132,6 +148,7 @@ struct PanelWriter {
     x.settle();
     y.settle();
     y.widen(0.06);
+    if (!panel.log_y) y.widen_to(least_span(panel.y_label));
     if (!panel.equal_aspect) return;
     x.widen(0.06);
     const double per_px = std::max(x.span() / width, y.span() / height);

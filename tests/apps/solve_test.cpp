@@ -71,6 +71,53 @@ TEST(Solve, WritesWhatItSays) {
   }
 }
 
+TEST(Solve, LeavesAPageThatReportTakes) {
+  const Scratch scratch;
+  const auto file =
+      scratch.write("swing.yaml",
+                    "robot: pendulum\n"
+                    "stages:\n"
+                    "  go:\n"
+                    "    costs: {effort: {type: control}}\n"
+                    "    constraints: {push: {type: control, lower: -2, upper: 2}}\n"
+                    "horizon: [go: 30]\n"
+                    "terminal: {there: {type: state, target: {q: [1]}, weight: 1000}}\n");
+  const auto out = scratch.folder / "out";
+  const Outcome outcome = run("solve " + quoted(file) + " --out " + quoted(out));
+  const Json page = Json::parse(contents(out / "run.json"));
+  const Json& motion = page["runs"].at(0);
+  EXPECT_EQ(motion["name"], "swing");
+  EXPECT_EQ(motion["series"]["time"]["n"], 31);
+  EXPECT_EQ(motion["phases"].at(0)["name"], "go");
+  const Json& limit = motion["plan"]["limits"].at(0);
+  EXPECT_EQ(limit["margin"]["n"], 31);
+  EXPECT_EQ(limit["multiplier"]["n"], 31);
+  EXPECT_EQ(outcome.err.find("meshes"), std::string::npos);
+  const auto report = scratch.folder / "report.html";
+  if (std::filesystem::exists(out / "run.html")) {
+    EXPECT_NE(outcome.out.find("run.html"), std::string::npos);
+    EXPECT_EQ(run("report " + quoted(out) + " --out " + quoted(report)).exit_code, 0);
+    EXPECT_TRUE(std::filesystem::exists(report));
+  }
+}
+
+TEST(Solve, DistanceFromTheTarget_IsAlongAxesThatHaveAWeight) {
+  const Scratch scratch;
+  std::string slope = problem;
+  const std::string from = "target: {here: [0.05, 0, 0]}, weight: 100";
+  slope.replace(slope.find(from), from.size(),
+                "axes: {normal: [-0.5, 0, 0.866]}, target: {here: [0.05, 0, 0.02]},"
+                " weights: [1, 1, 0], weight: 100");
+  const auto out = scratch.folder / "out";
+  run("solve " + quoted(scratch.write("slope.yaml", slope)) + " --no-page --quiet --out " +
+      quoted(out));
+  const std::string table = contents(out / "trajectory.csv");
+  const std::string first = table.substr(table.find('\n') + 1);
+  const std::string line = first.substr(0, first.find('\n'));
+  EXPECT_NE(table.find("tool_distance_from_target [m]\n"), std::string::npos) << "the last column";
+  EXPECT_NEAR(std::stod(line.substr(line.rfind(',') + 1)), 0.05, 1e-9);
+}
+
 TEST(Solve, TellsWhereLimitsPushAlongTheHorizon) {
   const Scratch scratch;
   const std::string free =

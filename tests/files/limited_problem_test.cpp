@@ -57,13 +57,13 @@ struct Board {
 
 /// The start leans by 0.398 rad.
 Board leaning(double lean, int free = 0) {
-  return {"posture: ready", "[-0.3, 0, 1]", "[0.1, 0, 0.03]", lean, free};
+  return {"posture: ready", "[-0.3, 0, 1]", "[0.1044, 0, 0]", lean, free};
 }
 /// A board of 30 degrees, and the tool along its normal at the start. Without a bound the lean's
 /// largest value is 0.1571 rad.
 Board steep(double lean) {
   return {"q: [-0.0126, 0.0272, -0.1305, -2.3811, -0.2525, -1.5672, 0.3002]", "[-0.577, 0, 1]",
-          "[0.0663, 0, 0.0382551]", lean};
+          "[0.076545, 0, 0]", lean};
 }
 
 class LimitedProblem : public ProblemFiles, public ::testing::WithParamInterface<std::string> {

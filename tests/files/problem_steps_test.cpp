@@ -95,7 +95,7 @@ std::string on_a_board(const std::string& friction, const std::string& integrato
          "  posture: {type: state}\n"
          "  torque: {type: control, target: {hold: {pad: 15}}}\n"
          "  along: {type: frame_position, frame: tool, axes: {normal: [-0.5, 0, 0.8660254]},\n"
-         "    target: {line: {from: here, to: {here: [0.1, 0, 0.057735]}, start: 0.2, "
+         "    target: {line: {from: here, to: {here: [0.11547, 0, 0]}, start: 0.2, "
          "duration: 1.5}}, weights: [1, 1, 0]}\n"
          "  force: {type: contact_force, contact: pad,\n"
          "    target: {sine: {center: 15, amplitude: 3, rate: 6.28}}}\n"

@@ -117,6 +117,87 @@ TEST(DamagedRecord, AnglesInDegrees_AreRefusedWithLimitsAndSpeeds) {
                  {"positions look like degrees", "beyond its limit", "per s"});
 }
 
+/// The record as a table, whose times are moved and whose rows are dropped.
+MotionRecord from_table(const std::function<double(int)>& moved,
+                        const std::function<bool(int)>& dropped) {
+  const Model& model = recorded().model;
+  const MotionRecord& record = recorded().record;
+  const auto n = static_cast<int>(record.q.rows());
+  std::vector<TraceColumn> columns{{"time", "s"}};
+  for (int k = 0; k < model.nq; ++k) columns.push_back({"q_" + model.q_name(k), "rad"});
+  for (int k = 0; k < model.nv; ++k) columns.push_back({"tau_" + model.v_name(k), "Nm"});
+  Trace trace(columns, n);
+  for (int i = 1; i + 1 < n; ++i) {
+    if (dropped(i)) continue;
+    const double shift = moved(i);  // of a period: the value there by a parabola
+    const auto at = [&](const RowMatrix& all, int k) {
+      const double a = all(i - 1, k), b = all(i, k), c = all(i + 1, k);
+      return b + 0.5 * shift * (c - a) + 0.5 * shift * shift * (a - 2.0 * b + c);
+    };
+    double* row = trace.add_row();
+    *row++ = (i + shift) * record.period;
+    for (int k = 0; k < model.nq; ++k) *row++ = at(record.q, k);
+    for (int k = 0; k < model.nv; ++k) *row++ = at(record.tau, k);
+  }
+  return motion_record(model, trace);
+}
+
+void expect_resampled(const MotionRecord& record, const std::vector<std::string>& words) {
+  const Identification found = identify(recorded().model, record);
+  const double mass = recorded().carried.inertia.mass;
+  EXPECT_NEAR(found.inertias[0].values[0], mass, 0.005 * mass);
+  ASSERT_FALSE(found.warnings.empty());
+  for (const std::string& word : words)
+    EXPECT_NE(found.warnings[0].find(word), std::string::npos) << found.warnings[0];
+}
+
+TEST(DamagedRecord, UnevenTimes_AreResampled) {
+  expect_resampled(
+      from_table([](int i) { return 0.3 * std::sin(2.4 * i); }, [](int) { return false; }),
+      {"differ from 4", "resampled every 4"});
+}
+
+TEST(DamagedRecord, LostSamples_AreInterpolated) {
+  const auto lost = [](int i) { return i % 100 < 3; };
+  expect_resampled(from_table([](int) { return 0.0; }, lost),
+                   {"samples are missing", "the longest gap 16 ms"});
+}
+
+TEST(DamagedRecord, LongGapsAndManyLostSamples_AreRefused) {
+  const auto refusal = [](const std::function<bool(int)>& lost) -> std::string {
+    try {
+      from_table([](int) { return 0.0; }, lost);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "taken";
+  };
+  EXPECT_NE(refusal([](int i) { return i > 1000 && i < 1020; }).find("no samples for 80"),
+            std::string::npos);
+  EXPECT_NE(refusal([](int i) { return i % 10 == 0; }).find("% of its samples"), std::string::npos);
+}
+
+TEST(DamagedRecord, AWrappedAngleAtUnevenTimes_IsUnwrapped) {
+  const Model& model = recorded().model;
+  const auto n = static_cast<int>(recorded().record.q.rows());
+  std::vector<TraceColumn> columns{{"time", "s"}};
+  for (int k = 0; k < model.nq; ++k) columns.push_back({"q_" + model.q_name(k), "rad"});
+  for (int k = 0; k < model.nv; ++k) columns.push_back({"tau_" + model.v_name(k), "Nm"});
+  Trace trace(columns, n);
+  for (int i = 0; i < n; ++i) {
+    if (i % 50 == 7) continue;
+    double* row = trace.add_row();
+    *row++ = i * recorded().record.period;
+    for (int k = 0; k < model.nq; ++k)
+      *row++ = std::remainder(recorded().record.q(i, k) + (k == 0 ? 3.0 : 0.0), 2.0 * M_PI) -
+               (k == 0 ? 3.0 : 0.0);
+    for (int k = 0; k < model.nv; ++k) *row++ = recorded().record.tau(i, k);
+  }
+  const Identification found = identify(model, motion_record(model, trace));
+  const double mass = recorded().carried.inertia.mass;
+  EXPECT_NEAR(found.inertias[0].values[0], mass, 0.005 * mass);
+}
+
 TEST(DamagedRecord, AWrappedAngle_IsUnwrapped) {
   expect_mended(
       [](auto& r) {

@@ -83,12 +83,5 @@ TEST(LogCholesky, AnyNumbersAreABody) {
   }
 }
 
-TEST(SmoothedMotion, TimesMustBeEven) {
-  Eigen::VectorXd time = Eigen::VectorXd::LinSpaced(100, 0.0, 0.99);
-  EXPECT_NEAR(identify_detail::even_period(time), 0.01, 1e-15);
-  time[50] += 0.002;
-  EXPECT_THROW((void)identify_detail::even_period(time), Error);
-}
-
 }  // namespace
 }  // namespace burnish::test

@@ -71,6 +71,16 @@ TEST(SvgPlot, EmptyAndConstantCurvesHaveAxesToo) {
   }
 }
 
+TEST(SvgPlot, RoundingOfAUnit_DoesNotFillThePanel) {
+  const Eigen::Vector3d x(0, 1, 2), y(0.0, 1e-9, -1e-9);
+  const auto span = [&](const std::string& label) {
+    const auto p = points(svg_plot(one({.y_label = label, .curves = {{.x = x, .y = y}}})));
+    return std::abs(p[1].y() - p[2].y());
+  };
+  EXPECT_LT(span("normal error [deg]"), 0.01);
+  EXPECT_GT(span("something"), 10.0) << "without a known unit as before";
+}
+
 TEST(SvgPlot, TextIsEscaped) {
   const std::string svg = svg_plot(one({.title = "a < b & c"}));
   EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);

@@ -148,6 +148,24 @@ export interface Push {
   force: Vec3;
 }
 
+/** A constraint row along a planned motion: NaN where it is absent. */
+export interface PlannedLimit {
+  name: string;
+  /** distance to the nearest limit over the row's scale */
+  margin: Numbers;
+  /** cost per scale of the row */
+  multiplier: Numbers;
+}
+
+/** Of a motion that was planned and not run. */
+export interface Plan {
+  /** with a target position: columns NAME_x_world, NAME_x_world_target, NAME_distance_from_target */
+  frames: string[];
+  /** columns of contact forces, each with one of its target */
+  forces: string[];
+  limits: PlannedLimit[];
+}
+
 export interface Run {
   name: string;
   created: string;
@@ -178,6 +196,8 @@ export interface Run {
   /** none of a robot that is fixed, and in pages of before */
   supports?: Support[];
   pushes?: Push[];
+  /** none of what was run */
+  plan?: Plan;
 }
 
 export interface Page {
@@ -282,8 +302,9 @@ export const column = (run: Run, name: string): Numbers | null =>
 
 /** Whether a tool presses, or is to: what has feet may stand and do nothing else. */
 export const presses = (run: Run): boolean =>
-  (run.supports ?? []).length === 0 ||
-  ['force_target', 'in_contact'].some((name) => column(run, name)?.some((value) => value > 0));
+  !run.plan &&
+  ((run.supports ?? []).length === 0 ||
+    ['force_target', 'in_contact'].some((name) => column(run, name)?.some((value) => value > 0)));
 
 /** Value of a column at a time: of the row next to it. NaN where there is none. */
 export function valueAt(run: Run, name: string, t: number): number {

@@ -54,7 +54,7 @@ export const runMark = (index: number): HTMLElement => {
 };
 
 function badge(run: Run): HTMLElement {
-  const well = presses(run) ? 'polished' : 'stood';
+  const well = run.plan ? 'converged' : presses(run) ? 'polished' : 'stood';
   const [kind, text] = run.fault
     ? ['bad', 'fault']
     : run.polished

@@ -57,6 +57,10 @@ export type Layer = (typeof layers)[number];
 export function hasLayer(run: Run, layer: Layer): boolean {
   if (layer === 'horizon') return run.horizon !== null;
   if (layer === 'feet' || layer === 'balance') return (run.supports ?? []).length > 0;
+  if (layer === 'trail' || layer === 'path') {
+    if (run.plan) return run.plan.frames.length > 0;
+  }
+  if (layer === 'surface') return !run.plan;
   if (layer === 'pushes') return (run.pushes ?? []).length > 0;
   if (['forces', 'normals', 'triad', 'path'].includes(layer) && !presses(run)) return false;
   if (layer !== 'normals') return true;
@@ -82,8 +86,31 @@ export function forceScale(runs: Run[]): number {
 
 /** Where the tool is in a row of the trace. */
 export function toolAt(run: Run, row: number): Vector3 {
+  if (run.plan) return plannedPoint(run, run.tool.frame, '', row);
   const [x, y, z] = ['tool_x', 'tool_y', 'tool_z'].map((name) => column(run, name)?.[row] ?? NaN);
   return new Vector3(x, y, z);
+}
+
+/** Where a frame of a planned motion is in a row, or its target. */
+function plannedPoint(run: Run, frame: string, of: '' | '_target', row: number): Vector3 {
+  const [x, y, z] = ['x', 'y', 'z'].map(
+    (axis) => column(run, `${frame}_${axis}_world${of}`)?.[row] ?? NaN,
+  );
+  return new Vector3(x, y, z);
+}
+
+/** Pieces of the paths of all frames of a planned motion, in the order of time, or of their targets. */
+function plannedPaths(run: Run, of: '' | '_target'): { pieces: Float32Array; times: number[] } {
+  const pieces: number[] = [];
+  const times: number[] = [];
+  for (let row = 0; row + 1 < run.time.length; ++row)
+    for (const frame of run.plan?.frames ?? []) {
+      const piece = [row, row + 1].flatMap((at) => plannedPoint(run, frame, of, at).toArray());
+      if (!piece.every(Number.isFinite)) continue;
+      pieces.push(...piece);
+      times.push(run.time[row + 1]!);
+    }
+  return { pieces: new Float32Array(pieces), times };
 }
 
 interface Trail {
@@ -94,6 +121,12 @@ interface Trail {
 
 /** The tip on the surface while in contact, in at most 3000 pieces. */
 function trailOf(run: Run, width: number, colourName: string): Trail {
+  if (run.plan) {
+    const { pieces, times } = plannedPaths(run, '');
+    const line = new Line(colourName, width);
+    line.setPieces(pieces);
+    return { line, times };
+  }
   const contact = column(run, 'in_contact');
   const stride = Math.max(1, Math.ceil(run.time.length / 3000));
   const pieces: number[] = [];
@@ -313,7 +346,8 @@ export class RunScene {
           .addScaledVector(n, 0.002 + (path.h?.[i] ?? 0)),
       );
     const asked = new Line('target', 2, [0.006, 0.004]);
-    asked.setPoints(points);
+    if (this.run.plan) asked.setPieces(plannedPaths(this.run, '_target').pieces);
+    else asked.setPoints(points);
     asked.object.renderOrder = 3;
     this.parts.path.add(asked.object);
     this.parts.trail.add(this.trail.line.object);
@@ -321,8 +355,9 @@ export class RunScene {
     const { arrows } = this;
     this.parts.forces.add(arrows.true.group, arrows.estimated.group, arrows.target.group);
     this.parts.normals.add(this.normals.true.group, this.normals.believed.group);
-    for (const name of ['forces', 'normals', 'triad', 'path'] as const)
+    for (const name of ['forces', 'normals', 'triad', 'path', 'surface'] as const)
       this.parts[name].visible = this.has(name);
+    this.ball.visible = this.ring.visible = !this.run.plan;
     this.parts.feet.add(this.standing.feet);
     this.parts.balance.add(this.standing.balance);
     this.parts.pushes.add(this.standing.pushes);
@@ -352,7 +387,7 @@ export class RunScene {
     this.standing.update(t, this.robot.placements);
     const tool = toolAt(run, row).lerp(toolAt(run, next), s);
     if (Number.isFinite(tool.x)) this.ball.position.copy(tool);
-    this.updateContact(t, tool);
+    if (!run.plan) this.updateContact(t, tool);
     const count = this.trail.times.length === 0 || t < this.trail.times[0]! ? 0 : 1;
     this.trail.line.upTo(count && rowBefore(this.trail.times, t) + 1);
     this.updateHorizon(t);
@@ -481,6 +516,11 @@ export class RunScene {
     const above = this.normal.clone().add(new Vector3(-0.001, 0, 0.0005));
     const feet = (this.run.supports ?? []).filter(isLevel).map(({ point }) => vector(point));
     if (feet.length > 0) return this.standingViews(feet, from, above);
+    if (this.run.plan)
+      return [
+        { name: 'Robot', target: middle, from, radius },
+        { name: 'Side', target: middle, from: side, radius },
+      ];
     return [
       { name: 'Robot', target: middle, from, radius },
       {

@@ -7,6 +7,7 @@ import { runHeader, runMark, tiles } from './header';
 import { helpDialog, onKeys, type Keys } from './help';
 import { PageState } from './page_state';
 import { PathPlot } from './path_plot';
+import { planSpecs } from './plan_specs';
 import {
   allJoints,
   contactSpecs,
@@ -150,12 +151,13 @@ class Stage {
         'div',
         { class: 'hud top-left' },
         this.runChoice(),
-        h(
-          'div',
-          { class: 'readings' },
-          ...(this.state.runs.some(presses) ? [this.forces, this.contact, scale] : []),
-          standing && this.standingKey(standing),
-        ),
+        (this.state.runs.some(presses) || standing) &&
+          h(
+            'div',
+            { class: 'readings' },
+            ...(this.state.runs.some(presses) ? [this.forces, this.contact, scale] : []),
+            standing && this.standingKey(standing),
+          ),
       ),
       h('div', { class: 'hud top-right' }, views, show),
     );
@@ -288,6 +290,8 @@ function plots(state: PageState, path: PathPlot): { element: HTMLElement; names:
     if (!path.empty) add('path', path.element);
     addAll(contactSpecs(runs));
   }
+
+  addAll(planSpecs(runs));
 
   const standing = standingSpecs(runs);
   if (standing.length > 0)

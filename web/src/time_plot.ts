@@ -3,6 +3,7 @@
 import uPlot from 'uplot';
 import { rowAt } from './data';
 import { fixed, format, h } from './dom';
+import { spanOf } from './plot_span';
 import { colour, faded, onTheme } from './theme';
 import type { PageState } from './page_state';
 
@@ -224,8 +225,7 @@ export class TimePlot {
     const { spec } = this;
     if (spec.range && !this.fitted) return spec.range;
     if (min === null || max === null) return spec.range ?? [0, 1];
-    const pad = Math.max(0.08 * (max - min), 1e-3 * Math.max(Math.abs(min), Math.abs(max)), 1e-9);
-    return [min - pad, max + pad];
+    return spanOf(min, max, spec.curves[0]?.unit ?? '');
   }
 
   private drawBackground(u: uPlot): void {

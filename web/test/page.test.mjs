@@ -1,4 +1,4 @@
-// node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html] [CURVED.html]
+// node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html] [CURVED.html] [PLAN.html]
 // Opens pages from disk in a browser without a screen and uses them as a person would.
 // A page of a robot (burnish show ROBOT --html) is recognised and checked for what it has.
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -8,10 +8,10 @@ import { drawn, launch, open, ready } from './browser.mjs';
 import { differing, pixels } from './pixels.mjs';
 import { withFeet } from './standing_page.mjs';
 
-const [pageFile, traceFile, comparisonFile, curvedFile] = process.argv.slice(2);
+const [pageFile, traceFile, comparisonFile, curvedFile, planFile] = process.argv.slice(2);
 if (!pageFile) {
   console.error(
-    'usage: node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html] [CURVED.html]',
+    'usage: node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html] [CURVED.html] [PLAN.html]',
   );
   process.exit(2);
 }
@@ -339,6 +339,34 @@ async function checkCurved(browser, file) {
   await context.close();
 }
 
+/** A motion that was planned: it moves, its paths are drawn, its limits have plots, no contact is told. */
+async function checkPlan(browser, file) {
+  console.log(file);
+  const { context, page, errors, requests } = await open(browser, file);
+  await checkLoading(page, errors, requests);
+  await checkView(page);
+  const names = await api(page, 'return b.plots');
+  const missing = ['plan_margins', 'plan_multipliers', 'tau', 'q', 'v'].filter(
+    (name) => !names.includes(name),
+  );
+  check('limits and multipliers have plots', missing.length === 0, missing.join(' '));
+  check('nothing is told of a contact', (await page.locator('.contact-key').count()) === 0);
+  check(
+    'it says that it converged',
+    (await page.locator('.badge').textContent()).endsWith('converged'),
+  );
+  const first = await picture(page);
+  const start = await api(page, 'return b.drawnTool()');
+  await api(page, 'b.setTime(1.5)');
+  const moved = Math.hypot(
+    ...(await api(page, 'return b.drawnTool()')).map((v, i) => v - start[i]),
+  );
+  check('the motion is replayed', moved > 0.05 && differing(first, await picture(page)) > 0.002);
+  check('no error on a page of a plan', errors.length === 0, errors.join('; '));
+  await context.close();
+  await checkPhone(browser, file);
+}
+
 /** A robot that stands: its feet, its balance and a push are drawn, and have their plots. */
 async function checkStanding(browser) {
   const folder = mkdtempSync(join(tmpdir(), 'burnish-page-'));
@@ -404,6 +432,7 @@ try {
   await checkPage(browser);
   if (comparisonFile) await checkComparison(browser, comparisonFile);
   if (curvedFile) await checkCurved(browser, curvedFile);
+  if (planFile) await checkPlan(browser, planFile);
 } catch (error) {
   check('the page could be used', false, error.message);
 } finally {

@@ -15,6 +15,7 @@ async function load(entry) {
 const data = await load('src/data.ts');
 const kinematics = await load('src/kinematics.ts');
 const supports = await load('src/supports.ts');
+const spans = await load('src/plot_span.ts');
 
 const near = (a, b, tolerance = 1e-12) => {
   assert.equal(a.length, b.length);
@@ -275,4 +276,15 @@ test('what has feet may stand and press nothing', () => {
   assert.ok(data.presses(run(undefined, 0)), 'an arm does, even if it did not come to it');
   assert.ok(data.presses(run([{}], 30)));
   assert.ok(!data.presses(run([{}], 0)));
+});
+
+test('a planned motion presses nothing, whatever its columns say', () => {
+  const columns = new Map([['in_contact', { data: new Float32Array([0, 1]) }]]);
+  assert.equal(data.presses({ columns }), true);
+  assert.equal(data.presses({ columns, plan: { frames: [], forces: [], limits: [] } }), false);
+});
+
+test('a vertical axis does not show the rounding of its unit', () => {
+  near(spans.spanOf(-1e-9, 1e-9, '°'), [-5e-4, 5e-4]);
+  near(spans.spanOf(0, 10, 'N'), [-0.8, 10.8]);
 });

@@ -25,6 +25,7 @@ struct WarmStart {
 struct ProblemFile {
   std::string description = {};
   Robot robot;
+  std::string robot_name = {};  ///< as load_robot() takes it; with :variant where one is stated
   ProblemSpec spec;  ///< compiles: it has been tried
   DdpOptions solver = {};
   WarmStart guess = {};

@@ -20,15 +20,17 @@ namespace burnish {
 
 /// A motion as it was measured, a row per sample.
 struct MotionRecord {
-  double period = 1e-3;     ///< s between samples
-  RowMatrix q;              ///< n x nq
-  RowMatrix tau;            ///< n x nv: Nm, N
-  double first_time = 0.0;  ///< of the first sample, for sentences [s]
+  double period = 1e-3;                    ///< s between samples
+  RowMatrix q;                             ///< n x nq
+  RowMatrix tau;                           ///< n x nv: Nm, N
+  double first_time = 0.0;                 ///< of the first sample, for sentences [s]
+  std::vector<std::string> warnings = {};  ///< sentences about what was mended in the times
 };
 
 /// The columns `measured_q_<name>` and `tau_measured_<name>` of a run's trace (ClosedLoop), or q_
-/// and tau_ where it has none of these. Throws Error where one is missing and for times that are
-/// not evenly spaced to 1 %.
+/// and tau_ where it has none of these. Throws Error where one is missing and for times that
+/// do not increase. Times that are uneven by more than 1 % and single lost samples are resampled,
+/// which a warning says; gaps over 30 ms and 5 % of lost samples are refused.
 MotionRecord motion_record(const Model& model, const Trace& trace);
 
 struct IdentificationSpec {

@@ -1,0 +1,23 @@
+// What the vertical axis of a plot spans.
+
+/** The vertical axis spans at least this, by the unit of the curves: less is rounding of numbers. */
+const leastSpan: Record<string, number> = {
+  N: 0.01,
+  'N m': 0.01,
+  mm: 0.001,
+  '°': 0.001,
+  rad: 1e-5,
+  'rad/s': 1e-4,
+  '%': 0.01,
+  ms: 0.001,
+};
+
+/** What the vertical axis shows of values between min and max, in a unit. */
+export function spanOf(min: number, max: number, unit: string): [number, number] {
+  const pad = Math.max(
+    0.08 * (max - min),
+    1e-3 * Math.max(Math.abs(min), Math.abs(max)),
+    0.5 * ((leastSpan[unit] ?? 2e-9) - (max - min)),
+  );
+  return [min - pad, max + pad];
+}
