@@ -195,7 +195,7 @@ void bind_margins(py::module_& m) {
       "and weights.position have values where they were None: 6, 120 rad/s and 1e4 /m^2 at first. "
       "weights.position is raised to at most ten times that, as far as the required margins "
       "allow; where they are missed the boost is lowered, then the bandwidth, then "
-      "weights.position.");
+      "weights.position. model_error.lag and model_error.force_gain are fitted along with them.");
   m.def(
       "margins", [](const Task& task, const Setting& setting) { return margins(task, setting); },
       py::arg("task"), py::arg("setting"), py::call_guard<py::gil_scoped_release>(),

@@ -157,6 +157,7 @@ def _polishing() -> Dict[str, Case]:
         "constraints.joint_margin": at(to=["0.5"], refused=True),
         "model_error.kind": at(to=["none"]),
         "model_error.calm": at("phases.reach_duration=0.3"),
+        "model_error.lag": at(to=["0.004"]), "model_error.force_gain": at(to=["0.5"]),
         **{f"friction_estimate.{key}": at("friction_estimate.enabled=true") for key in (
             "deviation", "wander", "force_noise", "noise_time", "speed")},
         **{f"fallback.{key}": at("limits.tool_speed=0.01") for key in ("stiffness", "damping")},
@@ -204,7 +205,7 @@ def _on_feet(foot: str, joint: str, joints: int, frame: str) -> Dict[str, Case]:
         "standing.after_fault": at(*fault, to=["0.2"]),
         "standing.slip": at(slips, to=["{way: 1e-5, speed: 1e-4, load: 1}"]),
         "controller.tick_rate": at(to=["2000"]),
-        "model_error.kind": at(to=["none"]),
+        "model_error.kind": at(to=["none"]), "model_error.lag": at(to=["0.004"]),
         "constraints.joint_margin": at(to=["3"], refused=True),
         "constraints.joint_speed": at(to=["0.01"]),
         "limits.slip": at(slips, to=["1e-5"]), "limits.support_way": at(slips, to=["1e-5"]),
@@ -250,6 +251,7 @@ def _push_wall() -> Dict[str, Case]:
     return {
         **_on_feet("left_sole_link", "arm_left_2_joint", 36, "base_link"),
         "robot": at(to=["quadruped"], refused=True), "posture": at(to=["standing_board"], refused=True),
+        "model_error.force_gain": at(to=["0.5"]),
         "hands": at(to=["[tool, left_tool]"]), "wall.normal": at(to=["[-1, 0, 0.01]"]),
         "wall.friction": at(to=["0.05"]),
         "standing.feet": at(to=["[left_sole_link]"]),

@@ -252,7 +252,8 @@ class TestSetting:
         setting = polishing.make_setting(task)
         fitted, what = polishing.fit_gains(task, setting)
         assert task.weights.position is None and task.model_error.boost is None
-        assert fitted.weights.position == 1e5 and fitted.model_error.boost == 1.5
+        assert fitted.weights.position == 1e5 and fitted.model_error.boost == 6.0
+        assert fitted.model_error.force_gain == 0.5 and 4e-3 < fitted.model_error.lag < 5e-3
         assert what.meets and "weights.position 100000 in place of 10000" in what.changes
         assert polishing.make_mpc(task, setting).model_error == fitted.model_error
         margins = polishing.margins(task, setting)
@@ -260,9 +261,10 @@ class TestSetting:
         assert [gain.joint for gain in margins.air.gains][0] == "torso_1_joint"
         stated = task.replace(weights=task.weights.replace(position=2e4))
         assert polishing.fit_gains(stated, setting)[0].weights.position == 2e4
-        slower, what = polishing.fit_gains(task, setting, polishing.RequiredMargins(delay=5e-3, gain=1.5))
+        hasty = task.replace(model_error=task.model_error.replace(lag=0.0))
+        slower, what = polishing.fit_gains(hasty, setting, polishing.RequiredMargins(delay=5e-3, gain=1.5))
         assert what.meets and slower.model_error.bandwidth < 120.0
-        assert "model_error.boost 1.5 in place of 6" in short_run("table").fitted
+        assert "weights.position 100000 in place of 10000" in short_run("table").fitted
 
     def test_its_plans_have_steps_that_are_short_enough(self):
         task = polishing.make_task("table")

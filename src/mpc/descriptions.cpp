@@ -62,6 +62,26 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                  "factor on the bandwidth while noise alone, such as encoder steps, changes the "
                  "torque error: a slower observer passes less of it on; 1: never",
                  range::from(0.01, 1.0))
+          .field(
+              "lag", &M::lag,
+              "{s} by which measured velocities follow torques later than known delays say, "
+              "behind filters and motors; auto: fitted to the arm where a task does that, else 0",
+              range::not_negative)
+          .in_code(
+              "s by which measured velocities follow torques later than known delays say, behind "
+              "filters and motors; none: fitted to the arm where a task does that, else 0")
+          .word("auto")
+          .field(
+              "force_gain", &M::force_gain,
+              "{N} pushed back at once for each N that the measured normal force is off in "
+              "contact, of kind torque with a force sensor; auto: fitted to the arm where a task "
+              "does that, else 0",
+              range::not_negative)
+          .in_code(
+              "N pushed back at once for each N that the measured normal force is off in contact, "
+              "of kind torque with a force sensor; none: fitted to the arm where a task does that, "
+              "else 0")
+          .word("auto")
           .field("sliding_bandwidth", &M::sliding_bandwidth,
                  "{rad/s} of the estimate of friction along the surface, with kind torque; 0: the "
                  "bandwidth",

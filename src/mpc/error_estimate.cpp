@@ -12,6 +12,7 @@ namespace {
 constexpr double sliding_speed = 0.02;  // m/s, below which friction fades
 constexpr double until_torques = 2e-3;  // s, from a measurement
 constexpr double since_forces = 3e-3;   // s, of sensors and their filters
+constexpr double touch_fade = 0.2;      // s from a touch until all of the force gain counts
 // s of waiting for contact until the force counts as a model error, and until all of it does
 constexpr double waiting = 0.1, waiting_fade = 0.1;
 
@@ -39,7 +40,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
   known_delay_ = spec.command_delay + spec.measurement_delay;
   smoothing_ =
       joint_friction_.lead() + spec.solver_delay + 0.5 * spec.update_period - until_torques;
-  acted_ = torque_offset_ = torque_error_ = lasting_error_ = total_ = v_ahead_ =
+  acted_ = force_feedback_ = torque_offset_ = torque_error_ = lasting_error_ = total_ = v_ahead_ =
       Eigen::VectorXd::Zero(spec.problem.model.nv);
 }
 
@@ -49,6 +50,8 @@ void ErrorEstimate::reset() noexcept {
   joint_friction_.reset();
   normal_world_ = normal_at_first_;
   acted_.setZero();
+  force_feedback_.setZero();
+  pressed_for_ = 0.0;
   torque_offset_.setZero();
   torque_error_.setZero();
   lasting_error_.setZero();
@@ -88,6 +91,7 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
       joint_friction_.learn(model_error(), m.v, observed_at(), gate.dt());
     }
     follow_friction(gate, before);
+    push_back(gate, before);
     follow_lasting(gate.dt());
     contact_force_.set_friction(friction());
     // Section IV-C: at the measured torques. What the torque error knows of them counts once.
@@ -144,6 +148,20 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   const Eigen::Vector3d known = turned_friction(gate.dt(), bandwidth);
   torque_error_ = model_error();
   torque_error_.noalias() += ratio * (tool_motion_.jacobian().transpose() * known);
+}
+
+/// A force that is off is answered at once, in proportion; the observer, which takes that torque
+/// for a command like any other, takes away what is left. After a touch it is faded in: an impact
+/// is not to be answered.
+void ErrorEstimate::push_back(const MeasurementGate& gate, const Command& before) noexcept {
+  const double gain = has_sensor_ ? options_.usual_force_gain() : 0.0;
+  const bool presses = pressed_ > contact_threshold_ && before.target_force > contact_threshold_;
+  pressed_for_ = presses ? pressed_for_ + gate.dt() : 0.0;
+  const double off = normal_force(gate.last()) - before.target_force;
+  const double bounded = std::clamp(off, -options_.limit, options_.limit);
+  const double share = gain * std::min(1.0, pressed_for_ / touch_fade);
+  force_feedback_.noalias() =
+      share * bounded * (tool_motion_.jacobian().transpose() * normal_world_);
 }
 
 /// The mean of the first seconds, and of the last ones from then on.

@@ -69,6 +69,8 @@ class ErrorEstimate {
   const Eigen::VectorXd& torque_offset() const { return torque_offset_; }
   /// Of the stage's contacts on the tool, N, world axes.
   const Eigen::Vector3d& force_world() const { return force_world_; }
+  /// nv, to be added to a command: force_gain times what the normal force is off, Nm (N).
+  const Eigen::VectorXd& force_feedback() const { return force_feedback_; }
 
  private:
   Eigen::Vector3d known_force(const Measurement& m, double dt, bool waits) noexcept;
@@ -82,6 +84,7 @@ class ErrorEstimate {
     return has_sensor_ ? observer_.bandwidth() : felt_.bandwidth();
   }
   void follow_command(const MeasurementGate& gate, const ConstVectorRef& acted) noexcept;
+  void push_back(const MeasurementGate& gate, const Command& before) noexcept;
   void follow_lasting(double dt) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before) noexcept;
   Eigen::Vector3d turned_friction(double dt, double bandwidth) noexcept;
@@ -102,6 +105,8 @@ class ErrorEstimate {
   ToolMotion tool_motion_;
   /// nv, torque that the model believes to act, less that of joint_friction_
   Eigen::VectorXd acted_;
+  Eigen::VectorXd force_feedback_;
+  double pressed_for_ = 0.0;  ///< s, with a force that is asked for
   Eigen::VectorXd torque_offset_, torque_error_, lasting_error_, total_;
   Eigen::VectorXd v_ahead_;  ///< nv, of a plan
   double since_ = 0.0;       ///< s, of lasting_error_

@@ -25,28 +25,46 @@ std::vector<double> bandwidths(const ModelErrorOptions& options) {
   return all;
 }
 
+using Case = SampledLoop::Case;
+
+/// The loop as `options` have it, with the observer at a bandwidth [rad/s].
+Case case_of(const ModelErrorOptions& options, double bandwidth) {
+  Case result{.bandwidth = bandwidth};
+  if (options.kind != ModelErrorKind::Torque) return result;
+  result.lag = options.usual_lag();
+  result.force_gain = options.usual_force_gain();
+  return result;
+}
+
 }  // namespace
 
 struct LoopAnalysis::Impl {
-  Impl(const MpcSpec& spec, const LoopChain& chain, int phase) : loop(spec, chain, phase) {
+  Impl(const MpcSpec& spec, const LoopChain& chain, int phase)
+      : loop(spec, chain, phase), options(spec.model_error) {
     const Model& model = spec.problem.model;
     for (int k = 0; k < model.nv; ++k) joints.push_back(model.v_name(k));
   }
 
   int steps_of(double delay) const { return static_cast<int>(std::lround(delay / loop.dt())); }
-  bool is_stable(double bandwidth, int delay_steps, int entry, double factor) const {
-    return loop.growth({bandwidth, delay_steps, entry, factor}) < slow;
+  bool is_stable(Case with, int entry, double factor) const {
+    with.entry = entry;
+    with.factor = factor;
+    return loop.growth(with) < slow;
   }
-  double largest_delay(double bandwidth, double furthest) const;
-  double limit_of_gain(double bandwidth, int entry, double furthest) const;
+  double largest_delay(Case with, double furthest) const;
+  double limit_of_gain(const Case& with, int entry, double furthest) const;
 
   SampledLoop loop;
+  ModelErrorOptions options;
   std::vector<std::string> joints;
 };
 
 /// At most `furthest` [s]. Between two steps of delay by how fast the growth rises beyond them.
-double LoopAnalysis::Impl::largest_delay(double bandwidth, double furthest) const {
-  const auto excess = [&](int steps) { return loop.growth({bandwidth, steps, -1, 1.0}) - slow; };
+double LoopAnalysis::Impl::largest_delay(Case with, double furthest) const {
+  const auto excess = [&](int steps) {
+    with.delay_steps = steps;
+    return loop.growth(with) - slow;
+  };
   int stable = -1, unstable = static_cast<int>(std::ceil(furthest / loop.dt() - 1e-9));
   if (excess(unstable) < 0.0) return furthest;
   while (unstable - stable > 1) {
@@ -59,14 +77,14 @@ double LoopAnalysis::Impl::largest_delay(double bandwidth, double furthest) cons
 }
 
 /// Factor between 1 and `furthest` from which on the loop is unstable; 1 where it is without.
-double LoopAnalysis::Impl::limit_of_gain(double bandwidth, int entry, double furthest) const {
-  if (is_stable(bandwidth, 0, entry, furthest)) return furthest;
-  if (!is_stable(bandwidth, 0, entry, 1.0)) return 1.0;
+double LoopAnalysis::Impl::limit_of_gain(const Case& with, int entry, double furthest) const {
+  if (is_stable(with, entry, furthest)) return furthest;
+  if (!is_stable(with, entry, 1.0)) return 1.0;
   constexpr double precision = 0.05;  // of the logarithm
   double stable = 0.0, unstable = std::log(furthest);
   while (std::abs(unstable - stable) > precision) {
     const double middle = 0.5 * (stable + unstable);
-    (is_stable(bandwidth, 0, entry, std::exp(middle)) ? stable : unstable) = middle;
+    (is_stable(with, entry, std::exp(middle)) ? stable : unstable) = middle;
   }
   return std::exp(stable);
 }
@@ -80,15 +98,20 @@ LoopAnalysis::LoopAnalysis(LoopAnalysis&&) noexcept = default;
 LoopAnalysis& LoopAnalysis::operator=(LoopAnalysis&&) noexcept = default;
 
 double LoopAnalysis::growth(double bandwidth, double extra_delay) const {
-  return impl_->loop.growth({bandwidth, impl_->steps_of(extra_delay), -1, 1.0});
+  Case with = case_of(impl_->options, bandwidth);
+  with.delay_steps = impl_->steps_of(extra_delay);
+  return impl_->loop.growth(with);
 }
 
 bool LoopAnalysis::tolerates(const ModelErrorOptions& options, double delay, double factor) const {
   for (const double bandwidth : bandwidths(options)) {
-    if (!impl_->is_stable(bandwidth, impl_->steps_of(delay), -1, 1.0)) return false;
+    const Case with = case_of(options, bandwidth);
+    Case late = with;
+    late.delay_steps = impl_->steps_of(delay);
+    if (!impl_->is_stable(late, -1, 1.0)) return false;
     for (int k = 0; k < impl_->loop.nv(); ++k)
       for (const double gain : {factor, 1.0 / factor})
-        if (!impl_->is_stable(bandwidth, 0, k, gain)) return false;
+        if (!impl_->is_stable(with, k, gain)) return false;
   }
   return true;
 }
@@ -96,7 +119,7 @@ bool LoopAnalysis::tolerates(const ModelErrorOptions& options, double delay, dou
 LoopMargins LoopAnalysis::delay_margin(const ModelErrorOptions& options) const {
   LoopMargins result{.delay = longest_delay, .bandwidth = options.usual_bandwidth()};
   for (const double bandwidth : bandwidths(options)) {
-    const double delay = impl_->largest_delay(bandwidth, result.delay);
+    const double delay = impl_->largest_delay(case_of(options, bandwidth), result.delay);
     if (delay < result.delay) result.bandwidth = bandwidth;
     result.delay = delay;
   }
@@ -108,8 +131,8 @@ LoopMargins LoopAnalysis::margins(const ModelErrorOptions& options) const {
   for (int k = 0; k < impl_->loop.nv(); ++k) {
     GainRange range{impl_->joints[static_cast<std::size_t>(k)], smallest_gain, largest_gain};
     for (const double bandwidth : bandwidths(options)) {
-      range.below = impl_->limit_of_gain(bandwidth, k, range.below);
-      range.above = impl_->limit_of_gain(bandwidth, k, range.above);
+      range.below = impl_->limit_of_gain(case_of(options, bandwidth), k, range.below);
+      range.above = impl_->limit_of_gain(case_of(options, bandwidth), k, range.above);
     }
     result.gains.push_back(std::move(range));
   }

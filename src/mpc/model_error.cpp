@@ -122,6 +122,7 @@ struct TorqueErrorObserver::Impl {
         total(Eigen::VectorXd::Zero(model.nv)),
         innovation(Eigen::VectorXd::Zero(model.nv)),
         change(Eigen::VectorXd::Zero(model.nv)),
+        late(Eigen::VectorXd::Zero(model.nv)),
         most(Eigen::VectorXd::Constant(model.nv, given.limit)),
         haste(model, given),
         bandwidth(given.usual_bandwidth()) {
@@ -130,6 +131,8 @@ struct TorqueErrorObserver::Impl {
                   " rad/s; wanted a positive number");
     if (!(given.calm >= 0.01 && given.calm <= 1.0))
       throw Error("model error: calm " + number(given.calm) + "; wanted 0.01 to 1");
+    if (!(given.usual_lag() >= 0.0) || !std::isfinite(given.usual_lag()))
+      throw Error("model error: a lag of " + number(given.usual_lag()) + " s; wanted at least 0");
     if (!(given.limit > 0.0))
       throw Error("model error: a limit of " + number(given.limit) + "; wanted a positive number");
     for (const std::string& at : measured) sensors.push_back(body.frame(at));
@@ -153,6 +156,15 @@ struct TorqueErrorObserver::Impl {
     return true;
   }
 
+  /// Sets `total` to what has acted where velocities are late by the lag. What holds the robot
+  /// against gravity is not behind it: positions are not late.
+  void act(const ConstVectorRef& tau, double dt) noexcept {
+    total = tau;
+    if (!(options.usual_lag() > 0.0)) return;
+    late += -std::expm1(-dt / options.usual_lag()) * (tau - body.gravity_torque() - late);
+    total = body.gravity_torque() + late;
+  }
+
   bool is_closed, has_loops;
   ContactDynamics dynamics;  ///< with supports and loops
   ContactDynamics free;      ///< with loops alone, where what acts on supports is measured
@@ -162,6 +174,7 @@ struct TorqueErrorObserver::Impl {
   FrameDerivatives derivatives;
   bool started = false;
   Eigen::VectorXd velocity, error, total, innovation, change;
+  Eigen::VectorXd late;  ///< Nm (N), nv: what torques were beyond gravity, behind the lag
   Eigen::VectorXd most;  ///< Nm (N), nv: that errors stay within
   Haste haste;
   double bandwidth;  ///< rad/s, at present
@@ -211,12 +224,14 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   if (status > Status::NotConverged) return status;
   if (!d.started) {
     d.velocity = v;
+    d.late = tau - d.body.gravity_torque();
     d.started = true;
     return status;
   }
   if (!(dt > 0.0)) return status;
   d.pressed.update(d.body);
-  d.total = tau + d.error;
+  d.act(tau, dt);
+  d.total += d.error;
   d.total.noalias() += d.pressed.jacobian().transpose() * force_world;
   for (Eigen::Index i = 0; i < supports.cols(); ++i) {
     d.body.frame_derivatives(d.sensors[static_cast<std::size_t>(i)], Reference::local(),

@@ -422,7 +422,7 @@ void MpcController::Impl::control() noexcept {
     const int k = problem.layout().actuated[static_cast<std::size_t>(i)];
     const double friction = error.joint_friction().torque()[k];
     policy.add_feedforward(i, friction);
-    command_.tau[k] = u_[i] + friction;
+    command_.tau[k] = u_[i] + friction + error.force_feedback()[k];
   }
   holding_.soles().keep(gate.last().support_wrenches, command_.tau);
   holding_.release();

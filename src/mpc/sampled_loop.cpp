@@ -38,7 +38,7 @@ bool presses_in(const MpcSpec& spec, int phase) {
 std::vector<Eigen::MatrixXd*> LoopState::blocks() {
   std::vector<Eigen::MatrixXd*> all{
       &q,     &v,    &q_before, &v_measured, &force, &force_measured, &v_observed,
-      &error, &told, &command,  &motor,      &acted, &offset};
+      &error, &late, &told,     &command,    &motor, &acted,          &offset};
   for (Eigen::MatrixXd& entry : queue) all.push_back(&entry);
   return all;
 }
@@ -73,9 +73,9 @@ SampledLoop::SampledLoop(const MpcSpec& spec, const LoopChain& chain, int phase)
   J_ = spec.normal_world.normalized().transpose() * tool.jacobian();
 }
 
-LoopState SampledLoop::identity(int queue) const {
+LoopState SampledLoop::identity(const Case& with) const {
   LoopState s;
-  s.queue.resize(static_cast<std::size_t>(queue));
+  s.queue.resize(static_cast<std::size_t>(whole(chain_.command_delay / dt_) + with.delay_steps));
   const int observed = observes_ ? n_ : 0;
   const int filtered = plan_.layout.filtered > 0 ? n_ : 0;
   const int acted = observes_ ? filtered : 0;
@@ -88,6 +88,7 @@ LoopState SampledLoop::identity(int queue) const {
                         presses ? 1 : 0,
                         observed,
                         observed,
+                        with.lag > 0.0 ? observed : 0,
                         plan_delay_ > 0 ? observed : 0,
                         n_,
                         chain_.torque_cutoff > 0.0 ? n_ : filtered,
@@ -117,17 +118,22 @@ void SampledLoop::measure(LoopState& s) const {
 }
 
 /// As ErrorEstimate and TorqueErrorObserver do.
-void SampledLoop::observe(LoopState& s, double bandwidth) const {
+void SampledLoop::observe(LoopState& s, const Case& with) const {
   if (!observes_) return;
   if (plan_.layout.filtered > 0) {
     s.acted += passed_by(torque_cutoff_, tick_) * (s.command - s.acted);
-    s.offset += passed_by(bandwidth, tick_) * (s.motor - s.acted - s.offset);
+    s.offset += passed_by(with.bandwidth, tick_) * (s.motor - s.acted - s.offset);
   }
-  const double pole = std::exp(-bandwidth * tick_);
-  Eigen::MatrixXd torque = s.error;
+  const double pole = std::exp(-with.bandwidth * tick_);
+  Eigen::MatrixXd torque = M_ * (pull_ * s.q);
   torque += s.acted.rows() > 0 ? s.acted : s.command;
+  if (s.late.rows() > 0) {
+    s.late += passed_by(1.0 / with.lag, tick_) * (torque - s.late);
+    torque = s.late;
+  }
+  torque += s.error;
   if (s.force.rows() > 0) torque += J_.transpose() * s.force_measured;
-  s.v_observed += tick_ * (Minv_ * torque + pull_ * s.q);
+  s.v_observed += tick_ * (Minv_ * torque);
   const Eigen::MatrixXd innovation = s.v_measured - s.v_observed;
   s.v_observed += (1.0 - pole * pole) * innovation;
   s.error += (1.0 - pole) * (1.0 - pole) / tick_ * (M_ * innovation);
@@ -135,7 +141,7 @@ void SampledLoop::observe(LoopState& s, double bandwidth) const {
 
 /// `start`: where the plan in use starts. A plan that takes time is taken to start where the robot
 /// is when it comes into use, as its prediction says, with the torque error of its measurement.
-void SampledLoop::control(LoopState& s, int tick, Eigen::MatrixXd& start) const {
+void SampledLoop::control(LoopState& s, int tick, double force_gain, Eigen::MatrixXd& start) const {
   const StateLayout& layout = plan_.layout;
   const int ndx = layout.ndx();
   Eigen::MatrixXd x(ndx, s.q.cols());
@@ -159,8 +165,11 @@ void SampledLoop::control(LoopState& s, int tick, Eigen::MatrixXd& start) const 
   if (feeds_back_) u += K * (x - start - elapsed / plan_.step * way);
   if (tick == taken_over && plan_delay_ > 0) s.told = s.error;
   s.command.setZero();
-  for (int i = 0; i < layout.nu; ++i)
-    s.command.row(layout.actuated[static_cast<std::size_t>(i)]) = u.row(i);
+  for (int i = 0; i < layout.nu; ++i) {
+    const int k = layout.actuated[static_cast<std::size_t>(i)];
+    s.command.row(k) = u.row(i);
+    if (s.force.rows() > 0) s.command.row(k) += force_gain * J_[k] * s.force_measured;
+  }
 }
 
 /// A step of the plant, with the surface's force at its end.
@@ -188,12 +197,12 @@ void SampledLoop::move(LoopState& s, const Case& with) const {
 }
 
 Eigen::MatrixXd SampledLoop::transition(const Case& with) const {
-  LoopState s = identity(whole(chain_.command_delay / dt_) + with.delay_steps);
+  LoopState s = identity(with);
   Eigen::MatrixXd start;
   for (int tick = 0; tick < ticks_; ++tick) {
     measure(s);
-    observe(s, with.bandwidth);
-    control(s, tick, start);
+    observe(s, with);
+    control(s, tick, with.force_gain, start);
     for (int i = 0; i < steps_; ++i) move(s, with);
   }
   Eigen::MatrixXd result(s.q.cols(), s.q.cols());

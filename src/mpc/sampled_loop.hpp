@@ -19,6 +19,7 @@ struct LoopState {
   Eigen::MatrixXd q_before, v_measured;   ///< Of the velocity's difference and filter.
   Eigen::MatrixXd force, force_measured;  ///< Along the normal.
   Eigen::MatrixXd v_observed, error;      ///< Of the model-error observer.
+  Eigen::MatrixXd late;                   ///< Torques beyond gravity, behind the observer's lag.
   Eigen::MatrixXd told;                   ///< Torque error that the plan in use was told.
   Eigen::MatrixXd command, motor;
   Eigen::MatrixXd acted, offset;       ///< Of a torque model.
@@ -31,10 +32,12 @@ class SampledLoop {
  public:
   /// What differs from one evaluation to the next.
   struct Case {
-    double bandwidth = 0.0;  ///< Of the observer [rad/s].
-    int delay_steps = 0;     ///< Extra delay, in steps of the plant.
-    int entry = -1;          ///< Of v, whose torque is wrong; -1: none.
-    double factor = 1.0;     ///< By which it is.
+    double bandwidth = 0.0;   ///< Of the observer [rad/s].
+    int delay_steps = 0;      ///< Extra delay, in steps of the plant.
+    int entry = -1;           ///< Of v, whose torque is wrong; -1: none.
+    double factor = 1.0;      ///< By which it is.
+    double lag = 0.0;         ///< Of the observer [s].
+    double force_gain = 0.0;  ///< Of the measured force, at once [N/N].
   };
 
   /// Throws Error as LoopAnalysis does.
@@ -46,10 +49,10 @@ class SampledLoop {
   int nv() const { return n_; }
 
  private:
-  LoopState identity(int queue) const;
+  LoopState identity(const Case& with) const;
   void measure(LoopState& s) const;
-  void observe(LoopState& s, double bandwidth) const;
-  void control(LoopState& s, int tick, Eigen::MatrixXd& start) const;
+  void observe(LoopState& s, const Case& with) const;
+  void control(LoopState& s, int tick, double force_gain, Eigen::MatrixXd& start) const;
   void move(LoopState& s, const Case& with) const;
   /// From the start of one plan to the start of the next.
   Eigen::MatrixXd transition(const Case& with) const;

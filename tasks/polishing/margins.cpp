@@ -12,6 +12,9 @@
 namespace burnish::polishing {
 namespace {
 
+/// Of surfaces, how much stiffer than stated they may be: the controller does not know it.
+constexpr double stiffer = 3.0;
+
 /// The loops of both situations.
 struct Loops {
   LoopAnalysis air, contact;
@@ -52,12 +55,24 @@ std::string range_end(const std::string& joint, double gain, bool is_bound, cons
   return rounded(gain, "%.2g") + (is_bound ? beyond : "") + " (" + joint + ")";
 }
 
+/// By how much a chain's velocities are later than torques [s], beyond what plans know of motors. A
+/// difference is half a tick old.
+double lag_of(const LoopChain& chain, double tick_period) {
+  double lag = chain.command_delay;
+  if (chain.difference_velocity) lag += 0.5 * tick_period;
+  if (chain.difference_velocity && chain.velocity_cutoff > 0.0) lag += 1.0 / chain.velocity_cutoff;
+  return lag;
+}
+
 /// The task with the gains that the fit begins with. They were tuned with Talos' right arm.
 Task with_first_gains(Task task) {
   ModelErrorOptions& error = task.model_error;
   // A force error's loop is slower than a force sensor's filter, see ModelErrorOptions.
   if (!error.bandwidth) error.bandwidth = error.kind == ModelErrorKind::Force ? 50.0 : 120.0;
   if (!error.boost) error.boost = 6.0;
+  const bool observes = error.kind == ModelErrorKind::Torque;
+  if (!error.lag) error.lag = observes ? lag_of(usual_chain(task), 1.0 / task.tick_rate) : 0.0;
+  if (!error.force_gain) error.force_gain = observes ? 0.5 : 0.0;
   if (!task.weights.position) task.weights.position = 1e4;
   return task;
 }
@@ -72,11 +87,23 @@ class Fit {
         fits_boost_(!task.model_error.boost),
         fits_bandwidth_(!task.model_error.bandwidth),
         fits_position_(!task.weights.position),
+        fits_force_gain_(!task.model_error.force_gain),
         required_(required) {}
 
   /// False where no choice has the required margins, or where there are none; then the task is the
   /// slowest that was tried, or as it was.
   bool find() {
+    if (fits_force_gain_) task_.model_error.force_gain = 0.0;
+    const bool found = find_without_force();
+    if (fits_force_gain_ && has_loops_) find_force_gain();
+    return found;
+  }
+  const Task& first() const { return first_; }
+  const Task& task() const { return task_; }
+  bool has_loops() const { return has_loops_; }
+
+ private:
+  bool find_without_force() {
     constexpr std::array raised{10.0, 3.0, 1.0};        // times weights.position
     constexpr std::array lowered{0.3, 0.1, 0.03};       // the same, as the last resort
     constexpr std::array slowed{0.7, 0.5, 0.35, 0.25};  // times model_error.bandwidth
@@ -91,11 +118,22 @@ class Fit {
         if (try_position(share)) return true;
     return false;
   }
-  const Task& first() const { return first_; }
-  const Task& task() const { return task_; }
-  bool has_loops() const { return has_loops_; }
-
- private:
+  /// The largest one that the other gains bear, on stiffer surfaces too; 0 where they bear none.
+  void find_force_gain() {
+    constexpr std::array shares{1.0, 0.7, 0.5};
+    LoopChain chain = usual_chain(task_);
+    chain.stiffness *= stiffer;
+    const MpcSpec spec = make_mpc(task_, setting_);
+    const LoopAnalysis stiff(spec, chain, pressing_phase(spec));
+    ModelErrorOptions& error = task_.model_error;
+    for (const double share : shares) {
+      error.force_gain = share * *first_.model_error.force_gain;
+      if (loops_->contact.tolerates(error, required_.delay, required_.gain) &&
+          stiff.tolerates(error, required_.delay, required_.gain))
+        return;
+    }
+    error.force_gain = 0.0;
+  }
   bool try_position(double share) {
     task_.weights.position = share * *first_.weights.position;
     loops_ = loops_of(task_, setting_, usual_chain(task_));
@@ -119,7 +157,7 @@ class Fit {
   const Task first_;
   Task task_;
   const Setting& setting_;
-  bool fits_boost_, fits_bandwidth_, fits_position_;
+  bool fits_boost_, fits_bandwidth_, fits_position_, fits_force_gain_;
   RequiredMargins required_;
   std::optional<Loops> loops_;
   bool has_loops_ = true;
@@ -174,11 +212,17 @@ std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
 
 FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required) {
   if (task.model_error.boost && task.model_error.bandwidth && task.weights.position) return {};
+  const ModelErrorOptions stated = task.model_error;
   Fit fit(task, setting, required);
   FittedGains result{.meets = fit.find()};
   const Task& before = fit.first();
   task = fit.has_loops() ? fit.task() : before;
-  if (!fit.has_loops()) return {};
+  if (!fit.has_loops()) {
+    // Neither is good for a loop that is not known.
+    task.model_error.lag = stated.usual_lag();
+    task.model_error.force_gain = stated.usual_force_gain();
+    return {};
+  }
   const auto note = [&](const char* key, double was, double now) {
     if (was != now)
       result.changes += (result.changes.empty() ? "" : ", ") + std::string(key) + " " +
@@ -186,6 +230,7 @@ FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins&
   };
   note("model_error.boost", *before.model_error.boost, *task.model_error.boost);
   note("model_error.bandwidth", *before.model_error.bandwidth, *task.model_error.bandwidth);
+  note("model_error.force_gain", *before.model_error.force_gain, *task.model_error.force_gain);
   note("weights.position", *before.weights.position, *task.weights.position);
   if (!result.changes.empty() && result.meets)
     result.changes += ", with which the arm tolerates " + rounded(1e3 * required.delay, "%g ms") +

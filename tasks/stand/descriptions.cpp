@@ -135,7 +135,7 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
                  {"surface_tilt_deg", "surface_height", "surface_curvature", "surface_shape",
                   "surface_motion", "surface_friction"},
                  nothing)
-        .without("model_error", {"sliding_bandwidth"}, nothing)
+        .without("model_error", {"sliding_bandwidth", "force_gain"}, nothing)
         .without("constraints", {"force_band"}, nothing);
     return form;
   }();

@@ -60,12 +60,12 @@ TEST(Polish, Gains_ThatNothingStates_AreFittedToTheArmAndKept) {
   const Outcome fitted = run(what + " --out " + quoted(out));
   EXPECT_EQ(fitted.exit_code, 0) << fitted.out << fitted.err;
   EXPECT_EQ(fitted.err, "");
-  for (const char* words :
-       {"model_error.boost 1.5 in place of 6", "weights.position 100000 in place of 10000",
-        "table: tolerates ", "ms of extra delay", "plans take no time in this simulation"})
+  for (const char* words : {"weights.position 100000 in place of 10000", "table: tolerates ",
+                            "ms of extra delay", "plans take no time in this simulation"})
     EXPECT_NE(fitted.out.find(words), std::string::npos) << words << "\n" << fitted.out;
   const std::string task = contents(out / "table_mpc" / "task.yaml");
-  EXPECT_NE(task.find("  boost: 1.5\n"), std::string::npos) << task;
+  EXPECT_NE(task.find("  boost: 6\n"), std::string::npos) << task;
+  EXPECT_NE(task.find("  force_gain: 0.5\n"), std::string::npos) << task;
   const Outcome stated = run(what +
                              " --set weights.position=1e4 --set model_error.boost=6 --set "
                              "model_error.bandwidth=120 --out " +

@@ -61,6 +61,28 @@ TEST(ErrorEstimate, finds_what_no_force_and_no_command_explains) {
   EXPECT_TRUE(estimate.torque_error().isZero(0.0) && estimate.force_world().isZero(0.0));
 }
 
+TEST(ErrorEstimate, pushes_back_a_force_that_is_off) {
+  Pressing arm(ModelErrorKind::Torque);
+  arm.spec.model_error.force_gain = 0.5;
+  arm.spec.model_error.limit = 3.0;
+  arm.m.tool_force_world = {1.0, -2.0, 22.0};
+  const Eigen::VectorXd tau = arm.against(arm.m.tool_force_world);
+  const Eigen::VectorXd normal = arm.jacobian.transpose() * Eigen::Vector3d::UnitZ();
+  ErrorEstimate estimate(arm.spec);
+  const auto pushed = [&](double asked) {
+    arm.rest(estimate, tau, asked);
+    return estimate.force_feedback();
+  };
+  EXPECT_LT((pushed(20.0) - 0.5 * 2.0 * normal).norm(), 1e-9) << "it presses less";
+  EXPECT_LT((pushed(23.0) + 0.5 * 1.0 * normal).norm(), 1e-9) << "it presses more";
+  EXPECT_LT((pushed(40.0) + 0.5 * 3.0 * normal).norm(), 1e-9) << "by no more than the limit";
+  EXPECT_TRUE(pushed(0.0).isZero(0.0)) << "nothing is asked for";
+  arm.m.tool_force_world.setZero();
+  EXPECT_TRUE(pushed(20.0).isZero(0.0)) << "in the air";
+  estimate.reset();
+  EXPECT_TRUE(estimate.force_feedback().isZero(0.0));
+}
+
 TEST(ErrorEstimate, lets_friction_go_with_the_force_that_is_asked_for) {
   Pressing arm(ModelErrorKind::Torque);
   arm.m.tool_force_world = {5.0, -2.0, 20.0};

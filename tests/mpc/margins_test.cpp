@@ -78,6 +78,14 @@ TEST(Margins, DelayMargin_WithMoreLagInTheLoop_IsSmaller) {
   EXPECT_NEAR(delay_margin(spec, late), usual - 1e-3, 2e-4);
 }
 
+TEST(Margins, DelayMargin_OfAnObserverThatKnowsTheLag_IsLarger) {
+  MpcSpec spec = observed_spec();
+  spec.model_error.bandwidth = 120.0;
+  const double usual = delay_margin(spec, filtered_chain());
+  spec.model_error.lag = 4e-3;
+  EXPECT_GT(delay_margin(spec, filtered_chain()), usual + 1e-3);
+}
+
 TEST(Margins, DelayMargin_OfABoostedObserver_IsThatOfHalfTheWayUp) {
   MpcSpec spec = observed_spec();
   const double usual = delay_margin(spec, filtered_chain());

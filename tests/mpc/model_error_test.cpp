@@ -27,7 +27,7 @@ struct Held {
   Held(const Model& model, const Model& truth, const ModelErrorOptions& options)
       : observer(model, "tool", options), plant(truth), body(truth), tree(truth) {
     q0 = q = test::pressing_arm().posture;
-    v = tau = encoder_step = Eigen::VectorXd::Zero(model.nv);
+    v = v_measured = tau = encoder_step = Eigen::VectorXd::Zero(model.nv);
     (void)body.update(q0, v);
     held = body.gravity_torque();
   }
@@ -43,7 +43,10 @@ struct Held {
     v += dt * plant.a();
     const Eigen::VectorXd dq = dt * v;
     integrate_configuration(tree, q.data(), dq.data(), q.data());
-    v_measured = v;
+    if (velocity_lag > 0.0)
+      v_measured += -std::expm1(-dt / velocity_lag) * (v - v_measured);
+    else
+      v_measured = v;
     for (Eigen::Index k = 0; k < v.size(); ++k) {
       const double step = encoder_noise * drawn(random);
       v_measured[k] += (step - encoder_step[k]) / dt;
@@ -68,6 +71,7 @@ struct Held {
   Tree tree;
   FrameDerivatives tool;
   Eigen::VectorXd q0, q, v, v_measured, tau, held, encoder_step;
+  double velocity_lag = 0.0;   ///< s, of a filter of velocities
   double encoder_noise = 0.0;  ///< rad, of what velocities are differences of
   std::mt19937 random{1};
   std::normal_distribution<double> drawn{0.0, 1.0};
@@ -127,6 +131,37 @@ TEST(TorqueErrorObserver, does_not_take_a_known_force_for_an_error) {
   unknown.run(test::has_robot_files ? 1.0 : 20.0, 1e-3, none, force);  // until it is at rest
   const Eigen::VectorXd taken = unknown.tool.jacobian.topRows(3).transpose() * force;
   EXPECT_LT((unknown.observer.torque_error() - taken).norm(), 0.01 * taken.norm());
+}
+
+TEST(TorqueErrorObserver, told_the_lag_of_velocities_takes_no_command_for_an_error) {
+  const Model model = test::pressing_arm().model;
+  const double dt = test::has_robot_files ? 1e-3 : 1e-4;
+  const auto mistaken = [&](double lag) {
+    Held robot(model, model, {.bandwidth = 100.0, .boost = 1.0, .lag = lag});
+    robot.velocity_lag = 4e-3;
+    robot.run(0.02, dt, Eigen::VectorXd::Zero(model.nv));
+    double most = 0.0;
+    for (int half = 0; half < 6; ++half) {  // a command that turns around every 50 ms
+      robot.held[1] += half % 2 == 0 ? 2.0 : -2.0;
+      for (int i = 0; i < std::lround(0.05 / dt); ++i) {
+        robot.step(dt, Eigen::VectorXd::Zero(model.nv), {0, 0, 0}, {0, 0, 0});
+        most = std::max(most, robot.observer.torque_error().norm());
+      }
+    }
+    return most;
+  };
+  const double untold = mistaken(0.0);
+  EXPECT_GT(untold, 0.2);
+  EXPECT_LT(mistaken(4e-3), 0.3 * untold);
+}
+
+TEST(TorqueErrorObserver, of_a_lag_finds_a_constant_error) {
+  const Model model = test::pressing_arm().model;
+  Held robot(model, model, {.bandwidth = 100.0, .lag = 4e-3});
+  robot.velocity_lag = 4e-3;
+  robot.run(1.0, test::has_robot_files ? 1e-3 : 1e-4, some_bias());
+  EXPECT_LT((robot.observer.torque_error() - some_bias()).norm(), 0.01 * some_bias().norm());
+  EXPECT_NE(refusal([&] { TorqueErrorObserver(model, "tool", {.lag = -1.0}); }), "");
 }
 
 TEST(TorqueErrorObserver, stays_bounded_over_long_steps) {

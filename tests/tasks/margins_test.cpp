@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "support/mpc_run.hpp"
@@ -67,18 +69,49 @@ TEST(TaskMargins, Text_SaysWhereAGainIsABound) {
             "3.0 ms of extra delay (in free air), gains of 0.12 (a) to 10 or more (a)");
 }
 
-TEST(TaskMargins, FitGains_OfAnArm_RaisesThePositionAndDropsTheBoost) {
+TEST(TaskMargins, FitGains_OfAnArm_RaisesThePositionAndKeepsTheOthers) {
   Task task = first_task();
   const polishing::Setting setting = polishing::make_setting(task);
   const polishing::FittedGains fitted = polishing::fit_gains(task, setting);
   const std::string& said = fitted.changes;
   EXPECT_TRUE(fitted.meets);
   EXPECT_EQ(task.weights.position, 1e5);
-  EXPECT_EQ(task.model_error.boost, 1.5);
+  EXPECT_EQ(task.model_error.boost, 6.0);
   EXPECT_EQ(task.model_error.bandwidth, 120.0);
-  EXPECT_NE(said.find("model_error.boost 1.5 in place of 6"), std::string::npos) << said;
+  EXPECT_NEAR(*task.model_error.lag, 1e-3 + 2.5e-4 + 1.0 / (100.0 * std::numbers::pi), 1e-9);
+  EXPECT_EQ(task.model_error.force_gain, 0.5);
+  EXPECT_EQ(said.find("model_error"), std::string::npos) << said;
   EXPECT_NE(said.find("weights.position 100000 in place of 10000"), std::string::npos) << said;
   EXPECT_GE(polishing::margins(task, setting)->delay(), 2e-3);
+}
+
+TEST(TaskMargins, FitGains_WithoutALag_DropsTheBoost) {
+  Task task = first_task();
+  const polishing::Setting setting = polishing::make_setting(task);
+  task.model_error.lag = 0.0;
+  const std::string said = polishing::fit_gains(task, setting).changes;
+  EXPECT_EQ(task.model_error.boost, 1.5);
+  EXPECT_NE(said.find("model_error.boost 1.5 in place of 6"), std::string::npos) << said;
+}
+
+TEST(TaskMargins, FitGains_OnAStiffSurfaceThatRings_LowersTheForceGain) {
+  Task task = first_task();
+  task.stiffness = 1e6;
+  task.damping = 50.0;
+  task.model_error.boost = 1.0;
+  const polishing::Setting setting = polishing::make_setting(task);
+  EXPECT_TRUE(polishing::fit_gains(task, setting).meets);
+  EXPECT_LT(task.model_error.force_gain, 0.5);
+}
+
+TEST(TaskMargins, Delay_WithAForceGainThatIsTooLarge_IsSmallerInContact) {
+  Task task = first_task();
+  task.weights.position = 1e5;
+  task.model_error = {.bandwidth = 120.0, .boost = 1.0, .lag = 4e-3, .force_gain = 0.5};
+  const polishing::Setting setting = polishing::make_setting(task);
+  const double usual = polishing::margins(task, setting)->contact.delay;
+  task.model_error.force_gain = 3.0;
+  EXPECT_LT(polishing::margins(task, setting)->contact.delay, usual - 1e-3);
 }
 
 TEST(TaskMargins, FitGains_WithStatedKeys_LeavesThem) {
@@ -87,7 +120,7 @@ TEST(TaskMargins, FitGains_WithStatedKeys_LeavesThem) {
   task.weights.position = 1e4;
   EXPECT_EQ(polishing::fit_gains(task, setting).changes.find("position"), std::string::npos);
   EXPECT_EQ(task.weights.position, 1e4);
-  EXPECT_LT(task.model_error.boost, 6.0);
+  EXPECT_EQ(task.model_error.boost, 6.0);
   const std::string before = task_text(task);
   EXPECT_EQ(polishing::fit_gains(task, setting).changes, "") << "all of them are there";
   EXPECT_EQ(task_text(task), before);
@@ -106,6 +139,7 @@ TEST(TaskMargins, FitGains_WhateverTheDisturbances_ChoosesTheSame) {
 TEST(TaskMargins, FitGains_ForALongDelay_SlowsTheObserverAfterTheBoost) {
   Task task = first_task();
   const polishing::Setting setting = polishing::make_setting(task);
+  task.model_error.lag = 0.0;
   const polishing::RequiredMargins required{.delay = 5e-3, .gain = 1.5};
   const std::string said = polishing::fit_gains(task, setting, required).changes;
   EXPECT_EQ(task.model_error.boost, 1.0);
@@ -127,6 +161,8 @@ TEST(TaskMargins, RobotOnItsFeet_HasNone) {
   EXPECT_EQ(polishing::fit_gains(task, setting).changes, "");
   EXPECT_EQ(task.weights.position, 1e4);
   EXPECT_EQ(task.model_error.boost, 2.0) << "the file's";
+  EXPECT_EQ(task.model_error.lag, 0.0);
+  EXPECT_EQ(task.model_error.force_gain, 0.0);
 }
 
 }  // namespace

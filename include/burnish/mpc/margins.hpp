@@ -40,10 +40,10 @@ struct LoopMargins {
 
 /// The linearised loop of one phase of a schedule, at rest in the specification's initial state.
 /// It contains mass matrix, gravity, surface, motors, filters, delays as shift registers, the first
-/// gains of the plan and the model-error observer of kind torque. It leaves out friction, noise,
-/// limits and all other estimators. Margins are the worst over three observer bandwidths: the
-/// lowest (calm), the nominal one, and halfway from there to the boosted one. A loop counts as
-/// stable while growth() is below 8/s.
+/// gains of the plan, the model-error observer of kind torque and its force gain. It leaves out
+/// friction, noise, limits and all other estimators. Margins are the worst over three observer
+/// bandwidths: the lowest (calm), the nominal one, and halfway from there to the boosted one. A
+/// loop counts as stable while growth() is below 8/s.
 class LoopAnalysis {
  public:
   static constexpr double longest_delay = 0.01;  ///< [s]

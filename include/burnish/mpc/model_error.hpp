@@ -42,6 +42,12 @@ struct ModelErrorOptions {
   /// factor on the bandwidth while noise alone, such as encoder steps, changes the torque error: a
   /// slower observer passes less of it on; 1: never
   double calm = 1.0;
+  /// s by which measured velocities follow torques later than known delays say, behind filters and
+  /// motors; none: fitted to the arm where a task does that, else 0
+  std::optional<double> lag = {};
+  /// N pushed back at once for each N that the measured normal force is off in contact, of kind
+  /// torque with a force sensor; none: fitted to the arm where a task does that, else 0
+  std::optional<double> force_gain = {};
   /// rad/s of the estimate of friction along the surface, with kind torque; 0: the bandwidth
   double sliding_bandwidth = 0.0;
   /// s, decay time that plans assume for a torque error that has just appeared, as after a push.
@@ -56,6 +62,8 @@ struct ModelErrorOptions {
 
   double usual_bandwidth() const { return bandwidth.value_or(30.0); }  ///< rad/s
   double usual_boost() const { return boost.value_or(3.0); }
+  double usual_lag() const { return lag.value_or(0.0); }                ///< s
+  double usual_force_gain() const { return force_gain.value_or(0.0); }  ///< N/N
 };
 
 /// An observer of the joint velocity with the torque error as its disturbance state: with e = v -
@@ -65,7 +73,9 @@ struct ModelErrorOptions {
 /// known to 5 %. Forces that are not given to it are part of d: given the normal force alone, so is
 /// friction along the surface. Where d changes faster than its noise has it, w is up to `boost`
 /// times the bandwidth, and comes back within some 0.3 s. Where d has but noise in every joint
-/// during a second, w is `calm` times the bandwidth.
+/// during a second, w is `calm` times the bandwidth. What tau is beyond gravity is taken behind a
+/// first-order filter of time constant `lag`: compared with velocities that come behind filters, a
+/// command that has just been given would be an error, and answered by another command.
 class TorqueErrorObserver {
  public:
   /// `tool`: frame that the force acts at. `supports`: contacts that always hold, such as the feet

@@ -51,12 +51,16 @@ struct FittedGains {
   std::string changes = {};  ///< sentence that names the fitted gains; empty if none was fitted
 };
 
-/// Sets model_error.boost, model_error.bandwidth and weights.position where the task does not state
-/// them. The initial values are 6, 120 rad/s (50 rad/s with model_error.kind force) and 1e4 /m^2.
+/// Sets model_error.boost, model_error.bandwidth, weights.position, model_error.lag and
+/// model_error.force_gain where the task does not state them. The initial values of the first three
+/// are 6, 120 rad/s (50 rad/s with model_error.kind force) and 1e4 /m^2.
 /// The first choice that meets the required margins is kept, in this order: weights.position times
 /// 10, 3 and 1, each with the boost from its initial value down to 1; then lower bandwidths; then
-/// lower weights.position. Stated values are not changed. If margins() returns nullopt, the initial
-/// values stay. Throws Error as make_mpc() does.
+/// lower weights.position. model_error.lag is that of usual_chain(). model_error.force_gain is the
+/// largest of 0.5, 0.35, 0.25 and 0 with which the loop has the margins, on a surface three times
+/// as stiff as stated too; both are of kind torque. Stated values are not changed. If margins()
+/// returns nullopt, the initial values of the first three stay, and lag and force_gain are 0; they
+/// are 0 too where the first three are stated. Throws Error as make_mpc() does.
 FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required = {});
 
 }  // namespace burnish::polishing

@@ -145,7 +145,7 @@ struct Task {
   ForceAxes axes =
       ForceAxes::Surface;  ///< of contact and force: surface, local (the tool's) or world
   bool feedback = true;    ///< between plans follow their Riccati gains, not just their torques
-  /// bandwidth and boost that are none are fitted to the arm, see fit_gains()
+  /// bandwidth, boost, lag and force_gain that are none are fitted to the arm, see fit_gains()
   ModelErrorOptions model_error = {.calm = 0.25, .sliding_bandwidth = 360.0};
   SurfaceEstimateOptions surface_estimate = {};
   /// of the tool on the surface; plans know friction, by this coefficient
