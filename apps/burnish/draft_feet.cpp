@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
@@ -73,9 +74,24 @@ std::string standing_posture(const Robot& robot, const Feet& feet) {
 
 }  // namespace
 
+namespace {
+
+/// Nothing where the robot cannot be simulated, as one whose joints move no mass.
+std::optional<Robot> floating(const std::string& file) {
+  try {
+    return pressing::load_floating(file);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 DraftedFeet draft_feet(const std::string& file, bool floats) {
   DraftedFeet drafted;
-  Robot robot = pressing::load_floating(file);
+  std::optional<Robot> loaded = floating(file);
+  if (!loaded) return drafted;
+  Robot robot = *std::move(loaded);
   const auto feet = find_feet(robot);
   if (!feet) return drafted;
   if (!floats && !std::all_of(feet->frames.begin(), feet->frames.end(), is_named_after_a_foot))

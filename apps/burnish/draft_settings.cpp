@@ -307,9 +307,10 @@ fs::path write_settings(const Robot& robot, const RobotArguments& arguments, con
     return other.empty() ? "" : fs::proximate(fs::absolute(other), fs::absolute(folder)).string();
   };
   const fs::path srdf = arguments.srdf.empty() ? srdf_of(from) : fs::path(arguments.srdf);
-  write_whole_file(file, draft_settings(robot, read_description(from),
-                                        {description_key(from), beside(from), beside(srdf), tool,
-                                         from, arguments.fixed || (!tool.empty() && !arguments.free_flyer)}));
+  write_whole_file(file,
+                   draft_settings(robot, read_description(from),
+                                  {description_key(from), beside(from), beside(srdf), tool, from,
+                                   arguments.fixed || (!tool.empty() && !arguments.free_flyer)}));
   return file;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pressing/task_form.hpp"
 
 namespace burnish::app {
@@ -31,6 +33,25 @@ void describe_job(const polishing::PolishJob& job, const polishing::ReachReport&
     fmt::print(", the arm keeps {:.2f} m off the surface ({})", reach.clearance,
                reach.tightest_clearance);
   fmt::print("\n");
+}
+
+void describe_way(const std::string& place, const std::optional<HomeMove>& home,
+                  const std::vector<polishing::FreeHome>& free_homes) {
+  if (home)
+    return fmt::print("{}: moves there from home in {:.2g} s{} (joint '{}' by {:.2g})\n", place,
+                      home->duration(),
+                      home->corners.size() > 2 ? ", at last down to the surface" : "",
+                      home->farthest_joint, home->farthest);
+  if (free_homes.empty()) return;
+  constexpr std::size_t most = 3;
+  std::string homes;
+  for (std::size_t i = 0; i < std::min(most, free_homes.size()); ++i)
+    homes += fmt::format("{}{} ({:.2g} s)", i == 0 ? "" : ", ", free_homes[i].posture,
+                         free_homes[i].duration);
+  fmt::print(
+      "{}: the run begins there; `--set home=POSTURE` begins it elsewhere and moves there first: "
+      "the way is free from {}\n",
+      place, homes);
 }
 
 }  // namespace burnish::app

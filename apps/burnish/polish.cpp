@@ -178,26 +178,6 @@ struct CheckedPlace {
   FittedController controller = {};
 };
 
-/// How the robot gets to its start.
-void describe_way(const CheckedPlace& place) {
-  const std::string& name = place.job->place;
-  if (place.home)
-    return fmt::print("{}: moves there from home in {:.2g} s{} (joint '{}' by {:.2g})\n", name,
-                      place.home->duration(),
-                      place.home->corners.size() > 2 ? ", at last down to the surface" : "",
-                      place.home->farthest_joint, place.home->farthest);
-  if (place.free_homes.empty()) return;
-  constexpr std::size_t most = 3;
-  std::string homes;
-  for (std::size_t i = 0; i < std::min(most, place.free_homes.size()); ++i)
-    homes += fmt::format("{}{} ({:.2g} s)", i == 0 ? "" : ", ", place.free_homes[i].posture,
-                         place.free_homes[i].duration);
-  fmt::print(
-      "{}: the run begins there; `--set home=POSTURE` begins it elsewhere and moves there "
-      "first: the way is free from {}\n",
-      name, homes);
-}
-
 /// The posture that was searched for: added to the robot's settings where that is wanted, and said.
 void keep_posture(const CheckedPlace& place, const PolishArguments& arguments) {
   const PolishJob& job = *place.job;
@@ -259,7 +239,8 @@ void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArgumen
       fmt::print(stderr, "burnish: {}: note: {}, or --assume-rotors\n", place.job->place,
                  light_joints_text(place.light_joints));
     keep_posture(place, arguments);
-    if (arguments.talks() && !arguments.unchecked) describe_way(place);
+    if (arguments.talks() && !arguments.unchecked)
+      describe_way(place.job->place, place.home, place.free_homes);
     describe(place.controller, place.job->place, arguments.talks());
     describe_job(*place.job, place.reach, texts.at(place.job->place), arguments.talks());
   }
