@@ -77,7 +77,8 @@ Robot load_arm(const std::string& robot, const std::string& tool, bool stands) {
   Robot loaded = stands ? load_floating(robot)
                         : simulable(about("robot", [&] { return load_robot(robot, overrides); }));
   if (!loaded.model.has_frame(tool))
-    throw EntryError("tool.frame", "the tool's frame " + none_of(loaded.model, tool));
+    throw EntryError("tool.frame", "the tool's frame " + none_of(loaded.model, tool) +
+                                       "; wanted the frame at the tip, as --tool FRAME states it");
   return loaded;
 }
 
