@@ -5,6 +5,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "loop_motion.hpp"
 #include "record/json_text.hpp"
 
 namespace burnish::app {
@@ -48,6 +49,7 @@ class Evaluation {
     Json result{{"status", nullptr}, {"sentence", nullptr}};
     if (!x.warnings.empty()) result["warnings"] = x.warnings;
     add_acceleration(x, result);
+    add_loop_inverse(x, result);
     add_inverse(x, result);
     add_forward(x, result);
     if (wants("frames")) result["frames"] = frames(x);
@@ -96,6 +98,19 @@ class Evaluation {
                        {"dalpha_dv", matrix_json(dynamics_.dalpha_dv())},
                        {"dalpha_da", matrix_json(dynamics_.jacobian())}}
                 : Json(nullptr);
+  }
+
+  /// Motors' torques along a motion of robots with loops.
+  void add_loop_inverse(const EvalState& x, Json& result) {
+    if (!wants("loop_inverse")) return;
+    const LoopMotion motion = loop_motion(request_, x, dynamics_);
+    result["loop_inverse"] = nullptr;
+    if (!usable(motion.status)) return;
+    result["loop_inverse"] = Json{{"v", numbers_json(motion.v)},
+                                  {"a", numbers_json(motion.a)},
+                                  {"tau", numbers_json(motion.tau)},
+                                  {"lambda", numbers_json(motion.lambda)},
+                                  {"unbalanced", motion.unbalanced}};
   }
 
   void add_inverse(const EvalState& x, Json& result) {

@@ -16,6 +16,7 @@
 #include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
 #include "polishing/rotors.hpp"
+#include "polishing/verdict.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -24,6 +25,7 @@
 #include "settings_posture.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
+#include "task_argument.hpp"
 #include "tick_table.hpp"
 
 namespace burnish::app {
@@ -119,17 +121,21 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
     if (arguments.robot.empty()) surfaces.emplace_back("board");
   }
   if (surfaces.empty()) surfaces = {""};
+  if (!arguments.file.empty()) refuse_robot(arguments.file, "--robot");
   std::vector<PolishJob> jobs;
   for (const std::string& surface : surfaces) {
     files::Said<polishing::Task> said = make_task(arguments, surface);
     polishing::Task& task = said.spec;
+    std::string place =
+        surface.empty() ? fs::path(arguments.file).stem().string() : place_name(surface, task);
+    if (texts.contains(place)) place = surface;  // two that settings made one
     std::vector<int> seeds = arguments.seeds;
     if (seeds.empty()) seeds = {static_cast<int>(task.disturbances.seed)};
     for (const int seed : seeds) {
       task.disturbances.seed = static_cast<std::uint64_t>(seed);
       for (const ControllerKind controller : controllers_of(arguments, task)) {
         PolishJob job;
-        job.place = surface.empty() ? fs::path(arguments.file).stem().string() : surface;
+        job.place = place;
         job.name = job.place + "_" + name_of(controller);
         if (seeds.size() > 1) job.name += fmt::format("_seed{}", seed);
         job.spec.task = task;
@@ -307,6 +313,11 @@ void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, con
       rotors += jobs[i].name + ": with assumed rotors, in the plant too: " + assumed + "\n";
   }
   if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i].verdict)
+      if (const std::string text = cut_short_text(jobs[i].spec.task, *results[i].verdict);
+          !text.empty())
+        fmt::print("{}: {}\n", jobs[i].name, text);
   if (!stood.empty()) fmt::print("\n{}", standing_table(stood));
   fmt::print("{}", rotors);
   print_timing(jobs, results);

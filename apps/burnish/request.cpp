@@ -209,6 +209,9 @@ EvalRequest read_request(const Reader& reader, Shared& shared) {
     read_contacts(*contacts, some ? read_q(states->entries().front(), space) : space.q, request);
   }
   request.contacts = reader.named([&] { return with_loops(model, request.contacts); });
+  if (compute && request.compute.contains("loop_inverse") && model.loops.empty())
+    compute->refuse("it asks for loop_inverse, and robot " + in_quotes(model.name) +
+                    " has no loops; wanted \"inverse\"");
   const ContactSet set(model, request.contacts);
   std::vector<std::string> v_names;
   for (int k = 0; k < model.nv; ++k) v_names.push_back(model.v_name(k));
@@ -233,6 +236,7 @@ const std::vector<std::string>& computable() {
                                               "forward_derivatives",
                                               "inverse",
                                               "inverse_derivatives",
+                                              "loop_inverse",
                                               "acceleration",
                                               "acceleration_derivatives",
                                               "forces",

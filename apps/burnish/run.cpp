@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "base/sentence.hpp"
@@ -19,11 +20,13 @@
 #include "push_wall/record.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
+#include "report/figures.hpp"
 #include "robot_arguments.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
 #include "sim/light_joints.hpp"
 #include "stand/record.hpp"
+#include "task_argument.hpp"
 
 namespace burnish::app {
 namespace {
@@ -31,30 +34,29 @@ namespace {
 struct RunArguments {
   std::string file, robot, tool, plant, out, write_task;
   std::vector<std::string> overrides;
-  std::optional<int> seed;
+  std::vector<int> seeds;
   int record_every = 10;
   bool no_page = false, plots = false, mcap = false, force = false, strict = false;
   bool unchecked = false, quiet = false, json = false;
 };
 
 /// What `--robot` and its like change in the file.
-std::vector<files::Override> changes_of(const RunArguments& a) {
+std::vector<files::Override> changes_of(const RunArguments& a, std::optional<int> seed) {
   std::vector<files::Override> words;
   if (!a.robot.empty()) words.push_back({"robot=" + yaml_word(a.robot), "--robot " + a.robot});
   if (!a.tool.empty()) words.push_back({"tool.frame=" + yaml_word(a.tool), "--tool " + a.tool});
   for (const std::string& word : a.overrides) words.push_back({word});
-  if (a.seed)
-    words.push_back(
-        {fmt::format("disturbances.seed={}", *a.seed), fmt::format("--seed {}", *a.seed)});
+  if (seed)
+    words.push_back({fmt::format("disturbances.seed={}", *seed), fmt::format("--seed {}", *seed)});
   return words;
 }
 
 /// That makes the run again.
-std::string command_of(const RunArguments& a, PlantKind plant) {
+std::string command_of(const RunArguments& a, std::optional<int> seed, PlantKind plant) {
   std::string text = "burnish run " + shell_word(a.file) + " --plant " + name_of(plant);
   if (!a.robot.empty()) text += " --robot " + shell_word(a.robot);
   if (!a.tool.empty()) text += " --tool " + shell_word(a.tool);
-  if (a.seed) text += fmt::format(" --seed {}", *a.seed);
+  if (seed) text += fmt::format(" --seed {}", *seed);
   for (const std::string& change : a.overrides) text += " --set " + shell_word(change);
   return text + (a.unchecked ? " --unchecked" : "");
 }
@@ -92,75 +94,140 @@ void tell_margins(const std::string& name, const Task& task, const MpcSpec& spec
     fmt::print("{}: tolerates {}\n", name, margins.text());
 }
 
-/// A task of the table: the functions are found by its types.
-template <class Named>
-int run_as(const RunArguments& a) {
-  using RunSpec = typename Named::RunSpec;
-  const auto said = files::read_said<typename Named::Task>(a.file, changes_of(a));
-  pressing::NamedRun<RunSpec> run{.name = std::filesystem::path(a.file).stem().string(),
-                                  .spec = {.task = said.spec}};
-  RunSpec& spec = run.spec;
-  if (!a.plant.empty()) spec.plant = a.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
-  spec.check_reach = !a.unchecked;
-  run.command = command_of(a, spec.plant);
-  if (!a.write_task.empty()) {
-    files::placed(said.texts, [&] { check_task(spec.task); });
-    write_whole_file(a.write_task, task_text(spec.task));
-    return exit_ok;
-  }
-  // What does not fit is said before there is a folder.
-  files::placed(said.texts, [&] {
-    named_by(a.file, [&] {
-      check_task(spec.task);
-      const Robot robot = load_task_robot(spec.task);
-      print_warnings(robot, a.strict);
-      if constexpr (requires { fit_to_robot(spec.task, robot); })
-        if (!a.robot.empty())
-          for (const std::string& change : fit_to_robot(spec.task, robot))
-            fmt::print(stderr, "burnish: note: {}\n", change);
-      spec.setting = make_setting(spec.task, robot);
-      note_light_joints(spec.task, *spec.setting);
-      if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
-      if constexpr (requires { spec.task.step; })
-        print_step_complaints(run.name, make_mpc(spec.task, *spec.setting));
-    });
-  });
-  for (const std::string& note : task_notes(spec.task, pressing::states_disturbances(said.texts)))
+/// Prints what is odd about a run that will be made.
+template <class RunSpec>
+void print_notes(const RunArguments& a, const std::string& name, const RunSpec& spec,
+                 bool states_disturbances) {
+  note_light_joints(spec.task, *spec.setting);
+  if constexpr (requires { spec.task.step; })
+    print_step_complaints(name, make_mpc(spec.task, *spec.setting));
+  for (const std::string& note : task_notes(spec.task, states_disturbances))
     fmt::print(stderr, "burnish: note: {}\n", note);
   if constexpr (requires { setting_notes(spec.task, *spec.setting); })
     for (const std::string& note : setting_notes(spec.task, *spec.setting))
       fmt::print(stderr, "burnish: note: {}\n", note);
   if constexpr (requires { spec.task.stiffness; })
-    tell_margins(run.name, spec.task, make_mpc(spec.task, *spec.setting), !a.quiet && !a.json);
-  const StopRequest stop("the run ends, and what there is of it is written");
-  RunFolder folder({.out = a.out, .name = run.name + "_run", .force = a.force});
-  folder.claim(pressing::run_file_names());
+    tell_margins(name, spec.task, make_mpc(spec.task, *spec.setting), !a.quiet && !a.json);
+}
+
+/// A run with one seed, checked: what does not fit is said before there is a folder.
+template <class Named>
+auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) {
+  using RunSpec = typename Named::RunSpec;
+  const auto said = files::read_said<typename Named::Task>(a.file, changes_of(a, seed));
+  pressing::NamedRun<RunSpec> run{.name = std::filesystem::path(a.file).stem().string(),
+                                  .spec = {.task = said.spec}};
+  RunSpec& spec = run.spec;
+  const std::string file = run.name;
+  if (a.seeds.size() > 1) run.name += fmt::format("_seed{}", *seed);
+  if (!a.plant.empty()) spec.plant = a.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
+  spec.check_reach = !a.unchecked;
+  run.command = command_of(a, seed, spec.plant);
+  files::placed(said.texts, [&] {
+    named_by(a.file, [&] {
+      check_task(spec.task);
+      if (!a.write_task.empty()) return;
+      const Robot robot = load_task_robot(spec.task);
+      if (is_first) print_warnings(robot, a.strict);
+      if constexpr (requires { fit_to_robot(spec.task, robot); })
+        if (!a.robot.empty())
+          for (const std::string& change : fit_to_robot(spec.task, robot))
+            if (is_first) fmt::print(stderr, "burnish: note: {}\n", change);
+      spec.setting = make_setting(spec.task, robot);
+      if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
+      if (is_first) print_notes(a, file, spec, pressing::states_disturbances(said.texts));
+    });
+  });
+  return run;
+}
+
+/// Figures of the runs of a call, and what is said of them at the end.
+struct RunOutcomes {
+  PageWriter pages;
+  bool done = true;
+  nlohmann::ordered_json summary = nlohmann::ordered_json::array();
+  std::vector<NamedMetrics> metrics = {};
+  std::vector<NamedStanding> stood = {};
+};
+
+/// Makes a run and writes its files into `folder`.
+template <class Run>
+void make_run(Run& run, const RunArguments& a, const std::filesystem::path& folder,
+              RunOutcomes& outcomes) {
   const bool talks = !a.quiet && !a.json, bar = talks && isatty(STDERR_FILENO) != 0;
   RunProgressText text(run.name, bar);
-  spec.progress = [&](double time, double end) {
+  run.spec.progress = [&](double time, double end) {
     text.tell(time, end);
     return !StopRequest::asked();
   };
-  const auto result = run_task(spec);
+  const auto result = run_task(run.spec);
   if (bar) fmt::print(stderr, "\r\033[K");
-  PageWriter pages(!a.no_page, a.mcap);
   const pressing::RecordedRun record = recorded(run, result);
   const auto names =
-      write_run(record, {.record_every = a.record_every, .plots = a.plots}, folder.path(), pages);
+      write_run(record, {.record_every = a.record_every, .plots = a.plots}, folder, outcomes.pages);
+  outcomes.done = outcomes.done && result.done;
+  outcomes.summary.push_back(run_json(record));
+  if (record.metrics) outcomes.metrics.push_back({run.name, *record.metrics});
+  if (result.standing) outcomes.stood.push_back({run.name, *result.standing});
+  if (talks || (!a.json && !result.done)) fmt::print("{}: {}\n", run.name, result.outcome);
+  if (talks) fmt::print("  {}: {}\n", folder.string(), fmt::join(names, ", "));
+  std::fflush(stdout);
+}
+
+/// Tables over the seeds, summary.json and the page of all.
+void end_seeds(const RunArguments& a, const std::filesystem::path& folder,
+               const RunOutcomes& outcomes) {
+  write_text(folder / "summary.json", json_text(outcomes.summary));
+  const std::string note = outcomes.pages.finish(folder);
+  if (a.json) return;
+  if (!outcomes.metrics.empty()) fmt::print("\n{}", metrics_table(outcomes.metrics));
+  if (!outcomes.stood.empty()) fmt::print("\n{}", standing_table(outcomes.stood));
+  if (!a.quiet && !note.empty()) fmt::print("{}\n", note);
+}
+
+/// A task of the table: the functions are found by its types.
+template <class Named>
+int run_as(const RunArguments& a) {
+  std::vector<std::optional<int>> seeds(a.seeds.begin(), a.seeds.end());
+  if (seeds.empty()) seeds.push_back(std::nullopt);
+  for (auto seed = seeds.begin(); seed != seeds.end(); ++seed)
+    if (std::count(seeds.begin(), seed, *seed) > 0)
+      throw Error(fmt::format("seed {} is asked for twice; wanted other seeds", **seed));
+  const bool several = seeds.size() > 1;
+  std::vector<decltype(checked_run<Named>(a, seeds[0], true))> runs;
+  std::vector<std::string> claimed =
+      several ? std::vector<std::string>{"summary.json", "comparison.html"}
+              : pressing::run_file_names();
+  for (const std::optional<int>& seed : seeds) {
+    runs.push_back(checked_run<Named>(a, seed, runs.empty()));
+    if (!a.write_task.empty()) {
+      write_whole_file(a.write_task, task_text(runs.front().spec.task));
+      return exit_ok;
+    }
+    if (several) claimed.push_back(runs.back().name + "/");
+  }
+  const StopRequest stop("the run ends, and what there is of it is written");
+  RunFolder folder({.out = a.out,
+                    .name = std::filesystem::path(a.file).stem().string() + "_run",
+                    .force = a.force});
+  folder.claim(claimed);
+  RunOutcomes outcomes{.pages = {!a.no_page, a.mcap}};
+  for (auto& run : runs) {
+    make_run(run, a, several ? folder.path() / run.name : folder.path(), outcomes);
+    if (StopRequest::asked()) break;
+  }
+  if (several) end_seeds(a, folder.path(), outcomes);
   folder.finish();
-  if (const std::string missing = pages.missing_meshes(); !missing.empty())
+  if (const std::string missing = outcomes.pages.missing_meshes(); !missing.empty())
     fmt::print(stderr, "burnish: note: {}\n", missing);
-  if (a.json)
-    fmt::print("{}\n", json_text(run_json(record)));
-  else if (talks || !result.done)
-    fmt::print("{}: {}\n", run.name, result.outcome);
-  if (talks) fmt::print("  {}: {}\n", folder.path().string(), fmt::join(names, ", "));
-  return result.done ? exit_ok : exit_failed;
+  if (a.json) fmt::print("{}\n", json_text(several ? outcomes.summary : outcomes.summary[0]));
+  return outcomes.done ? exit_ok : exit_failed;
 }
 
 /// A file that names no task is refused as one of the first of the table.
 int run(const RunArguments& arguments) {
   const std::string& file = arguments.file;
+  refuse_robot(file, "burnish run TASK --robot");
   const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
   std::optional<int> code;
   std::function<int()> first;
@@ -204,9 +271,12 @@ void add_run_task_options(CLI::App* command, RunArguments& a) {
       ->add_option("--set", a.overrides, "Any key of the task file, such as force=20; repeatable")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--seed", a.seed, "Seed of what is drawn at random [the file's]")
+  command
+      ->add_option("--seed", a.seeds,
+                   "Seed of what is drawn at random; again for more runs [the file's]")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber)
+      ->allow_extra_args(false);
   command
       ->add_option("--plant", a.plant,
                    has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"
@@ -255,6 +325,7 @@ void add_run(CLI::App& app, int& exit_code) {
       "  burnish run tasks/press_hold/arm7.yaml\n"
       "  burnish run tasks/push_wall/talos.yaml --set force=30\n"
       "  burnish run tasks/stand/quadruped.yaml --set disturbances=joint_friction\n"
+      "  burnish run tasks/press_hold/arm7.yaml --seed 1 --seed 2 --seed 3\n"
       "  burnish run my_task.yaml --plant ideal --out /tmp/my_run\n"
       "  burnish run tasks/press_hold/arm7.yaml --robot my_arm.urdf --tool flange \\\n"
       "      --set 'aside={my_joint: 0.5}'\n"
@@ -264,7 +335,9 @@ void add_run(CLI::App& app, int& exit_code) {
       ".\n\nLeaves trace.csv, metrics.json, task.yaml, run.html, run.json and\n"
       "after a fault fault.txt and last_second.csv. Ctrl-C (or SIGTERM, or SIGHUP) ends the run "
       "and "
-      "writes what\nthere is. docs/tasks.md explains it; burnish polish is for polishing.\n"
+      "writes what\nthere is. Several seeds leave a folder each, a table over them, summary.json "
+      "and\n"
+      "comparison.html. docs/tasks.md explains it; burnish polish is for polishing.\n"
       "Exit codes: 0 done; 1 not: a fault or an interruption; 2 bad input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -102,9 +102,11 @@ void bind_result(py::module_& m) {
   py::class_<Run> run_class(m, "RunResult",
                             "What came out of a run. Its trace stays where it is: views of its "
                             "columns keep the result alive.");
-  bind_task_run(run_class,
-                "One sentence: that it polished, what came in between, or which figures its "
-                "verdict does not bear (\"not polished: ...\", \"stopped early: ...\").");
+  bind_task_run(
+      run_class,
+      "One sentence: that it polished, what came in between, or which figures its "
+      "verdict does not bear (\"not polished: ...\"); \"cut short\" where its time was too short "
+      "for the path.");
   run_class
       .def_property_readonly(
           "controller", [](const Run& self) { return self.spec.controller; }, "ControllerKind.")

@@ -88,3 +88,16 @@ def test_guesses_hold_or_stand_still():
     )
     with pytest.raises(bn.Error, match="nowhere.csv"):
         bn.make_guess(problem, bn.WarmStart(bn.WarmStartKind.FILE, "nowhere.csv"))
+
+
+def test_a_table_is_read_by_names_without_units(tmp_path):
+    file = tmp_path / "trace.csv"
+    file.write_text("time [s],q_joint_1 [rad],row\n0,0.5,speed/joint_1\n0.1,,speed/joint_2\n")
+    table = bn.read_trace(file)
+    assert list(table) == ["time", "q_joint_1", "row"]
+    np.testing.assert_array_equal(table["time"], [0.0, 0.1])
+    assert table["q_joint_1"][0] == 0.5 and np.isnan(table["q_joint_1"][1])
+    assert table["row"][1] == "speed/joint_2"
+    file.write_text("time [s],x [m]\n0\n")
+    with pytest.raises(bn.Error, match="line 2 has 1 cells; the header has 2"):
+        bn.read_trace(file)

@@ -126,8 +126,8 @@ void judge(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
 }
 
 /// `failure`: what the verdict says, empty if nothing.
-std::string outcome_of(const RunResult& result, const Watch& watch, const pressing::RunEnd& end,
-                       const std::string& failure) {
+std::string outcome_of(const Task& task, const RunResult& result, const Watch& watch,
+                       const pressing::RunEnd& end, const std::string& failure) {
   const std::string when = " at " + number(end.time) + " s";
   const std::string phase = name_of(static_cast<Phase>(end.phase));
   if (const std::string trouble = pressing::trouble_of(result, end, phase); !trouble.empty())
@@ -139,7 +139,9 @@ std::string outcome_of(const RunResult& result, const Watch& watch, const pressi
   char text[80];
   std::snprintf(text, sizeof text, "polished: %.1f s, simulated in %.1f s", end.time,
                 result.wall_time);
-  return text;
+  const std::string cut_short =
+      result.verdict ? cut_short_text(task, *result.verdict) : std::string();
+  return text + (cut_short.empty() ? cut_short : "; " + cut_short);
 }
 
 void refuse_blocked_home(const Task& task, const Setting& setting, const ReachOptions& options) {
@@ -193,7 +195,7 @@ RunResult run_task(const RunSpec& spec) {
   if (const std::string beyond = beyond_limits(setting.robot.model, result.trace, end.time);
       result.verdict && !beyond.empty())
     failure = failure.empty() ? "not polished: " + beyond : failure + "; " + beyond;
-  result.outcome = outcome_of(result, watch, end, failure);
+  result.outcome = outcome_of(spec.task, result, watch, end, failure);
   result.polished = result.plant_status <= Status::NotConverged &&
                     result.fault.kind == FaultKind::None && !result.interrupted &&
                     watch.tracked(end.time) && failure.empty();

@@ -46,7 +46,8 @@ void note_short_time(const Task& task, std::vector<std::string>& notes) {
   if (whole <= (1.0 + 1e-9) * task.polish_duration) return;
   const std::string wanted = number(std::ceil(10.0 * whole) / 10.0);
   notes.push_back("the path takes " + wanted + " s, and phases.polish_duration is " +
-                  number(task.polish_duration) + " s: the run will stop early; " + wanted +
+                  number(task.polish_duration) +
+                  " s: the run is cut short and judged by that part; " + wanted +
                   " s are the whole path");
 }
 

@@ -83,6 +83,8 @@ VerdictFigures verdict_figures(const Task& task, const Setting& setting, const T
   figures.path_share = length > 0.0 ? covered_length(task, setting, trace, begin, end) / length
                                     : (whole > 0.0 ? (end - begin) / whole : 1.0);
   figures.path_share = std::clamp(figures.path_share, 0.0, 1.0);
+  if (length > 0.0 && is_cut_short(task))
+    figures.path_allowed = path_length(task, setting, task.polish_duration, step) / length;
   return figures;
 }
 
@@ -106,17 +108,20 @@ std::string beyond_limits(const Model& model, const Trace& trace, double end) {
   return text;
 }
 
+bool is_cut_short(const Task& task) { return path_time(task) > task.polish_duration + 1e-9; }
+
+std::string cut_short_text(const Task& task, const VerdictFigures& figures) {
+  if (!is_cut_short(task)) return "";
+  return "cut short: " + percent(figures.path_share) + " of the path in " +
+         number(task.polish_duration) + " s, and all of it takes " +
+         number(std::round(10.0 * path_time(task)) / 10.0) + " s";
+}
+
 std::string verdict_failure(const Task& task, const VerdictFigures& figures) {
   const Verdict& wanted = task.verdict;
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
-  const double whole = path_time(task);
-  const bool short_of_time = whole > task.polish_duration + 1e-9;
-  const bool early = short_of_time && !(figures.path_share >= wanted.path_share);
-  if (early)
-    add(percent(figures.path_share) + " of the path in " + number(task.polish_duration) +
-        " s, and all of it takes " + number(whole) + " s (verdict.path_share wants " +
-        percent(wanted.path_share) + ")");
+  const std::string cut_short = cut_short_text(task, figures);
   if (!(figures.contact_share >= wanted.contact_share))
     add("in contact for " + percent(figures.contact_share) +
         " of the time on the path (verdict.contact_share wants " + percent(wanted.contact_share) +
@@ -125,11 +130,12 @@ std::string verdict_failure(const Task& task, const VerdictFigures& figures) {
     add("the force was off by " + number(std::round(1e3 * figures.force_rmse) / 1e3) + " N rms, " +
         percent(figures.force_rmse / task.force) + " of " + number(task.force) +
         " N (verdict.force_rmse allows " + percent(wanted.force_rmse) + ")");
-  if (!early && !(figures.path_share >= wanted.path_share))
-    add("the tool was over " + percent(figures.path_share) +
-        " of the path (verdict.path_share wants " + percent(wanted.path_share) + ")");
+  if (!(figures.path_share >= wanted.path_share * figures.path_allowed))
+    add("the tool was over " + percent(figures.path_share) + " of the path" +
+        (cut_short.empty() ? "" : ", of which its time allows " + percent(figures.path_allowed)) +
+        " (verdict.path_share wants " + percent(wanted.path_share) + ")");
   if (text.empty()) return text;
-  return (early ? "stopped early: " : "not polished: ") + text;
+  return "not polished: " + text + (cut_short.empty() ? "" : "; " + cut_short);
 }
 
 }  // namespace burnish::polishing

@@ -20,9 +20,14 @@ VerdictFigures verdict_figures(const Task& task, const Setting& setting, const T
 /// `end` (s), by more than a milliradian (millimetre), which no stop of a joint allows. Empty:
 /// none.
 std::string beyond_limits(const Model& model, const Trace& trace, double end);
+/// Whether the time on the path ends before the path.
+bool is_cut_short(const Task& task);
+/// "cut short: 3 % of the path in 1.5 s, and all of it takes 30.9 s"; empty if it is not.
+std::string cut_short_text(const Task& task, const VerdictFigures& figures);
 
 /// Empty where the figures are what the task asks for; otherwise a sentence that begins with "not
-/// polished: " or "stopped early: " and has every figure that is not.
+/// polished: " and has every figure that is not. A run that is cut short is judged by as much of
+/// the path as its time allows.
 std::string verdict_failure(const Task& task, const VerdictFigures& figures);
 
 }  // namespace burnish::polishing

@@ -35,6 +35,42 @@ TEST(LoopsProgram, EvalHoldsTheLoopsUnasked) {
   for (const double error : state["contact_error"]) EXPECT_LT(std::abs(error), 1e-8);
 }
 
+/// What moves a chain so, moves it so: forward dynamics with the torques gives the accelerations.
+TEST(LoopsProgram, LoopInverse_GivesTheTorquesOfAMotion) {
+  for (const auto& [robot, motion] :
+       {std::pair<std::string, std::string>{"four_bar",
+                                            R"("q": {"drive": 1.0}, "v": {"drive": 2.0},
+                                               "a": {"drive": -3.0})"},
+        {"gripper", R"("v": {"left_drive": 0.4}, "a": {"left_drive": 1.5})"},
+        {"parallel_ankle", R"("v": {"knee": 0.7, "left_motor": 0.5, "right_motor": -0.3},
+                              "a": {"knee": -1.0, "left_motor": 2.0, "right_motor": 1.0})"}}) {
+    const std::string head = R"({"robot": ")" + robots + "/" + robot + R"(", "states": [{)";
+    const Outcome found =
+        run("eval -", head + motion + R"(}], "compute": ["loop_inverse", "contact_velocity"]})");
+    ASSERT_EQ(found.exit_code, 0) << found.err << found.out;
+    const Json answer = Json::parse(found.out), inverse = answer["states"][0]["loop_inverse"];
+    EXPECT_LT(inverse["unbalanced"].get<double>(), 1e-9) << robot;
+    const std::string q =
+        motion.find("\"q\"") == std::string::npos ? "" : R"("q": {"drive": 1.0}, )";
+    const Outcome back = run("eval -", head + q + R"("v": )" + inverse["v"].dump() +
+                                           R"(, "tau": )" + inverse["tau"].dump() +
+                                           R"(}], "compute": ["forward", "contact_velocity"]})");
+    ASSERT_EQ(back.exit_code, 0) << back.err;
+    const Json state = Json::parse(back.out)["states"][0];
+    double fastest = 0.0;
+    for (std::size_t k = 0; k < inverse["a"].size(); ++k) {
+      EXPECT_NEAR(state["forward"]["a"][k].get<double>(), inverse["a"][k].get<double>(), 1e-6)
+          << robot << ' ' << answer["v_names"][k];
+      fastest = std::max(fastest, std::abs(inverse["a"][k].get<double>()));
+    }
+    EXPECT_GT(fastest, 1.0);
+    for (const double v : state["contact_velocity"]) EXPECT_LT(std::abs(v), 1e-9) << robot;
+  }
+  const Outcome refused = run("eval -", R"({"robot": "arm7", "compute": "loop_inverse"})");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("has no loops"), std::string::npos) << refused.err;
+}
+
 TEST(LoopsProgram, CheckPasses) {
   for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
     const Outcome outcome = run("check --states 2 " + robots + "/" + name);

@@ -261,6 +261,36 @@ TEST(Polish, ARobotThatHasNoSettingsNeedsAFrameAndNothingElse) {
   EXPECT_EQ(lost.err.find("override"), std::string::npos) << lost.err;
 }
 
+TEST(Polish, ARobotInPlaceOfATask_IsRefusedWithTheOption) {
+  for (const char* robot : {BURNISH_ROBOTS_DIR "/arm7/arm7.urdf", "arm7"}) {
+    const Outcome outcome = run(std::string("polish ") + robot);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(std::string("did you mean --robot ") + robot + "?"),
+              std::string::npos)
+        << outcome.err;
+  }
+  EXPECT_NE(run("polish --robot pendulum").err.find("--tool FRAME"), std::string::npos);
+}
+
+TEST(Polish, RunsAreNamedByTheirSurfaces) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run("polish --robot arm7 --controller baseline --json --set 'surface.normal=[-0.5, 0, 0.866]'"
+          " --no-page --out " +
+          quoted(scratch.folder / "out") + short_run);
+  EXPECT_EQ(Json::parse(outcome.out)[0]["name"], "tilt_30_baseline") << outcome.err;
+}
+
+TEST(Polish, ARunThatIsCutShort_IsJudgedByWhatItDidAndSaysSo) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run("polish --surface table --controller baseline --no-page --quiet --set path.kind=zigzag"
+          " --out " +
+          quoted(scratch.folder / "out") + short_run);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("table_baseline: cut short: "), std::string::npos) << outcome.out;
+}
+
 TEST(Polish, TheTaskItWritesRunsAgainToTheSameResult) {
   const Scratch scratch;
   const auto first = scratch.folder / "first", second = scratch.folder / "second";

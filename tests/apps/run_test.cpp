@@ -48,6 +48,29 @@ TEST(Run, LeavesTheTasksFiguresAndItsPage) {
   EXPECT_FALSE(std::filesystem::exists(again.folder / "out" / "run.json"));
 }
 
+TEST(Run, SeveralSeeds_LeaveAFolderEachAndATableOverThem) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_task_text(scratch, "task: press_hold\n",
+                    " --seed 3 --seed 4 --no-page --set phases.hold_duration=0.1"
+                    " --set disturbances=sensors");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("my_task_seed3  my_task_seed4"), std::string::npos) << outcome.out;
+  const auto out = scratch.folder / "out";
+  const Json summary = Json::parse(contents(out / "summary.json"));
+  ASSERT_EQ(summary.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(summary[i]["seed"], 3 + i);
+    const std::string name = "my_task_seed" + std::to_string(3 + i);
+    EXPECT_EQ(Json::parse(contents(out / name / "metrics.json")), summary[i]);
+  }
+  EXPECT_NE(summary[0]["metrics"]["force_rmse_N"], summary[1]["metrics"]["force_rmse_N"]);
+  EXPECT_NE(run_task_text(scratch, "task: press_hold\n", " --seed 3 --seed 3").err.find("twice"),
+            std::string::npos);
+  EXPECT_NE(run("run my.urdf").err.find("did you mean burnish run TASK --robot my.urdf?"),
+            std::string::npos);
+}
+
 TEST(Run, SaysThatTheWorldIsIdealUnlessItIsMeant) {
   const std::string ideal = "note: the world is ideal", task = "task: press_hold\n";
   const std::string soon = " --quiet --no-page --set phases.hold_duration=0.1";

@@ -96,21 +96,26 @@ TEST(PolishingVerdict, IsNotBorneBeyondAJointsLimit) {
                          " rad beyond its limit at "});
 }
 
-TEST(PolishingVerdict, OfAPathThatWasTooLongForItsTimeIsStoppedEarly) {
+TEST(PolishingVerdict, OfAPathThatIsTooLongForItsTime_IsCutShortAndJudgedByWhatItDid) {
   RunSpec spec = faultless_run();
   spec.task.path.kind = PathKind::Points;
   spec.task.path.points = {{0.05, 0.0}, {0.05, 0.5}, {-0.05, 0.5}, {-0.05, 0.0}};
   spec.check_reach = false;
   EXPECT_NEAR(path_time(spec.task), (0.05 + 0.5 + 0.1 + 0.5) / 0.07 * 1.875, 1e-9);
   const RunResult result = run_task(spec);
-  expect_failed(result, {"stopped early: ", "of the path in 1.5 s", "all of it takes 30.8",
-                         "verdict.path_share wants 99 %"});
+  EXPECT_TRUE(result.polished) << result.outcome;
+  expect_words(result.outcome,
+               {"polished: ", "cut short: ", "of the path in 1.5 s", "all of it takes 30.8 s"});
   EXPECT_NEAR(result.verdict->path_share, 0.05 / 1.15, 0.02);
+  EXPECT_NEAR(result.verdict->path_allowed, result.verdict->path_share, 2e-3);
+  VerdictFigures half = *result.verdict;
+  half.path_share *= 0.5;
+  expect_words(verdict_failure(spec.task, half),
+               {"not polished: the tool was over ", "of which its time allows ", "cut short: "});
   // It is said before, too.
   const std::vector<std::string> notes = task_notes(spec.task, true);
   ASSERT_EQ(notes.size(), 1U);
-  expect_words(notes[0],
-               {"the path takes 30.9 s", "phases.polish_duration is 1.5 s", "stop early"});
+  expect_words(notes[0], {"the path takes 30.9 s", "phases.polish_duration is 1.5 s", "cut short"});
 }
 
 TEST(PolishingVerdict, NamesEveryFigureThatIsOff) {

@@ -20,7 +20,7 @@ execute_process(COMMAND ${PROGRAM} solve ${CMAKE_CURRENT_LIST_DIR}/../../example
 execute_process(COMMAND ${PROGRAM} show quadruped --html ${WORK}/robot.html
   COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 set(ENV{CHROMIUM} ${chromium})
-foreach(pages "${WORK}/table_mpc/run.html;${WORK}/table_mpc/trace.csv;${WORK}/comparison.html;${WORK}/bowl/table_mpc/run.html;${WORK}/plan/run.html" "${WORK}/robot.html")
+foreach(pages "${WORK}/table_mpc/run.html;${WORK}/table_mpc/trace.csv;${WORK}/comparison.html;${WORK}/bowl/table_sphere_mpc/run.html;${WORK}/plan/run.html" "${WORK}/robot.html")
   execute_process(COMMAND ${NODE} test/page.test.mjs ${pages} WORKING_DIRECTORY ${WEB}
     RESULT_VARIABLE failed)
   if(failed)

@@ -58,8 +58,8 @@ function badge(run: Run): HTMLElement {
   const [kind, text] = run.fault
     ? ['bad', 'fault']
     : run.polished
-      ? ['good', well]
-      : ['bad', run.outcome.startsWith('stopped early') ? 'stopped early' : `not ${well}`];
+      ? ['good', run.outcome.includes('cut short: ') ? `${well}, cut short` : well]
+      : ['bad', `not ${well}`];
   const sign = kind === 'good' ? '✓' : '✕';
   return h('span', { class: `badge ${kind}` }, `${sign} ${text}`);
 }

@@ -41,16 +41,19 @@ struct VerdictFigures {
   /// N, root mean square error of the force's mean over 10 ms, on all of the path
   double force_rmse = 0.0;
   double path_share = 0.0;  ///< share of the path's length along which the tip was over its target
+  /// Share of the path's length that Task::polish_duration allows; below 1 the run is cut short,
+  /// and judged by as much of the path.
+  double path_allowed = 1.0;
 };
 
 /// Its outcome: that it polished, what came in between, or which figures the verdict does not bear,
-/// as "not polished: ..." or, where the time was too short for the path, "stopped early: ...".
+/// as "not polished: ...". Where the time was too short for the path, "cut short" says so.
 struct RunResult : TaskRun {
   Setting setting;
   ReachReport reach;  ///< empty unless it was checked
   /// "model_error.boost 1 in place of 6, ...": what fit_gains() chose; empty if nothing
   std::string fitted;
-  bool polished = false;           ///< to the path's end without fault, as Task::verdict asks for
+  bool polished = false;           ///< to the end of its time without fault, as Task::verdict asks for
   std::optional<Metrics> metrics;  ///< over the path after its start; none if it was never reached
   /// What Task::verdict is about, over all of the path that there was; none if it was never
   /// reached.

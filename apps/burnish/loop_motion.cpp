@@ -1,0 +1,85 @@
+#include "loop_motion.hpp"
+
+#include "burnish/contact/loops.hpp"
+#include "burnish/ocp/problem_spec.hpp"
+
+namespace burnish::app {
+namespace {
+
+using Decomposition = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+
+/// Entries of v with a motor and without one, and the contact rows that hold the loops.
+struct LoopParts {
+  std::vector<int> driven, passive, rows;
+  std::vector<std::string> motors;  ///< names of driven joints
+};
+
+LoopParts parts_of(const EvalRequest& request) {
+  const Model& model = request.robot.model;
+  LoopParts parts;
+  std::vector<bool> is_driven(static_cast<std::size_t>(model.nv), false);
+  for (const Joint* joint : driven_joints(model, {})) {
+    parts.motors.push_back(joint->name);
+    for (int k = 0; k < joint->nv; ++k)
+      is_driven[static_cast<std::size_t>(joint->v_index + k)] = true;
+  }
+  for (int k = 0; k < model.nv; ++k)
+    (is_driven[static_cast<std::size_t>(k)] ? parts.driven : parts.passive).push_back(k);
+  int row = 0;
+  for (const ContactSpec& contact : request.contacts)
+    for (int i = 0; i < contact.directions.count(); ++i, ++row)
+      if (is_loop(model, contact)) parts.rows.push_back(row);
+  return parts;
+}
+
+/// Moves `a` until J a = wanted: passive entries first, and what these cannot do, all.
+void follow(const Eigen::MatrixXd& J, const std::vector<int>& passive,
+            const Eigen::VectorXd& wanted, Eigen::VectorXd& a) {
+  const Eigen::MatrixXd J_passive = J(Eigen::all, passive);
+  a(passive) += Decomposition(J_passive).solve(wanted - J * a);
+  a += Decomposition(J).solve(wanted - J * a);
+}
+
+/// Forces of the loops that leave no torque at passive joints and the least ones at motors.
+Eigen::VectorXd loop_forces(const Eigen::MatrixXd& J, const LoopParts& parts,
+                            const Eigen::VectorXd& tau) {
+  const Eigen::MatrixXd passive = J(Eigen::all, parts.passive).transpose();
+  const Eigen::MatrixXd driven = J(Eigen::all, parts.driven).transpose();
+  const Decomposition balance(passive);
+  Eigen::VectorXd forces = balance.solve(Eigen::VectorXd(tau(parts.passive)));
+  // What is left free acts on motors alone.
+  const Eigen::FullPivLU<Eigen::MatrixXd> kernel(passive);
+  if (kernel.dimensionOfKernel() == 0) return forces;
+  const Eigen::MatrixXd free = kernel.kernel();
+  const Eigen::VectorXd left = tau(parts.driven) - driven * forces;
+  forces += free * Decomposition(Eigen::MatrixXd(driven * free)).solve(left);
+  return forces;
+}
+
+}  // namespace
+
+LoopMotion loop_motion(const EvalRequest& request, const EvalState& state,
+                       ContactDynamics& dynamics) {
+  const Model& model = request.robot.model;
+  const LoopParts parts = parts_of(request);
+  LoopMotion result;
+  result.v = project_velocity_onto_loops(model, state.q, state.v, LoopMetric::Plain, parts.motors);
+  result.a = state.a;
+  result.lambda = state.lambda;
+  result.status = dynamics.acceleration(state.q, result.v, result.a);
+  if (result.status > Status::NotConverged) return result;
+  const Eigen::MatrixXd J = Eigen::MatrixXd(dynamics.jacobian())(parts.rows, Eigen::all);
+  const Eigen::VectorXd alpha = Eigen::VectorXd(dynamics.alpha())(parts.rows);
+  follow(J, parts.passive, J * result.a - alpha, result.a);
+  result.lambda(parts.rows).setZero();
+  result.status = dynamics.inverse(state.q, result.v, result.a, result.lambda);
+  if (result.status > Status::NotConverged) return result;
+  const Eigen::VectorXd tau = dynamics.tau();
+  result.lambda(parts.rows) = loop_forces(J, parts, tau);
+  result.tau = tau - J.transpose() * Eigen::VectorXd(result.lambda(parts.rows));
+  if (!parts.passive.empty())
+    result.unbalanced = Eigen::VectorXd(result.tau(parts.passive)).cwiseAbs().maxCoeff();
+  return result;
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,39 @@
+#include "task_argument.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/sentence.hpp"
+#include "burnish/base/error.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
+#include "robots/known_robots.hpp"
+#include "shell_word.hpp"
+
+namespace burnish::app {
+
+std::string place_name(const std::string& surface, const polishing::Task& task) {
+  std::string name = surface;
+  for (const polishing::NamedSurface& named : polishing::named_surfaces()) {
+    if (named.name != surface) continue;
+    const Eigen::Vector3d normal = task.normal_world.normalized();
+    const double tilt = std::acos(std::clamp(normal.z(), -1.0, 1.0)) * 180.0 / M_PI;
+    if ((normal - named.normal_world.normalized()).norm() > 1e-6)
+      name = fmt::format("tilt_{:.0f}", tilt);
+  }
+  if (!task.shape.is_flat()) name += "_" + name_of(task.shape.kind);
+  return name;
+}
+
+void refuse_robot(const std::string& file, const std::string& option) {
+  const std::string kind = std::filesystem::path(file).extension().string();
+  std::error_code ignored;
+  const bool is_description = kind == ".urdf" || kind == ".xml" || kind == ".mjcf";
+  if (!is_description && (std::filesystem::exists(file, ignored) || !robot_file(file))) return;
+  throw Error(fmt::format("{} is a robot, and a task file was wanted; did you mean {} {}?",
+                          in_quotes(file), option, shell_word(file)));
+}
+
+}  // namespace burnish::app
