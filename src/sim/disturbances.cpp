@@ -19,12 +19,19 @@ void check_size(const char* name, const Eigen::VectorXd& entries, int nv) {
                 std::to_string(entries.size()) + " entries; wanted none or " + std::to_string(nv));
 }
 
-/// Entries of v that have a motor and an encoder.
-void set_friction(Model& model, double coulomb, double viscous) {
+/// Joint friction of the entries of v that have a motor.
+void set_friction(Model& model, const Disturbances& d) {
+  model.friction.setZero();
+  model.damping.setZero();
+  if (d.torque_loop) return;
   for (const Joint& joint : model.joints) {
-    const bool motor = joint.kind != JointKind::FreeFlyer;
-    model.friction.segment(joint.v_index, joint.nv).setConstant(motor ? coulomb : 0.0);
-    model.damping.segment(joint.v_index, joint.nv).setConstant(motor ? viscous : 0.0);
+    if (joint.kind == JointKind::FreeFlyer) continue;
+    for (int k = joint.v_index; k < joint.v_index + joint.nv; ++k) {
+      const double most = d.joint_friction_share * model.effort_limit[k];
+      const bool is_bounded = d.joint_friction_share > 0.0 && most < d.joint_coulomb;
+      model.friction[k] = is_bounded ? most : d.joint_coulomb;
+      model.damping[k] = d.joint_viscous * (is_bounded ? most / d.joint_coulomb : 1.0);
+    }
   }
 }
 
@@ -82,6 +89,8 @@ Disturbances disturbance_preset(const std::string& name) {
   if (name == "mismatch") return result;
   result.joint_coulomb = 1.0;
   result.joint_viscous = 1.0;
+  // Gears of small motors rub less: with 1 Nm a joint of 3 Nm could hardly move its arm.
+  result.joint_friction_share = 1.0 / 20.0;
   return result;
 }
 
@@ -106,9 +115,7 @@ Model plant_model(const Model& nominal, const Disturbances& disturbances) {
     joint.mass *= disturbances.mass_scale;
     joint.inertia_at_com *= disturbances.mass_scale;
   }
-  const bool felt = !disturbances.torque_loop;
-  set_friction(result, felt ? disturbances.joint_coulomb : 0.0,
-               felt ? disturbances.joint_viscous : 0.0);
+  set_friction(result, disturbances);
   const Payload payload = carried_payload(disturbances);
   return payload.inertia.mass > 0.0 ? with_payload(std::move(result), payload) : result;
 }

@@ -418,6 +418,15 @@ TEST(PlantModel, scales_masses_and_states_joint_friction) {
   EXPECT_TRUE(plant_model(nominal, d).damping.isZero(0.0));
 }
 
+TEST(PlantModel, joint_friction_is_at_most_a_share_of_the_effort_limit) {
+  Model nominal = right_arm();
+  nominal.effort_limit.setConstant(100.0);
+  nominal.effort_limit[1] = 4.0;
+  const Model real = plant_model(nominal, disturbance_preset("joint_friction"));
+  EXPECT_EQ(real.friction.head<2>(), Eigen::Vector2d(1.0, 0.2));
+  EXPECT_EQ(real.damping.head<2>(), Eigen::Vector2d(1.0, 0.2));
+}
+
 TEST(PlantModel, carries_a_payload_that_the_controller_does_not_know) {
   const Model nominal = right_arm();
   Disturbances d;

@@ -82,6 +82,8 @@ struct Disturbances {
   // In the joints of the plant.
   double joint_coulomb = 0.0;  ///< Nm, joint friction
   double joint_viscous = 0.0;  ///< Nms/rad, joint friction
+  /// of a joint's effort limit that joint_coulomb is at most, joint_viscous in proportion; 0: any
+  double joint_friction_share = 0.0;
 
   // From plant to measurement (class Sensing).
   /// s from the plant to the controller, of all that is measured but its time; rounded to ticks
@@ -129,7 +131,7 @@ struct Disturbances {
 /// none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, 0.3 N of noise and
 /// 0.05 Nm, at most 1/80 of a joint's effort limit, 1 ms of delay); mismatch (the same, masses 5 %
 /// above the controller's, surface friction 0.3); joint_friction (the same, 1 Nm of Coulomb and 1
-/// Nms/rad of viscous joint friction).
+/// Nms/rad of viscous joint friction; in a joint of less than 20 Nm 1/20 of its effort limit).
 const std::vector<std::string>& disturbance_presets();
 /// Throws Error with the nearest known name. Its seed is 0.
 Disturbances disturbance_preset(const std::string& name);
