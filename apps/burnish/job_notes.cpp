@@ -49,7 +49,7 @@ void describe_way(const std::string& place, const std::optional<HomeMove>& home,
     homes += fmt::format("{}{} ({:.2g} s)", i == 0 ? "" : ", ", free_homes[i].posture,
                          free_homes[i].duration);
   fmt::print(
-      "{}: the run begins there; `--set home=POSTURE` begins it elsewhere and moves there first: "
+      "{}: the run begins at its start; `--set home=POSTURE` begins it elsewhere and moves there: "
       "the way is free from {}\n",
       place, homes);
 }
