@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import csv
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._core import Error, EvaluationError, Trace, describe
 
 __all__ = ["Error", "EvaluationError", "Status", "Trace", "describe", "read_trace"]
 
 
-def read_trace(file: str | Path) -> dict[str, np.ndarray]:
+def read_trace(file: str | Path) -> dict[str, NDArray[Any]]:
     """Reads a table that a run or a solution left, such as trace.csv or trajectory.csv.
 
     Parameters
@@ -43,7 +45,7 @@ def read_trace(file: str | Path) -> dict[str, np.ndarray]:
             for name, cells in zip(header, columns)}
 
 
-def _numbers_or_texts(cells: tuple[str, ...]) -> np.ndarray:
+def _numbers_or_texts(cells: tuple[str, ...]) -> NDArray[Any]:
     try:
         return np.array([float(cell) if cell else np.nan for cell in cells])
     except ValueError:

@@ -155,6 +155,7 @@ def _polishing() -> Dict[str, Case]:
         "controller.solver": at(to=["rollout"]),
         "controller.friction_speed": at("friction_estimate.coefficient=0.3"),
         "controller.axes": at(to=["local"]),
+        "constraints.joint_torque_rate": at("controller.torque_cutoff=60", to=["1"]),
         "constraints.joint_margin": at(to=["0.5"], refused=True),
         "model_error.kind": at(to=["none"]),
         "model_error.calm": at("phases.reach_duration=0.3"),

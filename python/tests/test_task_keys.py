@@ -127,6 +127,7 @@ def test_what_is_said_of_keys_is_of_keys_that_there_are(name):
 
 @pytest.mark.parametrize("name, key", [("press_hold", "disturbances.gyro_noise"), ("press_hold", "limits.base_lost"),
                                        ("stand", "disturbances.surface_friction"), ("stand", "constraints.force_band"),
+                                       ("press_hold", "constraints.joint_torque_rate"),
                                        ("push_wall", "disturbances.surface_shape")])
 def test_keys_that_could_do_nothing_are_refused(name, key):
     with pytest.raises(burnish.Error, match=f"key '{key.partition('.')[2]}' does nothing in this task: "):

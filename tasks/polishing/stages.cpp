@@ -180,6 +180,9 @@ struct Builder {
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
+    for (const Constraint& rows :
+         pressing::torque_rate_limits(model, task.constraints, task.torque_cutoff))
+      result.constraints.push_back(rows);
     pressing::keep_standing(model, task.standing, feet, result);
     if (!contact) return result;
     result.contacts.insert(result.contacts.begin(), "surface");

@@ -52,6 +52,10 @@ const Description& description_of(const PlanLimits* /*of*/) {
                  range::positive_or_infinite)
           .field("force_band", &P::force_band,
                  "{N} that the force may be off its target while pressing; it is never below zero",
+                 range::positive_or_infinite)
+          .field("joint_torque_rate", &P::joint_torque_rate,
+                 "{1/s}, of the robot's effort limits: rate of change of torques, with a "
+                 "torque_cutoff",
                  range::positive_or_infinite);
   return all;
 }

@@ -80,6 +80,22 @@ std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limi
            .scale = scale_of(most)}};
 }
 
+std::vector<Constraint> torque_rate_limits(const Model& model, const PlanLimits& limits,
+                                           double cutoff) {
+  if (!std::isfinite(limits.joint_torque_rate)) return {};
+  if (!(cutoff > 0.0))
+    throw EntryError("constraints.joint_torque_rate",
+                     "rates need torques in the state of plans; wanted a controller.torque_cutoff "
+                     "above 0, such as the motors' own, or never");
+  const Eigen::VectorXd most = of_joints(model, limits.joint_torque_rate * model.effort_limit);
+  if (!std::isfinite(most.minCoeff())) return {};
+  return {{.name = "torque rates",
+           .residual = residual::JointTorqueRate{},
+           .lower = -most,
+           .upper = most,
+           .scale = scale_of(most)}};
+}
+
 Constraint force_limit(const Signal& force, double least, double scale, const PlanLimits& limits) {
   Constraint row{.name = "force band",
                  .residual = residual::ContactForce{"surface", {}, force},

@@ -30,6 +30,10 @@ std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limit
                                      const Eigen::VectorXd& q_start);
 /// Of the controls, where there are effort limits.
 std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits);
+/// Rates of the torques of a model with that cut-off [rad/s], where there are effort limits. Throws
+/// EntryError for limits without a cut-off.
+std::vector<Constraint> torque_rate_limits(const Model& model, const PlanLimits& limits,
+                                           double cutoff);
 /// nv, Nm (N): what may be sent.
 Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits);
 /// Of the force along the normal of the contact "surface": a band about `force`, N over the

@@ -201,7 +201,8 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
     pressing::read_presets<Task>(form, "wall.friction");
     form.without("disturbances", {"surface_curvature", "surface_shape", "surface_motion"},
                  "the wall is a plane that stands")
-        .without("model_error", {"sliding_bandwidth"}, "what hands press with is measured");
+        .without("model_error", {"sliding_bandwidth"}, "what hands press with is measured")
+        .without("constraints", {"joint_torque_rate"}, "plans of this task know no lag of torques");
     return form;
   }();
   return all;

@@ -136,7 +136,8 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
                   "surface_motion", "surface_friction"},
                  nothing)
         .without("model_error", {"sliding_bandwidth", "force_gain"}, nothing)
-        .without("constraints", {"force_band"}, nothing);
+        .without("constraints", {"force_band"}, nothing)
+        .without("constraints", {"joint_torque_rate"}, "plans of this task know no lag of torques");
     return form;
   }();
   return all;

@@ -76,20 +76,21 @@ TEST(Polish, Gains_ThatNothingStates_AreFittedToTheArmAndKept) {
 }
 
 TEST(Polish, CurvedPath_OnItsPage_IsAsFarOffAsTheToolWas) {
-  for (const char* shape :
-       {"{kind: cylinder, radius: 0.2}", "{kind: sphere, radius: 0.3, hollow: true}"}) {
-    SCOPED_TRACE(shape);
+  for (const auto& [kind, radius] :
+       {std::pair<std::string, std::string>{"cylinder", "0.2"}, {"sphere", "0.3, hollow: true"}}) {
+    SCOPED_TRACE(kind);
     const Scratch scratch;
     const auto out = scratch.folder / "out";
-    const Outcome outcome =
-        run("polish --surface table --controller baseline --duration 1.2 --quiet "
-            "--set path.radius=0.05 --set path.start_up=0.3 --set path.rate=4 --set shape='" +
-            std::string(shape) + "' --out " + quoted(out));
+    const Outcome outcome = run(
+        "polish --surface table --controller baseline --duration 1.2 --quiet "
+        "--set path.radius=0.05 --set path.start_up=0.3 --set path.rate=4 --set 'shape={kind: " +
+        kind + ", radius: " + radius + "}' --out " + quoted(out));
     if (outcome.err.find("this build has no MuJoCo") != std::string::npos ||
         outcome.err.find("knows planes alone") != std::string::npos)
       GTEST_SKIP() << "a curved surface needs MuJoCo";
     EXPECT_LE(outcome.exit_code, 1) << outcome.err;
-    const Json page = Json::parse(contents(out / "table_baseline" / "run.json"))["runs"][0];
+    const Json page =
+        Json::parse(contents(out / ("table_" + kind + "_baseline") / "run.json"))["runs"][0];
     const auto column = [&](const std::string& name) {
       for (const Json& each : page["series"]["columns"])
         if (each["name"] == name) return floats_of(each["data"]);

@@ -95,6 +95,29 @@ INSTANTIATE_TEST_SUITE_P(All, PlanLimitsOf,
                                            LimitCase{"band", {.force_band = 0.5}, 1e-6, 0.6}),
                          [](const auto& test) { return std::string(test.param.name); });
 
+TEST(PlanLimits, OfTorqueRates_AreKeptByPlansWithALag) {
+  MpcCase wanted;
+  wanted.task.torque_cutoff = 60.0;
+  wanted.task.disturbances.torque_cutoff = 60.0;
+  MpcRun free(wanted);
+  ASSERT_EQ(free.polish(), Status::Ok);
+  EXPECT_EQ(at_plans(free.loop().trace(), "limits_pushing").maxCoeff(), 0.0);
+  wanted.task.constraints.joint_torque_rate = 10.0;
+  MpcRun run(wanted);
+  ASSERT_EQ(run.polish(), Status::Ok);
+  ASSERT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
+  const Trace& trace = run.loop().trace();
+  EXPECT_GT(at_plans(trace, "limits_pushing").maxCoeff(), 0.0);
+  EXPECT_LT(share_outside(trace), 0.03);
+}
+
+TEST(PlanLimits, OfTorqueRates_AreRefusedWithoutALag) {
+  MpcCase wanted;
+  wanted.task.constraints.joint_torque_rate = 10.0;
+  expect_words(refusal([&] { MpcRun run(wanted); }),
+               {"constraints.joint_torque_rate", "controller.torque_cutoff above 0"});
+}
+
 /// The joint that moves most while it polishes, and where it goes.
 struct Travel {
   int joint = 0;

@@ -26,7 +26,7 @@ struct ProblemFile {
   std::string description = {};
   Robot robot;
   std::string robot_name = {};  ///< as load_robot() takes it; with :variant where one is stated
-  ProblemSpec spec;  ///< compiles: it has been tried
+  ProblemSpec spec;             ///< compiles: it has been tried
   DdpOptions solver = {};
   WarmStart guess = {};
 };

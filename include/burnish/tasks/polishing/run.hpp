@@ -53,7 +53,7 @@ struct RunResult : TaskRun {
   ReachReport reach;  ///< empty unless it was checked
   /// "model_error.boost 1 in place of 6, ...": what fit_gains() chose; empty if nothing
   std::string fitted;
-  bool polished = false;           ///< to the end of its time without fault, as Task::verdict asks for
+  bool polished = false;  ///< to the end of its time without fault, as Task::verdict asks for
   std::optional<Metrics> metrics;  ///< over the path after its start; none if it was never reached
   /// What Task::verdict is about, over all of the path that there was; none if it was never
   /// reached.

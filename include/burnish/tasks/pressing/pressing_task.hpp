@@ -58,6 +58,8 @@ struct PlanLimits {
   double torque = 1.0;        ///< of the robot's effort limits; nor is more than that sent
   /// N that the force may be off its target while pressing; it is never below zero
   double force_band = std::numeric_limits<double>::infinity();
+  /// 1/s, of the robot's effort limits: rate of change of torques, with a torque_cutoff
+  double joint_torque_rate = std::numeric_limits<double>::infinity();
 };
 
 /// What the task asks of the tool at a time of the schedule. What the controller aims at is what
