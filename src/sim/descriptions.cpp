@@ -147,11 +147,9 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("joint_coulomb", &D::joint_coulomb, "{Nm}, joint friction", size)
           .field("joint_viscous", &D::joint_viscous, "{Nms/rad}, joint friction", size)
           .field("joint_friction_share", &D::joint_friction_share,
-                 "of a joint's effort limit that joint_coulomb is at most; 0: any", size)
-          .more("joint_viscous in proportion")
-          .in_code(
-              "of a joint's effort limit that joint_coulomb is at most, joint_viscous in "
-              "proportion; 0: any")
+                 "of a joint's effort limit that joint_coulomb is at most, joint_viscous in "
+                 "proportion; 0: any",
+                 size)
           .group("From plant to measurement.")
           .field("measurement_delay", &D::measurement_delay,
                  "{s} from the plant to the controller, of all that is measured but its time", size)
