@@ -23,8 +23,9 @@ std::string body(const std::string& name) {
 std::string moving(const std::string& name, const std::string& type, const std::string& parent,
                    const std::string& child) {
   return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent +
-         "'/><child link='" + child +
-         "'/><limit lower='-1' upper='1' velocity='2' effort='3'/></joint>";
+         "'/><child link='" + child + "'/><limit " +
+         (type == "continuous" ? "" : "lower='-1' upper='1' ") +
+         "velocity='2' effort='3'/></joint>";
 }
 const std::string& two_joints() {
   static const std::string xml = "<robot name='arm'><link name='base'/>" + body("upper") +
