@@ -115,13 +115,13 @@ TEST(RunPages, TheCommandOnThePageMakesTheRunAgain) {
           quoted(first))
           .exit_code,
       0);
-  const Json page = Json::parse(contents(first / "table_baseline" / "run.json"));
+  const Json page = Json::parse(contents(first / "tilt_6_baseline" / "run.json"));
   const std::string command = page["runs"][0]["command"];
   const std::string program = "burnish ";
   ASSERT_EQ(command.rfind(program, 0), 0U) << command;
   ASSERT_EQ(run(command.substr(program.size()) + " --quiet --out " + quoted(second)).exit_code, 0);
-  EXPECT_EQ(contents(first / "table_baseline" / "trace.csv"),
-            contents(second / "table_baseline" / "trace.csv"));
+  EXPECT_EQ(contents(first / "tilt_6_baseline" / "trace.csv"),
+            contents(second / "tilt_6_baseline" / "trace.csv"));
 }
 
 TEST(RunPages, NoPageLeavesThemOut) {
