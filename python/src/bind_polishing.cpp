@@ -231,6 +231,9 @@ void bind_setting(py::module_& m) {
         "AdmittanceSpec: the admittance controller on the same task.");
   m.def("make_baseline", &make_baseline, py::arg("task"), py::arg("setting"),
         "ImpedanceSpec: the baseline on the same task.");
+}
+
+void bind_reach(py::module_& m) {
   m.def(
       "check_reach",
       [](const Task& task, const std::optional<Setting>& setting,
@@ -328,6 +331,7 @@ void bind_runs_and_experiments(py::module_& m) {
 void bind_polishing(py::module_& m) {
   bind_task(m);
   bind_setting(m);
+  bind_reach(m);
   bind_margins(m);
   bind_postures(m);
   bind_result(m);

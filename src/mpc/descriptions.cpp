@@ -28,6 +28,7 @@ const Words& words_of(PlanTiming /*of*/) {
   return all;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const ModelErrorOptions* /*of*/) {
   using M = ModelErrorOptions;
   static const Description all =
