@@ -184,6 +184,7 @@ namespace {
 using T = Task;
 
 /// Where: the robot, its tool, the surface, the path.
+// NOLINTNEXTLINE(readability-function-size): a table
 Describe<T>& describe_place(Describe<T>& task) {
   constexpr Range positive = range::positive;
   task.field("robot", &T::robot, "a robot's name, folder or settings file, with :variant")
