@@ -219,8 +219,7 @@ class Recorder {
     Eigen::VectorXd q(model_.nq);
     for (int k = 0; k < model_.nq; ++k) q[k] = (*q_[static_cast<std::size_t>(k)])[row];
     const std::vector<Eigen::Isometry3d> frames = frame_placements(model_, q);
-    write_pose(tool_, time,
-               frames[static_cast<std::size_t>(model_.frame_index(run_.tool_frame))]);
+    write_pose(tool_, time, frames[static_cast<std::size_t>(model_.frame_index(run_.tool_frame))]);
     write_pose(target_, time,
                moved(frames) * target_at({(*task_.columns[3])[row], (*task_.columns[4])[row]}));
     Json transforms = Json::array();
