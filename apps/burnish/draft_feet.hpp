@@ -1,4 +1,4 @@
-// What a drafted settings file says of a legged robot: its feet, and a posture on them.
+// Entries of a drafted settings file for a legged robot: feet, and a standing posture.
 #pragma once
 
 #include <string>
@@ -7,18 +7,18 @@
 
 namespace burnish::app {
 
-/// Lines of a draft; all empty for a robot without legs.
+/// Lines of a drafted settings file; all empty for a robot without legs.
 struct DraftedFeet {
-  std::string comment;  ///< which feet were found and how a task takes them
-  std::string frames;   ///< entries below `frames:`, of frames that the description does not have
-  std::string posture;  ///< values of a posture `standing` on level soles; empty: none was found
+  std::string comment;  ///< feet that were found, and the `standing` keys of tasks for them
+  std::string frames;   ///< entries of `frames:` for frames that the description does not have
+  std::string posture;  ///< values of a posture `standing` with level soles; empty: none was found
 
   bool any() const { return !comment.empty(); }
 };
 
-/// Finds the feet of the robot in a description file with its base afloat. `floats`: the user says
-/// that it does; otherwise only links named after feet count, so that arms on a fixed trunk are not
-/// taken for legs.
+/// Finds the feet of the robot in a description file, loaded with a floating base. `floats`: true
+/// if the user states that the base floats. If false, only links named after feet count, so that
+/// arms on a fixed trunk are not taken for legs.
 DraftedFeet draft_feet(const std::string& file, bool floats);
 
 }  // namespace burnish::app

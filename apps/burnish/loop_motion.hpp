@@ -1,4 +1,4 @@
-// Inverse dynamics of robots whose loops close: from the motion of the motors to their torques.
+// Inverse dynamics of robots with closed loops: from the motion of the motors to their torques.
 #pragma once
 
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -6,17 +6,19 @@
 
 namespace burnish::app {
 
-/// A motion that the loops allow, and what moves the robot so.
+/// Motion that satisfies the loop constraints, and the torques and forces that produce it.
 struct LoopMotion {
-  Eigen::VectorXd v, a;  ///< nv: motors as asked for where the loops allow it, hinges as they must
-  Eigen::VectorXd tau;   ///< nv: zero at joints without a motor [Nm, N]
-  Eigen::VectorXd lambda;   ///< rows of all contacts: loops as found, others as stated [N, Nm]
-  double unbalanced = 0.0;  ///< largest torque of a joint without a motor that nothing balances
+  /// nv: driven joints as requested, as far as the loops allow; passive ones follow from these
+  Eigen::VectorXd v, a;
+  Eigen::VectorXd tau;      ///< nv: zero at passive joints, up to `unbalanced` [Nm, N]
+  Eigen::VectorXd lambda;   ///< rows of all contacts: loops computed, others as stated [N, Nm]
+  double unbalanced = 0.0;  ///< largest torque that a passive joint would need [Nm, N]
   Status status = Status::Ok;
 };
 
-/// Velocities and accelerations of joints without a motor follow those of the motors. Of several
-/// torques that move the robot so, those of the motors are the least ones.
+/// Computes velocities and accelerations of the passive joints (those without a motor) from the
+/// driven ones, then torques and loop forces. If the torques are not unique, those of the motors
+/// have the least norm.
 LoopMotion loop_motion(const EvalRequest& request, const EvalState& state,
                        ContactDynamics& dynamics);
 

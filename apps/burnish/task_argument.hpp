@@ -7,11 +7,12 @@
 
 namespace burnish::app {
 
-/// Name of a place to polish: that of the named surface, or where settings turn or bend it, of
-/// what it became, such as "tilt_30_sphere".
+/// Name of the surface of a task, for its runs: `surface`, or a description of the surface if
+/// settings change its normal or shape, such as "tilt_30_sphere".
 std::string place_name(const std::string& surface, const polishing::Task& task);
 
-/// Throws Error for a robot in the place of a task file; `option` is what takes one.
+/// Throws Error if `file` is a robot instead of a task file; the message names `option`, which
+/// takes a robot.
 void refuse_robot(const std::string& file, const std::string& option);
 
 }  // namespace burnish::app

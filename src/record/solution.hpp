@@ -15,54 +15,57 @@
 
 namespace burnish {
 
-/// What the costs of a problem follow, and the frames whose positions it limits, for plots.
+/// Signals of a problem that plots show.
 struct Followed {
-  std::vector<std::string> frames;  ///< of costs first, whose target positions there are
-  std::vector<std::string> forces;  ///< rows such as "table_force_z_centered", of all contacts
+  /// frames with a cost on their position, and behind them those with a constraint on it alone
+  std::vector<std::string> frames;
+  std::vector<std::string> forces;  ///< rows such as "table_force_z_centered" of all contacts
 };
 Followed followed(const ProblemSpec& spec);
 
-/// One row per state: time, stage, q, v, tau, u, forces of each contact in its own reference with
-/// their targets, positions of frames with theirs. NaN where there is none.
+/// Returns one row per state: time, stage, q, v, tau, u, contact forces and positions of frames,
+/// both with their targets. Forces are in the reference of their contact. Values that do not exist
+/// are NaN.
 Trace solution_trace(Problem& problem, const MatrixView& xs, const MatrixView& us);
 
-/// Feedforward and gains of each knot with the names of rows and columns, and the state and control
-/// that they are about: u = u_k + feedforward + gain (x (-) x_k). Where the solver did not
-/// converge, its last policy belongs to an earlier trajectory, and a policy of this one is made.
+/// Returns the policy of each knot, u = u_k + feedforward + gain (x (-) x_k): feedforward, gain,
+/// x_k and u_k, with the names of rows and columns. If the solver did not converge, its last policy
+/// belongs to an earlier trajectory, so the policy of this one is computed.
 nlohmann::ordered_json gains_json(Problem& problem, DdpSolver& solver);
 
-/// limits.csv: a line for each row at each knot where its limit pushes or is broken. `value`,
-/// `lower` and `upper` are in the row's unit, infinite where there is no limit, `multiplier` is in
-/// cost per unit of the row.
+/// Text of limits.csv: one line per constraint row and knot at which the row is active or violated.
+/// `value`, `lower` and `upper` are in the unit of the row; a missing limit is infinite.
+/// `multiplier` is in cost per unit of the row.
 std::string limits_csv(const Problem& problem, const CostReport& report);
 
-/// Per name of a row that pushes anywhere: [[from, to], ...], s, the times of the first and the
-/// last one of the consecutive knots at which it does.
+/// Time intervals in which a constraint row is active, by the name of the row: [[from, to], ...],
+/// the times of the first and the last of consecutive knots [s].
 std::map<std::string, nlohmann::ordered_json> active_times(const Problem& problem,
                                                            const CostReport& report);
 
-/// `steps`: what check_steps() says of the solver's trajectory.
+/// Content of summary.json. `steps`: result of check_steps() for the solver's trajectory.
 nlohmann::ordered_json summary_json(const std::string& file, Problem& problem,
                                     const DdpSolver& solver, const StepReport& steps);
 
-/// A problem that was solved and the file that it is from.
+/// Problem that was solved, and the name of its file.
 struct SolvedFile {
   std::string file;
   const ProblemFile& problem;
 };
-/// The page of a planned motion: its replay, the paths and forces that it follows, its stages, and
-/// its constraint rows with their multipliers. Times are from the first knot.
+/// Returns the page of a planned motion: its replay, paths and forces with their targets, stages,
+/// and constraint rows with their multipliers. Times count from the first knot.
 RunPage solution_page(const SolvedFile& solved, Problem& problem, const DdpSolver& solver,
                       const StepReport& steps);
 
-/// Writes trajectory.csv, gains.json, summary.json (`summary`), the plots, and where the problem
-/// has constraints limits.csv; their names. Throws Error if a file cannot be written.
+/// Writes trajectory.csv, gains.json, summary.json (`summary`) and the plots, and limits.csv if the
+/// problem has constraints. Returns the names of the files. Throws Error if a file cannot be
+/// written.
 std::vector<std::string> write_solution(Problem& problem, DdpSolver& solver,
                                         const nlohmann::ordered_json& summary,
                                         const std::filesystem::path& folder);
 
-/// states.svg, torques.svg, cost.svg, and where there is something in them forces.svg, path.svg and
-/// limits.svg. Returns the names of the files.
+/// Writes states.svg, torques.svg and cost.svg, and forces.svg, path.svg and limits.svg unless they
+/// would be empty. Returns the names of the files.
 std::vector<std::string> write_plots(const Problem& problem, const Trace& trace,
                                      const DdpSummary& summary, const CostReport& report,
                                      const std::filesystem::path& folder);

@@ -1,4 +1,4 @@
-// The move from where a run begins to its task's start: made from what a task states, and checked.
+// The move from home to the start of a task: planned from a HomeSpec, and checked.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace burnish::pressing {
 
-/// Way and its first two derivatives by x, from rest to rest over x = 0 to 1.
+/// Polynomial of fifth order from 0 to 1, from rest to rest over x = 0 to 1: its value and its
+/// first two derivatives with respect to x.
 struct Quintic {
   double s, ds, ds2;
 };
@@ -22,21 +23,22 @@ inline Quintic quintic(double x) {
 }
 constexpr double quintic_speed = 1.875;  ///< largest ds
 
-/// Returns the move; nullopt where no home is stated. Where check_home_move() finds that the
-/// straight way touches the surface, it goes over the start lifted along the normal, by the first
-/// of 0.05, 0.1 and 0.2 m that helps. Throws EntryError, "home", for a posture or joint that the
-/// robot does not have, values beyond a joint's limits, robots with loops or a floating base;
-/// "home.duration" for one in which a joint would exceed its velocity limit.
+/// Returns the move; nullopt if no home is stated. If check_home_move() finds that the straight
+/// path touches the surface, the move passes a corner above the start, lifted along the normal. The
+/// lift is the first of 0.05, 0.1 and 0.2 m for which the check passes; if none does, the move is
+/// straight. Throws EntryError for "home" (an unknown posture or joint, values beyond a joint's
+/// limits, a robot with loops or a floating base) and for "home.duration" (a duration in which a
+/// joint would exceed its velocity limit).
 std::optional<HomeMove> home_move(const HomeSpec& home, const Robot& robot,
                                   const Eigen::VectorXd& q_start, const SceneSpec& scene);
 
-/// Looks at the move by steps of 0.02 rad (m): the tool and the arm (as ReachWalk has it) stay
-/// outside the surface, and at rest torques stay within ReachOptions::torque_share. ReachReport::s
-/// is 0 throughout. `scene`: fixed in the world.
+/// Checks the move in steps of 0.02 rad (m) of the joint that moves most. The tool and the arm, as
+/// ReachWalk models them, must stay outside the surface. Holding torques must stay within
+/// ReachOptions::torque_share. ReachReport::s is always 0. `scene` must be fixed in the world.
 ReachReport check_home_move(const HomeMove& move, const Model& model, const SceneSpec& scene,
                             const ReachOptions& options);
 
-/// Longest time from the beginning of a run until its task begins [s]; 0 without a move.
+/// Upper bound of the time from the beginning of a run until its task begins [s]; 0 without a move.
 double time_from_home(const std::optional<HomeMove>& move);
 
 }  // namespace burnish::pressing

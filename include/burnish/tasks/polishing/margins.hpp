@@ -13,18 +13,18 @@ namespace burnish::polishing {
 
 /// Margins that every arm must have beyond the delays and filters of its loop.
 struct RequiredMargins {
-  double delay = 2e-3;  ///< s, extra delay of the commands
-  double gain = 2.0;    ///< factor on one joint's torque; also its inverse
+  double delay = 2e-3;  ///< extra delay of the commands [s]
+  double gain = 2.0;    ///< factor on the torque of one joint; 1 / gain must be tolerated too
 };
 
 /// Margins in free air and with the tool on the surface, at the starting posture.
 struct TaskMargins {
   LoopMargins air = {}, contact = {};
 
-  /// The smaller one of both.
+  /// The smaller delay margin of both situations [s].
   double delay() const { return std::min(air.delay, contact.delay); }
-  /// "2.3 ms of extra delay (in free air), gains of 0.31 (joint 'wrist_3') to 3.4 (joint
-  /// 'wrist_3')"
+  /// Text such as "2.3 ms of extra delay (in free air), gains of 0.31 (joint 'wrist_3') to 3.4
+  /// (joint 'wrist_3')".
   std::string text() const;
 };
 
@@ -56,11 +56,13 @@ struct FittedGains {
 /// are 6, 120 rad/s (50 rad/s with model_error.kind force) and 1e4 /m^2.
 /// The first choice that meets the required margins is kept, in this order: weights.position times
 /// 10, 3 and 1, each with the boost from its initial value down to 1; then lower bandwidths; then
-/// lower weights.position. model_error.lag is that of usual_chain(). model_error.force_gain is the
-/// largest of 0.5, 0.35, 0.25 and 0 with which the loop has the margins, on a surface three times
-/// as stiff as stated too; both are of kind torque. Stated values are not changed. If margins()
-/// returns nullopt, the initial values of the first three stay, and lag and force_gain are 0; they
-/// are 0 too where the first three are stated. Throws Error as make_mpc() does.
+/// lower weights.position.
+/// model_error.lag is the delay from commands to velocities in usual_chain(), without the motor
+/// lag. With the other gains fixed, model_error.force_gain is the largest of 0.5, 0.35, 0.25 and 0
+/// with which the contact loop meets the margins, on the stated surface and on one three times as
+/// stiff. Both are 0 with model_error.kind force, if the first three are stated, and if margins()
+/// returns nullopt. In the last case the first three keep their initial values. Stated values are
+/// never changed. Throws Error as make_mpc() does.
 FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required = {});
 
 }  // namespace burnish::polishing

@@ -1,4 +1,4 @@
-// A run that begins away from its task's start, and the move in joint space from there.
+// Home: where a run begins if not at the start of its task, and the joint-space move to the start.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,28 +26,31 @@ struct HomeSpec {
   bool is_stated() const { return !posture.empty() || !joints.empty(); }
 };
 
-/// Move in joint space, straight from corner to corner and at rest at each: from q_i to q_i+1 it is
-/// q(t) = q_i (+) s(t / duration_i) (q_i+1 (-) q_i) with s(x) = 10 x^3 - 15 x^4 + 6 x^5. Continuous
-/// joints take the shorter way around.
+/// Move in joint space, straight from each corner to the next and at rest at every corner. From q_i
+/// to q_i+1 it is q(t) = q_i (+) s(t / duration_i) (q_i+1 (-) q_i), s(x) = 10 x^3 - 15 x^4 + 6 x^5.
+/// Continuous joints turn in the direction of the smaller angle.
 struct HomeMove {
-  /// nq each: home, the start lifted off the surface where the straight way would touch it, the
-  /// start
+  /// configurations (nq each): home; where the straight path would touch the surface, the start
+  /// lifted off it; the start
   std::vector<Eigen::VectorXd> corners = {};
-  std::vector<double> durations = {};  ///< s, from each corner to the next
-  double settle = 0.5;                 ///< s at rest after it, until the task begins
-  std::string farthest_joint = {};     ///< entry of v that moves most
-  double farthest = 0.0;               ///< rad (m), how far
+  std::vector<double> durations = {};  ///< from each corner to the next [s]
+  double settle = 0.5;                 ///< time at rest at the start, before the task begins [s]
+  std::string farthest_joint = {};     ///< name of the entry of v that moves most
+  double farthest = 0.0;               ///< distance that it moves, over all corners [rad (m)]
 
-  double duration() const;  ///< s, without `settle`
+  double duration() const;  ///< time from home to the start, without `settle` [s]
 };
 
-/// Controller that makes the move and then hands over to `then`, which must outlive it. The joints
-/// are held by tau = M (a + kp e + kd de/dt + ki * integral of e) + b with poles at 20 rad/s,
-/// within the effort limits. The move ends `settle` after its duration, or up to 2 s later, when
-/// all joints are within 0.01 rad (m) of the start. Its Command::phase is Phase::Home. A
-/// measurement that is not a state gives the command before again with the status that says so.
-/// `tool`: frame whose position is Command::p_target_world; `normal_world`: of the surface. Throws
-/// Error for an unknown frame, less than two corners and configurations of the wrong size.
+/// Controller that tracks the move and then hands over to `then`, which must outlive it. The
+/// tracking law is computed torque with integral action, within the effort limits:
+/// tau = M (a + kp e + kd de/dt + ki * integral of e) + b, with three poles at 20 rad/s.
+/// It hands over duration() + `settle` after its first tick, or up to 2 s later, as soon as all
+/// joints are within 0.01 rad (m) of the start. Until then Command::phase is Phase::Home. For a
+/// measurement that is not a valid state, the previous command is repeated and Command::status
+/// gives the reason.
+/// `tool`: frame whose planned position is Command::p_target_world; `normal_world`: normal of the
+/// surface. Throws Error for an unknown frame, fewer than two corners, a wrong number of durations
+/// and configurations of the wrong size.
 std::unique_ptr<Controller> make_home_controller(const Model& model, const HomeMove& move,
                                                  const std::string& tool,
                                                  const Eigen::Vector3d& normal_world,
