@@ -15,6 +15,20 @@ endfunction()
 check_version(CITATION.cff "version: ([0-9.]+)\n")
 check_version(CHANGELOG.md "## ([0-9.]+)")  # the newest stands first
 
+# Times that README.md states are of this minor version, and name commit and machine.
+file(READ ${SOURCE}/README.md text)
+string(REGEX REPLACE "[\n ]+" " " text "${text}")
+string(REGEX MATCHALL "burnish ([0-9]+\\.[0-9]+)\\.[0-9]+ at commit [0-9a-f]+, [^)]+\\)" measured "${text}")
+if(NOT measured)
+  message(FATAL_ERROR "README.md states no times with 'burnish VERSION at commit HASH, MACHINE'")
+endif()
+string(REGEX MATCH "^[0-9]+\\.[0-9]+" minor ${VERSION})
+foreach(said IN LISTS measured)
+  if(NOT said MATCHES "^burnish ${minor}\\.")
+    list(APPEND wrong "README.md: '${said}' is older than ${minor}: measure it again (./test --bare --full)")
+  endif()
+endforeach()
+
 # check_there(file, place, words...): each word is the path of something, seen from `place`.
 macro(check_there file place)
   foreach(word IN ITEMS ${ARGN})
