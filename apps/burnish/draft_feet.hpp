@@ -1,6 +1,7 @@
 // What a drafted settings file says of a legged robot: its feet, and a posture on them.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "burnish/robots/robot.hpp"
@@ -12,6 +13,8 @@ struct DraftedFeet {
   std::string comment;  ///< which feet were found and how a task takes them
   std::string frames;   ///< entries below `frames:`, of frames that the description does not have
   std::string posture;  ///< values of a posture `standing` on level soles; empty: none was found
+
+  std::set<std::string> legs;  ///< joints that carry a foot
 
   bool any() const { return !comment.empty(); }
 };

@@ -149,10 +149,20 @@ Eigen::Matrix3d tool_axes(const Model& model, const std::string& parent) {
   return axes * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
 }
 
-std::string tool_text(const Drafted& drafted, const std::string& tool) {
+/// Whether a link moves with a leg.
+bool is_on_leg(const Model& model, const std::string& link, const std::set<std::string>& legs) {
+  for (int body = model.frames[static_cast<std::size_t>(model.frame_index(link))].body; body >= 0;
+       body = model.joints[static_cast<std::size_t>(body)].parent)
+    if (legs.contains(model.joints[static_cast<std::size_t>(body)].name)) return true;
+  return false;
+}
+
+std::string tool_text(const Drafted& drafted, const DraftedFeet& feet, const std::string& tool) {
   const Model& model = drafted.robot.model;
   if (model.has_frame("tool")) return "";
-  const std::vector<std::string> candidates = tool_candidates(model, drafted.held);
+  std::vector<std::string> candidates = tool_candidates(model, drafted.held);
+  std::erase_if(candidates,
+                [&](const std::string& link) { return is_on_leg(model, link, feet.legs); });
   const std::string parent = tool.empty() && !candidates.empty() ? candidates.front() : tool;
   if (parent.empty()) return "";
   std::string text =
@@ -304,7 +314,7 @@ std::string draft_settings(const Robot& robot, const TreeSpec& tree, const Draft
                                         ? "free_flyer"
                                         : "fixed  # or free_flyer, for what walks or flies");
   text += "base_placement: {xyz: [0, 0, 0], rpy: [0, 0, 0]}  # of the root link in the world\n";
-  const std::string frames = feet.frames + tool_text(drafted, place.tool);
+  const std::string frames = feet.frames + tool_text(drafted, feet, place.tool);
   return text + feet.comment + lock_text(drafted) + default_posture_text(drafted, feet) +
          (frames.empty() ? "" : "frames:\n" + frames) + limits_text(drafted);
 }

@@ -242,6 +242,8 @@ TEST(Show, DraftsSettingsOfALeggedRobot_WithItsFeetAndAPostureOnThem) {
        {"base: free_flyer\n", "# Feet: ", "standing: {feet: [", "half_x: 0, half_y: 0, radius: 0.",
         "default_posture: standing\n", "  standing: {", "root_joint: ["})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  EXPECT_EQ(text.find("  tool: "), std::string::npos)
+      << "a leg with a foot presses nothing" << text;
   const Json json = Json::parse(run("show --json " + folder).out);
   EXPECT_EQ(json["default_posture"], "standing");
   EXPECT_EQ(json["nv"], 18);
