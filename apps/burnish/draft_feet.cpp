@@ -100,6 +100,13 @@ DraftedFeet draft_feet(const std::string& file, bool floats) {
   drafted.comment = "# Feet: " + feet_text(*feet) + ".\n# Tasks take them as `" +
                     standing_keys(*feet) + "`, or `standing.feet: auto`.\n";
   for (const Frame& frame : feet->added) drafted.frames += frame_line(robot.model, frame);
+  const Model& model = robot.model;
+  for (const std::string& foot : feet->frames)
+    for (int body = model.frames[static_cast<std::size_t>(model.frame_index(foot))].body; body >= 0;
+         body = model.joints[static_cast<std::size_t>(body)].parent)
+      if (const Joint& joint = model.joints[static_cast<std::size_t>(body)];
+          joint.kind != JointKind::FreeFlyer)
+        drafted.legs.insert(joint.name);
   drafted.posture = standing_posture(robot, *feet);
   return drafted;
 }

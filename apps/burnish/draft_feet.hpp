@@ -1,6 +1,7 @@
 // Entries of a drafted settings file for a legged robot: feet, and a standing posture.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "burnish/robots/robot.hpp"
@@ -12,6 +13,8 @@ struct DraftedFeet {
   std::string comment;  ///< feet that were found, and the `standing` keys of tasks for them
   std::string frames;   ///< entries of `frames:` for frames that the description does not have
   std::string posture;  ///< values of a posture `standing` with level soles; empty: none was found
+
+  std::set<std::string> legs;  ///< joints that carry a foot
 
   bool any() const { return !comment.empty(); }
 };

@@ -44,12 +44,35 @@ double away_from_limits(const JointSpec& joint) {
   return std::clamp(0.0, lower + margin, upper - margin);
 }
 
-/// That of the SRDF file which sounds like a beginning, or empty.
-std::string likely_default(const Robot& robot) {
-  for (const char* name : {"ready", "home", "half_sitting", "standing"}) {
-    if (robot.postures.contains(name)) return name;
+/// What is beyond its limits in a posture: "joint_3: -1.571, allowed 0.332 to 5.95"; or empty.
+std::string beyond_limits(const Robot& robot, const std::string& posture) {
+  constexpr double same = 1e-6;  // rad or m, as a file's digits may miss a limit
+  const Model& model = robot.model;
+  const Eigen::VectorXd q = robot.posture(posture);
+  for (const Joint& joint : model.joints) {
+    if (joint.nq != 1) continue;
+    const double value = q[joint.q_index], lower = model.q_lower[joint.q_index],
+                 upper = model.q_upper[joint.q_index];
+    if (value < lower - same || value > upper + same)
+      return fmt::format("{}: {:.4g}, allowed {:.4g} to {:.4g}", joint.name, value, lower, upper);
   }
-  return robot.postures.empty() ? "" : robot.postures.begin()->first;
+  return {};
+}
+
+/// Of the SRDF file's postures within the limits the one that sounds like a beginning, or empty.
+/// `passed_over`: a comment for each that would have come before it.
+std::string likely_default(const Robot& robot, std::string& passed_over) {
+  std::vector<std::string> names;
+  for (const char* name : {"ready", "home", "half_sitting", "standing"})
+    if (robot.postures.contains(name)) names.emplace_back(name);
+  for (const auto& [name, posture] : robot.postures)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  for (const std::string& name : names) {
+    const std::string beyond = beyond_limits(robot, name);
+    if (beyond.empty()) return name;
+    passed_over += fmt::format("# Posture {} is beyond the limits: {}.\n", name, beyond);
+  }
+  return {};
 }
 
 /// What a draft is made of.
@@ -81,14 +104,17 @@ std::string held_values(const Drafted& drafted) {
 }
 
 std::string default_posture_text(const Drafted& drafted, const DraftedFeet& feet) {
-  const std::string stated = likely_default(drafted.robot);
-  if (!stated.empty()) return fmt::format("default_posture: {}\n", yaml_word(stated));
+  std::string passed_over;
+  const std::string stated = likely_default(drafted.robot, passed_over);
+  if (!stated.empty()) return passed_over + fmt::format("default_posture: {}\n", yaml_word(stated));
   if (!feet.posture.empty())
-    return "default_posture: standing\npostures:\n"
+    return passed_over +
+           "default_posture: standing\npostures:\n"
            "  # On level soles, the base a fifth lower than with straight legs.\n"
            "  standing: " +
            feet.posture + "\n";
   std::string text =
+      passed_over +
       "default_posture: start\npostures:\n"
       "  # Zero, or a tenth of the range off the limits. Put in where the tool works;\n"
       "  # burnish polish --write-posture NAME adds the one that it finds.\n"
@@ -123,10 +149,20 @@ Eigen::Matrix3d tool_axes(const Model& model, const std::string& parent) {
   return axes * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
 }
 
-std::string tool_text(const Drafted& drafted, const std::string& tool) {
+/// Whether a link moves with a leg.
+bool is_on_leg(const Model& model, const std::string& link, const std::set<std::string>& legs) {
+  for (int body = model.frames[static_cast<std::size_t>(model.frame_index(link))].body; body >= 0;
+       body = model.joints[static_cast<std::size_t>(body)].parent)
+    if (legs.contains(model.joints[static_cast<std::size_t>(body)].name)) return true;
+  return false;
+}
+
+std::string tool_text(const Drafted& drafted, const DraftedFeet& feet, const std::string& tool) {
   const Model& model = drafted.robot.model;
   if (model.has_frame("tool")) return "";
-  const std::vector<std::string> candidates = tool_candidates(model, drafted.held);
+  std::vector<std::string> candidates = tool_candidates(model, drafted.held);
+  std::erase_if(candidates,
+                [&](const std::string& link) { return is_on_leg(model, link, feet.legs); });
   const std::string parent = tool.empty() && !candidates.empty() ? candidates.front() : tool;
   if (parent.empty()) return "";
   std::string text =
@@ -278,7 +314,7 @@ std::string draft_settings(const Robot& robot, const TreeSpec& tree, const Draft
                                         ? "free_flyer"
                                         : "fixed  # or free_flyer, for what walks or flies");
   text += "base_placement: {xyz: [0, 0, 0], rpy: [0, 0, 0]}  # of the root link in the world\n";
-  const std::string frames = feet.frames + tool_text(drafted, place.tool);
+  const std::string frames = feet.frames + tool_text(drafted, feet, place.tool);
   return text + feet.comment + lock_text(drafted) + default_posture_text(drafted, feet) +
          (frames.empty() ? "" : "frames:\n" + frames) + limits_text(drafted);
 }

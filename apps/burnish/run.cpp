@@ -14,6 +14,7 @@
 #include "named_tasks.hpp"
 #include "plan_steps.hpp"
 #include "press_hold/record.hpp"
+#include "pressing/found_standing.hpp"
 #include "pressing/record.hpp"
 #include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
@@ -128,6 +129,8 @@ auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) 
       check_task(spec.task);
       if (!a.write_task.empty()) return;
       const Robot robot = load_task_robot(spec.task);
+      if constexpr (requires { spec.task.standing; })
+        pressing::check_stated_feet(robot.model, spec.task.standing, said.texts);
       if (is_first) print_warnings(robot, a.strict);
       if constexpr (requires { fit_to_robot(spec.task, robot); })
         if (!a.robot.empty())

@@ -27,6 +27,7 @@ struct Node {
   int height = 1;             ///< joints in a row from it outwards, itself included
   double carried_length = 0;  ///< from the root to its link [m]
   double reach = 0;           ///< from the root to what is furthest on or beyond it [m]
+  double mass = 0;            ///< that it moves up to the next joints [kg]
   std::vector<int> children = {};
 };
 
@@ -55,6 +56,7 @@ class Branches {
  public:
   explicit Branches(const TreeSpec& tree) {
     for (const JointSpec& joint : tree.joints) by_parent_[joint.parent_link].push_back(&joint);
+    for (const LinkSpec& link : tree.links) masses_[link.name] = link.inertia.mass;
     std::set<std::string> children;
     for (const JointSpec& joint : tree.joints) children.insert(joint.child_link);
     for (const LinkSpec& link : tree.links)
@@ -102,6 +104,7 @@ class Branches {
       if (link.carrier >= 0) {
         Node& node = nodes_[static_cast<std::size_t>(link.carrier)];
         node.reach = std::max(node.reach, link.length);
+        node.mass += masses_[link.name];
       }
       const auto joints = by_parent_.find(link.name);
       if (joints == by_parent_.end()) continue;
@@ -126,8 +129,22 @@ class Branches {
     return index;
   }
 
+  /// The rotor of a motor beside the link that it drives: by its name, or without mass beside a
+  /// branch that has some.
+  bool is_rotor(int child, const Node& carrier) const {
+    const Node& node = nodes_[static_cast<std::size_t>(child)];
+    if (!node.children.empty()) return false;
+    if (has_one_of(lower_case(node.joint->child_link), {"rotor"})) return true;
+    return node.mass == 0.0 &&
+           std::any_of(carrier.children.begin(), carrier.children.end(), [&](int other) {
+             return nodes_[static_cast<std::size_t>(other)].mass > 0.0;
+           });
+  }
+
   bool is_hand(const Node& node) const {
-    if (node.depth < least_carrying || node.children.size() < 2) return false;
+    const auto branches = std::count_if(node.children.begin(), node.children.end(),
+                                        [&](int child) { return !is_rotor(child, node); });
+    if (node.depth < least_carrying || branches < 2) return false;
     return std::all_of(node.children.begin(), node.children.end(), [&](int child) {
       const Node& finger = nodes_[static_cast<std::size_t>(child)];
       return finger.height <= longest_finger &&
@@ -142,6 +159,7 @@ class Branches {
   }
 
   std::map<std::string, std::vector<const JointSpec*>> by_parent_;
+  std::map<std::string, double> masses_;  ///< of links [kg]
   std::set<std::string> seen_;
   std::vector<Node> nodes_;  ///< each behind the one that carries it
 };

@@ -242,9 +242,33 @@ TEST(Show, DraftsSettingsOfALeggedRobot_WithItsFeetAndAPostureOnThem) {
        {"base: free_flyer\n", "# Feet: ", "standing: {feet: [", "half_x: 0, half_y: 0, radius: 0.",
         "default_posture: standing\n", "  standing: {", "root_joint: ["})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  EXPECT_EQ(text.find("  tool: "), std::string::npos)
+      << "a leg with a foot presses nothing" << text;
   const Json json = Json::parse(run("show --json " + folder).out);
   EXPECT_EQ(json["default_posture"], "standing");
   EXPECT_EQ(json["nv"], 18);
+}
+
+TEST(Show, DraftsNoDefaultPostureBeyondTheLimits) {
+  const Scratch scratch;
+  const std::string file = quoted(scratch.write(
+      "arm.urdf",
+      "<robot name='arm'><link name='base'/><link name='l1'><inertial><mass value='1'/><inertia "
+      "ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link><joint name='j1' "
+      "type='revolute'><parent link='base'/><child link='l1'/><axis xyz='0 1 0'/><limit "
+      "lower='0.5' upper='3' effort='5' velocity='1'/></joint></robot>"));
+  scratch.write("arm.srdf",
+                "<robot name='arm'><group name='g'><joint name='j1'/></group>"
+                "<group_state name='home' group='g'><joint name='j1' value='-1.5'/></group_state>"
+                "<group_state name='up' group='g'><joint name='j1' value='1.5'/></group_state>"
+                "</robot>");
+  const Outcome outcome = run("show " + file + " --write-settings " + quoted(scratch.folder / "d"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string text = contents(scratch.folder / "d/robot.yaml");
+  EXPECT_NE(text.find("# Posture home is beyond the limits: j1: -1.5, allowed 0.5 to 3.\n"
+                      "default_posture: up\n"),
+            std::string::npos)
+      << text;
 }
 
 TEST(Show, DraftsSettingsForATool_WithAPostureForATable) {

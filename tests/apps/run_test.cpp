@@ -126,6 +126,23 @@ TEST(Run, SaysWhetherWhatStandsFell) {
   EXPECT_TRUE(Json::parse(contents(scratch.folder / "badly" / "metrics.json"))["fell"].get<bool>());
 }
 
+/// Feet of a shipped file are another robot's under --robot; those that the command line states are
+/// meant for this one.
+TEST(Run, RefusesFeetOfTheCommandLineThatTheRobotDoesNotHave) {
+  const Scratch scratch;
+  const auto file =
+      std::filesystem::path(BURNISH_ROBOTS_DIR) / ".." / "tasks" / "stand" / "talos.yaml";
+  for (const char* change :
+       {"'standing.feet=[fl_fot, fr_fot, rl_fot, rr_fot]'", "'standing={feet: [fl_fot]}'"}) {
+    const Outcome outcome = run("run " + quoted(file) + " --robot quadruped --out " +
+                                quoted(scratch.folder / "out") + " --set " + change);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.err.find("frame 'fl_fot'"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("fl_foot"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(scratch.folder / "out"));
+  }
+}
+
 TEST(Run, RefusesWhatIsNoTask) {
   const Scratch scratch;
   for (const auto& [text, words] :

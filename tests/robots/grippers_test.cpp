@@ -49,6 +49,19 @@ TEST(Grippers, OneBranch_IsAFingerByItsName) {
   EXPECT_EQ(fingers_of(turning("j7", "l6", "hand", "0 0 0.05")), FingerNames{});
 }
 
+TEST(Grippers, RotorBesideTheLinkThatItDrives_IsNoBranch) {
+  const std::string elbow = turning("elbow", "l6", "forearm", "0 0 0.1");
+  EXPECT_EQ(fingers_of(elbow + turning("spin", "l6", "elbow_rotor", "0 0 0.05")), FingerNames{});
+  // Without a name that tells, it is the one without mass.
+  std::string heavy = elbow;
+  heavy.replace(heavy.find("<link name='forearm'/>"), std::string("<link name='forearm'/>").size(),
+                "<link name='forearm'><inertial><mass value='0.3'/><inertia ixx='1e-3' ixy='0' "
+                "ixz='0' iyy='1e-3' iyz='0' izz='1e-3'/></inertial></link>");
+  EXPECT_EQ(fingers_of(heavy + turning("spin", "l6", "disc", "0 0 0.05")), FingerNames{});
+  EXPECT_EQ(fingers_of(elbow + turning("spin", "l6", "disc", "0 0 0.05")),
+            (FingerNames{"elbow", "spin"}));
+}
+
 TEST(Grippers, ArmsBesideEachOther_AreNotFingers) {
   // A torso of two joints with two arms of three.
   std::string arms;
