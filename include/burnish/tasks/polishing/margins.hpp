@@ -13,8 +13,8 @@ namespace burnish::polishing {
 
 /// Margins that every arm must have beyond the delays and filters of its loop.
 struct RequiredMargins {
-  double delay = 2e-3;  ///< extra delay of the commands [s]
-  double gain = 2.0;    ///< factor on the torque of one joint; 1 / gain must be tolerated too
+  double delay = 2e-3;  ///< s, extra delay of the commands
+  double gain = 2.0;    ///< factor on one joint's torque; also its inverse
 };
 
 /// Margins in free air and with the tool on the surface, at the starting posture.

@@ -30,13 +30,13 @@ struct HomeSpec {
 /// to q_i+1 it is q(t) = q_i (+) s(t / duration_i) (q_i+1 (-) q_i), s(x) = 10 x^3 - 15 x^4 + 6 x^5.
 /// Continuous joints turn in the direction of the smaller angle.
 struct HomeMove {
-  /// configurations (nq each): home; where the straight path would touch the surface, the start
-  /// lifted off it; the start
+  /// nq each: home, the start lifted off the surface where the straight way would touch it, the
+  /// start
   std::vector<Eigen::VectorXd> corners = {};
-  std::vector<double> durations = {};  ///< from each corner to the next [s]
-  double settle = 0.5;                 ///< time at rest at the start, before the task begins [s]
-  std::string farthest_joint = {};     ///< name of the entry of v that moves most
-  double farthest = 0.0;               ///< distance that it moves, over all corners [rad (m)]
+  std::vector<double> durations = {};  ///< s, from each corner to the next
+  double settle = 0.5;                 ///< s at rest after it, until the task begins
+  std::string farthest_joint = {};     ///< entry of v that moves most
+  double farthest = 0.0;               ///< rad (m), how far
 
   double duration() const;  ///< time from home to the start, without `settle` [s]
 };
