@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <optional>
 
+#include "base/words_in.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/tasks/pressing/find_feet.hpp"
@@ -22,12 +21,8 @@ namespace {
 /// Lowering of the base in the drafted posture, as Task::crouch of the task `stand` has it.
 constexpr double drafted_crouch = 0.2;
 
-bool is_named_after_a_foot(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  constexpr std::array words{"foot", "feet", "sole", "toe", "ankle"};
-  return std::any_of(words.begin(), words.end(),
-                     [&](const char* word) { return name.find(word) != std::string::npos; });
+bool is_named_after_a_foot(const std::string& name) {
+  return has_one_of(name, {"foot", "feet", "sole", "toe", "ankle"});
 }
 
 std::string numbers(const Eigen::Vector3d& v) {
@@ -71,10 +66,6 @@ std::string standing_posture(const Robot& robot, const Feet& feet) {
     return "";
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// Nothing where the robot cannot be simulated, as one whose joints move no mass.
 std::optional<Robot> floating(const std::string& file) {

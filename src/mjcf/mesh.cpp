@@ -10,6 +10,7 @@
 #include "base/parse_number.hpp"
 #include "base/sentence.hpp"
 #include "base/text_file.hpp"
+#include "base/words_in.hpp"
 
 namespace burnish::mjcf {
 namespace {
@@ -233,8 +234,7 @@ Sum sum_of(const Triangles& mesh, MeshInertia how, const Vector3d& from) {
 
 Triangles parse_triangles(const std::string& bytes, const std::string& ending,
                           const std::string& source) {
-  std::string kind = ending;
-  for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string kind = lower_case(ending);
   Triangles mesh;
   if (kind == ".stl") {
     // Binary files may begin with "solid" too: the number of facets tells.

@@ -1,10 +1,10 @@
 #include "robots/grippers.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
-#include <string_view>
 #include <vector>
+
+#include "base/words_in.hpp"
 
 namespace burnish {
 namespace {
@@ -30,18 +30,6 @@ struct Node {
   double mass = 0;            ///< that it moves up to the next joints [kg]
   std::vector<int> children = {};
 };
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-bool has_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-    return text.find(word) != std::string_view::npos;
-  });
-}
 
 /// A wrist may be named after the gripper that it turns.
 bool is_named_finger(const JointSpec& joint) {
@@ -134,7 +122,7 @@ class Branches {
   bool is_rotor(int child, const Node& carrier) const {
     const Node& node = nodes_[static_cast<std::size_t>(child)];
     if (!node.children.empty()) return false;
-    if (has_one_of(lower_case(node.joint->child_link), {"rotor"})) return true;
+    if (has_one_of(node.joint->child_link, {"rotor"})) return true;
     return node.mass == 0.0 &&
            std::any_of(carrier.children.begin(), carrier.children.end(), [&](int other) {
              return nodes_[static_cast<std::size_t>(other)].mass > 0.0;

@@ -1,11 +1,11 @@
 #include "pressing/arm.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
+#include "base/words_in.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
 #include "model/mass_check.hpp"
 
@@ -18,12 +18,10 @@ bool is_of_loop(const Model& model, const std::string& frame) {
 }
 
 /// How much a name looks like that of a tool's frame; 0: not at all.
-int likeness(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+int likeness(const std::string& name) {
   int rank = 6;
   for (const char* word : {"tcp", "tool", "flange", "grasp", "_ee", "end_effector"}) {
-    if (name.find(word) != std::string::npos) return rank;
+    if (has_one_of(name, {word})) return rank;
     --rank;
   }
   return 0;

@@ -1,11 +1,12 @@
 #include "burnish/tasks/pressing/find_feet.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "base/sentence.hpp"
+#include "base/words_in.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "ocp/position_limits.hpp"
 #include "pressing/foot_shape.hpp"
@@ -19,21 +20,15 @@ constexpr double opposite = 0.15;  // of the base's height: how far a pair is fr
 constexpr double ball_share = 0.05, sole_length = 0.2, sole_width = 0.1;  // of the base's height
 constexpr double longest_sole = 0.25, widest_sole = 0.15;                 // of the base's height
 
-bool holds(std::string name, std::initializer_list<const char*> words) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::any_of(words.begin(), words.end(),
-                     [&](const char* word) { return name.find(word) != std::string::npos; });
-}
-
 /// How well a frame's name says that it is where a foot touches the ground; 0: not at all.
 int score_of(const std::string& name) {
-  int score = holds(name, {"sole"})           ? 8
-              : holds(name, {"foot", "feet"}) ? 6
-              : holds(name, {"toe", "paw"})   ? 4
-              : holds(name, {"ankle"})        ? 2
-                                              : 0;
-  if (holds(name,
-            {"imu", "sensor", "_ft", "force", "torque", "motor", "rotor", "camera", "constraint"}))
+  int score = has_one_of(name, {"sole"})           ? 8
+              : has_one_of(name, {"foot", "feet"}) ? 6
+              : has_one_of(name, {"toe", "paw"})   ? 4
+              : has_one_of(name, {"ankle"})        ? 2
+                                                   : 0;
+  if (has_one_of(name, {"imu", "sensor", "_ft", "force", "torque", "motor", "rotor", "camera",
+                        "constraint"}))
     score -= 3;
   return std::max(score, 0);
 }
@@ -133,9 +128,9 @@ class FootSearch {
       if (model_.frames[i].body == body) low = std::min(low, frames_[i].translation().z());
     return low;
   }
-  bool is_named(int body, std::initializer_list<const char*> words) const {
+  bool is_named(int body, std::initializer_list<std::string_view> words) const {
     return std::any_of(model_.frames.begin(), model_.frames.end(), [&](const Frame& frame) {
-      return frame.body == body && holds(frame.name, words);
+      return frame.body == body && has_one_of(frame.name, words);
     });
   }
   int joints_to(int body) const {
@@ -353,7 +348,7 @@ class FootSearch {
     from = Feet::Size::Inertia;
     sole.half_x = 0.5 * std::min(box.x(), longest_sole * height_);
     sole.half_y = 0.5 * std::min(box.y(), widest_sole * height_);
-    if (end.frame >= 0 && holds(frame(end.frame).name, {"sole"})) return sole;
+    if (end.frame >= 0 && has_one_of(frame(end.frame).name, {"sole"})) return sole;
     const Eigen::Vector3d com = axes.transpose() * (body_at(end.body) * foot.com);
     const double ankle = (axes.transpose() * body_at(end.body).translation()).z();
     sole.centre.head<2>() = com.head<2>();
