@@ -11,6 +11,7 @@
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/model/state.hpp"
 #include "draft_feet.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/tool_direction.hpp"
@@ -44,21 +45,6 @@ double away_from_limits(const JointSpec& joint) {
   return std::clamp(0.0, lower + margin, upper - margin);
 }
 
-/// What is beyond its limits in a posture: "joint_3: -1.571, allowed 0.332 to 5.95"; or empty.
-std::string beyond_limits(const Robot& robot, const std::string& posture) {
-  constexpr double same = 1e-6;  // rad or m, as a file's digits may miss a limit
-  const Model& model = robot.model;
-  const Eigen::VectorXd q = robot.posture(posture);
-  for (const Joint& joint : model.joints) {
-    if (joint.nq != 1) continue;
-    const double value = q[joint.q_index], lower = model.q_lower[joint.q_index],
-                 upper = model.q_upper[joint.q_index];
-    if (value < lower - same || value > upper + same)
-      return fmt::format("{}: {:.4g}, allowed {:.4g} to {:.4g}", joint.name, value, lower, upper);
-  }
-  return {};
-}
-
 /// Of the SRDF file's postures within the limits the one that sounds like a beginning, or empty.
 /// `passed_over`: a comment for each that would have come before it.
 std::string likely_default(const Robot& robot, std::string& passed_over) {
@@ -68,9 +54,9 @@ std::string likely_default(const Robot& robot, std::string& passed_over) {
   for (const auto& [name, posture] : robot.postures)
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   for (const std::string& name : names) {
-    const std::string beyond = beyond_limits(robot, name);
+    const std::string beyond = beyond_limits(robot.model, robot.posture(name));
     if (beyond.empty()) return name;
-    passed_over += fmt::format("# Posture {} is beyond the limits: {}.\n", name, beyond);
+    passed_over += fmt::format("# Posture {}: {}.\n", name, beyond);
   }
   return {};
 }

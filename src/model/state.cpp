@@ -335,21 +335,33 @@ constexpr double largest_usual = 1e4;  ///< rad, m or per s, which random_config
 constexpr double largest_place = 1e6;  ///< m, of a base in the world
 constexpr double far_above = 10.0;     ///< times its limit, of a velocity or a torque
 
+/// "joint 'a' is at 1.2 rad".
+std::string position_text(const Joint& joint, double q) {
+  return "joint " + in_quotes(joint.name) + " is at " + number(q) +
+         (joint.kind == JointKind::Prismatic ? " m" : " rad");
+}
+/// "; its limits are -1 and 1 rad".
+std::string limits_text(const Model& model, const Joint& joint) {
+  return "; its limits are " + number(model.q_lower[joint.q_index]) + " and " +
+         number(model.q_upper[joint.q_index]) +
+         (joint.kind == JointKind::Prismatic ? " m" : " rad");
+}
+
 /// Adds a sentence where a position is out of all sense.
 void about_position(const Model& model, const Joint& joint, double q,
                     std::vector<std::string>& sentences) {
   const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
   const bool slides = joint.kind == JointKind::Prismatic;
-  const char* const unit = slides ? " m" : " rad";
   const bool limited = lower > -largest_usual && upper < largest_usual;
   const double turn = slides ? 0.0 : 2.0 * std::numbers::pi;
   const double over = limited ? std::max(upper - lower, turn) : 0.0;
   const double least = limited ? lower - over : -largest_usual;
   const double most = limited ? upper + over : largest_usual;
   if (q >= least && q <= most) return;
-  std::string sentence = "joint " + in_quotes(joint.name) + " is at " + number(q) + unit;
-  sentence += limited ? "; its limits are " + number(lower) + " and " + number(upper) + unit
-                      : "; wanted at most " + number(largest_usual) + unit + " in size";
+  std::string sentence = position_text(joint, q);
+  sentence +=
+      limited ? limits_text(model, joint)
+              : "; wanted at most " + number(largest_usual) + (slides ? " m" : " rad") + " in size";
   if (limited && !slides) sentence += ", and degrees would be taken for radians";
   sentences.push_back(sentence);
 }
@@ -407,6 +419,22 @@ void check_tangent(const Model& model, const ConstVector& v, std::string_view ar
   check_size(v.size(), model.nv, argument);
   check_finite(v, argument);
   check_digits(v, argument, [&](Eigen::Index i) { return model.v_name(static_cast<int>(i)); });
+}
+
+std::string beyond_limits(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                          double slack) {
+  double farthest = slack;
+  std::string sentence;
+  for (const Joint& joint : model.joints) {
+    if (joint.nq != 1) continue;
+    const double value = q[joint.q_index];
+    const double beyond =
+        std::max(model.q_lower[joint.q_index] - value, value - model.q_upper[joint.q_index]);
+    if (!(beyond > farthest)) continue;
+    farthest = beyond;
+    sentence = position_text(joint, value) + limits_text(model, joint);
+  }
+  return sentence;
 }
 
 }  // namespace burnish

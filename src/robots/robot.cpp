@@ -5,7 +5,6 @@
 #endif
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -13,8 +12,10 @@
 #include "base/findings.hpp"
 #include "base/sentence.hpp"
 #include "base/text_file.hpp"
+#include "base/words_in.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/mjcf/mjcf.hpp"
+#include "burnish/model/state.hpp"
 #include "burnish/urdf/urdf.hpp"
 #include "model/loops.hpp"
 #include "robots/carrying_joints.hpp"
@@ -37,11 +38,7 @@ struct Place {
   std::string variant;  // empty for none
 };
 
-std::string lower_extension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
+std::string lower_extension(const fs::path& file) { return lower_case(file.extension().string()); }
 bool is_settings(const fs::path& file) {
   const std::string extension = lower_extension(file);
   return extension == ".yaml" || extension == ".yml";
@@ -249,6 +246,14 @@ void check_postures(const Robot& robot, const std::string& origin) {
   }
 }
 
+/// A posture beyond joint limits ends runs and solves at their first step.
+void warn_beyond_limits(const Robot& robot, Findings& findings) {
+  for (const auto& [name, posture] : robot.postures) {
+    const std::string beyond = beyond_limits(robot.model, configuration(robot.model, posture));
+    if (!beyond.empty()) findings.warn("posture " + in_quotes(name) + ": " + beyond);
+  }
+}
+
 /// Whether the posture has a value for every joint that moves.
 bool names_every_joint(const Model& model, const Posture& posture) {
   return std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
@@ -420,11 +425,12 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
     robot.default_posture = *settings.default_posture;
   }
   check_postures(robot, origin);
-  Findings of_loops(origin);
-  check_loops_closed(robot, of_loops);
-  of_loops.refuse_problems();
+  Findings of_postures(origin);
+  check_loops_closed(robot, of_postures);
+  of_postures.refuse_problems();
+  warn_beyond_limits(robot, of_postures);
   if (overrides.strict) refuse_warnings(of_srdf.origin(), of_srdf.warnings());
-  if (overrides.strict) refuse_warnings(of_loops.origin(), of_loops.warnings());
+  if (overrides.strict) refuse_warnings(of_postures.origin(), of_postures.warnings());
   robot.notes = robot.model.notes;
   for (const std::string& joint : fingers)
     robot.notes.push_back("joint " + in_quotes(joint) +
@@ -433,8 +439,8 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
                           in_quotes(overrides.carrying));
   robot.warnings = robot.model.warnings;
   robot.warnings.insert(robot.warnings.end(), of_srdf.warnings().begin(), of_srdf.warnings().end());
-  robot.warnings.insert(robot.warnings.end(), of_loops.warnings().begin(),
-                        of_loops.warnings().end());
+  robot.warnings.insert(robot.warnings.end(), of_postures.warnings().begin(),
+                        of_postures.warnings().end());
   return robot;
 }
 

@@ -8,7 +8,7 @@
 #include "burnish/tasks/pressing/home.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "dynamics/integration.hpp"
-#include "pressing/home_move.hpp"
+#include "pressing/quintic.hpp"
 #include "sim/small_product.hpp"
 
 namespace burnish {

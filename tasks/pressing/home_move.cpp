@@ -8,6 +8,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
+#include "pressing/quintic.hpp"
 #include "pressing/reach_walk.hpp"
 
 namespace burnish::pressing {
@@ -56,16 +57,9 @@ Eigen::VectorXd home_configuration(const HomeSpec& home, const Robot& robot,
 }
 
 void check_limits(const Model& model, const Eigen::VectorXd& q) {
-  constexpr double rounding = 1e-4;  // rad (m): postures in files are rounded
-  for (const Joint& joint : model.joints) {
-    if (joint.nq != 1) continue;
-    const double value = q[joint.q_index];
-    const double low = model.q_lower[joint.q_index], high = model.q_upper[joint.q_index];
-    if (value >= low - rounding && value <= high + rounding) continue;
-    throw EntryError("home", "joint " + in_quotes(joint.name) + " is at " + number(value) +
-                                 "; wanted " + number(low) + " to " + number(high) +
-                                 ", its limits: another posture, or home.joints with it");
-  }
+  const std::string beyond = beyond_limits(model, q);
+  if (!beyond.empty())
+    throw EntryError("home", beyond + "; wanted another posture, or home.joints with it");
 }
 
 /// Time that the leg takes with its fastest joint at its velocity limit [s], and that joint's

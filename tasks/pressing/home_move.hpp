@@ -10,19 +10,6 @@
 
 namespace burnish::pressing {
 
-/// Polynomial of fifth order from 0 to 1, from rest to rest over x = 0 to 1: its value and its
-/// first two derivatives with respect to x.
-struct Quintic {
-  double s, ds, ds2;
-};
-inline Quintic quintic(double x) {
-  if (x <= 0.0) return {0.0, 0.0, 0.0};
-  if (x >= 1.0) return {1.0, 0.0, 0.0};
-  return {x * x * x * (10.0 + x * (6.0 * x - 15.0)), 30.0 * x * x * (1.0 - x) * (1.0 - x),
-          60.0 * x * (1.0 - x) * (1.0 - 2.0 * x)};
-}
-constexpr double quintic_speed = 1.875;  ///< largest ds
-
 /// Returns the move; nullopt if no home is stated. If check_home_move() finds that the straight
 /// path touches the surface, the move passes a corner above the start, lifted along the normal. The
 /// lift is the first of 0.05, 0.1 and 0.2 m for which the check passes; if none does, the move is

@@ -265,7 +265,7 @@ TEST(Show, DraftsNoDefaultPostureBeyondTheLimits) {
   const Outcome outcome = run("show " + file + " --write-settings " + quoted(scratch.folder / "d"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string text = contents(scratch.folder / "d/robot.yaml");
-  EXPECT_NE(text.find("# Posture home is beyond the limits: j1: -1.5, allowed 0.5 to 3.\n"
+  EXPECT_NE(text.find("# Posture home: joint 'j1' is at -1.5 rad; its limits are 0.5 and 3 rad.\n"
                       "default_posture: up\n"),
             std::string::npos)
       << text;

@@ -281,6 +281,19 @@ TEST(OddState, NamesWhatNoJointCanDo) {
   expect_words(found[2], {"torque of 'shoulder' is -501", "limit is 50"});
 }
 
+TEST(BeyondLimits, Configuration_NamesTheFarthestJoint) {
+  TreeSpec tree = two_links();
+  for (JointSpec& joint : tree.joints) {
+    joint.lower = -2.0;
+    joint.upper = 1.0;
+  }
+  const Model model = build_model(tree);
+  EXPECT_EQ(beyond_limits(model, Eigen::Vector2d(-2.00005, 1.0)), "") << "rounding";
+  EXPECT_EQ(beyond_limits(model, Eigen::Vector2d(1.1, -2.3)),
+            "joint 'elbow' is at -2.3 rad; its limits are -2 and 1 rad");
+  EXPECT_EQ(beyond_limits(model, Eigen::Vector2d(1.1, -2.3), 0.5), "");
+}
+
 TEST(OddState, WithoutDigitsIsRefused) {
   const Model model = build_model(two_links());
   expect_words(refusal([&] { check_configuration(model, Eigen::Vector2d(0.0, 1e20)); }),

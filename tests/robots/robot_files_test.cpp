@@ -161,6 +161,19 @@ TEST_F(RobotFiles, PosturesComeFromSrdfToo) {
       load_robot((folder_ / "urdf/arm.urdf").string(), overrides).postures.contains("other"));
 }
 
+TEST_F(RobotFiles, PostureBeyondTheLimits_IsAWarning) {
+  const std::string file = write("arm.urdf", two_joints());
+  write("arm.srdf",
+        "<robot name='arm'><group_state name='up' group='g'><joint name='hinge' value='1.5'/>"
+        "</group_state><group_state name='home' group='g'><joint name='hinge' value='1'/>"
+        "</group_state></robot>");
+  const Robot robot = load_robot(file);
+  ASSERT_EQ(robot.warnings.size(), 1U);
+  expect_words(robot.warnings[0],
+               {file, "posture 'up': joint 'hinge' is at 1.5 rad", "its limits are -1 and 1 rad"});
+  EXPECT_EQ(robot.postures.size(), 2U);
+}
+
 TEST_F(RobotFiles, PosturesOfTheSettingsGoBeforeThoseOfSrdf) {
   write("arm.urdf", two_joints());
   write("states.srdf", states);

@@ -45,4 +45,12 @@ std::vector<std::string> odd_state(const Model& model, const Eigen::Ref<const Ei
                                    const Eigen::Ref<const Eigen::VectorXd>& v,
                                    const Eigen::Ref<const Eigen::VectorXd>& tau);
 
+/// Rounding of positions in files of postures [rad, m].
+inline constexpr double posture_rounding = 1e-4;
+/// Sentence about the joint that is farthest beyond its position limits, such as "joint 'a' is at
+/// 1.2 rad; its limits are -1 and 1 rad". Empty if no joint is beyond by more than `slack` [rad,
+/// m]. Joints with more than one entry have no limits. q: nq.
+std::string beyond_limits(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                          double slack = posture_rounding);
+
 }  // namespace burnish

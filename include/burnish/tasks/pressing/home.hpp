@@ -45,7 +45,8 @@ struct HomeMove {
 /// tracking law is computed torque with integral action, within the effort limits:
 /// tau = M (a + kp e + kd de/dt + ki * integral of e) + b, with three poles at 20 rad/s.
 /// It hands over duration() + `settle` after its first tick, or up to 2 s later, as soon as all
-/// joints are within 0.01 rad (m) of the start. Until then Command::phase is Phase::Home. For a
+/// joints are within 0.01 rad (m) of the start; in any case after these 2 s. Until then
+/// Command::phase is Phase::Home, and no faults are detected. For a
 /// measurement that is not a valid state, the previous command is repeated and Command::status
 /// gives the reason.
 /// `tool`: frame whose planned position is Command::p_target_world; `normal_world`: normal of the
