@@ -5,7 +5,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "loop_motion.hpp"
+#include "burnish/ocp/loop_inverse.hpp"
 #include "record/json_text.hpp"
 
 namespace burnish::app {
@@ -103,7 +103,8 @@ class Evaluation {
   /// Motors' torques along a motion of robots with loops.
   void add_loop_inverse(const EvalState& x, Json& result) {
     if (!wants("loop_inverse")) return;
-    const LoopMotion motion = loop_motion(request_, x, dynamics_);
+    const LoopInverse motion =
+        loop_inverse(request_.robot.model, dynamics_, {x.q, x.v, x.a, x.lambda});
     result["loop_inverse"] = nullptr;
     if (!usable(motion.status)) return;
     result["loop_inverse"] = Json{{"v", numbers_json(motion.v)},

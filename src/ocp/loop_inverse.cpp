@@ -1,9 +1,8 @@
-#include "loop_motion.hpp"
+#include "burnish/ocp/loop_inverse.hpp"
 
 #include "burnish/contact/loops.hpp"
-#include "burnish/ocp/problem_spec.hpp"
 
-namespace burnish::app {
+namespace burnish {
 namespace {
 
 using Decomposition = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
@@ -14,11 +13,11 @@ struct LoopParts {
   std::vector<std::string> motors;  ///< names of driven joints
 };
 
-LoopParts parts_of(const EvalRequest& request) {
-  const Model& model = request.robot.model;
+LoopParts parts_of(const Model& model, const ContactDynamics& dynamics,
+                   const ActuationSpec& actuation) {
   LoopParts parts;
   std::vector<bool> is_driven(static_cast<std::size_t>(model.nv), false);
-  for (const Joint* joint : driven_joints(model, {})) {
+  for (const Joint* joint : driven_joints(model, actuation)) {
     parts.motors.push_back(joint->name);
     for (int k = 0; k < joint->nv; ++k)
       is_driven[static_cast<std::size_t>(joint->v_index + k)] = true;
@@ -26,7 +25,7 @@ LoopParts parts_of(const EvalRequest& request) {
   for (int k = 0; k < model.nv; ++k)
     (is_driven[static_cast<std::size_t>(k)] ? parts.driven : parts.passive).push_back(k);
   int row = 0;
-  for (const ContactSpec& contact : request.contacts)
+  for (const ContactSpec& contact : dynamics.contacts().specs())
     for (int i = 0; i < contact.directions.count(); ++i, ++row)
       if (is_loop(model, contact)) parts.rows.push_back(row);
   return parts;
@@ -58,21 +57,21 @@ Eigen::VectorXd loop_forces(const Eigen::MatrixXd& J, const LoopParts& parts,
 
 }  // namespace
 
-LoopMotion loop_motion(const EvalRequest& request, const EvalState& state,
-                       ContactDynamics& dynamics) {
-  const Model& model = request.robot.model;
-  const LoopParts parts = parts_of(request);
-  LoopMotion result;
-  result.v = project_velocity_onto_loops(model, state.q, state.v, LoopMetric::Plain, parts.motors);
-  result.a = state.a;
-  result.lambda = state.lambda;
-  result.status = dynamics.acceleration(state.q, result.v, result.a);
+LoopInverse loop_inverse(const Model& model, ContactDynamics& dynamics, const LoopMotion& motion,
+                         const ActuationSpec& actuation) {
+  const LoopParts parts = parts_of(model, dynamics, actuation);
+  LoopInverse result;
+  result.v =
+      project_velocity_onto_loops(model, motion.q, motion.v, LoopMetric::Plain, parts.motors);
+  result.a = motion.a;
+  result.lambda = motion.lambda;
+  result.status = dynamics.acceleration(motion.q, result.v, result.a);
   if (result.status > Status::NotConverged) return result;
   const Eigen::MatrixXd J = Eigen::MatrixXd(dynamics.jacobian())(parts.rows, Eigen::all);
   const Eigen::VectorXd alpha = Eigen::VectorXd(dynamics.alpha())(parts.rows);
   follow(J, parts.passive, J * result.a - alpha, result.a);
   result.lambda(parts.rows).setZero();
-  result.status = dynamics.inverse(state.q, result.v, result.a, result.lambda);
+  result.status = dynamics.inverse(motion.q, result.v, result.a, result.lambda);
   if (result.status > Status::NotConverged) return result;
   const Eigen::VectorXd tau = dynamics.tau();
   result.lambda(parts.rows) = loop_forces(J, parts, tau);
@@ -82,4 +81,4 @@ LoopMotion loop_motion(const EvalRequest& request, const EvalState& state,
   return result;
 }
 
-}  // namespace burnish::app
+}  // namespace burnish
