@@ -14,7 +14,6 @@
 #include "named_tasks.hpp"
 #include "plan_steps.hpp"
 #include "press_hold/record.hpp"
-#include "pressing/found_standing.hpp"
 #include "pressing/record.hpp"
 #include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
@@ -130,7 +129,7 @@ auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) 
       if (!a.write_task.empty()) return;
       const Robot robot = load_task_robot(spec.task);
       if constexpr (requires { spec.task.standing; })
-        pressing::check_stated_feet(robot.model, spec.task.standing, said.texts);
+        check_stated_feet(robot.model, spec.task.standing, said.texts);
       if (is_first) print_warnings(robot, a.strict);
       if constexpr (requires { fit_to_robot(spec.task, robot); })
         if (!a.robot.empty())

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/entry_error.hpp"
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "pressing/arm.hpp"
 #include "robots/known_robots.hpp"
 #include "shell_word.hpp"
 
@@ -34,6 +36,19 @@ void refuse_robot(const std::string& file, const std::string& option) {
   if (!is_description && (std::filesystem::exists(file, ignored) || !robot_file(file))) return;
   throw Error(fmt::format("{} is a robot, and a task file was wanted; did you mean {} {}?",
                           in_quotes(file), option, shell_word(file)));
+}
+
+void check_stated_feet(const Model& model, const Standing& standing,
+                       const std::vector<files::Reader>& texts) {
+  const auto is_overridden = [&](const char* key) {
+    return std::any_of(texts.begin() + (texts.empty() ? 0 : 1), texts.end(),
+                       [&](const files::Reader& text) { return files::stated(text, key); });
+  };
+  if (is_overridden("robot") && !is_overridden("standing.feet")) return;
+  if (standing.feet == std::vector<std::string>{"auto"}) return;
+  for (const std::string& foot : standing.feet)
+    if (!model.has_frame(foot))
+      throw EntryError("standing.feet", "frame " + pressing::none_of(model, foot));
 }
 
 }  // namespace burnish::app

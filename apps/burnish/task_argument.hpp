@@ -4,6 +4,8 @@
 #include <string>
 
 #include "burnish/tasks/polishing/task.hpp"
+#include "burnish/tasks/pressing/standing.hpp"
+#include "files/described_file.hpp"
 
 namespace burnish::app {
 
@@ -14,5 +16,11 @@ std::string place_name(const std::string& surface, const polishing::Task& task);
 /// Throws Error if `file` is a robot instead of a task file; the message names `option`, which
 /// takes a robot.
 void refuse_robot(const std::string& file, const std::string& option);
+
+/// Throws EntryError, "standing.feet", for a frame that the robot does not have. Feet that a file
+/// states for its own robot pass where an override names another one: standing_on() replaces them.
+/// `texts`: the task's file, then its overrides.
+void check_stated_feet(const Model& model, const Standing& standing,
+                       const std::vector<files::Reader>& texts);
 
 }  // namespace burnish::app

@@ -56,16 +56,4 @@ Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::st
   return with_feet(standing, *feet);
 }
 
-void check_stated_feet(const Model& model, const Standing& standing,
-                       const std::vector<files::Reader>& texts) {
-  const auto is_overridden = [&](const char* key) {
-    return std::any_of(texts.begin() + (texts.empty() ? 0 : 1), texts.end(),
-                       [&](const files::Reader& text) { return files::stated(text, key); });
-  };
-  if (is_overridden("robot") && !is_overridden("standing.feet")) return;
-  if (standing.feet == std::vector<std::string>{"auto"}) return;
-  for (const std::string& foot : standing.feet)
-    if (!model.has_frame(foot)) throw EntryError("standing.feet", "frame " + none_of(model, foot));
-}
-
 }  // namespace burnish::pressing

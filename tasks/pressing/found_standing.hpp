@@ -6,7 +6,6 @@
 
 #include "burnish/robots/robot.hpp"
 #include "burnish/tasks/pressing/standing.hpp"
-#include "files/described_file.hpp"
 
 namespace burnish::pressing {
 
@@ -15,11 +14,5 @@ namespace burnish::pressing {
 /// a sentence to `notes`, and one for each foot that is a wheel. Throws EntryError for
 /// "standing.feet" if no feet are found.
 Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::string>& notes);
-
-/// Throws EntryError, "standing.feet", for a frame that the robot does not have. Feet that a file
-/// states for its own robot pass where an override names another one: standing_on() replaces them.
-/// `texts`: the task's file, then its overrides.
-void check_stated_feet(const Model& model, const Standing& standing,
-                       const std::vector<files::Reader>& texts);
 
 }  // namespace burnish::pressing
