@@ -233,44 +233,35 @@ void bind_setting(py::module_& m) {
         "ImpedanceSpec: the baseline on the same task.");
 }
 
+/// A function of a task whose setting and options may be left out.
+template <class Result>
+auto of_setting(Result (*function)(const Task&, const Setting&, const ReachOptions&)) {
+  return [function](const Task& task, const std::optional<Setting>& setting,
+                    const std::optional<ReachOptions>& options) {
+    return function(task, setting ? *setting : make_setting(task),
+                    options.value_or(ReachOptions{}));
+  };
+}
+
 void bind_reach(py::module_& m) {
   m.def(
-      "check_reach",
-      [](const Task& task, const std::optional<Setting>& setting,
-         const std::optional<ReachOptions>& options) {
-        return check_reach(task, setting ? *setting : make_setting(task),
-                           options.value_or(ReachOptions{}));
-      },
-      py::arg("task"), py::arg("setting") = py::none(), py::arg("options") = py::none(),
-      py::call_guard<py::gil_scoped_release>(),
+      "check_reach", of_setting(&check_reach), py::arg("task"), py::arg("setting") = py::none(),
+      py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
       "ReachReport: walks from the start to the surface and along the whole path, and looks at "
       "position, joint limits, torques that hold the robot still, and the arm as a skeleton beside "
       "the surface. It knows no motion, no shapes of links, and no other collisions. setting: of "
       "the task if None. Raises Error for a path that is none.");
   m.def(
-      "check_home",
-      [](const Task& task, const std::optional<Setting>& setting,
-         const std::optional<ReachOptions>& options) {
-        return check_home(task, setting ? *setting : make_setting(task),
-                          options.value_or(ReachOptions{}));
-      },
-      py::arg("task"), py::arg("setting") = py::none(), py::arg("options") = py::none(),
-      py::call_guard<py::gil_scoped_release>(),
+      "check_home", of_setting(&check_home), py::arg("task"), py::arg("setting") = py::none(),
+      py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
       "ReachReport: walks along the move from where a run begins (Task.home) to its start, and "
       "looks at the tool and the arm beside the surface and at torques that hold the robot still. "
       "Empty where no home is stated. setting: of the task if None.");
-  m.def(
-      "free_homes",
-      [](const Task& task, const std::optional<Setting>& setting,
-         const std::optional<ReachOptions>& options) {
-        return free_homes(task, setting ? *setting : make_setting(task),
-                          options.value_or(ReachOptions{}));
-      },
-      py::arg("task"), py::arg("setting") = py::none(), py::arg("options") = py::none(),
-      py::call_guard<py::gil_scoped_release>(),
-      "List[FreeHome]: postures of the robot from which its joints can move straight to the "
-      "task's start, the nearest first; the start itself is left out. setting: of the task if "
-      "None.");
+  m.def("free_homes", of_setting(&free_homes), py::arg("task"), py::arg("setting") = py::none(),
+        py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
+        "List[FreeHome]: postures of the robot from which its joints can move straight to the "
+        "task's start, the nearest first; the start itself is left out. setting: of the task if "
+        "None.");
 }
 
 void bind_postures(py::module_& m) {
