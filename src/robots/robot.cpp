@@ -246,10 +246,15 @@ void check_postures(const Robot& robot, const std::string& origin) {
   }
 }
 
-/// A posture beyond joint limits ends runs and solves at their first step.
+/// A posture that puts a joint beyond its limits ends runs and solves at their first step. Joints
+/// that it does not state are moved by the loops, or stay at their neutral position.
 void warn_beyond_limits(const Robot& robot, Findings& findings) {
   for (const auto& [name, posture] : robot.postures) {
-    const std::string beyond = beyond_limits(robot.model, configuration(robot.model, posture));
+    Eigen::VectorXd q = configuration(robot.model, posture);
+    for (const Joint& joint : robot.model.joints)
+      if (joint.nq == 1 && !posture.contains(joint.name))
+        q[joint.q_index] = robot.model.q_lower[joint.q_index];
+    const std::string beyond = beyond_limits(robot.model, q);
     if (!beyond.empty()) findings.warn("posture " + in_quotes(name) + ": " + beyond);
   }
 }
