@@ -19,7 +19,7 @@ struct ClosedRun {
   const Eigen::VectorXd& q_start;  ///< nq, at rest
   /// From where the run begins in place of q_start; null: there.
   const HomeMove* home = nullptr;
-  double longest;  ///< s that it may take, without what comes after a fault
+  double longest;  ///< longest simulated time, without what follows a fault [s]
   PlantKind plant = PlantKind::Ideal;
   /// How the robot stands, where its task says so: what holds it at first, whether its base is
   /// estimated and its feet have sensors, and for how long a run goes on after a fault.

@@ -179,11 +179,14 @@ const Description& description_of(const Standing* /*of*/) {
                  size)
           .field("slip", &S::slip, "how plans treat a foot that slips")
           .field("settle", &S::settle,
-                 "{s} that the posture is held at first, while the estimate of the base settles",
+                 "time for which the posture is held at first, while the estimate of the base "
+                 "settles [{s}]",
                  size)
           .field("force_sensors", &S::force_sensors, "in the feet, of forces and moments")
-          .field("after_fault", &S::after_fault,
-                 "{s} that a run continues after a fault, to show whether the robot falls", size)
+          .field(
+              "after_fault", &S::after_fault,
+              "time for which a run continues after a fault, to show whether the robot falls [{s}]",
+              size)
           .more("The task's figures end at the fault.");
   return all;
 }

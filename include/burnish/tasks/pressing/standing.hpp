@@ -51,11 +51,11 @@ struct Standing {
   /// s at first, within settle, in which a hoist hands the weight over to the feet
   double hoist = 0.5;
   SlipOptions slip = {};  ///< what plans make of a foot that slips
-  /// s that the posture is held at first, while the estimate of the base settles
+  /// time for which the posture is held at first, while the estimate of the base settles [s]
   double settle = 1.0;
   bool force_sensors = true;  ///< in the feet, of forces and moments
-  /// s that a run continues after a fault, to show whether the robot falls. The task's figures end
-  /// at the fault.
+  /// time for which a run continues after a fault, to show whether the robot falls [s]. The task's
+  /// figures end at the fault.
   double after_fault = 2.0;
 
   bool stands() const { return !feet.empty(); }
