@@ -116,6 +116,7 @@ void bind_identify(py::module_& m) {
       py::arg("delay") = true, py::arg("motion_window") = 0.04, py::arg("window") = 0.25,
       py::arg("start") = 0.0, py::arg("torque_noise") = 0.0,
       "Mass distributions from a motion in the air: q (n, nq) and tau (n, nv), `period` s apart; "
+      "q may have one angle for each continuous joint in place of its cosine and sine; "
       "of the links `bodies`, or of what is carried at the frame `payload`. Raises Error, naming "
       "column, time and guess, for a record that cannot be right, such as one in other units. See "
       "docs/identification.md.");
@@ -135,7 +136,8 @@ void bind_identify(py::module_& m) {
       py::arg("highest") = 0.7, py::arg("range") = 0.8, py::arg("seed") = 1,
       py::arg("period") = 1e-3,
       "A motion from rest to rest that shows what is carried at a frame: a Trace with time, q_, v_ "
-      "and a_ columns. It knows no obstacles.");
+      "and a_ columns of each joint, angles [rad] of continuous joints too. It knows no "
+      "obstacles.");
 }
 
 }  // namespace burnish::python

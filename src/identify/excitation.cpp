@@ -9,6 +9,7 @@
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/state.hpp"
+#include "model/followers.hpp"
 #include "sim/random.hpp"
 
 namespace burnish {
@@ -189,28 +190,27 @@ void Excitation::at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::
 Trace Excitation::trace(double period) const {
   if (!(period > 0.0) || duration_ / period > 1e7)
     throw Error("excitation: a period of " + number(period) + " s; wanted one above 0");
+  // One position for each entry of v: check() allows joints of one coordinate only.
+  Eigen::VectorXd start(model_.nv);
   std::vector<TraceColumn> columns{{"time", "s"}};
-  const auto unit_of = [&](int entry_of_v, const char* rates) {
-    const Joint& joint = model_.joints[static_cast<std::size_t>(
-        model_.joint_of_v[static_cast<std::size_t>(entry_of_v)])];
-    return (joint.kind == JointKind::Prismatic ? "m" : "rad") + std::string(rates);
-  };
-  for (int k = 0; k < model_.nq; ++k) columns.push_back({"q_" + model_.q_name(k), "rad"});
-  for (int k = 0; k < model_.nv; ++k)
-    columns.push_back({"v_" + model_.v_name(k), unit_of(k, "/s")});
-  for (int k = 0; k < model_.nv; ++k)
-    columns.push_back({"a_" + model_.v_name(k), unit_of(k, "/s2")});
+  for (const Joint& joint : model_.joints)
+    if (!joint.follows) start[joint.v_index] = joint_value(model_, joint, q_start_);
+  for (const auto& [prefix, rates] : {std::pair{"q_", ""}, {"v_", "/s"}, {"a_", "/s2"}})
+    for (int k = 0; k < model_.nv; ++k) {
+      const Joint& joint =
+          model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(k)])];
+      const std::string unit = joint.kind == JointKind::Prismatic ? "m" : "rad";
+      columns.push_back({prefix + joint.name, unit + rates});
+    }
   const int rows = static_cast<int>(std::floor(duration_ / period)) + 1;
   Trace result(columns, rows);
-  Eigen::VectorXd q, v, a;
+  Eigen::VectorXd way, v, a;
   for (int i = 0; i < rows; ++i) {
     double* const row = result.add_row();
     const double t = i * period;
-    at(t, q, v, a);
+    way_at(t, way, v, a);
     row[0] = t;
-    Eigen::Map<Eigen::VectorXd>(row + 1, model_.nq) = q;
-    Eigen::Map<Eigen::VectorXd>(row + 1 + model_.nq, model_.nv) = v;
-    Eigen::Map<Eigen::VectorXd>(row + 1 + model_.nq + model_.nv, model_.nv) = a;
+    Eigen::Map<Eigen::VectorXd>(row + 1, 3 * model_.nv) << start + way, v, a;
   }
   return result;
 }

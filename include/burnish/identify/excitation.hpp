@@ -39,7 +39,8 @@ class Excitation {
   double duration() const { return duration_; }
   /// At a time (s; held before and after): q (nq), v and a (nv).
   void at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::VectorXd& a) const;
-  /// Columns time, q_<joint>, v_<joint>, a_<joint>, every `period` s.
+  /// Columns time, q_<joint>, v_<joint>, a_<joint>, every `period` s. Positions are angles [rad],
+  /// of continuous joints too, or displacements [m].
   Trace trace(double period) const;
 
  private:
