@@ -175,10 +175,16 @@ std::string settings_of(const Identification& found, bool of_payload) {
   return text;
 }
 
+void print_sentences(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "burnish: {}\n", warning);
+}
+
 Excitation excitation_of(const IdentifyArguments& a, const Robot& robot) {
   const Eigen::VectorXd start =
       a.posture.empty() ? robot.reference_configuration() : robot.posture(a.posture);
-  return {robot.model, start, a.spec.payload, a.excitation};
+  Excitation motion(robot.model, start, a.spec.payload, a.excitation);
+  print_sentences(motion.warnings());
+  return motion;
 }
 
 int excite(const IdentifyArguments& a, const Robot& robot) {
@@ -199,8 +205,9 @@ Disturbances disturbances_of(const IdentifyArguments& a) {
 int simulate(const IdentifyArguments& a, const Robot& robot) {
   const Excitation motion = excitation_of(a, robot);
   const Payload carried = drawn_payload(a.spec.payload, a.excitation.seed);
-  record_motion(robot.model, carried, motion, disturbances_of(a))
-      .write_csv(std::filesystem::path(a.simulate));
+  const Trace trace = record_motion(robot.model, carried, motion, disturbances_of(a));
+  print_sentences(check_followed(robot.model, motion, trace));
+  trace.write_csv(std::filesystem::path(a.simulate));
   const InertiaSpec& truth = carried.inertia;
   const Eigen::Matrix3d& I = truth.inertia_at_com;
   fmt::print(
@@ -216,13 +223,27 @@ std::string aim_text(double value, double limit, bool below) {
   return (below ? value <= limit : value >= limit) ? "met" : "missed";
 }
 
+/// The warnings of the first trial that has some, and how many others have some.
+void print_first_warnings(const std::vector<Trial>& trials, int first_seed) {
+  const auto has_some = [](const Trial& trial) { return !trial.warnings.empty(); };
+  const auto first = std::find_if(trials.begin(), trials.end(), has_some);
+  if (first == trials.end()) return;
+  for (const std::string& warning : first->warnings)
+    fmt::print(stderr, "burnish: seed {}: {}\n", first_seed + (first - trials.begin()), warning);
+  if (const auto more = std::count_if(first + 1, trials.end(), has_some); more > 0)
+    fmt::print(stderr, "burnish: {} more of {} trials leave the motion\n", more, trials.size());
+}
+
 int try_seeds(const IdentifyArguments& a, const Robot& robot) {
   const Excitation motion = excitation_of(a, robot);
   const Disturbances disturbances = disturbances_of(a);
   std::vector<Trial> trials;
   for (int seed = a.first_seed; seed < a.first_seed + a.seeds; ++seed)
-    trials.push_back(try_identification(robot.model, motion, disturbances, a.spec,
-                                        static_cast<std::uint64_t>(seed)));
+    trials.push_back(named_by("seed " + std::to_string(seed), [&] {
+      return try_identification(robot.model, motion, disturbances, a.spec,
+                                static_cast<std::uint64_t>(seed));
+    }));
+  print_first_warnings(trials, a.first_seed);
   const TrialSummary all = summary_of(trials);
   fmt::print(
       "{} payloads at {} of {}, {:g} s each, disturbances: {}, {:g} Nm of sensor "
@@ -256,7 +277,7 @@ int identify_file(const IdentifyArguments& a, const Robot& robot) {
                     a.spec);
   });
   fmt::print("{}", a.json ? json_text(json_of(found)) + "\n" : table_of(robot.model, found));
-  for (const std::string& warning : found.warnings) fmt::print(stderr, "burnish: {}\n", warning);
+  print_sentences(found.warnings);
   const bool known = found.converged && shows_any_mass(found);
   if (!a.out.empty() && known) write_whole_file(a.out, settings_of(found, a.spec.bodies.empty()));
   if (!a.out.empty() && !known)
@@ -335,6 +356,11 @@ void add_motion(IdentifyArguments& a, CLI::App& command) {
   command
       .add_option("--speed-share", a.excitation.speed_share,
                   "Share of velocity limits that is used [0.4]")
+      ->type_name("SHARE")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--effort-share", a.excitation.effort_share,
+                  "Share of effort limits that is used, without a payload [0.8]")
       ->type_name("SHARE")
       ->check(CLI::PositiveNumber);
   command.add_option("--joints", a.excitation.joints, "Joints that move [all]")

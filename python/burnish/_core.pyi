@@ -1014,6 +1014,7 @@ def identify(
 def excitation(
     model: Model, q_start: ArrayLike, frame: str = "tool", duration: float = 10.0,
     highest: float = 0.7, range: float = 0.8, seed: int = 1, period: float = 1e-3,
+    effort_share: float = 0.8,
 ) -> Trace: ...
 
 # ---------------------------------------------------------------------------

@@ -116,26 +116,36 @@ void bind_identify(py::module_& m) {
       py::arg("delay") = true, py::arg("motion_window") = 0.04, py::arg("window") = 0.25,
       py::arg("start") = 0.0, py::arg("torque_noise") = 0.0,
       "Mass distributions from a motion in the air: q (n, nq) and tau (n, nv), `period` s apart; "
+      "q may have one angle for each continuous joint in place of its cosine and sine; "
       "of the links `bodies`, or of what is carried at the frame `payload`. Raises Error, naming "
       "column, time and guess, for a record that cannot be right, such as one in other units. See "
       "docs/identification.md.");
   m.def(
       "excitation",
       [](const Model& model, const Eigen::VectorXd& q_start, const std::string& frame,
-         double duration, double highest, double range, std::uint64_t seed, double period) {
+         double duration, double highest, double range, std::uint64_t seed, double period,
+         double effort_share) {
         ExcitationSpec spec;
         spec.duration = duration;
         spec.highest = highest;
         spec.range = range;
         spec.seed = seed;
-        const py::gil_scoped_release release;
-        return Excitation(model, q_start, frame, spec).trace(period);
+        spec.effort_share = effort_share;
+        py::gil_scoped_release release;
+        const Excitation motion(model, q_start, frame, spec);
+        const Trace trace = motion.trace(period);
+        const py::gil_scoped_acquire acquire;
+        for (const std::string& warning : motion.warnings())
+          if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0)
+            throw py::error_already_set();
+        return trace;
       },
       py::arg("model"), py::arg("q_start"), py::arg("frame") = "tool", py::arg("duration") = 10.0,
       py::arg("highest") = 0.7, py::arg("range") = 0.8, py::arg("seed") = 1,
-      py::arg("period") = 1e-3,
+      py::arg("period") = 1e-3, py::arg("effort_share") = 0.8,
       "A motion from rest to rest that shows what is carried at a frame: a Trace with time, q_, v_ "
-      "and a_ columns. It knows no obstacles.");
+      "and a_ columns of each joint, angles [rad] of continuous joints too. It knows no "
+      "obstacles. Warns where an effort limit makes it smaller than range and speeds allow.");
 }
 
 }  // namespace burnish::python

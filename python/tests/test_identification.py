@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from pathlib import Path
 from typing import Tuple
 
 import numpy as np
@@ -110,3 +112,43 @@ def test_records_that_cannot_be_right_are_refused_with_a_guess() -> None:
                                 ("no torque ever changes", q, 0.0 * tau)):
         with pytest.raises(burnish.Error, match=words):
             burnish.identify(ARM.model, q_of, tau_of, 4e-3)
+
+
+def weak_arm(folder: Path, settings: str) -> burnish.Robot:
+    arm = Path(os.environ.get("BURNISH_ROBOTS", burnish.robot_search_path()[0])) / "arm7"
+    text = (arm / "robot.yaml").read_text().replace("arm7.urdf", str(arm / "arm7.urdf"))
+    (folder / "robot.yaml").write_text(text + settings)
+    return burnish.load_robot(str(folder))
+
+
+def test_a_motion_that_an_effort_limit_makes_smaller_warns(tmp_path: Path) -> None:
+    robot = weak_arm(tmp_path, "limits: {joint_2: {effort: 37}}\n")
+    with pytest.warns(UserWarning, match="is reduced to .* joint 'joint_2' would need"):
+        burnish.excitation(robot.model, robot.reference_configuration())
+
+
+def test_a_start_that_cannot_be_held_is_refused(tmp_path: Path) -> None:
+    robot = weak_arm(tmp_path, "limits: {joint_2: {effort: 3}}\n")
+    with pytest.raises(burnish.Error, match="'joint_2' takes .* to hold the start"):
+        burnish.excitation(robot.model, robot.reference_configuration())
+
+
+def test_angles_of_continuous_joints_are_taken(tmp_path: Path) -> None:
+    arm = Path(os.environ.get("BURNISH_ROBOTS", burnish.robot_search_path()[0])) / "arm7"
+    text = (arm / "arm7.urdf").read_text().replace('type="revolute"', 'type="continuous"')
+    (tmp_path / "endless.urdf").write_text(text)
+    model = burnish.load_robot(str(tmp_path / "endless.urdf")).model
+    assert (model.nq, model.nv) == (14, 7)
+    start = burnish.integrate(model, model.q_neutral, np.array([3.1, 0.4, 0.0, -1.2, 0.1, 0.3, 0.2]))
+    motion = burnish.excitation(model, start, "flange", range=0.4)
+    angles, v, a = (np.column_stack([motion[f"{x}_{j.name}"] for j in model.joints])[::4] for x in "qva")
+    dynamics = ContactDynamics(burnish.with_payload(model, "flange", brick()))
+    tau = np.empty_like(v)
+    for i in range(len(v)):
+        q = burnish.integrate(model, model.q_neutral, angles[i])
+        dynamics.inverse(q, v[i], a[i], np.zeros(0))
+        tau[i] = dynamics.tau
+    wrapped = np.remainder(angles + np.pi, 2.0 * np.pi) - np.pi
+    assert np.ptp(wrapped[:, 0]) > 6.0
+    found = burnish.identify(model, wrapped, tau, 4e-3, payload="flange")
+    assert found.inertias[0].values["mass"] == pytest.approx(1.2, rel=1e-3)

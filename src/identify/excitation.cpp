@@ -9,6 +9,7 @@
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/state.hpp"
+#include "model/followers.hpp"
 #include "sim/random.hpp"
 
 namespace burnish {
@@ -47,10 +48,61 @@ void check(const Model& model, const Eigen::VectorXd& q_start, const ExcitationS
   want("effort_share", spec.effort_share, spec.effort_share > 0.0 && spec.effort_share <= 1.0,
        "0 to 1");
   want("candidates", spec.candidates, spec.candidates >= 1, "at least 1");
+  if (!model.loops.empty())
+    throw Error("excitation: " + in_quotes(model.name) + " has the loop " +
+                in_quotes(model.loops.front().name) +
+                ", whose forces are not known here; wanted a robot without loops, as with their "
+                "joints locked (--lock)");
   for (const Joint& joint : model.joints)
     if (joint_nv(joint.kind) > 1)
       throw Error("excitation: joint " + in_quotes(joint.name) + " is " +
                   std::string(name_of(joint.kind)) + "; wanted joints of one coordinate");
+}
+
+/// The torque that is nearest to its limit.
+struct Load {
+  int entry = 0;
+  double torque = 0.0;  ///< Nm (N)
+  double share = 0.0;   ///< of its limit
+};
+Load heaviest_load(const Model& model, const Eigen::VectorXd& tau) {
+  constexpr double none = 1e-9;  // torque of a joint that has none to give, by rounding [Nm, N]
+  Load worst;
+  for (int k = 0; k < model.nv; ++k) {
+    const double torque = std::abs(tau[k]);
+    const double share = torque > none ? torque / model.effort_limit[k] : 0.0;
+    if (share > worst.share) worst = {k, torque, share};
+  }
+  return worst;
+}
+
+const char* torque_unit(const Model& model, int entry) {
+  const int joint = model.joint_of_v[static_cast<std::size_t>(entry)];
+  return model.joints[static_cast<std::size_t>(joint)].kind == JointKind::Prismatic ? " N" : " Nm";
+}
+std::string torque_text(const Model& model, int entry, double torque) {
+  return number(torque) + torque_unit(model, entry);
+}
+/// "0.8 of its effort limit of 39 Nm".
+std::string limit_text(const Model& model, int entry, double effort_share) {
+  return (effort_share < 1.0 ? number(effort_share) + " of " : "") + "its effort limit of " +
+         torque_text(model, entry, model.effort_limit[entry]);
+}
+
+/// Refuses a start that cannot be held within the efforts that a motion may take.
+void check_efforts(const Model& model, const Eigen::VectorXd& q_start, double effort_share) {
+  ContactDynamics dynamics(model);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv), none(0);
+  if (dynamics.inverse(q_start, rest, rest, none) > Status::NotConverged) return;
+  const Load load = heaviest_load(model, dynamics.tau());
+  if (load.share <= effort_share) return;
+  const bool holds = load.share <= 1.0;
+  throw Error("excitation: joint " + in_quotes(model.v_name(load.entry)) + " takes " +
+              torque_text(model, load.entry, load.torque) + " to hold the start, more than " +
+              limit_text(model, load.entry, holds ? effort_share : 1.0) +
+              "; wanted another start (--posture)" +
+              (holds ? " or a larger effort_share (--effort-share)"
+                     : " or, where the description is wrong, its effort in robot.yaml"));
 }
 
 /// Per entry of v: how far a joint may leave its start, and how fast it may be; 0 of those at rest.
@@ -89,10 +141,11 @@ Excitation::Excitation(const Model& model, const Eigen::VectorXd& q_start, const
     : model_(model), q_start_(q_start), duration_(spec.duration) {
   check(model, q_start, spec);
   (void)frame_on_body("excitation", model, frame);
+  check_efforts(model, q_start, spec.effort_share);
   const Room room = room_of(model, q_start, spec);
   const int harmonics = std::max(1, static_cast<int>(spec.highest * spec.duration));
   RandomStream random(spec.seed, 0);
-  Drawn best;
+  Drawn best, heaviest;
   double most = -std::numeric_limits<double>::infinity();
   Eigen::VectorXd way, v, a;
   for (int candidate = 0; candidate < spec.candidates; ++candidate) {
@@ -110,33 +163,58 @@ Excitation::Excitation(const Model& model, const Eigen::VectorXd& q_start, const
         (room.way.array() / farthest).min(room.speed.array() / fastest).matrix();
     drawn_.sine = scale.asDiagonal() * drawn_.sine;
     drawn_.cosine = scale.asDiagonal() * drawn_.cosine;
-    limit(spec.effort_share);
+    if (!limit(spec.effort_share)) {
+      heaviest = drawn_;
+      continue;
+    }
     const double told = information(frame);
     if (told > most) most = told, best = drawn_;
   }
+  if (!std::isfinite(most) && heaviest.size == 1.0)
+    throw Error("excitation: no motion was found that moves " + in_quotes(frame) +
+                "; wanted a smaller range, or other joints");
   if (!std::isfinite(most))
-    throw Error("excitation: no motion was found that stays within the effort limits and moves " +
-                in_quotes(frame) + "; wanted a smaller range, or other joints");
+    throw Error("excitation: no motion was found that stays within the effort limits: " +
+                effort_text(heaviest, spec.effort_share) + ", and too much even at " +
+                number(std::round(100.0 * heaviest.size)) +
+                " % of that size; wanted another start (--posture), fewer joints (--joints) or a "
+                "larger effort_share (--effort-share)");
   drawn_ = best;
+  if (drawn_.size < 1.0)
+    warnings_.push_back("the motion is reduced to " + number(std::round(100.0 * drawn_.size)) +
+                        " % of the size that range and speeds allow: at full size " +
+                        effort_text(drawn_, spec.effort_share));
 }
 
-/// Slower until the efforts fit: a smaller motion about the same posture.
-void Excitation::limit(double effort_share) {
+/// Smaller until the efforts fit: a smaller motion about the same posture. Returns whether they do.
+bool Excitation::limit(double effort_share) {
+  constexpr double smaller = 0.8;  // of the motion before, at each attempt
+  constexpr int attempts = 12;
   ContactDynamics dynamics(model_);
   const Eigen::VectorXd none(0);
   Eigen::VectorXd q, v, a;
-  for (int attempt = 0; attempt < 12; ++attempt) {
-    double worst = 0.0;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    Load worst;
     for (double t = 0.0; t <= duration_; t += 2.0 * look_every) {
       at(t, q, v, a);
       if (dynamics.inverse(q, v, a, none) > Status::NotConverged) continue;
-      worst =
-          std::max(worst, (dynamics.tau().array().abs() / model_.effort_limit.array()).maxCoeff());
+      const Load load = heaviest_load(model_, dynamics.tau());
+      if (load.share > worst.share) worst = load;
     }
-    if (worst <= effort_share) return;
-    drawn_.sine *= 0.8;
-    drawn_.cosine *= 0.8;
+    if (attempt == 0) drawn_.heaviest = worst.entry, drawn_.torque = worst.torque;
+    if (worst.share <= effort_share) return true;
+    drawn_.sine *= smaller;
+    drawn_.cosine *= smaller;
+    drawn_.size *= smaller;
   }
+  return false;
+}
+
+/// Whose effort limit the motion would exceed at full size.
+std::string Excitation::effort_text(const Drawn& drawn, double effort_share) const {
+  return "joint " + in_quotes(model_.v_name(drawn.heaviest)) + " would need " +
+         torque_text(model_, drawn.heaviest, drawn.torque) + ", more than " +
+         limit_text(model_, drawn.heaviest, effort_share);
 }
 
 /// log det of what the motion tells of a payload's ten parameters, in units of a kilogram and a
@@ -189,28 +267,27 @@ void Excitation::at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::
 Trace Excitation::trace(double period) const {
   if (!(period > 0.0) || duration_ / period > 1e7)
     throw Error("excitation: a period of " + number(period) + " s; wanted one above 0");
+  // One position for each entry of v: check() allows joints of one coordinate only.
+  Eigen::VectorXd start(model_.nv);
   std::vector<TraceColumn> columns{{"time", "s"}};
-  const auto unit_of = [&](int entry_of_v, const char* rates) {
-    const Joint& joint = model_.joints[static_cast<std::size_t>(
-        model_.joint_of_v[static_cast<std::size_t>(entry_of_v)])];
-    return (joint.kind == JointKind::Prismatic ? "m" : "rad") + std::string(rates);
-  };
-  for (int k = 0; k < model_.nq; ++k) columns.push_back({"q_" + model_.q_name(k), "rad"});
-  for (int k = 0; k < model_.nv; ++k)
-    columns.push_back({"v_" + model_.v_name(k), unit_of(k, "/s")});
-  for (int k = 0; k < model_.nv; ++k)
-    columns.push_back({"a_" + model_.v_name(k), unit_of(k, "/s2")});
+  for (const Joint& joint : model_.joints)
+    if (!joint.follows) start[joint.v_index] = joint_value(model_, joint, q_start_);
+  for (const auto& [prefix, rates] : {std::pair{"q_", ""}, {"v_", "/s"}, {"a_", "/s2"}})
+    for (int k = 0; k < model_.nv; ++k) {
+      const Joint& joint =
+          model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(k)])];
+      const std::string unit = joint.kind == JointKind::Prismatic ? "m" : "rad";
+      columns.push_back({prefix + joint.name, unit + rates});
+    }
   const int rows = static_cast<int>(std::floor(duration_ / period)) + 1;
   Trace result(columns, rows);
-  Eigen::VectorXd q, v, a;
+  Eigen::VectorXd way, v, a;
   for (int i = 0; i < rows; ++i) {
     double* const row = result.add_row();
     const double t = i * period;
-    at(t, q, v, a);
+    way_at(t, way, v, a);
     row[0] = t;
-    Eigen::Map<Eigen::VectorXd>(row + 1, model_.nq) = q;
-    Eigen::Map<Eigen::VectorXd>(row + 1 + model_.nq, model_.nv) = v;
-    Eigen::Map<Eigen::VectorXd>(row + 1 + model_.nq + model_.nv, model_.nv) = a;
+    Eigen::Map<Eigen::VectorXd>(row + 1, 3 * model_.nv) << start + way, v, a;
   }
   return result;
 }

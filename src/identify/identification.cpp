@@ -7,8 +7,8 @@
 #include "base/sentence.hpp"
 #include "burnish/model/state.hpp"
 #include "identify/estimate.hpp"
-#include "identify/even_times.hpp"
 #include "identify/faults.hpp"
+#include "identify/joint_angles.hpp"
 #include "identify/misfit.hpp"
 #include "identify/record_check.hpp"
 #include "identify/smoothed_motion.hpp"
@@ -179,24 +179,9 @@ void check_finite(const identify_detail::Fit& fit) {
       "finite; wanted more motion (burnish identify --excite writes one), or fewer bodies");
 }
 
-}  // namespace
-
-Vector10 estimate_values(const InertiaSpec& inertia) {
-  const Eigen::Matrix3d& I = inertia.inertia_at_com;
-  Vector10 result;
-  result << inertia.mass, inertia.com, I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2);
-  return result;
-}
-
-std::vector<int> EstimatedInertia::not_shown() const {
-  std::vector<int> result;
-  for (int i = 0; i < 10; ++i)
-    if (!is_shown(i)) result.push_back(i);
-  return result;
-}
-
-Identification identify(const Model& model, const MotionRecord& record,
-                        const IdentificationSpec& spec) {
+/// identify() of a robot without continuous joints.
+Identification identify_by_angles(const Model& model, const MotionRecord& record,
+                                  const IdentificationSpec& spec) {
   using namespace identify_detail;
   Windows windows(model, record, spec);
   const std::vector<Unknown> unknowns = unknowns_of(model, spec);
@@ -246,23 +231,29 @@ Identification identify(const Model& model, const MotionRecord& record,
   return result;
 }
 
-MotionRecord motion_record(const Model& model, const Trace& trace) {
-  const auto column = [&](const std::string& measured, const std::string& plain) {
-    return trace.column(trace.has(measured) ? measured : plain);
-  };
-  const Trace::Column time = trace.column("time");
-  MotionRecord record;
-  const Eigen::Index n = time.size();
-  record.q.resize(n, model.nq);
-  record.tau.resize(n, model.nv);
-  for (int k = 0; k < model.nq; ++k) {
-    const std::string name = "q_" + model.q_name(k);
-    record.q.col(k) = column("measured_" + name, name);
-  }
-  for (int k = 0; k < model.nv; ++k)
-    record.tau.col(k) = column("tau_measured_" + model.v_name(k), "tau_" + model.v_name(k));
-  identify_detail::make_even(model, Eigen::VectorXd(time), record);
-  return record;
+}  // namespace
+
+Vector10 estimate_values(const InertiaSpec& inertia) {
+  const Eigen::Matrix3d& I = inertia.inertia_at_com;
+  Vector10 result;
+  result << inertia.mass, inertia.com, I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2);
+  return result;
+}
+
+std::vector<int> EstimatedInertia::not_shown() const {
+  std::vector<int> result;
+  for (int i = 0; i < 10; ++i)
+    if (!is_shown(i)) result.push_back(i);
+  return result;
+}
+
+Identification identify(const Model& model, const MotionRecord& record,
+                        const IdentificationSpec& spec) {
+  using namespace identify_detail;
+  const double before_start = spec.start / record.period;
+  const bool has_start = before_start > 0.0 && before_start < static_cast<double>(record.q.rows());
+  const auto first = has_start ? static_cast<Eigen::Index>(before_start) : 0;
+  return identify_by_angles(angle_model(model), with_angles(model, record, first), spec);
 }
 
 }  // namespace burnish

@@ -138,21 +138,6 @@ void check_positions(const Model& model, CheckedRecord& checked) {
   }
 }
 
-void check_circles(const Model& model, const MotionRecord& record) {
-  constexpr double tolerance = 0.05;  // of the length of (cos, sin)
-  for (const Joint& joint : model.joints) {
-    if (joint.kind != JointKind::Continuous || joint.nq != 2) continue;
-    const Eigen::VectorXd length = record.q.middleCols(joint.q_index, 2).rowwise().norm();
-    Eigen::Index worst = 0;
-    const double off = (length.array() - 1.0).abs().maxCoeff(&worst);
-    if (off > tolerance)
-      throw Error("identify: " + in_quotes(q_column(model, joint.q_index)) + " and " +
-                  in_quotes(q_column(model, joint.q_index + 1)) + " have a length of " +
-                  number(length[worst]) + " at " + time_text(record, worst) +
-                  "; wanted the cosine and the sine of the angle");
-  }
-}
-
 void check_torques(const Model& model, CheckedRecord& checked) {
   RowMatrix& tau = checked.record.tau;
   std::vector<std::string> still;
@@ -255,7 +240,6 @@ CheckedRecord checked_record(const Model& model, const MotionRecord& record) {
   check_numbers(model, record);
   check_motion(model, record);
   CheckedRecord result{record, {}, {}, {}};
-  check_circles(model, record);
   check_frozen(model, result);
   check_positions(model, result);
   check_torques(model, result);

@@ -43,6 +43,7 @@ Trial try_identification(const Model& model, const Excitation& motion,
   IdentificationSpec of_payload = spec;
   of_payload.bodies.clear();
   const Trace trace = record_motion(model, result.carried, motion, drawn);
+  result.warnings = check_followed(model, motion, trace);
   result.found = identify(model, motion_record(model, trace), of_payload);
   result.error = result.found.inertias.front().values - estimate_values(result.carried.inertia);
   return result;

@@ -38,6 +38,56 @@ TEST(Identify, FindsInARecordWhatWasCarried) {
   EXPECT_NEAR(total(quoted(scratch.folder)) - total("arm7"), mass, 0.01 * mass);
 }
 
+/// An arm of two joints that swing in a vertical plane, the first of them without end. It is
+/// stretched out, which takes 13.7 Nm of the first joint.
+std::string endless_arm(const Scratch& scratch, const std::string& effort = "90") {
+  const auto link = [](const std::string& name, const char* com) {
+    return "<link name='" + name + "'><inertial><mass value='2'/><origin xyz='" + com +
+           "'/><inertia ixx='.02' iyy='.02' izz='.02' ixy='0' ixz='0' iyz='0'/></inertial></link>";
+  };
+  return quoted(scratch.write(
+      "endless.urdf",
+      "<robot name='endless'><link name='base'/>" + link("upper", "0.2 0 0") +
+          link("tool", "0.1 0 0") +
+          "<joint name='endless' type='continuous'><parent link='base'/><child link='upper'/>"
+          "<axis xyz='0 1 0'/><limit effort='" +
+          effort +
+          "' velocity='3'/></joint><joint name='elbow' type='revolute'><origin xyz='0.4 0 0' "
+          "rpy='0.3 0 0'/><parent link='upper'/><child link='tool'/><axis xyz='0 1 0'/><limit "
+          "lower='-2' upper='2' effort='60' velocity='3'/></joint></robot>"));
+}
+
+TEST(Identify, AnEndlessJoint_IsReadByItsAngle) {
+  const Scratch scratch;
+  const std::string arm = endless_arm(scratch) + " --payload tool ";
+  const std::string record = quoted(scratch.folder / "record.csv"),
+                    angles = quoted(scratch.folder / "angles.csv"),
+                    motion = quoted(scratch.folder / "motion.csv");
+  ASSERT_EQ(run("identify " + arm + "--seed 3 --duration 5 --simulate " + record).exit_code, 0);
+  // What an encoder tells: one angle, here with its zero where the joint starts and a wrap there.
+  shell(
+      "awk -F, -v OFS=, 'NR == 1 {for (i = 1; i <= NF; i++) {sub(/ .*/, \"\", $i); at[$i] = i} "
+      "print \"time,q_endless,q_elbow,tau_endless,tau_elbow\"} NR > 1 {print $at[\"time\"], "
+      "sprintf(\"%.12g\", atan2($at[\"measured_q_endless.sin\"], "
+      "$at[\"measured_q_endless.cos\"]) + ($at[\"measured_q_endless.sin\"] < 0 ? 6.283185307179586 "
+      ": 0)), $at[\"measured_q_elbow\"], $at[\"tau_measured_endless\"], "
+      "$at[\"tau_measured_elbow\"]}' " +
+      record + " > " + angles);
+  const auto mass = [&](const std::string& file) {
+    const Outcome found = run("identify " + arm + file + " --json");
+    EXPECT_EQ(found.exit_code, 0) << found.err;
+    EXPECT_EQ(found.err.find("wraps"), std::string::npos) << found.err;
+    return found.exit_code != 0 ? 0.0
+                                : Json::parse(found.out)["inertias"][0]["values"][0].get<double>();
+  };
+  EXPECT_NEAR(mass(angles), mass(record), 1e-6);
+
+  ASSERT_EQ(run("identify " + arm + "--duration 5 --excite " + motion).exit_code, 0);
+  const std::string text = contents(scratch.folder / "motion.csv");
+  EXPECT_EQ(text.rfind("time [s],q_endless [rad],q_elbow [rad],v_endless [rad/s]", 0), 0U)
+      << text.substr(0, 80);
+}
+
 TEST(Identify, ARecordThatCannotBeRight_LeavesNoFileAndNoNumber) {
   const Scratch scratch;
   // An arm at rest, and one whose torques are in Nmm.
@@ -116,6 +166,45 @@ TEST(Identify, WritesAMotionThatARobotCanFollow) {
   const std::string text = contents(file);
   EXPECT_EQ(lines_of(text), 5002);
   EXPECT_EQ(text.rfind("time [s],q_joint_1 [rad]", 0), 0U) << text.substr(0, 80);
+}
+
+TEST(Identify, AnArmThatCannotHoldItsStart_LeavesNoMotionAndNoRecord) {
+  const Scratch scratch;
+  const std::string weak = endless_arm(scratch, "12") + " --payload tool ";
+  for (const char* what : {"--excite ", "--simulate "}) {
+    const std::filesystem::path file = scratch.folder / "file.csv";
+    const Outcome outcome = run("identify " + weak + what + quoted(file));
+    expect_refused(outcome,
+                   "joint 'endless' takes 13.734 Nm to hold the start, more than its "
+                   "effort limit of 12 Nm; wanted another start (--posture)");
+    EXPECT_FALSE(std::filesystem::exists(file));
+  }
+  expect_refused(run("identify " + weak + "--seeds 1"), "joint 'endless' takes 13.734 Nm");
+}
+
+TEST(Identify, AnArmThatFallsWithItsPayload_LeavesNoRecordAndNoNumbers) {
+  const Scratch scratch;
+  // Seed 3 draws 2.84 kg, which take another 11 Nm.
+  const std::string weak =
+      endless_arm(scratch, "17.3") + " --payload tool --duration 5 --range 0.3 --seed 3 ";
+  const std::filesystem::path motion = scratch.folder / "motion.csv",
+                              record = scratch.folder / "record.csv";
+  const Outcome planned = run("identify " + weak + "--excite " + quoted(motion));
+  EXPECT_EQ(planned.exit_code, 0);
+  EXPECT_EQ(planned.err.rfind("burnish: the motion is reduced to ", 0), 0U) << planned.err;
+  const auto expect_fall = [](const Outcome& outcome) {
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    const std::size_t at = outcome.err.find("the simulated arm cannot follow the motion: joint ");
+    ASSERT_NE(at, std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("'endless' leaves the planned motion at ", at), std::string::npos);
+    EXPECT_NE(outcome.err.find("effort limit of 17.3 Nm", at), std::string::npos) << outcome.err;
+  };
+  expect_fall(run("identify " + weak + "--simulate " + quoted(record)));
+  EXPECT_FALSE(std::filesystem::exists(record));
+  const Outcome tried = run("identify " + weak + "--first-seed 3 --seeds 1");
+  expect_fall(tried);
+  EXPECT_NE(tried.err.find("burnish: seed 3: "), std::string::npos) << tried.err;
 }
 
 TEST(Identify, RefusesWhatItCannotUse) {

@@ -20,17 +20,20 @@ namespace burnish {
 
 /// A motion as it was measured, a row per sample.
 struct MotionRecord {
-  double period = 1e-3;                    ///< s between samples
-  RowMatrix q;                             ///< n x nq
+  double period = 1e-3;  ///< s between samples
+  /// n x nq, or with one angle for each continuous joint in place of (cos, sin) [rad, m]
+  RowMatrix q;
   RowMatrix tau;                           ///< n x nv: Nm, N
   double first_time = 0.0;                 ///< of the first sample, for sentences [s]
   std::vector<std::string> warnings = {};  ///< sentences about what was mended in the times
 };
 
 /// The columns `measured_q_<name>` and `tau_measured_<name>` of a run's trace (ClosedLoop), or q_
-/// and tau_ where it has none of these. Throws Error where one is missing and for times that
-/// do not increase. Times that are uneven by more than 1 % and single lost samples are resampled,
-/// which a warning says; gaps over 30 ms and 5 % of lost samples are refused.
+/// and tau_ where it has none of these. A continuous joint has its angle as `q_<joint>` [rad],
+/// wrapped or not, or `q_<joint>.cos` and `q_<joint>.sin`; where both are there, these. Throws
+/// Error where one is missing and for times that do not increase. Times that are uneven by more
+/// than 1 % and single lost samples are resampled, which a warning says; gaps over 30 ms and 5 % of
+/// lost samples are refused.
 MotionRecord motion_record(const Model& model, const Trace& trace);
 
 struct IdentificationSpec {

@@ -13,10 +13,11 @@ struct Trial {
   Payload carried;
   Identification found;
   Vector10 error = Vector10::Zero();  ///< of EstimatedInertia::values
+  std::vector<std::string> warnings;  ///< sentences of check_followed()
 };
 
 /// The payload of that seed along the motion, with the seed's noise; found in `spec.payload`.
-/// Throws Error as record_motion() and identify() do.
+/// Throws Error as record_motion(), check_followed() and identify() do.
 Trial try_identification(const Model& model, const Excitation& motion,
                          const Disturbances& disturbances, const IdentificationSpec& spec,
                          std::uint64_t seed);
