@@ -7,12 +7,14 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import Any, Callable, Optional, Sequence, Union
 
 from ._core import HoldResult as RunResult
 from ._core import hold_check_reach as check_reach
 from ._core import hold_check_task as check_task
+from ._core import hold_fit_to_robot as fit_to_robot
 from ._core import hold_make_controller as make_controller
 from ._core import hold_make_setting as make_setting
 from ._core import hold_override_task as override_task
@@ -29,7 +31,7 @@ from .sim import Disturbances, SceneSpec
 
 __all__ = [
     "HoldFigures", "RunResult", "RunSpec", "Setting", "Task", "check_reach", "check_task",
-    "make_controller", "make_setting", "make_task", "override_task", "phase_names", "read_task",
+    "fit_to_robot", "make_controller", "make_setting", "make_task", "override_task", "phase_names", "read_task",
     "run", "run_task", "task_text", "task_units",
 ]
 
@@ -66,8 +68,13 @@ def run(
     """run_task() of make_task(). plant: "mujoco" or "ideal"; None: MuJoCo where this build has it.
 
         press_hold.run("my_task.yaml", plant="ideal", overrides=["disturbances=sensors"])
-    """
+
+    With another robot the task goes through fit_to_robot(), whose changes are warnings."""
     task = make_task(where, overrides=overrides, **entries)
+    if "robot" in entries or any(change.startswith("robot=") for change in overrides):
+        task, changes = fit_to_robot(task)
+        for change in changes:
+            warnings.warn(change, stacklevel=2)
     spec = RunSpec(task=task, check_reach=check_reach, progress=progress)
     if plant is not None:
         spec.plant = plant  # type: ignore[assignment]  # names are taken for members

@@ -36,6 +36,18 @@ void bind_press_hold(py::module_& m) {
       "ReachReport: whether the arm can come down from the start and press at the point, by "
       "statics; it knows nothing of the way aside. setting: of the task if None.");
   m.def(
+      "hold_fit_to_robot",
+      [](press_hold::Task task, const std::optional<Robot>& robot) {
+        const std::vector<std::string> changes =
+            fit_to_robot(task, robot ? *robot : load_task_robot(task));
+        return std::pair(task, changes);
+      },
+      py::arg("task"), py::arg("robot") = py::none(), py::call_guard<py::gil_scoped_release>(),
+      "The task, written for another robot, adapted to `robot`, its own if None; and a sentence "
+      "for "
+      "each change. A posture that the robot does not have is searched for. Where it has no joint "
+      "of `aside`, its third joint from the base moves. Raises Error as make_setting() does.");
+  m.def(
       "hold_phase_names", [] { return press_hold::phase_names(); },
       "Of the schedule, as the numbers of a trace: approach, ramp, aside, hold, retreat.");
 }

@@ -39,6 +39,17 @@ def test_force_and_point_are_held_while_the_arm_moves_aside(result):
     assert result.setting.q_aside[2] - result.setting.q_start[2] == pytest.approx(0.6)
 
 
+def test_another_robot_gets_a_task_that_fits_it():
+    arm = "talos:right_arm"
+    with pytest.warns(UserWarning, match="aside: robot 'talos' does not have"):
+        other = press_hold.run(SHIPPED, robot=arm, plant="ideal", **SHORT)
+    assert other.done, other.outcome
+    task, changes = press_hold.fit_to_robot(press_hold.make_task(SHIPPED, robot=arm))
+    assert len(changes) == 2 and task == other.task
+    own = press_hold.make_task(SHIPPED)
+    assert press_hold.fit_to_robot(own) == (own, [])
+
+
 @pytest.mark.skipif(not burnish.has_mujoco(), reason="this build has no MuJoCo")
 def test_it_holds_on_mujoco_too():
     result = press_hold.run(SHIPPED, **SHORT)
