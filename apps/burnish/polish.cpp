@@ -121,7 +121,10 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
     if (arguments.robot.empty()) surfaces.emplace_back("board");
   }
   if (surfaces.empty()) surfaces = {""};
-  if (!arguments.file.empty()) refuse_robot(arguments.file, "--robot");
+  if (!arguments.file.empty()) {
+    refuse_robot(arguments.file, "--robot");
+    refuse_file_of_another_command(arguments.file, "polish");
+  }
   std::vector<PolishJob> jobs;
   for (const std::string& surface : surfaces) {
     files::Said<polishing::Task> said = make_task(arguments, surface);

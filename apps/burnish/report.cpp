@@ -23,7 +23,8 @@ struct ReportArguments {
 constexpr const char* wanted_run =
     "wanted a folder that burnish polish, run or solve wrote, with run.json in it";
 
-/// The run.json files that an argument means: a file, a run's folder, or a folder of such.
+/// The run.json files that an argument means: a file, a run's folder, or a folder with such at any
+/// depth.
 std::vector<fs::path> files_of(const std::string& argument) {
   const fs::path path = argument;
   std::error_code ignored;
@@ -32,8 +33,10 @@ std::vector<fs::path> files_of(const std::string& argument) {
   if (!fs::is_directory(path, ignored)) return {path};
   if (fs::exists(path / "run.json", ignored)) return {path / "run.json"};
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path, ignored))
-    if (fs::exists(entry.path() / "run.json", ignored)) files.push_back(entry.path() / "run.json");
+  constexpr auto readable = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator at(path, readable, ignored), end; at != end;
+       at.increment(ignored))
+    if (at->path().filename() == "run.json") files.push_back(at->path());
   if (files.empty()) throw Error(fmt::format("'{}' is no run; {}", argument, wanted_run));
   std::sort(files.begin(), files.end());
   return files;

@@ -6,6 +6,7 @@
 
 #include "base/findings.hpp"
 #include "burnish/base/error.hpp"
+#include "task_argument.hpp"
 
 namespace burnish::app {
 
@@ -32,6 +33,7 @@ void RobotArguments::add_to(CLI::App& command) {
 
 Robot RobotArguments::load() const {
   if (free_flyer && fixed) throw Error("--free-flyer and --fixed exclude each other");
+  refuse_file_of_another_command(robot, "show");
   RobotOverrides overrides;
   if (free_flyer) overrides.base = Base::FreeFlyer;
   if (fixed) overrides.base = Base::Fixed;

@@ -94,6 +94,13 @@ void tell_margins(const std::string& name, const Task& task, const MpcSpec& spec
     fmt::print("{}: tolerates {}\n", name, margins.text());
 }
 
+/// Whether an override names another robot than the task's file, which is the first text.
+bool names_another_robot(const std::vector<files::Reader>& texts) {
+  return std::any_of(texts.begin() + 1, texts.end(), [](const files::Reader& text) {
+    return files::stated(text, "robot").has_value();
+  });
+}
+
 /// Prints what is odd about a run that will be made.
 template <class RunSpec>
 void print_notes(const RunArguments& a, const std::string& name, const RunSpec& spec,
@@ -132,7 +139,7 @@ auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) 
         check_stated_feet(robot.model, spec.task.standing, said.texts);
       if (is_first) print_warnings(robot, a.strict);
       if constexpr (requires { fit_to_robot(spec.task, robot); })
-        if (!a.robot.empty())
+        if (names_another_robot(said.texts))
           for (const std::string& change : fit_to_robot(spec.task, robot))
             if (is_first) fmt::print(stderr, "burnish: note: {}\n", change);
       spec.setting = make_setting(spec.task, robot);
@@ -230,6 +237,7 @@ int run_as(const RunArguments& a) {
 int run(const RunArguments& arguments) {
   const std::string& file = arguments.file;
   refuse_robot(file, "burnish run TASK --robot");
+  refuse_file_of_another_command(file, "run");
   const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
   std::optional<int> code;
   std::function<int()> first;

@@ -11,6 +11,7 @@
 #include "record/solution.hpp"
 #include "robot_arguments.hpp"
 #include "signals.hpp"
+#include "task_argument.hpp"
 
 namespace burnish::app {
 namespace {
@@ -60,6 +61,7 @@ void print_start(const Problem& problem, const std::string& file) {
 }
 
 int solve(const SolveArguments& arguments) {
+  refuse_file_of_another_command(arguments.file, "solve");
   const ProblemFile file = read_problem_file(arguments.file);
   print_warnings(file.robot, arguments.strict);
   named_by(arguments.file, [&] { require_simulable(file.robot.model); });

@@ -38,6 +38,47 @@ void refuse_robot(const std::string& file, const std::string& option) {
                           in_quotes(file), option, shell_word(file)));
 }
 
+namespace {
+
+/// What a YAML file is, and the command that takes it.
+struct FileKind {
+  std::string what, command;
+};
+/// By the keys at the file's top; without a command where they do not tell.
+FileKind kind_of_file(const std::string& file) {
+  const auto top = files::Reader::parse(read_text(file, "YAML file"), file);
+  if (!top.is_map()) return {};
+  const auto has = [&](const char* key) { return top.find(key).has_value(); };
+  if (const auto task = top.find("task")) {
+    if (task->is("polishing")) return {"a task file", "polish"};
+    if (did_you_mean(task->node().text, {"polishing"}).empty()) return {"a task file", "run"};
+    return {};
+  }
+  if (has("terms")) return {"an optimal-control problem", "solve"};
+  if (has("urdf") || has("mjcf")) return {"settings of a robot", "show"};
+  if (has("surface")) return {"a task file", "polish"};
+  return {};
+}
+std::string wanted_of(const std::string& command) {
+  if (command == "show") return "a robot";
+  return command == "solve" ? "an optimal-control problem" : "a task file of burnish " + command;
+}
+
+}  // namespace
+
+void refuse_file_of_another_command(const std::string& file, const std::string& wanted) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  std::error_code ignored;
+  if ((extension != ".yaml" && extension != ".yml") ||
+      !std::filesystem::is_regular_file(file, ignored))
+    return;
+  const FileKind kind = kind_of_file(file);
+  if (kind.command.empty() || kind.command == wanted) return;
+  throw Error(fmt::format("{} is {}, and {} was wanted; did you mean burnish {} {}?",
+                          in_quotes(file), kind.what, wanted_of(wanted), kind.command,
+                          shell_word(file)));
+}
+
 void check_stated_feet(const Model& model, const Standing& standing,
                        const std::vector<files::Reader>& texts) {
   const auto is_overridden = [&](const char* key) {

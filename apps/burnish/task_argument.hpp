@@ -17,6 +17,11 @@ std::string place_name(const std::string& surface, const polishing::Task& task);
 /// takes a robot.
 void refuse_robot(const std::string& file, const std::string& option);
 
+/// Throws Error if the YAML file `file` is for another command than `wanted`: a task, an
+/// optimal-control problem or settings of a robot. `wanted`: "polish", "run", "solve", or "show"
+/// for all that take a robot. The message names the command.
+void refuse_file_of_another_command(const std::string& file, const std::string& wanted);
+
 /// Throws EntryError, "standing.feet", for a frame that the robot does not have. Feet that a file
 /// states for its own robot pass where an override names another one: standing_on() replaces them.
 /// `texts`: the task's file, then its overrides.

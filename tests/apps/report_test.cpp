@@ -172,6 +172,9 @@ TEST(Report, PutsRunsOnOnePage) {
   Json alone = Json::parse(contents(scratch.folder / "30" / "table_baseline" / "run.json"));
   alone["runs"][0]["name"] = "30/table_baseline";
   EXPECT_EQ(page["runs"][1], alone["runs"][0]);
+  const Outcome whole =
+      run("report " + quoted(scratch.folder) + " --out " + quoted(scratch.folder / "all.html"));
+  EXPECT_EQ(whole.out.rfind("2 runs in ", 0), 0U) << "of any depth: " << whole.out << whole.err;
 }
 
 TEST(Report, BadInputIsOneSentence) {

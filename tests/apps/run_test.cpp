@@ -71,6 +71,25 @@ TEST(Run, SeveralSeeds_LeaveAFolderEachAndATableOverThem) {
             std::string::npos);
 }
 
+/// However an override names another robot, the task is adapted to it; what the file says of its own
+/// robot is not.
+TEST(Run, AnotherRobotByAnyOverride_IsFitted) {
+  const std::string arm = std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm";
+  const std::string soon = " --quiet --no-page --set phases.hold_duration=0.1";
+  const std::string task = "task: press_hold\naside: {joint_3: 0.2}\n";
+  for (const std::string& robot : {" --robot " + arm, " --set robot=" + arm}) {
+    const Scratch scratch;
+    const Outcome outcome = run_task_text(scratch, task, soon + robot);
+    EXPECT_EQ(outcome.exit_code, 0) << robot << outcome.out << outcome.err;
+    EXPECT_NE(outcome.err.find("note: aside: robot 'talos' does not have"), std::string::npos)
+        << robot << outcome.err;
+  }
+  const Scratch scratch;
+  const Outcome refused = run_task_text(scratch, task + "robot: " + arm + "\n", soon);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("aside.joint_3"), std::string::npos) << refused.err;
+}
+
 TEST(Run, SaysThatTheWorldIsIdealUnlessItIsMeant) {
   const std::string ideal = "note: the world is ideal", task = "task: press_hold\n";
   const std::string soon = " --quiet --no-page --set phases.hold_duration=0.1";
@@ -146,7 +165,8 @@ TEST(Run, RefusesFeetOfTheCommandLineThatTheRobotDoesNotHave) {
 TEST(Run, RefusesWhatIsNoTask) {
   const Scratch scratch;
   for (const auto& [text, words] :
-       {std::pair("robot: arm7\n", "burnish polish"), std::pair("task: polishing\n", "press_hold"),
+       {std::pair("robot: arm7\n", "burnish polish"),
+        std::pair("task: polishing\n", "burnish polish"),
         std::pair("task: press_hold\ntool: {frame: tol}\n", "line 2: tool.frame"),
         std::pair("task: press_hold\nrobot: arm8\n", "arm8")}) {
     const Outcome outcome = run_task_text(scratch, text, "");
