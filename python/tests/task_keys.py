@@ -288,14 +288,14 @@ TASKS: Dict[str, Task] = {
         "controller.update_rate=200", "controller.tick_rate=1000", "path.start_up=0.05",
         "weights.position=1e4", "model_error.boost=6", "model_error.bandwidth=120"], _polishing()),
     "press_hold": Task("press_hold", "press_hold/arm7.yaml", [
-        "phases.clearance=0.002", "phases.ramp_duration=0.05", "phases.aside_duration=0.1", "phases.hold_duration=0.1",
+        "phases.clearance=0.002", "phases.ramp_duration=0.05", "phases.aside_duration=0.4", "phases.hold_duration=0.1",
         "phases.retreat_duration=0.1", "controller.tick_rate=500"], _press_hold()),
     "stand": Task("stand", "stand/quadruped.yaml", [
         "phases.settle_duration=0.1", "phases.sway_duration=0.25", "phases.rest_duration=0.05", "sway.rise=0.1",
         "controller.horizon=0.3", "controller.knots=6", "standing.settle=0.1", "standing.hoist=0.05"], _stand()),
     "push_wall": Task("push_wall", "push_wall/talos.yaml", [
         "phases.settle_duration=0.1", "phases.clearance=0.003", "phases.approach_speed=0.02",
-        "phases.ramp_duration=0.1", "phases.hold_duration=0.1", "lean.rate=1000", "lean.hold_duration=0.1",
+        "phases.ramp_duration=0.1", "phases.hold_duration=0.4", "lean.rate=1000", "lean.hold_duration=0.4",
         "phases.release_duration=0.1", "phases.retreat_duration=0.1", "standing.settle=0.2", "standing.hoist=0.1",
         "controller.update_rate=100", "controller.solver_delay=0.01", "lean.force_max=70", "controller.horizon=0.6",
         "controller.knots=10", "standing.estimate=false"], _push_wall()),

@@ -3,6 +3,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/tasks/press_hold/press_hold.hpp"
+#include "press_hold/measured.hpp"
 #include "pressing/closed_run.hpp"
 
 namespace burnish::press_hold {
@@ -23,10 +24,11 @@ void measure_hold(RunResult& result) {
   const Model& model = setting.robot.model;
   const int begin = first_row(trace, 2), end = first_row(trace, 4);
   const Trace::Column time = trace.column("time");
-  if (end - begin < 2 || !(time[end - 1] - time[begin] > 0.5)) return;
+  const double last = end - begin < 2 ? 0.0 : time[end - 1];
+  if (!(last - time[begin] > least_measured - before_retreat)) return;
   MetricsSpec spec;
-  spec.start = time[begin] + 0.2;
-  spec.end = time[end - 1] - 0.02;
+  spec.start = time[begin] + after_ramp;
+  spec.end = last - before_retreat;
   result.metrics = measure(trace, model, spec);
   HoldFigures& hold = result.hold.emplace();
   for (int k = 0; k < model.nq; ++k) {

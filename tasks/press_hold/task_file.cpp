@@ -2,6 +2,7 @@
 
 #include "base/sentence.hpp"
 #include "press_hold/descriptions.hpp"
+#include "press_hold/measured.hpp"
 #include "pressing/task_checks.hpp"
 #include "pressing/task_form.hpp"
 
@@ -45,6 +46,12 @@ void check_task(const Task& task) {
     if (!(time <= longest))
       throw EntryError(std::string("phases.") + key,
                        "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
+  const double measured = task.aside_duration + task.hold_duration;
+  if (!(measured >= least_measured))
+    throw EntryError("phases.hold_duration",
+                     "it is " + number(task.hold_duration) + " s and with phases.aside_duration " +
+                         number(measured) + " s; wanted at least " + number(least_measured) +
+                         " s together, over which the force is judged");
 }
 
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant) {

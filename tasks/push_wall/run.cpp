@@ -138,7 +138,6 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
 }
 
 void measure_push(const Task& task, const LeanState& lean_state, RunResult& result) {
-  constexpr double settling = 0.3;  // s after the ramp
   const Trace& trace = result.trace;
   const auto [begin, end] = window(trace, hold, settling, lean);
   if (end - begin < 2) return;

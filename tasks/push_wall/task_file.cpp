@@ -4,6 +4,7 @@
 #include "pressing/task_checks.hpp"
 #include "pressing/task_form.hpp"
 #include "push_wall/descriptions.hpp"
+#include "push_wall/pushing.hpp"
 
 namespace burnish::push_wall {
 namespace {
@@ -79,6 +80,11 @@ void check_task(const Task& task) {
                              {"lean.hold_duration", task.lean.hold_duration},
                              {"phases.release_duration", task.release_duration},
                              {"phases.retreat_duration", task.retreat_duration}});
+  for (const auto& [entry, duration] : {std::pair("phases.hold_duration", task.hold_duration),
+                                        {"lean.hold_duration", task.lean.hold_duration}})
+    if (!(duration >= least_hold))
+      refuse(entry, "it is " + number(duration) + " s; wanted at least " + number(least_hold) +
+                        " s, over which the force is judged");
   pressing::check_plan_times(pressing::plan_times_of(task));
   pressing::check_contact_step(task.step, "wall.contact_kd", task.wall.contact_kd);
   pressing::check_contact_step(task.step, "standing.contact_kd", task.standing.contact_kd);

@@ -155,6 +155,9 @@ TEST(PressHold, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
                {"line 2: surface.normal"});
   expect_words(refused("task: press_hold\nphases: {touch_force: 50}\n"),
                {"my.yaml: line 2: phases.touch_force: it is 50 N", "force of 20 N"});
+  expect_words(
+      refused("task: press_hold\nphases: {aside_duration: 0.2, hold_duration: 0.1}\n"),
+      {"line 2: phases.hold_duration: it is 0.1 s and with phases.aside_duration 0.3 s", "0.5 s"});
   expect_words(refused("task: press_hold\naside: 3\n"), {"line 2: aside"});
   expect_words(refused("task: press_hold\nrobot: arm8\n"), {"my.yaml: line 2: robot", "arm8"});
   const std::string robot = "task: press_hold\nrobot: " + arm7 + "\n";

@@ -158,6 +158,10 @@ TEST(PushWall, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
   expect_words(refused(head + "wall: {normal: [0, -1, 0]}\n"), {"posture: hand", "farther"});
   expect_words(refused(head + "phases: {touch_force: 60}\n"),
                {"line 4: phases.touch_force: it is 60 N", "force of 50 N"});
+  expect_words(refused(head + "phases: {hold_duration: 0.3}\n"),
+               {"line 4: phases.hold_duration: it is 0.3 s; wanted at least 0.4 s"});
+  expect_words(refused(head + "lean: {hold_duration: 0.3}\n"),
+               {"line 4: lean.hold_duration: it is 0.3 s; wanted at least 0.4 s"});
   expect_words(refused(head + "lean: {force_max: 40}\n"), {"line 4: lean.force_max: it is 40 N"});
   expect_words(refused(head + "limits: {force: 52}\n"), {"line 4: limits.force: it is 52 N"});
   expect_words(refused(head + "limits: {force: never}\n"), {"lean.force_max: it is never"});
