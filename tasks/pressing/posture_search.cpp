@@ -425,6 +425,30 @@ std::string about_axis(const Eigen::Vector3d& axis, const Searched& in) {
               : ", and with " + axis_text(-axis) + " none is found either");
 }
 
+/// Looser limits of the search with which a posture is found: "; with search.body_distance=0.1 a
+/// posture is found". Empty if there is none.
+std::string about_looser_limits(const Eigen::Vector3d& axis, const Searched& in) {
+  struct Looser {
+    double body_distance, joint_margin;  ///< m, rad
+  };
+  // Chosen: what arms that find none as shipped need; links are about 0.05 m thick.
+  for (const Looser& looser : {Looser{0.15, 0.15}, {0.1, 0.15}, {0.1, 0.05}}) {
+    PostureOptions options = in.options;
+    options.body_distance = std::min(options.body_distance, looser.body_distance);
+    options.joint_margin = std::min(options.joint_margin, looser.joint_margin);
+    std::string with, unused;
+    if (options.body_distance < in.options.body_distance)
+      with = "search.body_distance=" + number(options.body_distance);
+    if (options.joint_margin < in.options.joint_margin)
+      with +=
+          (with.empty() ? "" : " and ") + ("search.joint_margin=" + number(options.joint_margin));
+    if (!with.empty() &&
+        search_along(axis, {in.place, in.model, in.known, options, in.check_reach}, unused))
+      return "; with " + with + " a posture is found";
+  }
+  return "";
+}
+
 }  // namespace
 
 FoundPosture search_posture(const PressingPlace& place, const Model& model,
@@ -434,7 +458,8 @@ FoundPosture search_posture(const PressingPlace& place, const Model& model,
   const Eigen::Vector3d axis = tool_direction(place.tool, place.tool_axis, model).axis;
   std::string why;
   if (auto found = search_along(axis, in, why)) return *std::move(found);
-  throw Error("no posture was found for the surface: " + why + about_axis(axis, in));
+  throw Error("no posture was found for the surface: " + why + about_axis(axis, in) +
+              about_looser_limits(axis, in));
 }
 
 }  // namespace burnish::pressing

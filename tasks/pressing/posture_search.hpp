@@ -42,7 +42,7 @@ using CheckReach = std::function<ReachReport(const Eigen::VectorXd& q_start)>;
 ///         + 0.1 m / (smallest singular value of the tool's translational Jacobian at the start).
 /// The tool presses along tool_direction(). Throws Error with one sentence if there is none: which
 /// condition the nearest posture fails, or what is in the best one's way; which tool.axis was
-/// taken, and whether the opposite one has a posture.
+/// taken, and whether the opposite one has a posture; and looser limits with which one is found.
 FoundPosture search_posture(const PressingPlace& place, const Model& model,
                             const std::vector<Eigen::VectorXd>& known,
                             const PostureOptions& options, const CheckReach& check_reach);

@@ -129,7 +129,8 @@ TEST(Posture, BodyDistanceIsAKeyOfTheTask) {
   Task task = task_for_arm7("tool");
   override_task(task, {"search.body_distance=2"});
   expect_words(refusal([&] { make_setting(task); }),
-               {"m of the robot's body; wanted at least", "(search.body_distance)"});
+               {"m of the robot's body; wanted at least", "(search.body_distance)",
+                "with search.body_distance=0.15 a posture is found"});
   override_task(task, {"search.body_distance=0.25", "search.joint_margin=2"});
   expect_words(refusal([&] { make_setting(task); }), {"rad of its limit; wanted at least 2"});
 }
