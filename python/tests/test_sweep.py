@@ -17,7 +17,7 @@ import pytest
 import burnish
 from burnish import _core, campaign
 from burnish.campaign._points import read_values
-from burnish.campaign._sweep import read_sweep
+from burnish.campaign._sweep import figure_named, read_sweep
 from burnish.campaign._tasks import NAMED_TASKS, TaskFile, make_task_run, outcome_of
 
 TASKS = Path(__file__).resolve().parents[2] / "tasks"
@@ -263,6 +263,7 @@ class TestRuns:
         assert first != second
 
     def test_a_figure_that_there_is_not_is_one_sentence(self, tmp_path):
+        assert [figure_named(name, ["slip_m"]) for name in ("hold.slip", "slip", "slip_m")] == ["slip_m"] * 3
         with pytest.raises(campaign.CampaignError, match="there is no figure 'force_rms'; did you mean 'force_rmse"):
             campaign.sweep(pressing(vary={"phases.hold_duration": [0.1]}, keep=["force_rms"]), out=tmp_path / "out",
                            quiet=True)

@@ -144,9 +144,11 @@ def _worst(given: Any) -> Optional[Worst]:
 
 
 def figure_named(name: str, known: List[str]) -> str:
-    """`force_rmse` or `force_rmse_N` as `force_rmse_N`. Raises CampaignError with the nearest one."""
+    """`force_rmse` or `force_rmse_N` as `force_rmse_N`, and `hold.slip` of metrics.json's section `hold` as `slip_m`.
+    Raises CampaignError with the nearest one."""
+    last = name.rpartition(".")[2]
     for figure in known:
-        if name == figure or name == bare(figure):
+        if last in (figure, bare(figure)):
             return figure
     raise CampaignError(f"there is no figure '{name}'{nearest(name, known)}")
 
