@@ -1,0 +1,393 @@
+"""Reads descriptions of specifications from headers, and writes them as C++.
+
+A struct or enumeration is described where the comment above it says `@described LAYER`: what stands before that is its
+meaning, what stands behind it is for readers of the header alone. `@described LAYER.NAME` gives it another name than
+C++ does, `@result` says that it comes out of the library. Each member is a statement of its own with a comment:
+
+    double force = 30.0;  ///< Normal force to press with [N], > 0
+
+A text may have one unit in brackets, and ends with the numbers that are taken: `> 0`, `>= 0`, `0 to 1`, `0 to below 1`,
+`between 0 and 1`, `not zero` of a vector, each with ` or infinite`, or `finite or infinite`. Behind it:
+
+    @more TEXT      what files do not say         @key NAME       in files, in place of the member's name
+    @code TEXT      in place of the text but      @word WORD      in files, for none or without end
+                    for files                     @required       without a default in Python
+    @undescribed    is not described              @number_too     of a vector: one number in Python, too
+    @after NAME     comes behind that one, in place of where it stands
+    @note TEXT      is for readers of the header alone
+
+`// @group TEXT` before a member begins entries that belong together, `// @section KEY TEXT` those of a section of files.
+Anything else is refused by file and line."""
+
+import keyword
+import pathlib
+import re
+import textwrap
+
+NUMBER = r"-?(?:\d+\.?\d*(?:e-?\d+)?|pi)"
+RANGE = re.compile(rf"(?:^|, |(?<=[.)]) )((?:>=? {NUMBER}|{NUMBER} to (?:below )?{NUMBER}|between {NUMBER} and {NUMBER}"
+                   r"|finite|not zero)(?: or infinite)?)$")
+UNIT_WORDS = {"m", "s", "kg", "N", "Nm", "rad", "Hz", "W", "J", "V", "A", "sqrt", "degrees", "deg", "bit", "us", "ms", "mm"}
+TAGS = re.compile(r"\s*@(more|code|key|word|after|required|number_too|undescribed|note)\b\s*")
+
+
+class HeaderError(Exception):
+    pass
+
+
+def is_unit(text):
+    words = re.findall(r"[A-Za-z]+", text)
+    return bool(words or text.startswith("1/")) and all(word in UNIT_WORDS for word in words) and not re.search(r"[,;:]", text)
+
+
+def meaning_of(text):
+    """The text as descriptions have it: the unit in braces, which stand in brackets behind a sentence."""
+    for match in re.finditer(r"\[([^\[\]]*)\]", text):
+        if is_unit(match[1]) and "{" not in text and text.count('"', 0, match.start()) % 2 == 0:
+            unit = f"{{{match[1]}}}" if match.start() == 0 else f"[{{{match[1]}}}]"
+            return text[: match.start()] + unit + text[match.end() :]
+    return text
+
+
+def text_of(meaning):
+    """The reverse of meaning_of()."""
+    if meaning.startswith("{"):
+        text = re.sub(r"^\{([^}]*)\}", r"[\1]", meaning)
+    else:
+        text = re.sub(r"\[\{([^}]*)\}\]", r"[\1]", meaning, count=1)
+    return text if meaning_of(text) == meaning else meaning
+
+
+def range_code(text):
+    """Of a range's text, the Range in C++."""
+    words = text.removesuffix(" or infinite").split()
+    parts = {}
+    if words[0] in (">", ">="):
+        parts = {"least": words[1], "open": "true" if words[0] == ">" else None}
+    elif words[0] == "between":
+        parts = {"least": words[1], "most": words[3], "open": "true"}
+    elif words[0] == "not":
+        parts = {"direction": "true"}
+    elif words[0] != "finite":
+        parts = {"least": words[0], "most": words[-1], "below": "true" if "below" in words else None}
+    if text.endswith(" or infinite"):
+        parts["infinite"] = "true"
+    if parts.get("most") and "pi" in parts["most"]:
+        raise HeaderError(f"a range of {text}")
+    return "{" + ", ".join(f".{name} = {value}" for name, value in parts.items() if value) + "}"
+
+
+class Entry:
+    """A member, or a value of an enumeration."""
+
+    def __init__(self, name, comment, where):
+        self.name, self.where = name, where
+        parts = TAGS.split(comment)
+        self.meaning, self.range, self.tags = parts[0].strip(), "", {}
+        for tag, value in zip(parts[1::2], parts[2::2]):
+            if tag in self.tags:
+                raise HeaderError(f"{where}: @{tag} stands twice")
+            if (tag in ("required", "number_too", "undescribed")) == bool(value.strip()):
+                raise HeaderError(f"{where}: @{tag} {'takes no' if value.strip() else 'wants a'} text")
+            self.tags[tag] = value.strip()
+        self.tags.pop("note", None)
+        if "@" in re.sub(r"`[^`]*`", "", self.meaning):
+            raise HeaderError(f"{where}: an unknown word behind @; wanted one of the notation in scripts/header_descriptions.py")
+        if found := RANGE.search(self.meaning):
+            self.range, self.meaning = found[1], self.meaning[: found.start()]
+        self.meaning = meaning_of(self.meaning).replace("\\n", "\n")
+
+
+class Described:
+    """A struct or an enumeration of a header."""
+
+    def __init__(self, head, cpp_name, namespace, path, line):
+        self.where, self.path, self.namespace, self.cpp_name = f"{path}:{line}", path, namespace, cpp_name
+        before, _, behind = head.partition("@described")
+        words = behind.split()
+        if not words:
+            raise HeaderError(f"{self.where}: @described wants a layer")
+        self.layer, _, other = words[0].partition(".")
+        self.name = other or cpp_name.rpartition("::")[2]
+        self.is_result = words[1:2] == ["@result"]
+        self.meaning = " ".join(before.split())
+        self.entries, self.groups, self.is_enum = [], [], False
+
+
+class Scanner:
+    """Splits the text of a header into statements with their comments."""
+
+    def __init__(self, path, name):
+        self.text, self.name, self.at = path.read_text(), name, 0
+        self.described, self.namespace, self.types = [], "", []
+
+    def line(self, at=None):
+        return self.text.count("\n", 0, self.at if at is None else at) + 1
+
+    def refuse(self, what):
+        raise HeaderError(f"{self.name}:{self.line()}: {what}")
+
+    def comment(self):
+        """At `//`: the comment's line, without its marks, and which marks."""
+        end = self.text.find("\n", self.at)
+        raw = self.text[self.at : end if end >= 0 else len(self.text)]
+        mark = re.match(r"///<|///|//", raw)[0]
+        self.at += len(raw)
+        return mark, raw[len(mark) :].strip()
+
+    def block(self, of=None):
+        """To the brace that ends what is open: its statements are entries of `of`, if that is described."""
+        doc, notes, last = [], [], None
+        while self.at < len(self.text):
+            rest = self.text[self.at :]
+            if space := re.match(r"\s+", rest):
+                if space[0].count("\n") > 1:
+                    doc = []
+                self.at += space.end()
+            elif rest.startswith("//"):
+                mark, text = self.comment()
+                if mark == "///<" and last is not None:
+                    last[1].append(text)
+                elif mark == "///":
+                    doc.append(text)
+                elif of is not None and (text.startswith("@") or (notes and mark == "//")):
+                    notes.append(text)
+            elif rest.startswith("#"):
+                self.at += re.match(r"(?:.*\\\n)*.*", rest).end()
+            elif rest.startswith("}"):
+                break
+            else:
+                begin = self.at
+                statement, inner = self.statement(doc, of)
+                if inner is None and any(line.startswith("@described") for line in doc):
+                    raise HeaderError(f"{self.name}:{self.line(begin)}: @described stands before what is neither a struct nor an "
+                                      "enumeration")
+                if of is not None and inner is None:
+                    last = self.entry(of, statement, doc, notes, begin)
+                doc, notes = [], notes if of is not None and inner else []
+        if of is not None:
+            self.finish(of)
+
+    def entry(self, of, statement, doc, notes, begin):
+        """The member or enumerator that a statement is; None for functions and what is of the type."""
+        if of.is_enum:
+            name = re.match(r"\w+", statement)[0]
+        else:
+            plain = statement
+            while (shorter := re.sub(r"<[^<>]*>", "", plain)) != plain:
+                plain = shorter
+            several = "," in re.sub(r"\{.*\}|\(.*\)|\[.*\]|\"(?:[^\"\\]|\\.)*\"", "", plain, flags=re.DOTALL)
+            plain = re.split(r"=|\{", plain)[0].rstrip("; \n")
+            if re.match(r"(static|using|friend|template|typedef|explicit|virtual|operator|public:|private:)\b", plain) or "(" in plain or "operator" in plain:
+                return None
+            if several:
+                raise HeaderError(f"{self.name}:{self.line(begin)}: several members in one statement; wanted one, since "
+                                  f"{of.cpp_name} is described")
+            name = re.search(r"\w+$", plain)[0]
+        if notes:
+            of.groups.append((len(of.entries), " ".join(notes)))
+        raw = (name, list(doc), self.line(begin))
+        of.entries.append(raw)
+        return raw
+
+    def finish(self, of):
+        entries = [Entry(name, " ".join(doc), f"{self.name}:{line}") for name, doc, line in of.entries]
+        hidden = [i for i, entry in enumerate(entries) if "undescribed" in entry.tags]
+        of.groups = [(at - sum(i < at for i in hidden), text) for at, text in of.groups]
+        of.entries = [entry for entry in entries if "undescribed" not in entry.tags]
+        moved = [entry for entry in of.entries if "after" in entry.tags]
+        of.entries = [entry for entry in of.entries if "after" not in entry.tags]
+        while moved:
+            names = ["-", *(entry.name for entry in of.entries)]
+            next_one = next((entry for entry in moved if entry.tags["after"] in names), None)
+            if next_one is None:
+                raise HeaderError(f"{moved[0].where}: @after {moved[0].tags['after']}: {of.cpp_name} has no such member")
+            of.entries.insert(names.index(next_one.tags.pop("after")), next_one)
+            moved.remove(next_one)
+
+    def statement(self, doc, of):
+        """To its end: its text, and whether it holds others of a type or namespace."""
+        begin, depth = self.at, 0
+        while self.at < len(self.text):
+            c = self.text[self.at]
+            if self.text.startswith("//", self.at):
+                if of is not None and of.is_enum and depth == 0:
+                    break
+                self.comment()
+                continue
+            if c == '"' or (c == "'" and not self.text[self.at - 1].isalnum()):  # 10'000 has none
+                self.at += re.match(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|.', self.text[self.at :]).end()
+                continue
+            if c == "{" and depth == 0:
+                head = " ".join(self.text[begin : self.at].split())
+                if found := re.match(r"(namespace|struct|class|enum class|enum|extern \"C\")\b ?([\w:]*)", head):
+                    self.inside(found[1], found[2], head, doc)
+                    return head, True
+            depth += c in "({["
+            depth -= c in ")}]"
+            self.at += 1
+            if depth == 0 and (c == ";" or (of is not None and of.is_enum and c == ",")):
+                break
+            if depth == 0 and c == "}" and not re.match(r"\s*[;,)(.{]", self.text[self.at :]):
+                break  # of a function
+            if depth < 0:
+                self.at -= 1
+                break
+        return self.text[begin : self.at].strip(), None
+
+    def inside(self, kind, name, head, doc):
+        line = self.line()
+        self.at += 1
+        described = None
+        text = " ".join(doc)
+        if kind == "namespace":
+            self.namespace, outer = name or self.namespace, self.namespace
+        elif "@described" in text:
+            described = Described(text, "::".join([*self.types, name]), self.namespace, self.name, line)
+            described.is_enum = kind.startswith("enum")
+            self.described.append(described)
+        self.types += [name] if kind != "namespace" else []
+        self.block(described)
+        del self.types[len(self.types) - (kind != "namespace"):]
+        if not self.text.startswith("}", self.at):
+            self.refuse(f"'{head}' does not end")
+        self.at += 1
+        if kind == "namespace":
+            self.namespace = outer
+        elif semicolon := re.match(r"[^;{}]*;", self.text[self.at :]):
+            self.at += semicolon.end()
+
+
+def word_of(enumerator):
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", enumerator).lower()
+
+
+def folder_of(path):
+    """Of a header, seen from the root: where its layer's sources are."""
+    parts = path.parts
+    if parts[0] != "include":
+        return path.parent
+    return pathlib.Path(*parts[2:4]) if parts[2] == "tasks" else pathlib.Path("src", parts[2])
+
+
+def read_headers(root):
+    """All that is described in headers, by the folder that has the layer's sources."""
+    layers = {}
+    for top in ("include/burnish", "src", "tasks"):
+        for path in sorted((root / top).rglob("*.hpp")):
+            if "/// @described" not in path.read_text():
+                continue
+            name = path.relative_to(root)
+            scanner = Scanner(path, str(name))
+            scanner.block()
+            if len(scanner.described) != scanner.text.count("/// @described"):
+                scanner.refuse("not all that is described was found")
+            layers.setdefault(folder_of(name), []).extend(scanner.described)
+    return layers
+
+
+def included(root, path, seen):
+    """Headers of the repository that a header includes, and what they include."""
+    for name in re.findall(r'^#include "([^"]+)"', (root / path).read_text(), re.MULTILINE):
+        for top in ("include", "src", "tasks"):
+            found = pathlib.Path(top, name)
+            if found not in seen and (root / found).is_file():
+                seen.add(found)
+                included(root, found, seen)
+    return seen
+
+
+def as_included(path):
+    return pathlib.Path(*path.parts[1:]).as_posix()
+
+
+# C++
+
+def quoted(text, indent):
+    """A string literal, in lines of the house's width."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
+    lines = textwrap.wrap(escaped, 96 - indent, break_long_words=False, break_on_hyphens=False, drop_whitespace=False)
+    return ("\n" + " " * indent).join(f'"{line}"' for line in lines or [""])
+
+
+def words_code(of):
+    entries = ",\n       ".join(
+        "{" + quoted(entry.tags.get("word", word_of(entry.name)), 8) + (", " + quoted(entry.meaning, 8) if entry.meaning else "") + "}"
+        for entry in of.entries)
+    return (f"const Words& words_of({of.cpp_name} /*of*/) {{\n"
+            f"  static const Words all{{\n      {quoted(of.layer, 6)},\n      {quoted(of.name, 6)},\n      {quoted(of.meaning, 6)},\n"
+            f"      {{{entries}}}}};\n  return all;\n}}\n")
+
+
+def group_code(text):
+    kind, _, rest = text.partition(" ")
+    if kind == "@section":
+        key, _, meaning = rest.partition(" ")
+        return f".group({quoted(meaning.replace(chr(92) + 'n', chr(10)), 13)}, {quoted('' if key == '-' else key, 13)})"
+    return f".group({quoted(rest.replace(chr(92) + 'n', chr(10)), 13)})"
+
+
+def description_code(of):
+    lines = [f"const Description& description_of(const {of.cpp_name}* /*of*/) {{",
+             f"  using S = {of.cpp_name};", "  static const Description all =",
+             f"      Describe<S>({quoted(of.layer, 18)}, {quoted(of.name, 18)},\n                  {quoted(of.meaning, 18)})"]
+    if of.is_result:
+        lines.append("          .result()")
+    groups = dict(of.groups)
+    for i, entry in enumerate(of.entries):
+        if i in groups:
+            lines.append("          " + group_code(groups[i]))
+        name = entry.name + "_" * keyword.iskeyword(entry.name)  # in Python
+        text = f'          .field("{name}", &S::{entry.name}'
+        if entry.meaning or entry.range:
+            text += f",\n                 {quoted(entry.meaning, 17)}"
+        if entry.range:
+            text += f",\n                 {range_code(entry.range)}"
+        lines.append(text + ")")
+        for tag, value in entry.tags.items():
+            name = {"code": "in_code"}.get(tag, tag)
+            lines.append(f"          .{name}({quoted(value, 12 + len(name)) if value else ''})")
+    for at, text in of.groups:
+        if at >= len(of.entries):
+            lines.append("          " + group_code(text))
+    return "\n".join(lines) + ";\n  return all;\n}\n"
+
+
+HEAD = "// Written by scripts/describe --write from the headers of the layer; not to be edited.\n"
+
+
+def by_namespace(described, code):
+    texts = []
+    for namespace in dict.fromkeys(of.namespace for of in described):
+        parts = [code(of) for of in described if of.namespace == namespace]
+        texts.append(f"namespace {namespace} {{\n\n" + "\n".join(parts) + f"\n}}  // namespace {namespace}\n")
+    return "\n".join(texts)
+
+
+def generated(root, layers):
+    """Files and what stands in them. Descriptions by hand, in descriptions.hpp, are included."""
+    texts = {}
+
+    def door(folder):
+        by_hand = folder / "descriptions.hpp"
+        return as_included(by_hand if (root / by_hand).is_file() else folder / "descriptions.gen.hpp")
+
+    for folder, described in layers.items():
+        headers = sorted({pathlib.Path(of.path) for of in described})
+        seen = set()
+        for header in headers:
+            included(root, header, seen)
+        near = {folder_of(path) for path in seen} - {folder}
+        others = [other for other in near if other in layers or (root / other / "descriptions.hpp").is_file()]
+        includes = sorted({*map(as_included, headers), *map(door, others)} | {"base/descriptions.hpp"})
+        declared = by_namespace(described, lambda of: f"const Words& words_of({of.cpp_name});\n" if of.is_enum
+                                else f"const Description& description_of(const {of.cpp_name}*);\n").replace(";\n\nconst", ";\nconst")
+        texts[folder / "descriptions.gen.hpp"] = (
+            HEAD + "#pragma once\n\n" + "".join(f'#include "{name}"\n' for name in includes) + "\n" + declared)
+        own = [as_included(path) for path in (folder / "run_descriptions.hpp",) if (root / path).is_file()]
+        texts[folder / "descriptions.gen.cpp"] = (
+            HEAD + "".join(f'#include "{name}"\n' for name in [door(folder), *own])
+            + "\n// NOLINTBEGIN(readability-function-size): tables\n"
+            + by_namespace(described, lambda of: words_code(of) if of.is_enum else description_code(of))
+            + "// NOLINTEND(readability-function-size)\n")
+    return texts
