@@ -4,7 +4,7 @@
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
-#include "contact/descriptions.hpp"
+#include "contact/descriptions.gen.hpp"
 #include "specs_dynamics.hpp"
 
 namespace pybind11::detail {

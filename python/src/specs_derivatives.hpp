@@ -6,7 +6,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
-#include "derivatives/descriptions.hpp"
+#include "derivatives/descriptions.gen.hpp"
 #include "specs_contact.hpp"
 
 namespace burnish::python {

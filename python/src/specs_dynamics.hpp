@@ -2,7 +2,7 @@
 #pragma once
 
 #include "burnish/dynamics/reference.hpp"
-#include "contact/descriptions.hpp"
+#include "contact/descriptions.gen.hpp"
 #include "specs_base.hpp"
 #include "specs_model.hpp"
 

@@ -1,5 +1,5 @@
 // Values of the estimate layer.
 #pragma once
 
-#include "estimate/descriptions.hpp"
+#include "estimate/descriptions.gen.hpp"
 #include "specs_model.hpp"

@@ -2,6 +2,6 @@
 #pragma once
 
 #include "burnish/files/problem_file.hpp"
-#include "files/descriptions.hpp"
+#include "files/descriptions.gen.hpp"
 #include "specs_ocp.hpp"
 #include "specs_solver.hpp"

@@ -4,7 +4,7 @@
 #include "burnish/model/inertia.hpp"
 #include "burnish/model/model.hpp"
 #include "burnish/robots/robot.hpp"
-#include "model/descriptions.hpp"
+#include "model/descriptions.gen.hpp"
 #include "spec.hpp"
 
 namespace burnish::python {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "burnish/tasks/pressing/pressing_task.hpp"
-#include "mpc/descriptions.hpp"
-#include "pressing/descriptions.hpp"
+#include "mpc/descriptions.gen.hpp"
+#include "pressing/descriptions.gen.hpp"
 #include "specs_ocp.hpp"
 #include "specs_solver.hpp"
 #include "time_function.hpp"

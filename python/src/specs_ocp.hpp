@@ -4,7 +4,7 @@
 #include "burnish/ocp/check.hpp"
 #include "burnish/ocp/problem.hpp"
 #include "callback.hpp"
-#include "ocp/descriptions.hpp"
+#include "ocp/descriptions.gen.hpp"
 #include "specs_contact.hpp"
 #include "specs_derivatives.hpp"
 

@@ -4,7 +4,7 @@
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
-#include "polishing/experiments/descriptions.hpp"
+#include "polishing/experiments/descriptions.gen.hpp"
 #include "polishing/experiments/experiment.hpp"
 #include "polishing/run_descriptions.hpp"
 #include "specs_model.hpp"

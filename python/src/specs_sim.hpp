@@ -3,8 +3,8 @@
 
 #include "burnish/mujoco/mujoco_plant.hpp"
 #include "burnish/tasks/pressing/pressing_path.hpp"
-#include "mujoco/descriptions.hpp"
-#include "sim/descriptions.hpp"
+#include "mujoco/descriptions.gen.hpp"
+#include "sim/descriptions.gen.hpp"
 #include "specs_mpc.hpp"
 
 namespace pybind11::detail {

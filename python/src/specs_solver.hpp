@@ -3,7 +3,7 @@
 
 #include "burnish/solver/ddp.hpp"
 #include "callback.hpp"
-#include "solver/descriptions.hpp"
+#include "solver/descriptions.gen.hpp"
 #include "spec.hpp"
 
 namespace burnish::python {

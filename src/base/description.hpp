@@ -1,10 +1,10 @@
-// What a specification holds, told once: its entries with unit, range and meaning. From it come
-// files and their comments, range checks, dataclasses in Python and tables in the docs
-// (scripts/describe).
+// What a specification holds: its entries with unit, range and meaning. From it come files and
+// their comments, range checks, dataclasses in Python and tables in the docs.
 //
-// A struct is described where a function `const Description& description_of(const Spec*)` is found
-// beside it, an enumeration by `const Words& words_of(Enum)`: declared in its layer's
-// descriptions.hpp, which whoever asks includes.
+// Comments in headers are the source; scripts/describe writes descriptions.gen.cpp from them, as
+// CONTRIBUTING.md says. A struct is described where a function `const Description&
+// description_of(const Spec*)` is found beside it, an enumeration by `const Words& words_of(Enum)`:
+// declared in its layer's descriptions.gen.hpp, which whoever asks includes.
 #pragma once
 
 #include <Eigen/Core>
@@ -301,9 +301,9 @@ class Describe : public Description {
   Describe& field(const char* of_name, Value Owner::*member, const char* means = "",
                   const Range& numbers = range::any) {
     const auto* example = static_cast<const Spec*>(defaults.get());
-    const char *begin = reinterpret_cast<const char*>(example),
-               *at = reinterpret_cast<const char*>(&(example->*member));
-    detail::add_field(*this, of_name, means, numbers, static_cast<std::size_t>(at - begin),
+    const void *begin = example, *at = &(example->*member);
+    const auto offset = static_cast<const char*>(at) - static_cast<const char*>(begin);
+    detail::add_field(*this, of_name, means, numbers, static_cast<std::size_t>(offset),
                       type_of<Value>());
     return *this;
   }

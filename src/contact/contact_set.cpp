@@ -6,7 +6,7 @@
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "contact/compiled_contact.hpp"
-#include "contact/descriptions.hpp"
+#include "contact/descriptions.gen.hpp"
 #include "contact/row_size.hpp"
 #include "dynamics/reference.hpp"
 

@@ -7,7 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/model/state.hpp"
-#include "contact/descriptions.hpp"
+#include "contact/descriptions.gen.hpp"
 #include "contact/loop_rows.hpp"
 #include "model/loops.hpp"
 #include "model/posture.hpp"

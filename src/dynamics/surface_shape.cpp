@@ -10,7 +10,7 @@
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/dynamics/reference.hpp"
-#include "dynamics/descriptions.hpp"
+#include "dynamics/descriptions.gen.hpp"
 
 namespace burnish {
 namespace {

@@ -8,7 +8,7 @@
 #include "burnish/base/error.hpp"
 #include "estimate/chi_square.hpp"
 #include "estimate/contact_filter.hpp"
-#include "estimate/descriptions.hpp"
+#include "estimate/descriptions.gen.hpp"
 #include "estimate/foot_kinematics.hpp"
 
 namespace burnish {

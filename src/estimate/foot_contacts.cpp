@@ -4,7 +4,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "estimate/descriptions.hpp"
+#include "estimate/descriptions.gen.hpp"
 
 namespace burnish {
 namespace {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "burnish/dynamics/placement.hpp"
-#include "contact/descriptions.hpp"
+#include "contact/descriptions.gen.hpp"
 #include "files/described.hpp"
 #include "robots/known_robots.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "files/described.hpp"
 #include "files/read_values.hpp"
-#include "solver/descriptions.hpp"
+#include "solver/descriptions.gen.hpp"
 
 namespace burnish::files {
 

@@ -5,7 +5,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "mpc/descriptions.hpp"
+#include "mpc/descriptions.gen.hpp"
 
 namespace burnish {
 

@@ -6,7 +6,7 @@
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/mpc/knot_times.hpp"
-#include "mpc/descriptions.hpp"
+#include "mpc/descriptions.gen.hpp"
 
 namespace burnish {
 namespace {

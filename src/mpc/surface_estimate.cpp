@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mpc/descriptions.hpp"
+#include "mpc/descriptions.gen.hpp"
 
 namespace burnish {
 namespace {

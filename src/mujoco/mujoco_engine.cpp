@@ -5,7 +5,7 @@
 #include "base/sentence.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/reference.hpp"
-#include "mujoco/descriptions.hpp"
+#include "mujoco/descriptions.gen.hpp"
 
 namespace burnish::mujoco {
 namespace {

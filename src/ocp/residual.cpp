@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "ocp/descriptions.hpp"
+#include "ocp/descriptions.gen.hpp"
 
 namespace burnish {
 namespace {

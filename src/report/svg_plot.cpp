@@ -13,7 +13,7 @@ namespace {
 
 constexpr double font = 11.0;           // px
 constexpr double letter = 0.58 * font;  // px, mean width
-constexpr double left = 64.0, top = 28.0, bottom = 40.0, gap = 12.0;
+constexpr double left = 64.0, top = 28.0, bottom = 40.0, panel_gap = 12.0;
 
 std::string px(double value) {
   char text[32];
@@ -206,7 +206,7 @@ struct PanelWriter {
     axes();
     int next = 0;
     double legend_y = y0 + 0.5 * font;
-    const double legend_x = x0 + width + gap;
+    const double legend_x = x0 + width + panel_gap;
     const auto& palette = plot_palette();
     for (const Curve& given : panel.curves) {
       const int number = given.color >= 0 ? given.color : next++;
@@ -234,7 +234,7 @@ std::pair<double, int> legend_size(const Panel& panel) {
     longest = std::max(longest, curve.name.size());
     ++lines;
   }
-  return {lines == 0 ? 0.0 : 26.0 + letter * static_cast<double>(longest) + 2.0 * gap, lines};
+  return {lines == 0 ? 0.0 : 26.0 + letter * static_cast<double>(longest) + 2.0 * panel_gap, lines};
 }
 
 }  // namespace
@@ -270,7 +270,7 @@ std::string svg_plot(const PlotSpec& spec) {
     PanelWriter writer{panel,
                        spec.panel_width * column + left,
                        head + row * line + top,
-                       std::max(80.0, spec.panel_width - left - gap - legend),
+                       std::max(80.0, spec.panel_width - left - panel_gap - legend),
                        axes_height,
                        {},
                        {},

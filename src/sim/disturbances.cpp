@@ -6,7 +6,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/dynamics/reference.hpp"
-#include "sim/descriptions.hpp"
+#include "sim/descriptions.gen.hpp"
 #include "sim/random.hpp"
 
 namespace burnish {

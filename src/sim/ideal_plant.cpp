@@ -14,7 +14,7 @@
 #include "dynamics/springs.hpp"
 #include "model/mass_check.hpp"
 #include "sim/coulomb.hpp"
-#include "sim/descriptions.hpp"
+#include "sim/descriptions.gen.hpp"
 #include "sim/manifold_step.hpp"
 #include "sim/small_product.hpp"
 #include "sim/state_check.hpp"

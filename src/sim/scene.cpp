@@ -7,7 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/dynamics/reference.hpp"
-#include "sim/descriptions.hpp"
+#include "sim/descriptions.gen.hpp"
 
 namespace burnish {
 

@@ -1,7 +1,7 @@
 #include "burnish/solver/options.hpp"
 
 #include "base/sentence.hpp"
-#include "solver/descriptions.hpp"
+#include "solver/descriptions.gen.hpp"
 
 namespace burnish {
 

@@ -1,23 +1,10 @@
-// What the task's specifications hold.
+// The task's file.
 #pragma once
 
-#include "base/description.hpp"
-#include "burnish/tasks/polishing/task.hpp"
 #include "files/described_file.hpp"
-#include "mpc/descriptions.hpp"
+#include "polishing/descriptions.gen.hpp"
 
 namespace burnish::polishing {
-
-const Words& words_of(PathKind);
-const Words& words_of(ForceAxes);
-const Words& words_of(ForceProfile::Kind);
-const Description& description_of(const ForceProfile*);
-const Description& description_of(const PathSpec*);
-const Description& description_of(const PlanarPoint*);
-const Description& description_of(const Weights*);
-const Description& description_of(const Waving*);
-const Description& description_of(const Verdict*);
-const Description& description_of(const Task*);
 
 const files::DescribedFile& file_of(const Task*);
 /// A checked task, and what said it. Throws Error as read_task() does.

@@ -7,7 +7,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "dynamics/integration.hpp"
 #include "pressing/admittance_loop.hpp"
-#include "pressing/descriptions.hpp"
+#include "pressing/descriptions.gen.hpp"
 #include "pressing/path_follower.hpp"
 #include "sim/small_product.hpp"
 

@@ -6,7 +6,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
-#include "pressing/descriptions.hpp"
+#include "pressing/descriptions.gen.hpp"
 #include "pressing/path_follower.hpp"
 #include "sim/small_product.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "base/sentence.hpp"
-#include "pressing/descriptions.hpp"
+#include "pressing/descriptions.gen.hpp"
 #include "pressing/tool_watch.hpp"
 
 namespace burnish {

@@ -8,7 +8,7 @@
 #include "burnish/sim/disturbances.hpp"
 #include "files/described.hpp"
 #include "files/described_file.hpp"
-#include "sim/descriptions.hpp"
+#include "sim/descriptions.gen.hpp"
 
 namespace burnish::pressing {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mpc/descriptions.hpp"
+#include "mpc/descriptions.gen.hpp"
 #include "mpc/measurement_gate.hpp"
 #include "mpc/torque_lag.hpp"
 #include "mpc/watch.hpp"

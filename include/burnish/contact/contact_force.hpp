@@ -8,16 +8,21 @@
 namespace burnish {
 
 /// The wrench that the base exerts on the tool, at one state.
+/// @described contact @result
 struct ContactForce {
   std::string contact;  ///< name of the contact
   std::string on;       ///< tool frame C2: the body acted on
   std::string by;       ///< base frame C1: the body that acts, "world" for the environment
   Reference reference;  ///< in which `value` is written
   Vector6 value;        ///< force (N), then moment about the reference's origin (Nm)
+  /// world axes, at that state @note Poses at that state, world axes, with which the force converts
+  /// itself. `frame` is what `reference` names: the rotation of its axes' frame, the position of
+  /// its origin's.
+  Eigen::Matrix3d tool_rotation;
   /// Poses at that state, world axes, with which the force converts itself. `frame` is what
   /// `reference` names: the rotation of its axes' frame, the position of its origin's.
-  Eigen::Matrix3d tool_rotation, base_rotation;
-  Eigen::Vector3d tool_position;  ///< m
+  Eigen::Matrix3d base_rotation;
+  Eigen::Vector3d tool_position;  ///< [m]
   Eigen::Vector3d base_position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d frame_rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d frame_position = Eigen::Vector3d::Zero();

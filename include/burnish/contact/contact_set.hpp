@@ -15,15 +15,16 @@ namespace burnish {
 inline constexpr double independence_tolerance = 1e-6;
 
 /// The KKT system of eq. (3) and its relaxation.
+/// @described contact
 struct ContactSolver {
   /// Compliance, the lower right block -mu 1 of the KKT matrix. 0: the exact system, which needs
-  /// independent rows. Positive: any rows, m/s^2 per unit force.
+  /// independent rows. Positive: any rows, m/s^2 per unit force. >= 0
   double mu = 0.0;
   /// With mu > 0: refinements lambda <- G^-1 (rho + mu lambda), at most; they remove the compliance
-  /// while it lasts. 0 keeps the compliant solution.
+  /// while it lasts. 0 keeps the compliant solution. >= 0
   int max_proximal_iterations = 0;
   /// The iterations stop when every |mu (lambda - previous)| <= this, m/s^2: what is left of the
-  /// contact acceleration.
+  /// contact acceleration. >= 0
   double proximal_tolerance = 1e-9;
 
   /// Throws Error with a sentence naming the option that is negative or not finite.

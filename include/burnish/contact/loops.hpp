@@ -12,11 +12,13 @@
 
 namespace burnish {
 
+/// How a loop that has drifted comes back: alpha + kd nu + kp e = 0.
+/// @described contact
 /// How a loop that has drifted comes back: alpha + kd nu + kp e = 0 (Baumgarte, "Stabilization of
 /// constraints and integrals of motion in dynamical systems", 1972). Critically damped unless said.
 struct LoopGains {
-  double kp = 1e4;    ///< 1/s^2
-  double kd = 200.0;  ///< 1/s
+  double kp = 1e4;    ///< [1/s^2], >= 0
+  double kd = 200.0;  ///< [1/s], >= 0
 
   /// For semi-implicit Euler steps of that length, s: kd = 1 / step, kp = 1 / step^2, so that a
   /// step takes away what the loop misses at its start; of steps below 1 ms as for these.
@@ -39,12 +41,14 @@ std::vector<ContactSpec> with_loops(const Model& model, std::vector<ContactSpec>
 bool is_loop(const Model& model, const ContactSpec& contact);
 
 /// Rows of a loop that those of its other directions, or of other loops, imply.
+/// @described contact @result
 struct RedundantLoop {
   std::string loop;
   Directions directions = Directions::linear();
 };
 
 /// What loops leave of the freedom of a robot.
+/// @described contact @result
 struct LoopFreedom {
   int rows = 0;                          ///< of all loops as described
   int rank = 0;                          ///< of their Jacobian
@@ -56,23 +60,28 @@ struct LoopFreedom {
 /// At the configuration q (nq). Throws Error for a bad q.
 LoopFreedom loop_freedom(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
+/// How a posture is moved onto the loops.
+/// @described contact
 struct LoopProjectionOptions {
   std::vector<std::string> keep = {};  ///< Joints that stay where they are.
   /// How dear a change of each entry of v is, nv positive numbers, or empty: all alike.
   Eigen::VectorXd weights = {};
-  double tolerance = 1e-9;   ///< m and rad, of every row
-  int max_iterations = 200;  ///< of all attempts
+  double tolerance = 1e-9;   ///< m and rad, of every row, > 0
+  int max_iterations = 200;  ///< of all attempts, >= 1
   /// Revolute and prismatic joints stay within their limits, or where they start beyond them.
   bool within_limits = true;
 };
 
+/// How far a loop is from closed.
+/// @described contact @result
 struct LoopMiss {
   std::string loop;
-  double translation = 0.0;  ///< m, along the held directions
-  double rotation = 0.0;     ///< rad, about the held directions
+  double translation = 0.0;  ///< [m], along the held directions
+  double rotation = 0.0;     ///< [rad], about the held directions
 };
 
 /// A posture that closes the loops, or the nearest to one that was found.
+/// @described contact @result
 struct LoopProjection {
   Eigen::VectorXd q;             ///< nq
   std::vector<LoopMiss> misses;  ///< what is left, per loop
@@ -95,6 +104,7 @@ LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eig
 std::vector<LoopMiss> loop_misses(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
 /// What a change of velocity is measured by.
+/// @described contact
 enum class LoopMetric {
   Plain,  ///< |dv|^2, rad/s and m/s alike
   Mass,   ///< dv^T M dv: what impulses in the loops do

@@ -14,9 +14,10 @@
 namespace burnish {
 
 /// Gains that a check tries, and the error that they act on.
+/// @described derivatives
 struct CheckGains {
-  Vector6 kp = Vector6::Zero();  ///< 1/s^2
-  Vector6 kd = Vector6::Zero();  ///< 1/s
+  Vector6 kp = Vector6::Zero();  ///< [1/s^2]
+  Vector6 kd = Vector6::Zero();  ///< [1/s]
   PoseError error = PoseError::Split;
 };
 
@@ -57,6 +58,7 @@ struct CheckOptions {
 };
 
 /// One entry of one block: a derivative, and what differences say.
+/// @described derivatives
 struct CheckEntry {
   std::string block;      ///< such as "da_dq"
   std::string row;        ///< entry of v, or contact and direction such as "tool/z"
@@ -67,15 +69,17 @@ struct CheckEntry {
 };
 
 /// One set of contacts at all states. Words that differ between contacts are joined by " + ".
+/// @described derivatives
 struct CheckRow {
-  std::string reference, directions;
+  std::string reference;
+  std::string directions;
   std::string bodies;  ///< "tool on base"
   std::string acceleration;
   std::string error;  ///< "split" or "log6"; "-" without a proportional gain
   std::string gains;  ///< "none", or such as "kp 7..12, kd 2..7"
   int states = 0;
-  /// Compliance that the row was checked with, m/s^2 per N: zero, or positive where the
-  /// joints cannot hold the contact rigidly at most postures (too few joints, redundant rows).
+  /// Compliance that the row was checked with, m/s^2 per N: zero, or positive where the joints
+  /// cannot hold the contact rigidly at most postures (too few joints, redundant rows).
   double mu = 0.0;
   /// Relative to the block's largest entry, or to what makes its rounding 1e-6 where that is more;
   /// infinite after a NaN.
@@ -84,6 +88,8 @@ struct CheckRow {
   bool pass = false;  ///< worst_error <= tolerance
 };
 
+/// What check_derivatives() found.
+/// @described derivatives
 struct CheckReport {
   std::string robot;
   std::vector<CheckRow> rows;
@@ -91,7 +97,7 @@ struct CheckReport {
   /// Why there is no forward dynamics to check, naming the joints that move no mass: rows then are
   /// of inverse dynamics and contact accelerations alone. Empty: there is.
   std::string singular_mass = {};
-  bool pass = false;  ///< there are rows, all of them pass, and M is not singular
+  bool pass = false;  ///< there are rows, all of them pass, and the mass matrix is not singular
 
   /// A table of all rows, the worst entries of those that fail, and the verdict.
   std::string text() const;

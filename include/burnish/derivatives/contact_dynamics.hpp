@@ -16,11 +16,12 @@
 
 namespace burnish {
 
-/// Derivatives of a wrench in a reference: 6 x nv each, force rows first.
+/// Derivatives of a wrench in a reference: (6, nv) each, force rows first.
+/// @described derivatives @result
 struct WrenchDerivatives {
   RowMatrix dq;  ///< N/rad (N/m), Nm/rad (Nm/m), by the right tangent increment of q
   RowMatrix dv;
-  RowMatrix dtau;  ///< 1/m (force per torque), dimensionless (moment per torque)
+  RowMatrix dtau;  ///< [1/m] (force per torque), dimensionless (moment per torque)
 };
 
 /// Derivatives by the mass distributions of chosen bodies: ten columns per body, in the order of

@@ -9,6 +9,7 @@
 namespace burnish {
 
 /// A row of the contact Jacobian that depends on rows before it.
+/// @described derivatives @result
 struct RedundantRow {
   std::string contact;                  ///< name of the contact
   std::string direction;                ///< "x" ... "rz" in its reference
@@ -19,7 +20,8 @@ struct RedundantRow {
   std::string text() const;
 };
 
-/// Result of diagnose(): empty `redundant` means that the contacts are independent.
+/// What diagnose() found: no redundant rows means that the contacts are independent.
+/// @described derivatives @result
 struct ContactDiagnosis {
   std::vector<RedundantRow> redundant;
   double condition;          ///< of J M^-1 J^T scaled to a unit diagonal; infinite when redundant

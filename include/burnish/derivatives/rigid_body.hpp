@@ -19,8 +19,9 @@
 
 namespace burnish {
 
-/// Derivatives of a frame's motion, 6 x nv each, linear rows first, in the reference that was
-/// asked for.
+/// Derivatives of a frame's motion, (6, nv) each, linear rows first, in the axes that were asked
+/// for.
+/// @described derivatives @result
 struct FrameDerivatives {
   RowMatrix jacobian;         ///< d(velocity)/dv, and d(acceleration)/da
   RowMatrix velocity_dq;      ///< d(velocity)/dq
@@ -29,6 +30,7 @@ struct FrameDerivatives {
 };
 
 /// Derivatives of a frame's placement, nv columns each.
+/// @described derivatives @result
 struct PlacementDerivatives {
   RowMatrix position;         ///< 3 x nv, world axes, m/rad (m/m)
   RowMatrix rotation;         ///< 3 x nv, R^T dR/dq_k = [column k x], the frame's own axes

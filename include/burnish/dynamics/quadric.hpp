@@ -6,13 +6,15 @@
 
 namespace burnish {
 
-/// phi(x) = x^T Q x / 2 + b^T x + c, of points x in the axes of the frame that the surface is fixed
-/// in (m): zero on the surface, growing out of the material. Spheres, cylinders and cones are such
-/// functions, and so is every smooth surface to second order near a point of it.
-///
-/// A reference asks for the directions of phi alone: the normal n = grad phi / |grad phi| and how
-/// it turns, at the tool's point. The centre of a round tip sees the normal of the surface that is
-/// its radius away; for planes, spheres, cylinders and cones that is the same function's.
+/// A curved surface, where phi(x) = x^T Q x / 2 + b^T x + c is zero, phi growing out of the
+/// material; x is a point in the axes of the frame that the surface is fixed in, m. References
+/// follow its normals.
+/// @described contact
+/// Spheres, cylinders and cones are such functions, and so is every smooth surface to second order
+/// near a point of it. A reference asks for the directions of phi alone: the normal n = grad phi /
+/// |grad phi| and how it turns, at the tool's point. The centre of a round tip sees the normal of
+/// the surface that is its radius away; for planes, spheres, cylinders and cones that is the same
+/// function's.
 struct Quadric {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Zero();  ///< symmetric
   Eigen::Vector3d b = Eigen::Vector3d::UnitZ();

@@ -24,21 +24,33 @@ struct SurfaceDistance {
 
 /// What a surface is beyond a point of it and its normal there: the lengths and angles of a shape
 /// that touches the tangent plane at that point.
+/// @described contact
 struct SurfaceShape {
-  enum class Kind { Plane, Sphere, Cylinder, Cone, Torus, Ellipsoid, Saddle, Ridge };
+  /// What a surface is beyond a point of it and its normal there.
+  /// @described contact.SurfaceKind
+  enum class Kind {
+    Plane,
+    Sphere,
+    Cylinder,   ///< its axis along the first tangent
+    Cone,       ///< opening along the first tangent
+    Torus,      ///< the outside of a ring that runs along the first tangent
+    Ellipsoid,  ///< at the end of its third semi-axis
+    Saddle,     ///< of any two curvatures along the tangents
+    Ridge,      ///< two planes that meet in an edge across the first tangent
+  };
   Kind kind = Kind::Plane;  ///< plane, sphere, cylinder, cone, torus, ellipsoid, saddle or ridge
-  /// m: of a sphere; of a cylinder; of a cone, from the point to its axis along the normal; of the
-  /// tube of a torus
+  /// [m]: of a sphere; of a cylinder; of a cone, from the point to its axis along the normal; of
+  /// the tube of a torus, > 0
   double radius = 0.3;
-  double ring = 0.5;        ///< m, of the circle that the tube of a torus runs along
-  double half_angle = 0.3;  ///< rad, of a cone
-  /// m, of an ellipsoid, along the tangents and the normal
+  double ring = 0.5;        ///< [m], of the circle that the tube of a torus runs along, > 0
+  double half_angle = 0.3;  ///< [rad], of a cone, > 0
+  /// [m], of an ellipsoid, along the tangents and the normal
   Eigen::Vector3d semi_axes = {0.4, 0.3, 0.3};
-  /// 1/m, of a saddle: its height over the tangents is (k_0 x^2 + k_1 y^2) / 2
+  /// [1/m], of a saddle: its height over the tangents is (k_0 x^2 + k_1 y^2) / 2
   Eigen::Vector2d curvature = {1.0, -1.0};
-  double edge = 0.03;     ///< m, of a ridge: from the point to its edge along the first tangent
-  double slope = 0.1;     ///< rad, of a ridge: by which its second plane falls off behind the edge
-  bool hollow = false;    ///< the material is outside: the tool works in it, as in a bowl
+  double edge = 0.03;   ///< [m], of a ridge: from the point to its edge along the first tangent
+  double slope = 0.1;   ///< [rad], of a ridge: by which its second plane falls off behind the edge
+  bool hollow = false;  ///< the material is outside: the tool works in it, as in a bowl
   double turn_deg = 0.0;  ///< by which the shape is turned about the normal, degrees
 
   bool is_flat() const { return kind == Kind::Plane; }

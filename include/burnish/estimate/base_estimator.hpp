@@ -15,68 +15,83 @@
 namespace burnish {
 
 /// What of a foot stays where it is while the foot stands.
+/// @described estimate
 enum class FootKind {
   Ball,  ///< the frame's origin
   Sole,  ///< the frame: it neither moves nor turns
 };
 
+/// A foot that may stand.
+/// @described estimate
 struct FootSpec {
-  std::string frame;               ///< of a ball its middle, where it rolls little
+  std::string frame;               ///< of a ball its middle, where it rolls little @required
   FootKind kind = FootKind::Ball;  ///< ball, whose origin stays, or sole, which does not turn
 };
 
+/// What is taken for an inertial measurement unit that is wrong, while feet stand.
+/// @described estimate
 /// What GuardedBase takes for a unit that is wrong. BaseEstimator alone does not look.
 struct UnitWatchOptions {
-  bool enabled = true;       ///< look at what the unit says; else only whether it says anything
-  double window = 0.1;       ///< s over which the unit and the feet are compared
-  double turn = 2e-3;        ///< rad that they may differ by in it, beside noise and biases
-  double place = 2e-3;       ///< m, likewise
-  double rate = 0.1;         ///< rad/s beyond the feet's that are not believed before that is clear
-  double feet_turn = 2e-3;   ///< rad that a sole may turn against the others and stand
-  double feet_place = 1e-3;  ///< m that a foot may move against the others and stand
-  double silent_after = 3e-3;  ///< s without a reading, after which there is none
-  double back_after = 0.5;     ///< s that a unit has to agree with the feet before it counts again
-  double fading = 0.03;        ///< s in which the difference is made up when the feet take over
+  bool enabled = true;  ///< look at what the unit says; else only whether it says anything
+  double window = 0.1;  ///< [s] over which the unit and the feet are compared, > 0
+  double turn = 2e-3;   ///< [rad] that they may differ by in it, beside noise and biases, > 0
+  double place = 2e-3;  ///< [m], likewise, > 0
+  double rate = 0.1;  ///< [rad/s] beyond the feet's that are not believed before that is clear, > 0
+  double feet_turn = 2e-3;     ///< [rad] that a sole may turn against the others and stand, > 0
+  double feet_place = 1e-3;    ///< [m] that a foot may move against the others and stand, > 0
+  double silent_after = 3e-3;  ///< [s] without a reading, after which there is none, >= 0
+  /// [s] that a unit has to agree with the feet before it counts again, > 0
+  double back_after = 0.5;
+  double fading = 0.03;  ///< [s] in which the difference is made up when the feet take over, > 0
 };
 
-/// Noise is white where it is a density, a deviation per square root of Hz: a reading every dt s
-/// has the density times 1/sqrt(dt).
+/// How the floating base is estimated. Noise is white where it is a density, a deviation per square
+/// root of Hz: a reading every dt s has the density times 1/sqrt(dt).
+/// @described estimate
 struct BaseEstimatorOptions {
   /// frame of the measurement unit, whose axes its readings have; empty: the floating base's body
   std::string imu_frame = {};
   std::vector<FootSpec> feet = {};  ///< that may stand, up to 32
 
-  double gyro_noise = 1e-3;               ///< rad/s/sqrt(Hz)
-  double accelerometer_noise = 1e-2;      ///< m/s^2/sqrt(Hz)
-  double gyro_bias_walk = 1e-5;           ///< rad/s^2/sqrt(Hz) that the bias walks with
-  double accelerometer_bias_walk = 1e-4;  ///< m/s^3/sqrt(Hz) that the bias walks with
-  double encoder_noise = 1e-4;            ///< rad (m), deviation of a reading
-  double place_noise = 1e-4;      ///< m, deviation per reading of a foot's place, beside encoders
-  double turn_noise = 1e-4;       ///< rad, deviation per reading of a sole's rotation, likewise
-  double slip_noise = 1e-3;       ///< m/s/sqrt(Hz) that a foot creeps with
-  double sole_turn_noise = 1e-3;  ///< rad/s/sqrt(Hz) that a sole creeps with
+  // @group Noise.
+  double gyro_noise = 1e-3;               ///< [rad/s/sqrt(Hz)], >= 0
+  double accelerometer_noise = 1e-2;      ///< [m/s^2/sqrt(Hz)], >= 0
+  double gyro_bias_walk = 1e-5;           ///< [rad/s^2/sqrt(Hz)] that the bias walks with, >= 0
+  double accelerometer_bias_walk = 1e-4;  ///< [m/s^3/sqrt(Hz)] that the bias walks with, >= 0
+  double encoder_noise = 1e-4;            ///< [rad (m)], deviation of a reading, >= 0
+  /// [m], deviation per reading of a foot's place, beside encoders, > 0
+  double place_noise = 1e-4;
+  double turn_noise = 1e-4;  ///< [rad], deviation per reading of a sole's rotation, likewise, > 0
+  double slip_noise = 1e-3;  ///< [m/s/sqrt(Hz)] that a foot creeps with, >= 0
+  double sole_turn_noise = 1e-3;  ///< [rad/s/sqrt(Hz)] that a sole creeps with, >= 0
 
-  double gate = 0.99999;       ///< share of a foot's readings that pass while it stands still
-  double rejoin_after = 0.05;  ///< s that a foot which slipped has to rest before it counts again
-  double rejoin_speed = 0.03;  ///< m/s below which it rests
-  /// s without any foot that counts while some stand, after which it is not they that are taken to
-  /// slip, but the base's velocity to be wrong
+  // @group Feet that slip.
+  /// share of a foot's readings that pass while it stands still, between 0 and 1
+  double gate = 0.99999;
+  /// [s] that a foot which slipped has to rest before it counts again, >= 0
+  double rejoin_after = 0.05;
+  double rejoin_speed = 0.03;  ///< [m/s] below which it rests, > 0
+  /// [s] without any foot that counts while some stand, after which it is not they that are taken
+  /// to slip, but the base's velocity to be wrong, >= 0
   double lost_after = 0.15;
 
-  double tilt_deviation = 0.02;       ///< rad, of what reset() is told, about horizontal axes
-  double yaw_deviation = 1e-3;        ///< rad, likewise about the vertical
-  double velocity_deviation = 0.05;   ///< m/s, likewise
-  double position_deviation = 1e-3;   ///< m, likewise
-  double gyro_bias_deviation = 0.01;  ///< rad/s, likewise
-  double accelerometer_bias_deviation = 0.1;  ///< m/s^2, likewise
+  // @group Of what reset() is told.
+  double tilt_deviation = 0.02;  ///< [rad], of what reset() is told, about horizontal axes, >= 0
+  double yaw_deviation = 1e-3;   ///< [rad], likewise about the vertical, >= 0
+  double velocity_deviation = 0.05;           ///< [m/s], likewise, >= 0
+  double position_deviation = 1e-3;           ///< [m], likewise, >= 0
+  double gyro_bias_deviation = 0.01;          ///< [rad/s], likewise, >= 0
+  double accelerometer_bias_deviation = 0.1;  ///< [m/s^2], likewise, >= 0
 
+  // @group A unit that goes wrong.
   UnitWatchOptions watch = {};  ///< of the unit, by the feet
 };
 
 /// Of the readings of feet at the last update, against what was expected.
+/// @described estimate @result
 struct EstimatorInnovation {
-  double squared =
-      0.0;       ///< r^T S^-1 r, as a chi-square of `rows` degrees where the filter is right
+  /// r^T S^-1 r, as a chi-square of `rows` degrees where the filter is right
+  double squared = 0.0;
   int rows = 0;  ///< that were used
 };
 

@@ -10,15 +10,16 @@
 
 namespace burnish {
 
-/// Shares are of the robot's weight.
+/// Which feet stand, by the force on each. Shares are of the robot's weight.
+/// @described estimate
 struct FootContactOptions {
-  double touch = 0.12;      ///< share of the weight on a foot above which it stands
-  double lift = 0.05;       ///< share below which it is in the air; between them it stays as it was
-  double smoothing = 5e-3;  ///< s, of a first-order low-pass on forces; 0: none
-  /// N/sqrt(Hz), of the force sensors; behind the low-pass it is to be a quarter of what lies
-  /// between `touch` and `lift` at most
+  double touch = 0.12;  ///< share of the weight on a foot above which it stands, > 0
+  double lift = 0.05;  ///< share below which it is in the air; between them it stays as it was, > 0
+  double smoothing = 5e-3;  ///< [s], of a first-order low-pass on forces; 0: none, >= 0
+  /// [N/sqrt(Hz)], of the force sensors; behind the low-pass it is to be a quarter of what lies
+  /// between `touch` and `lift` at most, >= 0
   double force_noise = 0.5;
-  /// rad/s, low-pass of forces that are told from torques (FootForces)
+  /// [rad/s], low-pass of forces that are told from torques (FootForces), > 0
   double bandwidth = 150.0;
 };
 

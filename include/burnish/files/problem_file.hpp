@@ -11,7 +11,10 @@
 namespace burnish {
 
 /// Where the solver starts from.
+/// @described files
 struct WarmStart {
+  /// Where the solver starts from.
+  /// @described files.WarmStartKind
   enum class Kind {
     Hold,   ///< the initial state at every knot, with the controls that hold it in the knot's stage
     Still,  ///< the initial state at every knot, zero controls
@@ -22,11 +25,13 @@ struct WarmStart {
 };
 
 /// What a problem file says.
+/// @described files
 struct ProblemFile {
-  std::string description = {};
-  Robot robot;
-  std::string robot_name = {};  ///< as load_robot() takes it; with :variant where one is stated
-  ProblemSpec spec;             ///< compiles: it has been tried
+  std::string description = {};  ///< @required
+  Robot robot;                   ///< @required
+  /// as load_robot() takes it; with :variant where one is stated @undescribed
+  std::string robot_name = {};
+  ProblemSpec spec;  ///< compiles: it has been tried @required
   DdpOptions solver = {};
   WarmStart guess = {};
 };
@@ -35,9 +40,11 @@ struct ProblemFile {
 /// sentence that names the file, the line, the keys that lead to the place, and what was wanted.
 ProblemFile read_problem_file(const std::filesystem::path& file);
 
-/// States (N + 1 rows of nx) and controls (N rows of max_controls) to start from.
+/// States and controls to start from.
+/// @described files @result
 struct TrajectoryGuess {
-  RowMatrix xs, us;
+  RowMatrix xs;  ///< (N + 1) x nx
+  RowMatrix us;
 };
 
 /// Throws Error where a file cannot be read, has not the problem's columns, or not its number of

@@ -9,11 +9,13 @@
 namespace burnish {
 
 /// How vectors of another program write the joints.
+/// @described model
 enum class JointConvention {
   Angles,  ///< one angle of a continuous joint; else as in q, v and tau here
   Same,    ///< as in q, v and tau here, (cos, sin) of a continuous joint included
-  Mujoco,  ///< one angle of a continuous joint; quaternions w x y z; the linear velocity of a
-           ///< floating joint along the axes of its parent
+  /// one angle of a continuous joint; quaternions w x y z; the linear velocity of a floating joint
+  /// along the axes of its parent
+  Mujoco,
 };
 
 /// Largest distance of a follower or a held joint from where the model has it that q_from() accepts

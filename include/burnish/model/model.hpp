@@ -14,15 +14,17 @@
 
 namespace burnish {
 
-/// Kinds of moving joints. Every joint frame is turned so that its axis is z (one without an axis
-/// stays as it is); frames by name keep the axes of the file.
+/// Kinds of moving joints.
+/// @described model
+/// Every joint frame is turned so that its axis is z (one without an axis stays as it is); frames
+/// by name keep the axes of the file.
 enum class JointKind {
-  Revolute,    ///< q = angle (1), v = rate (1)
-  Continuous,  ///< q = (cos, sin) (2), v = rate (1)
-  Prismatic,   ///< q = displacement (1), v = rate (1)
-  Planar,      ///< q = (x, y, cos, sin) (4), v = (v_x, v_y, w_z) in body axes (3)
-  FreeFlyer,   ///< q = (p, quaternion x y z w) (7), v = (v, w) in body axes (6)
-  Ball,        ///< q = quaternion x y z w (4), v = w in body axes (3)
+  Revolute,    ///< q = angle, v = rate
+  Continuous,  ///< q = (cos, sin), v = rate
+  Prismatic,   ///< q = displacement, v = rate
+  Planar,      ///< q = (x, y, cos, sin), v = (v_x, v_y, w_z) in body axes
+  FreeFlyer,   ///< q = (p, quaternion x y z w), v = (v, w) in body axes
+  Ball,        ///< q = quaternion x y z w, v = w in body axes
 };
 
 /// Number of entries of a joint in q and in v.
@@ -30,16 +32,17 @@ int joint_nq(JointKind kind);
 int joint_nv(JointKind kind);
 std::string_view name_of(JointKind kind);
 
-/// How a joint moves with another one, as angles (rad) or displacements (m):
-///   value = multiplier * value of the leader + offset.
+/// How a joint moves with another one: multiplier * value of the leader + offset, rad or m.
+/// @described model
 struct Following {
   int leader = 0;  ///< index of a joint that follows no other
   double multiplier = 1.0;
   double offset = 0.0;
 };
 
-/// A moving joint and the rigid body that it carries (links fixed to each other are one body). A
-/// joint that follows another has no entries of its own in q and v: its leader's move both.
+/// A moving joint of a Model and the rigid body that it carries. One that follows another has no
+/// entries of its own in q and v: its leader's move both.
+/// @described model @result
 struct Joint {
   std::string name;
   JointKind kind = JointKind::Revolute;
@@ -48,16 +51,17 @@ struct Joint {
   int v_index = 0;  ///< first entry in v; of a follower that of its leader
   int nq = 0;       ///< entries in q, 0 of a follower
   int nv = 0;       ///< entries in v, 0 of a follower
-  std::optional<Following> follows = {};
-  Eigen::Isometry3d placement =
-      Eigen::Isometry3d::Identity();  ///< joint frame at zero in the parent body's frame
-  double mass = 0.0;                  ///< of the body, kg
+  std::optional<Following> follows = {};  ///< @after inertia_at_com
+  /// joint frame at zero in the parent body's frame
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
+  double mass = 0.0;                              ///< of the body, kg
   Eigen::Vector3d com = Eigen::Vector3d::Zero();  ///< of the body, in the joint frame, m
-  Eigen::Matrix3d inertia_at_com =
-      Eigen::Matrix3d::Zero();  ///< of the body, about com, joint axes, kg m^2
+  /// of the body, about com, joint axes, kg m^2
+  Eigen::Matrix3d inertia_at_com = Eigen::Matrix3d::Zero();
 };
 
 /// A joint that has a position in the description: it moves in the model too, or is held.
+/// @described model @result
 struct StatedJoint {
   std::string name;
   JointKind kind = JointKind::Revolute;
@@ -65,43 +69,54 @@ struct StatedJoint {
   std::vector<double> held;  ///< where it is held, in the coordinates of a Posture
 };
 
-/// Joints coupled by the length of a tendon, the sum of coefficient times position over its parts,
-/// which has a spring, a damper or both. What locked joints add to the length is taken off `rest`,
-/// and what followers add stands at their leaders.
+/// Joints of a Model coupled by the length of a tendon, which has a spring, a damper or both. What
+/// locked joints add is taken off `rest`, and what followers add stands at their leaders.
+/// @described model @result
 struct Tendon {
+  /// A joint that a tendon of a Model goes along.
+  /// @described model.TendonEntry @result
   struct Entry {
-    int q = 0, v = 0;          ///< the joint's entry of q, if its kind has one alone, and of v
-    double coefficient = 1.0;  ///< m/rad or 1
+    int q = 0;                 ///< the joint's entry of q, if its kind has one alone
+    int v = 0;                 ///< the joint's entry of v
+    double coefficient = 1.0;  ///< [m/rad] or 1
   };
   std::string name;
   std::vector<Entry> parts;  ///< ascending in v
-  double rest = 0.0;         ///< m
-  double stiffness = 0.0;    ///< N/m
-  double damping = 0.0;      ///< Ns/m
+  double rest = 0.0;         ///< [m]
+  double stiffness = 0.0;    ///< [N/m]
+  double damping = 0.0;      ///< {Ns/m}
 };
 
-enum class FrameKind { Link, Joint, User };
+/// What a named frame belongs to.
+/// @described model
+enum class FrameKind {
+  Link,
+  Joint,
+  User,
+};
 
-/// A named frame fixed to a body.
+/// A named frame fixed to a body of a Model.
+/// @described model @result
 struct Frame {
   std::string name;
   FrameKind kind = FrameKind::Link;
   int body = -1;                ///< index of the joint whose body carries it, -1 for the world
-  Eigen::Isometry3d placement;  ///< in the body's frame (in the world if body is -1)
+  Eigen::Isometry3d placement;  ///< in the body's frame (in the world if body is -1) @required
 };
 
-/// A solid to draw, fixed to a body.
+/// A solid to draw, fixed to a body of a Model.
+/// @described model @result
 struct Visual {
   std::string link;
   int body = -1;
-  Eigen::Isometry3d placement;
+  Eigen::Isometry3d placement;  ///< @required
   Shape shape;
   Eigen::Vector4d rgba;
 };
 
-/// Two frames tied to each other along some directions, which closes a chain (LoopSpec): motion of
-/// the second seen from the first, in the first one's axes. contact/loops.hpp makes contacts of
-/// them.
+/// Two frames of a Model tied to each other along some directions: motion of the second seen from
+/// the first, in the first one's axes.
+/// @described model @result
 struct Loop {
   std::string name;
   std::string first;   ///< frame of the model, NAME/first
@@ -109,9 +124,15 @@ struct Loop {
   Directions directions = Directions::linear();
 };
 
-enum class Base { Fixed, FreeFlyer };
+/// How the root link stands in the world.
+/// @described model
+enum class Base {
+  Fixed,
+  FreeFlyer,
+};
 
 /// How a TreeSpec becomes a Model.
+/// @described model
 struct ModelOptions {
   Base base = Base::Fixed;
   /// Placement of the root link in the world; with a free-flyer only the neutral posture uses it.
@@ -122,10 +143,9 @@ struct ModelOptions {
   /// When not empty: every joint that is not listed here is locked (a free-flying base stays free),
   /// but for those that follow a listed one.
   std::vector<std::string> free;
-  /// Where locked joints are held; values of joints that move are passed over.
-  Posture posture;
+  Posture posture;  ///< Where locked joints are held; values of joints that move are passed over.
   std::vector<FrameSpec> frames;  ///< added in this order; a parent may be an earlier one
-  Eigen::Vector3d gravity = Eigen::Vector3d(0.0, 0.0, -9.81);  ///< m/s^2
+  Eigen::Vector3d gravity = Eigen::Vector3d(0.0, 0.0, -9.81);  ///< [m/s^2]
   bool strict = false;                                         ///< refuse what would be a warning
 };
 

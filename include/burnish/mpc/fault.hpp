@@ -8,6 +8,8 @@
 
 namespace burnish {
 
+/// What can go wrong in a control loop.
+/// @described mpc
 enum class FaultKind {
   None,
   StaleMeasurement,   ///< time does not go on
@@ -23,7 +25,7 @@ enum class FaultKind {
   SpeedLimit,         ///< a joint or the tool is faster than allowed
   SupportSlipped,     ///< what the robot stands on came away too far
   MotorLost,          ///< a joint's torque is not what was sent
-  Watched,            ///< a quantity of the task, FaultReport::quantity, is beyond its limit
+  Watched,            ///< a quantity of the task, FaultReport.quantity, is beyond its limit
   BaseLost,           ///< nothing tells where a floating base is, for too long
 };
 
@@ -31,9 +33,10 @@ enum class FaultKind {
 std::string_view name_of(FaultKind kind);
 
 /// The first fault of a run, and the ticks that led to it.
+/// @described mpc
 struct FaultReport {
   FaultKind kind = FaultKind::None;
-  double time = 0.0;  ///< s, of the measurement, or when it was due if there was none
+  double time = 0.0;  ///< [s], of the measurement, or when it was due if there was none
   int joint = -1;     ///< entry of v that it is about, or -1
   /// What was measured: s, updates, N, m, m/s, or of a joint rad (m), rad/s and Nm (N).
   double value = 0.0;

@@ -14,8 +14,8 @@ namespace burnish {
 
 class DdpSolver;
 
-/// u = feedforward + gain (x (-) state): the triple that linear feedback controllers of
-/// ros2_control take.
+/// u = feedforward + gain (x (-) state): the triple that linear feedback controllers take.
+/// @described mpc @result
 struct LinearFeedback {
   Eigen::VectorXd feedforward;  ///< nu, Nm (N)
   Eigen::MatrixXd gain;   ///< nu x ndx: by position, velocity and, with a torque model, torque

@@ -6,17 +6,19 @@
 
 namespace burnish {
 
-/// Standard deviations of what is believed at first, and of what is measured.
+/// How the coefficient of friction between a tool and the surface that it slides on is estimated:
+/// deviations of what is believed at first, and of what is measured.
+/// @described mpc
 struct FrictionEstimateOptions {
   bool enabled = true;  ///< estimate it; else what is believed is what is known
-  /// believed at first; plans know friction if that is above 0, or estimated
+  /// believed at first; plans know friction if that is above 0, or estimated, >= 0
   double coefficient = 0.0;
-  double deviation = 0.3;  ///< of that
-  double wander = 0.3;     ///< per square root of a metre of way, by which it changes
-  /// N, of the force along the surface, independent every `noise_time`
+  double deviation = 0.3;  ///< of that, > 0
+  double wander = 0.3;     ///< per square root of a metre of way, by which it changes, >= 0
+  /// [N], of the force along the surface, independent every `noise_time`, > 0
   double force_noise = 0.3;
-  double noise_time = 0.01;  ///< s
-  double speed = 0.01;       ///< m/s, below which what is felt may be stiction and tells little
+  double noise_time = 0.01;  ///< [s], >= 0
+  double speed = 0.01;  ///< [m/s], below which what is felt may be stiction and tells little, > 0
 };
 
 /// v / sqrt(|v|^2 + speed^2), how SlidingFriction has the direction of sliding.

@@ -23,18 +23,22 @@ struct LoopChain {
   double damping = 500.0;           ///< Of the surface, along its normal [Ns/m].
 };
 
-/// Factors by which the torque of one joint may be wrong while the others are right.
+/// Factors by which the torque of one joint may be wrong while the others are right: 0.1 to 10 were
+/// tried.
+/// @described mpc @result
 struct GainRange {
   std::string joint;
   double below = 0.0;  ///< smallest factor
   double above = 0.0;  ///< largest factor
 };
 
+/// Stability margins of a controller's loop around an arm.
+/// @described mpc @result
 struct LoopMargins {
-  /// s, largest extra command delay at which the loop is stable, up to 0.01; 0: it is unstable
+  /// [s], largest extra command delay at which the loop is stable, up to 0.01; 0: it is unstable
   /// without any
   double delay = 0.0;
-  double bandwidth = 0.0;  ///< rad/s of the model-error observer for which that delay is smallest
+  double bandwidth = 0.0;  ///< [rad/s] of the model-error observer for which that delay is smallest
   std::vector<GainRange> gains = {};  ///< one range per entry of v
 };
 

@@ -18,47 +18,64 @@
 
 namespace burnish {
 
-/// What is estimated. Both are relative to the torque that was commanded (behind the torque model's
-/// filter, where the problem has one), so that what actuators get wrong is part of them.
+/// What an MpcController estimates of what its model gets wrong. Both are relative to the torque
+/// that was commanded, so that what actuators get wrong is part of them.
+/// @described mpc
+/// What is estimated.
 enum class ModelErrorKind {
-  None,    ///< nothing: the paper's controller
-  Torque,  ///< d in M a + b = tau + J^T f + d, a torque per joint; in an MpcController also the
-           ///< ratio of friction along the surface to the normal force
-  Force,   ///< what the measured normal force is above the one that the model predicts
+  None,  ///< nothing: the paper's controller
+  /// d in M a + b = tau + J^T f + d, a torque per joint @note in an MpcController also the ratio of
+  /// friction along the surface to the normal force
+  Torque,
+  Force,  ///< what the measured normal force is above the one that the model predicts
 };
 
+/// The constant part of what the model gets wrong, estimated from measurements and given back to
+/// the model (offset-free model predictive control).
+/// @described mpc
 struct ModelErrorOptions {
   /// none, torque (per joint) or force (along the normal)
   ModelErrorKind kind = ModelErrorKind::Torque;
-  /// rad/s of the observer; a higher one follows friction sooner and tolerates less delay; none:
-  /// fitted to the arm where a task does that, else 30. With kind force the observer closes a loop
-  /// through the controller, whose delays bound its bandwidth: behind a force sensor filtered at 50
-  /// Hz, 50 rad/s work and 100 rad/s oscillate.
+  /// [rad/s] of the observer; a higher one follows friction sooner and tolerates less delay; auto:
+  /// fitted to the arm where a task does that, else 30, > 0 @code rad/s of the observer; a higher
+  /// one follows friction sooner and tolerates less delay; none: fitted to the arm where a task
+  /// does that, else 30 @more With kind force the observer closes a loop through the controller,
+  /// whose delays bound its bandwidth: behind a force sensor filtered at 50 Hz, 50 rad/s work and
+  /// 100 rad/s oscillate. @word auto
   std::optional<double> bandwidth = {};
   /// factor on the bandwidth while a torque error changes faster than its noise: after a push or an
-  /// impact, or where a joint reverses; 1: no boost; none: fitted to the arm where a task does
-  /// that, else 3
+  /// impact, or where a joint reverses; 1: no boost; auto: fitted to the arm where a task does
+  /// that, else 3, > 0 @code factor on the bandwidth while a torque error changes faster than its
+  /// noise: after a push or an impact, or where a joint reverses; 1: no boost; none: fitted to the
+  /// arm where a task does that, else 3 @word auto
   std::optional<double> boost = {};
   /// factor on the bandwidth while noise alone, such as encoder steps, changes the torque error: a
-  /// slower observer passes less of it on; 1: never
+  /// slower observer passes less of it on; 1: never, 0.01 to 1
   double calm = 1.0;
-  /// s by which measured velocities follow torques later than known delays say, behind filters and
-  /// motors; none: fitted to the arm where a task does that, else 0
+  /// [s] by which measured velocities follow torques later than known delays say, behind filters
+  /// and motors; auto: fitted to the arm where a task does that, else 0, >= 0 @code s by which
+  /// measured velocities follow torques later than known delays say, behind filters and motors;
+  /// none: fitted to the arm where a task does that, else 0 @word auto
   std::optional<double> lag = {};
+  /// [N] pushed back at once for each N that the measured normal force is off in contact, of kind
+  /// torque with a force sensor; auto: fitted to the arm where a task does that, else 0, >= 0 @code
   /// N pushed back at once for each N that the measured normal force is off in contact, of kind
-  /// torque with a force sensor; none: fitted to the arm where a task does that, else 0
+  /// torque with a force sensor; none: fitted to the arm where a task does that, else 0 @word auto
   std::optional<double> force_gain = {};
-  /// rad/s of the estimate of friction along the surface, with kind torque; 0: the bandwidth
+  /// [rad/s] of the estimate of friction along the surface, with kind torque; 0: the bandwidth, >=
+  /// 0
   double sliding_bandwidth = 0.0;
-  /// s, decay time that plans assume for a torque error that has just appeared, as after a push.
-  /// Errors that have lasted for some seconds do not decay; infinite: none does.
+  /// [s], decay time that plans assume for a torque error that has just appeared, as after a push,
+  /// > 0 or infinite @more Errors that have lasted for some seconds do not decay; infinite: none
+  /// does.
   double fading = std::numeric_limits<double>::infinity();
-  /// Nm (N), largest magnitude of an estimate; for a floating base at least 6 % of its weight
+  /// [Nm (N)], largest magnitude of an estimate; for a floating base at least 6 % of its weight, >
+  /// 0
   double limit = 30.0;
   /// with kind torque: joint friction is estimated separately and fed forward, so that it changes
   /// sign as soon as a joint reverses
   bool joint_friction = true;
-  double friction_speed = 0.001;  ///< rad/s (m/s) over which that friction changes its sign
+  double friction_speed = 0.001;  ///< [rad/s] (m/s) over which that friction changes its sign, > 0
 
   double usual_bandwidth() const { return bandwidth.value_or(30.0); }  ///< rad/s
   double usual_boost() const { return boost.value_or(3.0); }

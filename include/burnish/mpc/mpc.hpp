@@ -23,84 +23,98 @@ namespace burnish {
 class DdpSolver;
 
 /// When a run is given up, whatever the task; the task's own limits are its. Infinite: never.
+/// @described mpc
 struct SafetyLimits {
-  double joint_speed_ratio = 1.2;  ///< of the robot's velocity limits
-  double joint_margin = 0.05;  ///< rad that a joint may be beyond its limit; m of prismatic joints
-  double stale = 0.02;         ///< s without a new measurement; longer than a tick
-  double bad = 0.01;      ///< s of measurements that are no state; which the last good one bridges
-  int failed_solves = 5;  ///< in a row; the first solve may not fail
-  /// s of computing time per plan; of wall clock; the first one, made at rest, may take longer
+  double joint_speed_ratio = 1.2;  ///< of the robot's velocity limits, > 0 or infinite
+  /// [rad] that a joint may be beyond its limit, >= 0 @more m of prismatic joints
+  double joint_margin = 0.05;
+  double stale = 0.02;  ///< [s] without a new measurement, > 0 or infinite @more longer than a tick
+  /// [s] of measurements that are no state, > 0 or infinite @more which the last good one bridges
+  double bad = 0.01;
+  int failed_solves = 5;  ///< in a row, >= 1 @more the first solve may not fail
+  /// [s] of computing time per plan, >= 0 or infinite @more of wall clock; the first one, made at
+  /// rest, may take longer
   double deadline = std::numeric_limits<double>::infinity();
-  int late_solves = 5;      ///< in a row
-  double base_lost = 0.05;  ///< s without anything that tells where a floating base is
-  /// m along the ground that a foot may have slid within the last second, about
+  int late_solves = 5;  ///< in a row, >= 1
+  /// [s] without anything that tells where a floating base is, > 0 or infinite
+  double base_lost = 0.05;
+  /// [m] along the ground that a foot may have slid within the last second, about, > 0 or infinite
   double support_way = 0.2;
   /// of a joint's effort limit, that the measured torque may be off the commanded one, mean over 30
-  /// ms: a motor that fails; 0.6 of that where it gives less than a fifth of what it is told. For
-  /// measurements that have torques.
+  /// ms: a motor that fails, > 0 or infinite @code of a joint's effort limit, that the measured
+  /// torque may be off the commanded one, mean over 30 ms: a motor that fails; 0.6 of that where it
+  /// gives less than a fifth of what it is told. For measurements that have torques.
   double torque_gap = std::numeric_limits<double>::infinity();
 };
 
 /// What plans make of a support that holds always and slips all the same: they keep its forces
 /// within what it was felt to bear while it did, or, where that is not measured, within the least.
+/// It slips while it bears `load`, has slid by `way` along the ground within the last second and
+/// goes on faster than `speed`.
+/// @described mpc
 /// What they reckon with is the friction of its FrictionCone and CenterOfPressure, among the
-/// constraints; supports without a cone are left alone. It slips while it bears `load`, has slid by
-/// `way` along the ground within the last second and goes on faster than `speed`.
+/// constraints; supports without a cone are left alone.
 struct SlipOptions {
   bool enabled = true;  ///< plans are told of feet that slip
-  double way = 2.5e-3;  ///< m
-  double speed = 0.02;  ///< m/s, mean over 5 ms
-  double load = 30.0;   ///< N
-  double share = 0.7;   ///< of what was felt, that plans keep within
-  double least = 0.02;  ///< coefficient of friction that plans are always left
-  /// s in which they are told, twice that where it is not measured: what changes at once has
-  /// no good plan
+  double way = 2.5e-3;  ///< [m], >= 0
+  double speed = 0.02;  ///< [m/s], mean over 5 ms, >= 0
+  double load = 30.0;   ///< [N], >= 0
+  double share = 0.7;   ///< of what was felt, that plans keep within, 0 to 1
+  double least = 0.02;  ///< coefficient of friction that plans are always left, > 0
+  /// [s] in which they are told, twice that where it is not measured: what changes at once has no
+  /// good plan, >= 0
   double easing = 0.05;
-  double recovery = 0.1;  ///< 1/s, coefficient by which they trust it again while it rests
-  double radius = 0.0;    ///< m, of supports that are balls: that they roll is no slip
+  double recovery = 0.1;  ///< [1/s], coefficient by which they trust it again while it rests, >= 0
+  double radius = 0.0;    ///< [m], of supports that are balls: that they roll is no slip, >= 0
 };
 
-/// How the robot is brought to rest after a fault, and held there: on the actuated joints a,
-///   tau_a = b_a(q, 0) - M_aa (stiffness e + damping v_a),  e = (q (-) q_hold)_a,
-/// within the torque limits. No contact force is asked for. A motor that was found to fail
-/// (FaultKind::MotorLost) is left out: the others hold the robot as one whose joint is free there.
-/// A robot on supports (MpcSpec::supports) is held as one that they carry, and, where their sensors
-/// say that they do not, as one that hangs.
-/// q_hold is where the robot was at the
-/// fault, and slips: where the spring's torque M_aa stiffness e would exceed `give` times a joint's
-/// effort limit, q_hold follows q so that it does not. A fast robot is thereby braked and held
-/// where it comes to rest, a hand can push it aside, and a wrong model (torques off by d) lets it
-/// sink by (stiffness M_aa)^-1 d and no further. Joints without an effort limit do not slip. A
-/// floating base is not held.
-///
+/// How the robot is brought to rest after a fault, and held there: tau = b(q, 0) - M (stiffness e +
+/// damping v) on the actuated joints, e = q (-) q_hold, within the torque limits. q_hold is where
+/// the robot was at the fault, and slips where the spring would use more than `give` of a joint's
+/// effort limit.
+/// @described mpc
+/// How the robot is brought to rest after a fault, and held there: on the actuated joints a, tau_a
+/// = b_a(q, 0) - M_aa (stiffness e + damping v_a),  e = (q (-) q_hold)_a, within the torque limits.
+/// No contact force is asked for. A motor that was found to fail (FaultKind::MotorLost) is left
+/// out: the others hold the robot as one whose joint is free there. A robot on supports
+/// (MpcSpec::supports) is held as one that they carry, and, where their sensors say that they do
+/// not, as one that hangs. q_hold is where the robot was at the fault, and slips: where the
+/// spring's torque M_aa stiffness e would exceed `give` times a joint's effort limit, q_hold
+/// follows q so that it does not. A fast robot is thereby braked and held where it comes to rest, a
+/// hand can push it aside, and a wrong model (torques off by d) lets it sink by (stiffness M_aa)^-1
+/// d and no further. Joints without an effort limit do not slip. A floating base is not held.
 /// Without a good measurement for more than 10 ms (or SafetyLimits::bad, if that is shorter) there
 /// is no spring, and v dies away from its last value as the damping would have it: that bears a
 /// gap, but blind for good the robot is not held, and its brakes are to be used. When measurements
 /// come back, q_hold is where the robot is then.
 struct Fallback {
-  /// 1/s^2, times the mass matrix; 0: nothing holds, the arm is braked only
+  /// [1/s^2], times the mass matrix; 0: nothing holds, the arm is braked only, >= 0
   double stiffness = 900.0;
-  double damping = 40.0;  ///< 1/s, times the mass matrix
-  double give = 0.15;     ///< of the torque limits, where the spring slips; 0 to 1
+  double damping = 40.0;  ///< [1/s], times the mass matrix, >= 0
+  double give = 0.15;     ///< of the torque limits, where the spring slips; 0 to 1, 0 to 1
 };
 
 /// When a plan is used, that takes time to be made.
+/// @described mpc
 enum class PlanTiming {
-  Fixed,  ///< `solver_delay` after the measurement that it starts from, however long it took
+  Fixed,  ///< solver_delay after the measurement that it starts from
   /// when it would be done: the time that it took passes, as measured, while the plan before goes
-  /// on, and the next one begins no earlier. For simulations.
+  /// on; for simulations
   Measured,
-  /// when it is done: plans are made in a thread of their own, and a tick takes no longer for them.
-  /// The functions of the specification are then called in that thread.
+  /// when it is done: plans are made in a thread of their own @note The functions of the
+  /// specification are then called in that thread.
   Thread,
 };
 
+/// Model predictive control of a task: a horizon that moves with time, solved again and again from
+/// the measured state, and its policy in between.
+/// @described mpc
 struct MpcSpec {
   /// Horizon, stages, costs. The horizon's stages are replaced by what the schedule says, so its
-  /// segments matter for the number of knots and their steps alone: a knot keeps its step whatever
-  /// its stage, and all stages have the same one unless the segments state theirs. Where steps
-  /// differ, the knot nearest to a change of phase begins there; else a knot is of the phase that
-  /// it begins in.
+  /// segments matter for the number of knots alone; all stages have the same step. @required @note
+  /// a knot keeps its step whatever its stage, and all stages have the same one unless the segments
+  /// state theirs. Where steps differ, the knot nearest to a change of phase begins there; else a
+  /// knot is of the phase that it begins in.
   ProblemSpec problem;
   std::vector<SchedulePhase> schedule = {};
   MakeTask task = {};         ///< events of the schedule, what is watched; none: neither
@@ -111,7 +125,8 @@ struct MpcSpec {
   /// That the tool presses along: of the surface, towards the robot. Friction is across it. In the
   /// axes of `base`, with which it turns.
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
-  double contact_threshold = 2.0;  ///< N along the normal that count as contact
+  /// [N] along the normal that count as contact @after force_sensor
+  double contact_threshold = 2.0;
   /// Contacts of the problem that the robot stands on or leans against, by their names. Those of
   /// every stage are what the fallback and the estimates take to hold always: a base that floats
   /// free wants some. Those of some stages, such as hands on a wall, want support_sensors.
@@ -123,21 +138,21 @@ struct MpcSpec {
   /// positions and velocities say beyond what they said in the air just before, which wants
   /// model_error.kind torque
   bool force_sensor = true;
-  double tick_period = 5e-4;    ///< s
-  double update_period = 0.01;  ///< s between solves, a multiple of the tick
-  /// s before the first plan in which the fallback holds the robot where it is, so that what
-  /// estimates comes to rest; the schedule begins after it
+  double tick_period = 5e-4;    ///< [s]
+  double update_period = 0.01;  ///< [s] between solves, a multiple of the tick
+  /// [s] before the first plan in which the fallback holds the robot where it is, so that what
+  /// estimates comes to rest; the schedule begins after it, >= 0
   double settle = 0.0;
   PlanTiming timing = PlanTiming::Fixed;  ///< fixed, measured or thread
-  /// s from a measurement to the use of the plan that starts from it, at most the update period.
+  /// [s] from a measurement to the use of the plan that starts from it, at most the update period.
   /// The plan is made for the state that the policy in use leads to by then.
   double solver_delay = 0.0;
-  /// s from a command to the torque that it makes, as far as it is known; rounded to ticks. Plans
+  /// [s] from a command to the torque that it makes, as far as it is known; rounded to ticks. Plans
   /// begin in the state that the torques already sent lead to, feedback acts on that state at every
   /// tick, and the model error is told from the torque that acted when it was measured.
   double command_delay = 0.0;
-  /// s from what is measured to the tick that has it, all but its time, as far as it is known; see
-  /// command_delay
+  /// [s] from what is measured to the tick that has it, all but its time, as far as it is known;
+  /// see command_delay
   double measurement_delay = 0.0;
   double slowdown = 1.0;  ///< of measured timing: a machine by this factor slower
   DdpOptions solver = {
@@ -148,10 +163,10 @@ struct MpcSpec {
   /// factors; those of solver.limits, and its largest_price, mean nothing here
   int max_factors = 8;
   int first_factors = 50;  ///< likewise of the first solve, and of one after a jump
-  /// Nm (N), nv: what is sent stays within, and within the robot's effort limits; empty: those
+  /// [Nm] (N), nv: what is sent stays within, and within the robot's effort limits; empty: those
   Eigen::VectorXd torque_limit = {};
   ModelErrorOptions model_error = {};
-  /// Of the tool's contacts with friction (ContactSpec::friction): their coefficient.
+  /// Of the tool's contacts with friction (ContactSpec.friction): their coefficient.
   FrictionEstimateOptions friction_estimate = {};
   SlipOptions slip = {};  ///< of what the robot stands on
   SafetyLimits limits = {};

@@ -8,23 +8,25 @@
 
 namespace burnish {
 
-/// Standard deviations of what is believed at first, and of what is measured.
+/// How the surface under a sliding tool is estimated from the tool's own path: deviations of what
+/// is believed at first, and of what is measured.
+/// @described pressing
 struct SurfaceEstimateOptions {
   bool enabled = true;     ///< estimate it; else what is believed is what is known
-  double height = 0.02;    ///< m, of the surface
-  double tilt = 0.1;       ///< rad, of the normal about each tangent
-  double curvature = 0.3;  ///< 1/m, and a quarter of what the surface is believed to bend by
-  /// 1/m per square root of a metre of way, by which curvatures wander
+  double height = 0.02;    ///< [m], of the surface, > 0
+  double tilt = 0.1;       ///< [rad], of the normal about each tangent, > 0
+  double curvature = 0.3;  ///< [1/m], and a quarter of what the surface is believed to bend by, > 0
+  /// [1/m] per square root of a metre of way, by which curvatures wander, > 0
   double bend_change = 0.5;
-  /// m, of the tip's position along the normal, beside what differs from tick to tick, which is
-  /// found out
+  /// [m], of the tip's position along the normal, beside what differs from tick to tick, which is
+  /// found out, > 0
   double position_noise = 3e-5;
-  /// m of way after which that noise is another: an encoder's step seen from the tip
+  /// [m] of way after which that noise is another: an encoder's step seen from the tip, > 0
   double noise_length = 1e-4;
-  double force_noise = 0.3;  ///< N, of the force along the normal
-  double compliance = 1e-3;  ///< m/N, of the surface under the tip
-  /// m/s, of the surface along its normal; 0: it stands. What may move is told from a slope only
-  /// once the tip has turned
+  double force_noise = 0.3;  ///< [N], of the force along the normal, > 0
+  double compliance = 1e-3;  ///< [m/N], of the surface under the tip, > 0
+  /// [m/s], of the surface along its normal; 0: it stands. What may move is told from a slope only
+  /// once the tip has turned, >= 0
   double rate = 0.0;
 };
 

@@ -16,18 +16,21 @@
 
 namespace burnish {
 
+/// One of the phases that follow each other in a schedule.
+/// @described mpc
 /// What a controller does for a while; some phases end when something happens, such as contact,
 /// rather than when planned.
 struct SchedulePhase {
-  std::string name = {};                                      ///< such as "approach"
-  std::string stage = {};                                     ///< of the optimal control problem
-  double duration = std::numeric_limits<double>::infinity();  ///< s; infinite for the last one only
+  std::string name = {};   ///< such as "approach"
+  std::string stage = {};  ///< of the optimal control problem
+  /// [s]; infinite for the last one only
+  double duration = std::numeric_limits<double>::infinity();
   /// Event, such as "contact", that ends it, and not before; empty: its duration does. When the
   /// event is early, the clock jumps to the end; when it is late, the clock stands still `hold` s
   /// before it, so that the horizon goes on with the phase and plans the next one soon. Of the last
   /// phase it means nothing.
   std::string until = {};
-  double hold = 0.05;  ///< s; longer than the phase: the clock stands still at its start
+  double hold = 0.05;  ///< [s]; longer than the phase: the clock stands still at its start
 };
 
 /// A clock that runs along the phases. Its time is the time of a task's targets.

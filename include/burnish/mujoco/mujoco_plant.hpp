@@ -18,15 +18,22 @@
 
 namespace burnish {
 
-enum class MujocoContact { Exact, Engine };
+/// What the tip meets in make_mujoco_plant()'s plant.
+/// @described sim
+enum class MujocoContact {
+  Exact,   ///< a spring, a damper and Coulomb friction on the exact surface
+  Engine,  ///< MuJoCo's own contact, of shapes that it has
+};
 
+/// How make_mujoco_plant()'s plant steps.
+/// @described sim
 struct MujocoPlantOptions {
   MujocoContact contact = MujocoContact::Exact;  ///< exact or engine
-  double dt = 5e-4;                              ///< s
-  double impedance = 0.1;        ///< d in (0, 1): 1/R is an apparent mass at the contact
-  double friction_ratio = 10.0;  ///< how much harder friction is than the normal ("impratio")
-  double tolerance = 1e-12;      ///< of the constraint solver
-  int max_iterations = 100;      ///< of the constraint solver
+  double dt = 5e-4;                              ///< [s], > 0
+  double impedance = 0.1;  ///< d in (0, 1): 1/R is an apparent mass at the contact, between 0 and 1
+  double friction_ratio = 10.0;  ///< how much harder friction is than the normal ("impratio"), > 0
+  double tolerance = 1e-12;      ///< of the constraint solver, >= 0
+  int max_iterations = 100;      ///< of the constraint solver, >= 1
   bool joint_stops = true;       ///< revolute and prismatic joints stop at their limits
 };
 

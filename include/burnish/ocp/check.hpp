@@ -12,6 +12,8 @@
 
 namespace burnish {
 
+/// How check_problem() looks.
+/// @described ocp
 struct ProblemCheckOptions {
   int states = 3;           ///< random states per stage, at least 1
   std::uint64_t seed = 1;   ///< the same seed gives the same states on every machine
@@ -19,19 +21,20 @@ struct ProblemCheckOptions {
 
   /// Trajectory to draw around: N + 1 states (nx) and N controls (nu; those of impacts are not
   /// read). Empty: the initial state, and the control that holds it at rest.
-  std::vector<Eigen::VectorXd> x = {}, u = {};
+  std::vector<Eigen::VectorXd> x = {};
+  std::vector<Eigen::VectorXd> u = {};
   /// How far states are drawn from it, uniformly, for a robot of 1 m and 20 kg: lengths grow with
   /// its size, torques and forces with its weight. rad, m
   double position = 0.2;
-  double velocity = 0.5;  ///< rad/s, m/s
-  double torque = 5.0;    ///< Nm, N: controls, and torques in the state
+  double velocity = 0.5;  ///< [rad/s], m/s
+  double torque = 5.0;    ///< [Nm], N: controls, and torques in the state
 
   /// Called after each stage with the number of stages done and the number of all stages.
   std::function<void(int done, int total)> progress = {};
 };
 
-/// The next state, one cost term, the costs together or one constraint, of one stage at all its
-/// states.
+/// The next state, one cost term or the costs together, of one stage at all its states.
+/// @described ocp @result
 struct ProblemCheckRow {
   std::string stage;
   std::string term;  ///< name of a cost term or a constraint, "next state" or "all costs"
@@ -41,6 +44,8 @@ struct ProblemCheckRow {
   bool pass = false;         ///< worst_error <= tolerance
 };
 
+/// What check_problem() found.
+/// @described ocp @result
 struct ProblemReport {
   std::string robot;
   std::vector<ProblemCheckRow> rows;

@@ -11,8 +11,10 @@
 namespace burnish {
 
 /// Where the parts of z = (du, dq, dv, dtau, dforce) start, and how many entries they have.
+/// @described ocp
 struct StateLayout {
-  int nq = 0, nv = 0;
+  int nq = 0;
+  int nv = 0;
   int filtered = 0;  ///< torques in the state (torque model), or 0
   /// those are the controls of the step before, and what acts is the control itself
   bool holds_torque = false;

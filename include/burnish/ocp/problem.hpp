@@ -88,6 +88,8 @@ class Problem final : public ShootingProblem {
   Status set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& passing,
                          double fading);
 
+  /// The control of least norm that with the contacts of a stage holds a state at rest.
+  /// @described ocp @result
   /// Where a state that does not move needs no control but this: nu entries of least norm that with
   /// the contacts of a stage hold x at rest, together with the forces; `residual` of the rest, Nm.
   struct QuasiStatic {

@@ -14,22 +14,30 @@
 
 namespace burnish {
 
+/// What a residual costs: a function of each of its entries.
+/// @described ocp
 /// phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
 struct Penalty {
+  /// phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
+  /// @described ocp.PenaltyKind
   enum class Kind {
-    Square,          ///< r^2 / 2
-    Barrier,         ///< half the square of how far r is outside [lower, upper], zero inside
-    SmoothAbsolute,  ///< sqrt(r^2 + width^2) - width: |r| far from zero, r^2 / (2 width) close to
-                     ///< it
+    Square,   ///< r^2 / 2
+    Barrier,  ///< half the square of how far r is outside [lower, upper], zero inside
+    /// sqrt(r^2 + width^2) - width: |r| far from zero, r^2 / (2 width) close to it
+    SmoothAbsolute,
     /// -log(s / width), s the distance to each limit, where s > width; below, and beyond the limit,
-    /// the parabola ((s / width - 2)^2 - 1) / 2 that continues it smoothly.
+    /// the parabola ((s / width - 2)^2 - 1) / 2 that continues it smoothly
     LogBarrier,
   };
 
   Kind kind = Kind::Square;
+  /// barriers: limit in the residual's unit, a number for all rows or one per row, infinite where
+  /// there is none; empty: none @number_too @note limits in the residual's unit; one entry for all
+  /// rows, or one per row;
+  Eigen::VectorXd lower;
   /// Barriers: limits in the residual's unit; one entry for all rows, or one per row; infinite
-  /// where there is none. Empty: none.
-  Eigen::VectorXd lower, upper;
+  /// where there is none. Empty: none. @number_too
+  Eigen::VectorXd upper;
   double width = 1.0;  ///< residual's unit, positive
 
   static Penalty square() { return {}; }
@@ -49,54 +57,61 @@ Penalty::Kind parse_penalty(const std::string& name);
 
 /// weight * sum over rows i of weights_i phi(r_i), times the knot's step while time passes: a cost
 /// is an integral over time, whatever the knots.
+/// @described ocp
 struct CostTerm {
-  std::string name = {};  ///< unique in its stage; the residual's name if left empty
-  Residual residual;
-  double weight = 1.0;           ///< 1 / (unit of phi) / s while time passes; not negative
-  Eigen::VectorXd weights = {};  ///< per row, or empty for ones; not negative
-  /// Empty: a square, or what the residual says.
-  std::optional<Penalty> penalty = {};
+  std::string name = {};  ///< unique in its stage; the residual's name if left empty @after weight
+  Residual residual;      ///< @required
+  double weight = 1.0;    ///< 1 / (unit of phi) / s while time passes; not negative
+  Eigen::VectorXd weights = {};         ///< per row, or empty for ones; not negative
+  std::optional<Penalty> penalty = {};  ///< Empty: a square, or what the residual says.
 };
 
 /// lower <= r_i <= upper for every row i of a residual; an equality where the two meet. Hard, or
 /// soft with a price.
+/// @described ocp
 struct Constraint {
-  std::string name =
-      {};  ///< unique among the terms of its stage; the residual's name if left empty
-  Residual residual;
+  /// unique among the terms of its stage; the residual's name if left empty
+  std::string name = {};
+  Residual residual;  ///< @after - @required
   /// In the residual's unit: per row, one for all, or empty: none. At least one of the two, but for
   /// the margins (friction cone, center of pressure, support), whose rows are at least zero unless
-  /// said.
-  Eigen::VectorXd lower = {}, upper = {};
+  /// said. @number_too
+  Eigen::VectorXd lower = {};
+  Eigen::VectorXd upper = {};  ///< likewise @number_too
   /// What counts as much of a row, in its unit: per row, one for all, or empty: half the distance
   /// of its limits, without one the robot's own limit, of forces its weight, of torque rates its
   /// torque times the cut-off, of distances the limit itself where it is above zero, of support
-  /// margins half the polygon's width. Where there is none of these it has to be said.
+  /// margins half the polygon's width. Where there is none of these it has to be said. @number_too
   Eigen::VectorXd scale = {};
   /// A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied by the step:
-  /// of longer knots there are fewer that pay); infinite: hard.
+  /// of longer knots there are fewer that pay); infinite: hard. >= 0 or infinite
   double price = std::numeric_limits<double>::infinity();
-  double square = 0.0;  ///< likewise
+  double square = 0.0;  ///< likewise, >= 0
 };
 
 /// How the state goes from one knot to the next.
+/// @described ocp
 enum class Integrator {
   SemiImplicitEuler,  ///< v' = v + step a(q, v, tau), q' = q (+) step v'
-  /// Classical, the control held; costs are taken at the start of the step. Of fourth order, on
-  /// free-flyers and planar joints too.
+  /// classical, the control held; costs are taken at the start of the step @note Of fourth order,
+  /// on free-flyers and planar joints too.
   RungeKutta4,
 };
 
-/// Actuators as a first-order low-pass of the control, eq. (49) of the paper: dtau/dt = cutoff (u -
-/// tau). The torques join the state. Or held: each step's torque is its control, and the control of
-/// the step before joins the state, so that rates (u - tau) / step are known.
+/// Actuators as a first-order low-pass of the control: dtau/dt = cutoff (u - tau). The torques join
+/// the state.
+/// @described ocp
+/// Or held: each step's torque is its control, and the control of the step before joins the state,
+/// so that rates (u - tau) / step are known.
 struct TorqueModel {
+  /// Of the torque model.
+  /// @described ocp
   enum class Discretization {
     Exact,  ///< decay over a step: exp(-cutoff step)
     Euler,  ///< 1 - cutoff step
     Held,   ///< tau is the control of the step before and does not act; without a cutoff
   };
-  double cutoff = 0.0;  ///< rad/s
+  double cutoff = 0.0;  ///< [rad/s]
   Discretization discretization = Discretization::Exact;
 
   /// Torques that are the control, of which the last one is remembered.
@@ -105,6 +120,7 @@ struct TorqueModel {
 };
 
 /// Which joints are driven.
+/// @described ocp
 struct ActuationSpec {
   /// Empty: every joint but a free-flying base, and of robots with loops every joint with a motor,
   /// that is an effort limit above zero.
@@ -112,16 +128,17 @@ struct ActuationSpec {
   /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it, and
   /// its springs and tendons.
   bool passive_torques = false;
-  double slip_velocity = 0.01;  ///< rad/s or m/s
+  double slip_velocity = 0.01;  ///< [rad/s] or m/s
 };
 
 /// A kind of knot: which contacts hold, what is aimed at, how long a step is.
+/// @described ocp
 struct Stage {
   std::string name = {};
   std::vector<std::string> contacts = {};  ///< names of those that hold
   std::vector<CostTerm> costs = {};
   std::vector<Constraint> constraints = {};
-  double step = 0.01;  ///< s, of knots that have none of their own
+  double step = 0.01;  ///< [s], of knots that have none of their own
   Integrator integrator = Integrator::SemiImplicitEuler;
   /// The contacts are made here: velocities jump so that they hold (inelastic), no time passes,
   /// there is no control, and costs are not multiplied by a step.
@@ -133,11 +150,12 @@ struct Stage {
 /// numerical is made for the stage's step, and a knot n times as long has it n times slower, as
 /// explicit steps ask for: gains of contacts are kd / n and kp / n^2, the speeds below which
 /// friction fades are n times as high.
+/// @described ocp
 struct HorizonSegment {
   std::string stage = {};
   int knots = 1;
-  double step = 0.0;  ///< s, of the first of them; 0: the stage's
-  /// s, of all of them together: steps grow from the first one by the factor r >= 1/2, at most 2,
+  double step = 0.0;  ///< [s], of the first of them; 0: the stage's
+  /// [s], of all of them together: steps grow from the first one by the factor r >= 1/2, at most 2,
   /// for which step (1 + r + ... + r^(knots - 1)) is this; 0: knots times the step.
   double duration = 0.0;
 
@@ -147,8 +165,10 @@ struct HorizonSegment {
 /// Of one problem, the terminal one not counted.
 inline constexpr std::size_t max_knots = 100'000;
 
+/// An optimal control problem as a user states it: a robot, contacts, stages of costs, a horizon.
+/// @described ocp
 struct ProblemSpec {
-  Model model;
+  Model model;  ///< @required
   /// all contacts of the problem; stages choose; those of the robot's loops need not be among them
   std::vector<ContactSpec> contacts = {};
   ContactSolver contact_solver = {};
@@ -157,15 +177,16 @@ struct ProblemSpec {
   /// Contacts whose forces of the step before join the state (rows held, in their own reference;
   /// zero where the contact did not hold), for ContactForceRate. They act on nothing.
   std::vector<std::string> remembered_forces = {};
-  /// nu entries or one for all, Nm (N); empty: none.
-  Eigen::VectorXd control_lower = {}, control_upper = {};
+  /// nu entries or one for all, Nm (N); empty: none. @number_too
+  Eigen::VectorXd control_lower = {};
+  Eigen::VectorXd control_upper = {};  ///< likewise @number_too
   std::vector<Stage> stages = {};
   std::vector<HorizonSegment> horizon = {};
   std::vector<CostTerm> terminal = {};  ///< costs of the last state
   std::vector<Constraint> terminal_constraints = {};
   /// (q, v), then tau with a torque model, then the remembered forces.
   Eigen::VectorXd initial_state = {};
-  double start_time = 0.0;  ///< s, of the first knot
+  double start_time = 0.0;  ///< [s], of the first knot
 };
 
 /// The problem with the loops of its robot among the contacts, held in every stage: what a Problem

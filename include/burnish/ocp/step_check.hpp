@@ -10,11 +10,12 @@
 namespace burnish {
 
 /// How far the end of one step of a plan is from the motion that small steps lead to.
+/// @described ocp @result
 struct StepError {
   int knot = -1;           ///< at which the step begins; -1: no time passes in the problem
   std::string place = {};  ///< the knot's name, such as "press, knot 3"
-  double time = 0.0;       ///< s, of that knot
-  double step = 0.0;       ///< s
+  double time = 0.0;       ///< [s], of that knot
+  double step = 0.0;       ///< [s]
   std::string entry = {};  ///< the entry of v, as the model names it
   std::string unit = {};   ///< "rad" or "m"; of velocities "rad/s" or "m/s"
   double error = 0.0;      ///< size, in that unit
@@ -23,6 +24,7 @@ struct StepError {
 
 /// What check_steps() found: the largest error of a position and of a velocity, of those above
 /// their limits where there are any.
+/// @described ocp @result
 struct StepReport {
   /// ok, or why the errors of `knot` cannot be computed: the smallest steps do not agree, a number
   /// is not finite, or what the contacts say
@@ -30,9 +32,9 @@ struct StepReport {
   int knot = -1;            ///< the first one with that status; -1: none
   StepError position = {};  ///< by the model's difference
   StepError velocity = {};
-  bool coarse = false;       ///< an error is above its limit, or cannot be computed
-  double step_enough = 0.0;  ///< s, a step that would do at the worst knot; 0: not coarse, or none
-                             ///< was found
+  bool coarse = false;  ///< an error is above its limit, or cannot be computed
+  /// [s], a step that would do at the worst knot; 0: not coarse, or none was found
+  double step_enough = 0.0;
 
   /// One sentence with both errors.
   std::string text() const;

@@ -11,13 +11,15 @@
 
 namespace burnish {
 
+/// What of a trace is measured.
+/// @described report
 struct MetricsSpec {
-  double start = 0.0;                                    ///< s, of the window
-  double end = std::numeric_limits<double>::infinity();  ///< s, of the window
+  double start = 0.0;                                    ///< [s], of the window
+  double end = std::numeric_limits<double>::infinity();  ///< [s], of the window
   /// Along which the force is measured and across which the position, towards the robot, any length
   /// but zero; none: the normal of the surface at the tool, as it is in each row.
   std::optional<Eigen::Vector3d> normal_world = {};
-  double average = 0.010;  ///< s, of the moving average of the force, centred; 0: none
+  double average = 0.010;  ///< [s], of the moving average of the force, centred; 0: none
   /// that the tool presses along, in its frame, any length but zero; none: tool_to_normal is not
   /// measured
   std::optional<Eigen::Vector3d> tool_axis = {};
@@ -90,6 +92,8 @@ struct Metrics {
 /// without rows.
 Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec = {});
 
+/// Metrics of a run, and what it is called.
+/// @described report @result
 struct NamedMetrics {
   std::string name;
   Metrics metrics;

@@ -11,28 +11,34 @@
 namespace burnish {
 
 /// One line. Points that are not finite interrupt it.
+/// @described report
 struct Curve {
   std::string name = {};  ///< in the legend; empty: not listed
-  Eigen::VectorXd x, y;
+  Eigen::VectorXd x;
+  Eigen::VectorXd y;
   int color = -1;       ///< of the palette; -1: the next one
   bool dashed = false;  ///< limits and targets
 };
 
 /// Axes with curves in them.
+/// @described report
 struct Panel {
   std::string title = {};
-  std::string x_label = {}, y_label = {};  ///< with units, such as "time [s]"
+  std::string x_label = {};  ///< with units, such as "time [s]"
+  std::string y_label = {};
   std::vector<Curve> curves = {};
   bool equal_aspect = false;  ///< a metre is as long upwards as to the right
   bool log_y = false;         ///< values that are not positive are left out
 };
 
+/// Line plots as an SVG file that any browser shows.
+/// @described report
 struct PlotSpec {
   std::string title = {};
   std::vector<Panel> panels = {};
   int columns = 1;            ///< panels beside each other
-  double panel_width = 640;   ///< px, the legend included
-  double panel_height = 240;  ///< px
+  double panel_width = 640;   ///< {px}, the legend included
+  double panel_height = 240;  ///< {px}
 };
 
 /// The colours of curves, told apart by people of any colour vision (Okabe and Ito, 2008).

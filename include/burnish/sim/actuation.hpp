@@ -14,6 +14,7 @@ namespace burnish {
 Eigen::VectorXd torque_noise(const Model& model, const Disturbances& disturbances);
 
 /// One plant step of the actuation: the torque after each part, nv each, Nm or N.
+/// @described sim @result
 struct ActuationStep {
   Eigen::VectorXd command;  ///< as it came
   Eigen::VectorXd delayed;

@@ -14,10 +14,12 @@
 
 namespace burnish {
 
+/// How a ClosedLoop runs, and what it records.
+/// @described sim
 struct ClosedLoopOptions {
-  double control_period = 1e-3;  ///< s, a multiple of the plant's step
-  double max_duration = 20.0;    ///< s that the trace has room for
-  int record_every = 1;          ///< plant steps per row of the trace
+  double control_period = 1e-3;  ///< [s], a multiple of the plant's step, > 0
+  double max_duration = 20.0;    ///< [s] that the trace has room for
+  int record_every = 1;          ///< plant steps per row of the trace, >= 1
   /// frame of an inertial measurement unit that the controller is given readings of; empty: of the
   /// robot's first body; none: there is no unit
   std::optional<std::string> imu_frame = {};

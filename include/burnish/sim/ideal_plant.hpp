@@ -16,11 +16,13 @@
 
 namespace burnish {
 
+/// How make_ideal_plant()'s plant steps.
+/// @described sim
 struct IdealPlantOptions {
-  double dt = 5e-4;           ///< s
-  double tip_viscous = 0.0;   ///< Ns/m, against the contact point's sliding, besides Coulomb
-  double stabilize_kp = 1e4;  ///< 1/s^2, on the gap while in contact, and on loops
-  double stabilize_kd = 200;  ///< 1/s, on its rate
+  double dt = 5e-4;          ///< [s], > 0
+  double tip_viscous = 0.0;  ///< {Ns/m}, against the contact point's sliding, besides Coulomb, >= 0
+  double stabilize_kp = 1e4;  ///< [1/s^2], on the gap while in contact, and on loops, >= 0
+  double stabilize_kd = 200;  ///< [1/s], on its rate, >= 0
 };
 
 /// Throws Error as checked_scene() does, and for options that are not finite, a dt that is not

@@ -12,6 +12,7 @@
 namespace burnish {
 
 /// A moment of a plant, to go back to. What it holds belongs to the kind of plant that saved it.
+/// @described sim
 struct PlantSnapshot {
   Eigen::VectorXd numbers;
 };

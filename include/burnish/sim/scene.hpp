@@ -11,13 +11,14 @@
 
 namespace burnish {
 
-/// How a surface moves along its normal, as a plant has it: by
-/// amplitude sin(2 pi frequency s) + drift s, s being the time since its start; before, it rests.
+/// How a surface moves along its normal, as a plant has it: by amplitude sin(2 pi frequency s) +
+/// drift s, s being the time since its start; before, it rests.
+/// @described sim
 struct SurfaceMotion {
-  double amplitude = 0.0;  ///< m
-  double frequency = 1.0;  ///< Hz
-  double drift = 0.0;      ///< m/s, out of the material
-  double start = 0.0;      ///< s, of the plant's time
+  double amplitude = 0.0;  ///< [m], >= 0
+  double frequency = 1.0;  ///< [Hz], > 0
+  double drift = 0.0;      ///< [m/s], out of the material
+  double start = 0.0;      ///< [s], of the plant's time, >= 0
 
   bool is_at_rest() const { return amplitude == 0.0 && drift == 0.0; }
   /// m that it has moved out of the material at a time, s.
@@ -26,70 +27,83 @@ struct SurfaceMotion {
 
 /// A plane or a curved surface, or what of it stands over a square. All vectors in the axes of
 /// `frame`, points from its origin: in the world where there is none.
+/// @described sim
 struct SurfaceSpec {
   /// of the robot, that the surface moves with, such as a plate in a hand; empty: it stands still
   std::string frame = {};
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< any point on it, m; of a square, its middle
-  /// out of the material, towards the robot; of a curved surface at its point
+  /// any point on it, {m}; of a square, its middle
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  /// out of the material, towards the robot; of a curved surface at its point, not zero
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   SurfaceShape shape = {};  ///< plane, or what it is about that point
-  double friction = 0.0;    ///< Coulomb coefficient mu
-  double stiffness = 1e5;   ///< N/m; rigid plants pass it over
-  /// Ns/m; rigid plants pass it over. MuJoCo's own contact (MujocoContact.ENGINE) lifts a sliding
-  /// tip by mu * damping * speed.
+  double friction = 0.0;    ///< Coulomb coefficient mu, >= 0
+  double stiffness = 1e5;   ///< [N/m]; rigid plants pass it over, > 0
+  /// {Ns/m}; rigid plants pass it over, >= 0 @more MuJoCo's own contact (MujocoContact.ENGINE)
+  /// lifts a sliding tip by mu * damping * speed.
   double damping = 500.0;
   SurfaceMotion motion = {};  ///< along the normal at its point
-  /// m, half the side of the square about `point` that is there to be touched, its sides along the
-  /// columns of Reference::surface_with_normal(); infinite: the plane has no end
+  /// [m], half the side of the square about `point` that is there to be touched, its sides along
+  /// the columns of Reference::surface_with_normal(); infinite: the plane has no end, > 0 or
+  /// infinite
   double extent = std::numeric_limits<double>::infinity();
-  double half_size = 0.4;  ///< m, of the square that is drawn where the plane has no end
+  double half_size = 0.4;  ///< [m], of the square that is drawn where the plane has no end, > 0
 };
 
 /// A sphere about the origin of a frame. It touches a plane at one point, and the normal force
 /// passes through the frame's origin.
+/// @described sim
 struct ToolTipSpec {
   std::string frame = "tool";
-  double radius = 0.02;  ///< m
+  double radius = 0.02;  ///< [m], > 0
 };
 
 /// A part of the robot that stands on a plane of its own, or leans against it, with nothing to hold
 /// it there but what it presses with: a sole, which is a rectangle about the origin of a frame in
 /// that frame's x and y, with z away from the plane, or without sides a ball about the origin.
+/// @described sim
 struct SupportSpec {
   std::string frame = {};
-  double half_x = 0.0, half_y = 0.0;                ///< m, half the sides of a sole; both 0: a ball
-  double radius = 0.02;                             ///< m, of a ball
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the plane, m, world
-  /// of the plane, out of the material, towards the robot; any length, world
+  double half_x = 0.0;   ///< [m], half the side of a sole along x; 0: a ball, >= 0 @note both 0:
+  double half_y = 0.0;   ///< [m], along y, >= 0
+  double radius = 0.02;  ///< [m], of a ball, > 0
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the plane, {m}, world
+  /// of the plane, out of the material, towards the robot; any length, world, not zero
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double friction = 0.7;   ///< Coulomb coefficient
-  double stiffness = 2e6;  ///< N/m, of the whole part
-  double damping = 1e5;    ///< Ns/m, of the whole part
+  double friction = 0.7;   ///< Coulomb coefficient, >= 0
+  double stiffness = 2e6;  ///< [N/m], of the whole part, > 0
+  double damping = 1e5;    ///< {Ns/m}, of the whole part, > 0
 
   bool is_sole() const { return half_x > 0.0 && half_y > 0.0; }
 };
 
 /// Ground that is slippery for a while, under one of the things that the robot stands on.
+/// @described sim
 struct SlipperyGround {
-  double start = 0.0;                                         ///< s
-  double duration = std::numeric_limits<double>::infinity();  ///< s
-  std::string frame = {};  ///< of the support that stands on it; empty: of all
-  double friction = 0.05;  ///< Coulomb coefficient in place of the support's
+  double start = 0.0;  ///< [s]
+  /// [s], >= 0 or infinite @word forever
+  double duration = std::numeric_limits<double>::infinity();
+  /// of the support that stands on it; all: of all @code of the support that stands on it; empty:
+  /// of all @word all
+  std::string frame = {};
+  double friction = 0.05;  ///< Coulomb coefficient in place of the support's, >= 0
 };
 
 /// What holds the robot by a frame at first, as a crane does, and lets it go: its weight, upwards
 /// at that frame, and a stiff spring and damper about where that was, in place and rotation. It has
 /// all of it for the first half of `duration` and gives it to what the robot stands on in the
 /// second.
+/// @described sim
 struct HoistSpec {
   std::string frame = {};  ///< empty: nothing holds it
-  double duration = 0.0;   ///< s, until it has let go
+  double duration = 0.0;   ///< [s], until it has let go, >= 0
 
   bool holds() const { return !frame.empty() && duration > 0.0; }
   /// Of its force, that it has at a time, s: 1 at first, 0 at the end.
   double share(double time) const noexcept;
 };
 
+/// What the tool meets, a surface and a round tip, and what the robot stands on.
+/// @described sim
 struct SceneSpec {
   SurfaceSpec surface = {};
   ToolTipSpec tip = {};

@@ -22,18 +22,22 @@
 namespace burnish {
 
 /// Why a solve ended.
+/// @described solver
 enum class StopReason {
-  Converged,            ///< feasible, and the expected improvement is below stop_tolerance
+  /// feasible, limits kept, and the expected improvement is below stop_tolerance, or what the
+  /// tolerance of limits is worth
+  Converged,
   MaxIterations,        ///< max_iterations were made
   TimeBudget,           ///< time_budget was spent
   NotEvaluated,         ///< a knot of the iterate cannot be evaluated: see status, knot, term
   NotPositiveDefinite,  ///< Quu of a knot, with the largest regularisation
-  Infeasible,           ///< no trajectory near keeps all limits; this one breaks them least
-  NoStep,               ///< no step length was acceptable, with the largest regularisation
-  Callback,             ///< the callback asked for it
+  Infeasible,  ///< no trajectory near keeps all limits; this one breaks them least: see conflict
+  NoStep,      ///< no step length was acceptable, with the largest regularisation
+  Callback,    ///< the callback asked for it
 };
 
 /// Seconds of a solve by phase.
+/// @described solver
 struct PhaseTimes {
   double expand = 0.0;    ///< values and derivatives
   double backward = 0.0;  ///< Riccati recursion
@@ -42,12 +46,14 @@ struct PhaseTimes {
 };
 
 /// A row with limits at a knot.
+/// @described solver @result
 struct RowPlace {
   int knot = 0;
   int row = 0;  ///< of those of the knot
 };
 
 /// A hard row of the first knot that the initial state alone puts outside its limits.
+/// @described solver @result
 struct StartRow {
   int row = 0;         ///< of those of the first knot
   double value = 0.0;  ///< in the row's unit
@@ -55,6 +61,8 @@ struct StartRow {
   double upper = 0.0;  ///< likewise
 };
 
+/// Why a solve ended and what it reached.
+/// @described solver
 struct DdpSummary {
   StopReason reason = StopReason::MaxIterations;
   int iterations = 0;  ///< line searches made
@@ -95,24 +103,33 @@ struct DdpSummary {
 };
 
 /// Where a cost comes from.
+/// @described solver @result
 struct CostReport {
+  /// What one cost term adds.
+  /// @described solver.CostEntry @result
   struct Entry {
     std::string name;
     double cost;
   };
+  /// What one knot costs.
+  /// @described solver.CostKnot @result
   struct Knot {
     std::string name;
     double cost;
     std::vector<Entry> terms;
   };
-  /// A row with limits, where it is furthest outside them, or nearest to one of them from inside.
+  /// A row of a constraint, where it is furthest outside its limits, or nearest to one of them from
+  /// inside.
+  /// @described solver.LimitedRow @result
   struct Row {
-    std::string name;  ///< as the problem's row_names
-    std::string knot;  ///< as the problem's knot_name
-    double value, lower, upper;
+    std::string name;  ///< as Problem.row_names has it
+    std::string knot;  ///< as Problem.knot_name has it
+    double value;
+    double lower;
+    double upper;
     double outside;           ///< how far; negative: the least distance to a limit from inside
     double scale = 0.0;       ///< in its unit: what counts as much of it
-    double multiplier = 0.0;  ///< of the horizon the largest: see DdpSolver::multipliers()
+    double multiplier = 0.0;  ///< of the horizon the largest: see multipliers()
     std::string pushed = {};  ///< the knot that has that
     int active = 0;           ///< knots at which a limit pushes
 
@@ -120,13 +137,14 @@ struct CostReport {
     bool broken() const;
   };
   /// A row at a knot where its limit pushes or is broken.
+  /// @described solver @result
   struct ActiveLimit {
     int knot = 0;             ///< 0 to N
-    std::string row = {};     ///< as the problem's row_names
+    std::string row = {};     ///< as Problem.row_names has it
     double value = 0.0;       ///< in the row's unit
     double lower = 0.0;       ///< infinite where there is none
     double upper = 0.0;       ///< likewise
-    double multiplier = 0.0;  ///< cost per unit of the row; see DdpSolver::multipliers()
+    double multiplier = 0.0;  ///< cost per unit of the row; see multipliers()
   };
   double total = 0.0;
   std::vector<Entry> terms;         ///< summed over knots, in order of appearance
@@ -146,8 +164,10 @@ struct CostReport {
 using PaddedView = Eigen::Map<const RowMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;
 
 /// A result with the names of what its rows and columns stand for.
+/// @described solver @result
 struct NamedMatrix {
-  std::vector<std::string> rows, columns;
+  std::vector<std::string> rows;
+  std::vector<std::string> columns;
   Eigen::MatrixXd values;
 };
 

@@ -24,42 +24,46 @@ struct RunCounts {
   int failed = 0;  ///< of those that are there now, that did not polish
 };
 
+/// How an experiment is performed.
+/// @described polishing
 struct ExperimentSpec {
+  /// MUJOCO where this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  int seeds = 0;  ///< at most max_seeds; 0: the experiment's own number
+  int seeds = 0;  ///< at most 10 000; 0: the experiment's own number @note at most max_seeds;
   int first_seed = 0;
   int threads = 0;                         ///< runs at once; 0: as many as there are cores
   bool quick = false;                      ///< few and short runs, to see whether it works
   std::vector<std::string> surfaces = {};  ///< empty: the experiment's own
   std::string ranges = {};                 ///< of `seeds`: usual, wide or curved; empty: usual
-  /// Of the experiments `robots` and `force_test`; empty: their own.
+  /// of the experiments `robots` and `force_test`; empty: their own
   std::vector<std::string> robots = {};
-  /// The frame that each of these holds its tool with; "tool" for those that lack one.
+  /// the frame that each of these holds its tool with; "tool" for those that lack one
   std::vector<std::string> tools = {};
-  /// Of the experiment `robots`: a folder with descriptions of public robots, which are tried in
-  /// place of those that come along. Its list is robots.yaml there, or the shipped one. Empty:
-  /// none.
+  /// of the experiment `robots`: a folder with descriptions of public robots, which are tried in
+  /// place of those that come along; its list is robots.yaml there, or the shipped one; empty: none
   std::string folder = {};
-  /// Changes to the task, as override_task() takes them. What the experiment sweeps is set after
-  /// them.
+  /// changes to the task, as override_task() takes them; what the experiment sweeps is set after
+  /// them
   std::vector<std::string> overrides = {};
-  /// Called now and then with the share that is done, 0 to 1, and what is being done; from one
-  /// thread at a time, but not always the same one.
+  /// called now and then with the share that is done, 0 to 1, and what is being done; from one
+  /// thread at a time, but not always the same one. Returning False stops the experiment.
   std::function<void(double share, const std::string& what)> progress = nullptr;
-  /// Whether to stop; called from several threads at once.
+  /// Whether to stop; called from several threads at once. @undescribed
   std::function<bool()> stopped = nullptr;
   /// Runs that it holds are not made again, and those that are made are kept in it; null: no run is
-  /// kept.
+  /// kept. @undescribed
   const RunStore* store = nullptr;
-  Shard shard = {};         ///< which runs are made
-  bool only_found = false;  ///< no run is made; throws Error where one is missing in the store
-  bool mixed = false;       ///< results of other kernels are taken too
+  Shard shard = {};  ///< which runs are made @undescribed
+  /// no run is made; throws Error where one is missing in the store @undescribed
+  bool only_found = false;
+  bool mixed = false;  ///< results of other kernels are taken too @undescribed
   /// s of computing (of a core, not of the clock) that a run may take; 0: 20 times the median of
   /// those before it, from the fifth on, and not less than 10. It ends between two ticks.
+  /// @undescribed
   double time_limit = 0.0;
-  RunCounts* counts = nullptr;  ///< where to put them
+  RunCounts* counts = nullptr;  ///< where to put them @undescribed
   /// No run is made; it is called with each one's number from 0 on, its name in the store and its
-  /// own.
+  /// own. @undescribed
   std::function<void(std::size_t, const std::string& result, const std::string& run)> list =
       nullptr;
 
@@ -67,26 +71,30 @@ struct ExperimentSpec {
   bool reports() const { return !list && shard.count == 1; }
 };
 
+/// A plot, and its file's name without ending.
+/// @described polishing @result
 struct Figure {
   std::string name;  ///< of its file, without ending
   PlotSpec plot;
 };
 
 /// A task worth running again by itself.
+/// @described polishing @result
 struct NamedTask {
   std::string name;  ///< of its file, without ending
   Task task;
 };
 
+/// What came out of an experiment.
+/// @described polishing @result
 struct ExperimentReport {
   std::string title;
-  /// The first one has a row for every run (force_test: for every figure and controller).
+  /// the first one has a row for every run (force_test: for every figure and controller)
   std::vector<ResultTable> tables = {};
   std::vector<Figure> figures = {};
   std::vector<NamedTask> tasks = {};
   std::vector<std::string> findings = {};  ///< sentences
-  /// Runs that did not polish, and why; empty: all did.
-  std::vector<std::string> failures = {};
+  std::vector<std::string> failures = {};  ///< runs that did not polish, and why; empty: all did
   bool interrupted = false;
 };
 

@@ -7,17 +7,26 @@
 
 namespace burnish::polishing {
 
-/// What the wanted force does from when the path begins. Times in s since then, forces in N.
+/// What the wanted force does from when the path begins.
+/// @described polishing
+/// Times in s since then, forces in N.
 struct ForceProfile {
-  enum class Kind { Constant, Steps, Lines, Sine };
+  /// What the wanted force does from when the path begins.
+  /// @described polishing.ForceProfileKind
+  enum class Kind {
+    Constant,
+    Steps,  ///< from one point's force to the next one's at once
+    Lines,  ///< straight between points
+    Sine,   ///< about the task's force
+  };
   Kind kind = Kind::Constant;  ///< constant, steps, lines or sine
   /// [[s since the path began, N], ...] (steps: the force from then on; lines: joined by straight
-  /// lines); before the first one it is the task's force that holds, from which the first line
+  /// lines) @more before the first one it is the task's force that holds, from which the first line
   /// leads
   std::vector<Eigen::Vector2d> points = {};
-  double amplitude = 5.0;  ///< N, about the task's force (sine)
-  double frequency = 1.0;  ///< Hz (sine)
-  double start = 0.0;      ///< s since the path began, until which the force is constant (sine)
+  double amplitude = 5.0;  ///< [N], about the task's force (sine), >= 0
+  double frequency = 1.0;  ///< [Hz] (sine), > 0
+  double start = 0.0;  ///< [s] since the path began, until which the force is constant (sine), >= 0
   /// plans know the force that is to come; false: they take that of now for all that is ahead
   bool preview = true;
 

@@ -12,14 +12,18 @@
 namespace burnish::polishing {
 
 /// Margins that every arm must have beyond the delays and filters of its loop.
+/// @described polishing
 struct RequiredMargins {
-  double delay = 2e-3;  ///< s, extra delay of the commands
-  double gain = 2.0;    ///< factor on one joint's torque; also its inverse
+  double delay = 2e-3;  ///< [s], extra delay of the commands, >= 0
+  double gain = 2.0;    ///< factor on one joint's torque; also its inverse, > 0
 };
 
+/// Stability margins of a polishing task's loop at its starting posture.
+/// @described polishing @result
 /// Margins in free air and with the tool on the surface, at the starting posture.
 struct TaskMargins {
-  LoopMargins air = {}, contact = {};
+  LoopMargins air = {};      ///< in free air
+  LoopMargins contact = {};  ///< with the tool on the surface
 
   /// The smaller delay margin of both situations [s].
   double delay() const { return std::min(air.delay, contact.delay); }
@@ -46,6 +50,7 @@ std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                                    const LoopChain& chain);
 
 /// Result of fit_gains().
+/// @described polishing @result
 struct FittedGains {
   bool meets = true;         ///< true if the required margins are met, or cannot be computed
   std::string changes = {};  ///< sentence that names the fitted gains; empty if none was fitted

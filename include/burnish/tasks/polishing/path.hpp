@@ -8,21 +8,31 @@
 
 namespace burnish::polishing {
 
-enum class PathKind { Circle, Spiral, ZigZag, Points };
+/// Shapes of paths.
+/// @described polishing
+enum class PathKind {
+  Circle,
+  Spiral,
+  ZigZag,  ///< @word zigzag
+  Points,
+};
 
-/// A path in the plane of a surface, in its two tangents (u, w), from its centre at rest. Lengths
-/// in m, rates in rad/s, speeds in m/s.
+/// A path in the plane of a surface, in its two tangents (u, w), from its centre at rest.
+/// @described polishing
+/// Lengths in m, rates in rad/s, speeds in m/s.
 struct PathSpec {
   PathKind kind = PathKind::Circle;  ///< circle, spiral, zigzag or points
-  double radius = 0.07;              ///< m (circle, and the largest of a spiral)
-  double rate = 1.0;                 ///< rad/s (circle, spiral)
-  double start_up = 2.0;             ///< s until the full radius (circle), the full growth (spiral)
-  double pitch = 0.01;               ///< m between two turns (spiral); mean over the way out
-  double width = 0.14;               ///< m along the first tangent (zigzag)
-  double height = 0.10;              ///< m along the second tangent (zigzag)
-  int rows = 6;                      ///< lines (zigzag)
-  double speed = 0.07;               ///< m/s, the highest along a line (zigzag, points)
-  /// in the surface's tangents, m (points); followed by lines from the centre, at rest at each
+  double radius = 0.07;              ///< [m] (circle, and the largest of a spiral), > 0
+  double rate = 1.0;                 ///< [rad/s] (circle, spiral)
+  double start_up = 2.0;  ///< [s] until the full radius (circle), the full growth (spiral), > 0
+  double pitch = 0.01;    ///< [m] between two turns (spiral), > 0 @more mean over the way out
+  double width = 0.14;    ///< [m] along the first tangent (zigzag), > 0
+  double height = 0.10;   ///< [m] along the second tangent (zigzag), > 0
+  int rows = 6;           ///< lines (zigzag), >= 2
+  double speed = 0.07;    ///< [m/s], the highest along a line (zigzag, points), > 0
+  /// [[u, w], ...] in the surface's tangents, {m}, or a CSV file with columns u and w (points)
+  /// @code in the surface's tangents, m (points); followed by lines from the centre, at rest at
+  /// each
   std::vector<Eigen::Vector2d> points = {};
 };
 
@@ -30,11 +40,12 @@ std::string name_of(PathKind kind);
 /// "circle", "spiral", "zigzag" or "points". Throws Error with the nearest known name.
 PathKind parse_path(const std::string& name);
 
-/// (u, w) and their first two derivatives at a time.
+/// (u, w) of a path and their first two derivatives at a time.
+/// @described polishing
 struct PlanarPoint {
-  Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< m
-  Eigen::Vector2d v = Eigen::Vector2d::Zero();  ///< m/s
-  Eigen::Vector2d a = Eigen::Vector2d::Zero();  ///< m/s^2
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< [m]
+  Eigen::Vector2d v = Eigen::Vector2d::Zero();  ///< [m/s]
+  Eigen::Vector2d a = Eigen::Vector2d::Zero();  ///< [m/s^2]
 };
 
 /// The path compiled. Throws Error for numbers that make no path.

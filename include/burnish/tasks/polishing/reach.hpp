@@ -38,9 +38,10 @@ ReachReport check_reach(const Task& task, const Setting& setting, const ReachOpt
 ReachReport check_home(const Task& task, const Setting& setting, const ReachOptions& options = {});
 
 /// Posture of a robot from which its joints can move straight to a task's start.
+/// @described polishing @result
 struct FreeHome {
   std::string posture;    ///< of the robot's settings
-  double duration = 0.0;  ///< s, of the move
+  double duration = 0.0;  ///< [s], of the move
 };
 /// Returns the robot's postures, the start itself left out, from which check_home() finds nothing
 /// in the way; the nearest first. Empty where the task can have no home.

@@ -12,6 +12,8 @@
 
 namespace burnish::polishing {
 
+/// What controls a run.
+/// @described polishing
 enum class ControllerKind {
   Mpc,         ///< model predictive control (MpcController)
   Baseline,    ///< impedance with force feedback, no optimisation (make_impedance_controller())
@@ -22,6 +24,8 @@ using burnish::has_mujoco;
 using burnish::PlantKind;
 using burnish::TickTimes;
 
+/// A run of a task.
+/// @described polishing
 struct RunSpec {
   Task task;
   std::optional<Robot> robot = {};  ///< in place of the one that the task names
@@ -30,8 +34,10 @@ struct RunSpec {
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
   bool check_reach = true;  ///< before anything moves; a problem is then an Error
   ReachOptions reach = {};
-  /// Hz, at which plans of the MPC are recorded, at most 20 000 of them; 0: none
+  /// [Hz], at which plans of the MPC are recorded, at most 20 000 of them; 0: none
   double plan_rate = 20.0;
+  /// Called now and then with the simulated time and about when it will be over, s. Returning false
+  /// stops the run.
   RunProgress progress = nullptr;
 };
 

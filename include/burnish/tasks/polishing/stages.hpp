@@ -12,17 +12,21 @@
 
 namespace burnish::polishing {
 
-/// The task with everything resolved: robot, start, surface, path in the world, phases. Of a
-/// surface that the robot carries (Task::surface_frame) what is in the world is in the axes of that
-/// frame.
+/// A task with everything resolved: robot, start, surface, path in the world, phases.
+/// @described polishing
+/// Of a surface that the robot carries (Task::surface_frame) what is in the world is in the axes of
+/// that frame.
 struct Setting {
-  Robot robot;
-  Eigen::VectorXd q_start;       ///< nq
-  SceneSpec scene;               ///< as the controller knows it
-  Eigen::Matrix3d surface_axes;  ///< columns: two tangents and the normal, world
-  Eigen::Vector3d p_start;       ///< of the tool, m, world
-  Eigen::Vector3d p_center;      ///< of the tool at the path's origin in contact, m, world
-  double reach_end = 0.0, touch = 0.0, ramp_end = 0.0, track_end = 0.0;  ///< s of the schedule
+  Robot robot;                   ///< @required
+  Eigen::VectorXd q_start;       ///< nq @required
+  SceneSpec scene;               ///< as the controller knows it @required
+  Eigen::Matrix3d surface_axes;  ///< columns: two tangents and the normal, world @required
+  Eigen::Vector3d p_start;       ///< of the tool, m, world @required
+  Eigen::Vector3d p_center;  ///< of the tool at the path's origin in contact, m, world @required
+  double reach_end = 0.0;    ///< [s] of the schedule
+  double touch = 0.0;        ///< [s] of the schedule
+  double ramp_end = 0.0;     ///< [s] of the schedule
+  double track_end = 0.0;    ///< [s] of the schedule
   /// kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature
   std::map<std::string, double> assumed_rotors = {};
   std::optional<HomeMove> home = {};  ///< from where a run begins (Task.home) to q_start

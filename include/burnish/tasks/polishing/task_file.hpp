@@ -10,6 +10,7 @@
 namespace burnish::polishing {
 
 /// A surface by name: where its normal points and a starting posture of the robot for it.
+/// @described polishing @result
 struct NamedSurface {
   std::string name;
   std::string posture;           ///< of the robot's settings

@@ -18,55 +18,77 @@
 
 namespace burnish::press_hold {
 
+/// The task of pressing at a point while the arm moves aside: all that a task file may say, with
+/// its defaults.
+/// @described press_hold
 struct Task {
   std::string robot = "arm7";  ///< a robot's name, folder or settings file, with :variant
-  /// where it starts; search: found for the surface. Of the robot's settings. Empty: the robot's
-  /// default, or searched where it has none.
+  /// where it starts; search: found for the surface @more Of the robot's settings. Empty: the
+  /// robot's default, or searched where it has none.
   std::string posture = {};
-  double force = 20.0;  ///< N, that the tool presses with
-  /// rad (m) that the posture goes, joint by joint: {joint: way, ...}
+  double force = 20.0;  ///< [N], that the tool presses with, > 0
+  /// {rad (m)} that the posture goes, joint by joint: {joint: way, ...}
   std::map<std::string, double> aside = {};
 
-  std::string tool = "tool";  ///< its origin is the centre of a round tip
-  /// that the tool presses along, in its frame, any length; without it see pressing_direction(); a
-  /// posture that is given must agree with it, within search.tilt
+  // @section tool
+  std::string tool = "tool";  ///< its origin is the centre of a round tip @key frame
+  /// [x, y, z] that it presses along, in its frame; or auto: z or -z of a frame of robot.yaml, of
+  /// others the last joint's axis, away from the arm, not zero @code that the tool presses along,
+  /// in its frame, any length; without it see pressing_direction() @more a posture that is given
+  /// must agree with it, within search.tilt @key axis @word auto
   std::optional<Eigen::Vector3d> tool_axis = {};
-  double tip_radius = 0.02;  ///< m
+  double tip_radius = 0.02;  ///< [m], > 0
 
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface, any length
-  double extent = 0.1;  ///< m that there is surface beyond the point, on all four sides; or endless
-  /// Coulomb coefficient of the plant, unless disturbances.surface_friction says another
+  // @section surface It lies `clearance` below the tool at the start. The controller knows its
+  // normal.
+  /// [x, y, z] out of the material towards the robot, any length, world, not zero @code out of the
+  /// surface, any length @key normal
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  /// [m] that there is surface beyond the point, on all four sides; or endless, > 0 or infinite
+  /// @word endless
+  double extent = 0.1;
+  /// Coulomb coefficient of the plant, unless disturbances.surface_friction says another, >= 0
   double friction = 0.0;
-  double stiffness = 1e5;  ///< N/m, of the plant
-  double damping = 500.0;  ///< Ns/m, of the plant
-  PostureLimits search = {};
+  double stiffness = 1e5;     ///< [N/m], of the plant, > 0
+  double damping = 500.0;     ///< {Ns/m}, of the plant, >= 0
+  PostureLimits search = {};  ///< What a posture that is searched keeps to.
 
-  double clearance = 0.01;        ///< m between tool and surface at the start
-  double approach_speed = 0.03;   ///< m/s towards the surface
-  double touch_force = 5.0;       ///< N, at once where contact is made
-  double ramp_duration = 0.5;     ///< s from touch_force to force
-  double aside_duration = 2.0;    ///< s that the posture takes to go aside
-  double hold_duration = 1.0;     ///< s that it stays there
-  double retreat_duration = 0.5;  ///< s off the surface, by the clearance
+  // @section phases Approach until contact, ramp the force, move aside, hold, retreat.
+  double clearance = 0.01;        ///< [m] between tool and surface at the start, > 0
+  double approach_speed = 0.03;   ///< [m/s] towards the surface, > 0
+  double touch_force = 5.0;       ///< [N], at once where contact is made, >= 0
+  double ramp_duration = 0.5;     ///< [s] from touch_force to force, > 0
+  double aside_duration = 2.0;    ///< [s] that the posture takes to go aside, > 0
+  double hold_duration = 1.0;     ///< [s] that it stays there, > 0
+  double retreat_duration = 0.5;  ///< [s] off the surface, by the clearance, > 0
 
-  double tick_rate = 1000.0;  ///< Hz, of torque commands and of new plans
-  /// s from a command to the torque that it makes, as far as it is known. Rounded to ticks. Plans
-  /// and feedback begin in the state that the torques already sent lead to.
+  // @section controller
+  double tick_rate = 1000.0;  ///< [Hz], of torque commands and of new plans, 100 to 1e4
+  /// [s] from a command to the torque that it makes, as far as it is known, 0 to 0.1 @more Rounded
+  /// to ticks. Plans and feedback begin in the state that the torques already sent lead to.
   double command_delay = 0.0;
-  /// s from what is measured to the tick that has it, as far as it is known
+  /// [s] from what is measured to the tick that has it, as far as it is known, 0 to 0.1
   double measurement_delay = 0.0;
-  /// 1/rad^2: joints to where they shall be, beside 1e4 1/m^2 of the point
+  /// [1/rad^2]: joints to where they shall be, beside 1e4 1/m^2 of the point, > 0
   double posture_weight = 1.0;
 
-  PlanLimits constraints = {};
+  PlanLimits constraints = {};  ///< What plans keep, whatever it costs. Each may be never.
 
-  double slip = 0.01;  ///< m that the tool may be off its point, along the surface
+  // @section limits Beyond these a run is given up: the arm is braked and held (fallback), and
+  // there is a report.\nEach may be never.
+  /// [m] that the tool may be off its point, along the surface, > 0 or infinite @after
+  /// contact_threshold
+  double slip = 0.01;
   SafetyLimits limits = {};
-  ToolLimits tool_limits = {};
-  /// N that count as contact. Where the sensor's noise comes near it, which is found out in the
-  /// reach, it is the mean over 5 ms that counts, against six of its own deviations.
+  ToolLimits tool_limits = {};  ///< @key limits
+  /// [N] that count as contact, > 0 or infinite @more Where the sensor's noise comes near it, which
+  /// is found out in the reach, it is the mean over 5 ms that counts, against six of its own
+  /// deviations.
   double contact_threshold = 2.0;
 
+  // @section -
+  /// What the controller does not know. Or one word: none, sensors, mismatch, joint_friction;
+  /// or\n`preset: word` and keys that differ from it. @code what the controller does not know
   Disturbances disturbances = {};
 };
 
@@ -89,14 +111,18 @@ std::string task_text(const Task& task);
 /// is exactly what the controller believes, unless that is meant.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
-/// The task with everything resolved.
+/// A task with everything resolved: robot, start, surface, phases.
+/// @described press_hold
 struct Setting {
-  Robot robot;
-  Eigen::VectorXd q_start, q_aside;  ///< nq; where the posture's reference begins and ends
-  SceneSpec scene;                   ///< as the controller knows it
-  Eigen::Matrix3d surface_axes;      ///< columns: two tangents and the normal, world
-  Eigen::Vector3d p_hold;            ///< of the tool in contact, m, world
-  double touch = 0.0, ramp_end = 0.0, hold_end = 0.0;  ///< s of the schedule
+  Robot robot;                   ///< @required
+  Eigen::VectorXd q_start;       ///< nq, where the posture's reference begins @required
+  Eigen::VectorXd q_aside;       ///< nq, where it ends @required
+  SceneSpec scene;               ///< as the controller knows it @required
+  Eigen::Matrix3d surface_axes;  ///< columns: two tangents and the normal, world @required
+  Eigen::Vector3d p_hold;        ///< of the tool in contact, m, world @required
+  double touch = 0.0;            ///< [s] of the schedule
+  double ramp_end = 0.0;         ///< [s] of the schedule
+  double hold_end = 0.0;         ///< [s] of the schedule
 };
 /// The task's robot. Of a URDF file, which has no settings, only the joints that carry the tool
 /// move: the others are held at zero. Throws Error as load_robot() does.
@@ -118,13 +144,17 @@ ReachReport check_reach(const Task& task, const Setting& setting, const ReachOpt
 void refuse_out_of_reach(const Task& task, const Setting& setting);
 MpcSpec make_mpc(const Task& task, const Setting& setting);
 
+/// A run of a task.
+/// @described press_hold
 struct RunSpec {
   Task task;
   std::optional<Setting> setting = {};  ///< of the task, where there is one already
   /// MuJoCo where this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
   bool check_reach = true;  ///< before anything moves; a problem is then an Error
-  double plan_rate = 20.0;  ///< Hz, at which plans are recorded; 0: none
+  double plan_rate = 20.0;  ///< [Hz], at which plans are recorded; 0: none
+  /// Called now and then with the simulated time and about when it will be over, s. Returning false
+  /// stops the run.
   RunProgress progress = {};
 };
 

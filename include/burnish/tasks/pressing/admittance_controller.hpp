@@ -20,23 +20,35 @@
 namespace burnish {
 
 /// Of both loops. The inner one knows the robot's mass matrix and gravity.
+/// @described sim
 struct AdmittanceGains {
-  double rate = 500.0;          ///< Hz, of the outer loop; rounded to ticks, one at least
-  double delay = 4e-3;          ///< s, from its measurement to the inner loop; rounded to ticks
-  double force_cutoff = 200.0;  ///< rad/s, low-pass of the measured force in the outer loop
-  double mass = 0.5;  ///< of the admittance, as a multiple of the tool's inertia along the normal
-  double damping = 250.0;              ///< 1/s, of the admittance; times that inertia
-  double ki = 5.0;                     ///< 1/s, of the force error; 0: no integral of it
-  double integral_limit = 30.0;        ///< N, largest correction by that integral
-  double path_gain = 20.0;             ///< 1/s, of the commanded tool's way to the path
-  double ik_damping = 0.01;            ///< of the inverse kinematics, m/rad
-  double posture_gain = 1.0;           ///< 1/s, of the commanded joints to the posture
-  double joint_kp = 10000.0;           ///< 1/s^2, of the inner loop
-  double joint_kd = 150.0;             ///< 1/s, of the inner loop
-  double joint_ki = 150000.0;          ///< 1/s^3, of the inner loop; 0: no integral
-  double joint_integral_limit = 50.0;  ///< rad/s^2, largest correction by that integral
+  double rate = 500.0;  ///< [Hz], of the outer loop; rounded to ticks, one at least, > 0
+  double delay = 4e-3;  ///< [s], from its measurement to the inner loop; rounded to ticks, 0 to 1
+  double force_cutoff = 200.0;  ///< [rad/s], low-pass of the measured force in the outer loop, > 0
+  /// of the admittance, as a multiple of the tool's inertia along the normal, >= 0
+  double mass = 0.5;
+  double damping = 250.0;              ///< [1/s], of the admittance; times that inertia, > 0
+  double ki = 5.0;                     ///< [1/s], of the force error; 0: no integral of it, >= 0
+  double integral_limit = 30.0;        ///< [N], largest correction by that integral, >= 0
+  double path_gain = 20.0;             ///< [1/s], of the commanded tool's way to the path, >= 0
+  double ik_damping = 0.01;            ///< of the inverse kinematics, m/rad, > 0
+  double posture_gain = 1.0;           ///< [1/s], of the commanded joints to the posture, >= 0
+  double joint_kp = 10000.0;           ///< [1/s^2], of the inner loop, >= 0
+  double joint_kd = 150.0;             ///< [1/s], of the inner loop, >= 0
+  double joint_ki = 150000.0;          ///< [1/s^3], of the inner loop; 0: no integral, >= 0
+  double joint_integral_limit = 50.0;  ///< [rad/s^2], largest correction by that integral, >= 0
 };
 
+/// A controller in two loops, as arms with a position interface are driven: an outer one that turns
+/// the force's error into a motion of the tool along the surface's normal, and that by inverse
+/// kinematics into joint positions, and an inner one that holds these. With f the force along the
+/// normal n behind a low-pass, q_c the commanded joints and p the tip's place there, l its inertia
+/// along n: l (mass dv_n/dt + damping v_n) = (f - f_path) + ki * integral of it; v_tool = v_n n and
+/// along the surface v_path + path_gain (p_path - p); dq_c/dt by damped least squares; and delay s
+/// later tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + joint_ki * integral of (q_c - q)) +
+/// b. Integrals are bounded, start anew where contact is made, and stand still while a torque is at
+/// its limit.
+/// @described sim
 struct AdmittanceSpec {
   PressingPath path = {};
   AdmittanceGains gains = {};

@@ -14,27 +14,36 @@
 namespace burnish {
 
 /// Posture at which a run begins. From there the robot moves to the start of its task.
+/// @described pressing
 struct HomeSpec {
-  /// posture of the robot that a run begins at; empty: the run begins at its task's start
+  /// of the robot, that a run begins at; none: the run begins at its task's start @code posture of
+  /// the robot that a run begins at; empty: the run begins at its task's start @word none
   std::string posture = {};
-  /// rad (m) by joint, in place of the posture's; without a posture the others are as at the start
+  /// {joint: rad (m), ...} in place of the posture's; without one the others are as at the start
+  /// @code rad (m) by joint, in place of the posture's; without a posture the others are as at the
+  /// start
   std::map<std::string, double> joints = {};
-  double speed_ratio = 0.3;  ///< of the joints' velocity limits, highest speed on the way
-  /// s; none: the shortest that keeps speed_ratio and 0.8 of the effort limits, at least 1 s
+  /// of the joints' velocity limits, highest speed on the way, 0.01 to 1
+  double speed_ratio = 0.3;
+  /// [s]; auto: the shortest that keeps speed_ratio and 0.8 of the effort limits, at least 1 s, > 0
+  /// @code s; none: the shortest that keeps speed_ratio and 0.8 of the effort limits, at least 1 s
+  /// @word auto
   std::optional<double> duration = {};
 
   bool is_stated() const { return !posture.empty() || !joints.empty(); }
 };
 
-/// Move in joint space, straight from each corner to the next and at rest at every corner. From q_i
-/// to q_i+1 it is q(t) = q_i (+) s(t / duration_i) (q_i+1 (-) q_i), s(x) = 10 x^3 - 15 x^4 + 6 x^5.
-/// Continuous joints turn in the direction of the smaller angle.
+/// Move in joint space from where a run begins to its task's start, straight from corner to corner
+/// and at rest at each.
+/// @described pressing
+/// From q_i to q_i+1 it is q(t) = q_i (+) s(t / duration_i) (q_i+1 (-) q_i), s(x) = 10 x^3 - 15 x^4
+/// + 6 x^5. Continuous joints turn in the direction of the smaller angle.
 struct HomeMove {
   /// nq each: home, the start lifted off the surface where the straight way would touch it, the
   /// start
   std::vector<Eigen::VectorXd> corners = {};
-  std::vector<double> durations = {};  ///< s, from each corner to the next
-  double settle = 0.5;                 ///< s at rest after it, until the task begins
+  std::vector<double> durations = {};  ///< [s], from each corner to the next
+  double settle = 0.5;                 ///< [s] at rest after it, until the task begins
   std::string farthest_joint = {};     ///< entry of v that moves most
   double farthest = 0.0;               ///< rad (m), how far
 

@@ -14,6 +14,8 @@
 
 namespace burnish {
 
+/// What is controlled in a run.
+/// @described pressing
 enum class PlantKind {
   Mujoco,  ///< an engine that shares no code with this library
   Ideal,   ///< the library's own contact dynamics, a rigid surface

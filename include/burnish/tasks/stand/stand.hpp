@@ -16,36 +16,44 @@
 
 namespace burnish::stand {
 
-/// How the trunk goes to and fro: a sine in each direction, begun and ended smoothly.
+/// How the trunk goes to and fro: a sine in each direction, begun and ended smoothly. Axes are x
+/// forwards as the base is turned at the start, y to its left, z up.
+/// @described stand
 struct Sway {
-  /// m, amplitudes of the centre of mass: x, y, z
+  /// [m], amplitudes of the centre of mass: x, y, z
   Eigen::Vector3d shift = Eigen::Vector3d(0.03, 0.02, 0.02);
-  Eigen::Vector3d shift_rate = Eigen::Vector3d(0.5, 0.3, 0.7);  ///< Hz
-  /// rad, amplitudes of the base: roll, pitch, yaw
+  Eigen::Vector3d shift_rate = Eigen::Vector3d(0.5, 0.3, 0.7);  ///< [Hz], >= 0
+  /// [rad], amplitudes of the base: roll, pitch, yaw
   Eigen::Vector3d turn = Eigen::Vector3d(0.06, 0.06, 0.1);
-  Eigen::Vector3d turn_rate = Eigen::Vector3d(0.4, 0.6, 0.3);  ///< Hz
-  double rise = 1.5;                                           ///< s until it is that wide
+  Eigen::Vector3d turn_rate = Eigen::Vector3d(0.4, 0.6, 0.3);  ///< [Hz], >= 0
+  double rise = 1.5;                                           ///< [s] until it is that wide, > 0
   /// directions that the feet or the joints do not allow are left out, or made smaller; false: a
   /// sway that cannot be followed is refused
   bool fit = true;
 };
 
 /// Cost weights, per second of horizon.
+/// @described stand
 struct Weights {
-  double posture = 0.1;   ///< 1/rad^2: joints to the start
-  double velocity = 0.1;  ///< s^2/rad^2: joint speeds
-  double torque = 1e-4;   ///< 1/Nm^2: torques to those that hold the start
-  double terminal = 0.1;  ///< s: what the end of the horizon costs, as a time at its running cost
+  double posture = 0.1;   ///< [1/rad^2]: joints to the start, >= 0
+  double velocity = 0.1;  ///< [s^2/rad^2]: joint speeds, >= 0
+  double torque = 1e-4;   ///< [1/Nm^2]: torques to those that hold the start, >= 0
+  /// [s]: what the end of the horizon costs, as a time at its running cost, >= 0
+  double terminal = 0.1;
 };
 
+/// The task of standing on feet and swaying: all that a task file may say, with its defaults.
+/// @described stand
 struct Task {
   std::string robot = "quadruped";  ///< a robot's name, folder or settings file, with :variant
-  /// where it starts, of the robot's settings; search: found, on bent legs. Empty: the robot's
+  /// where it starts, of the robot's settings; search: found, on bent legs @more Empty: the robot's
   /// default, or searched where it has none.
   std::string posture = {};
-  /// of the base's height above the feet with straight legs, that a searched posture is lower
+  /// of the base's height above the feet with straight legs, that a searched posture is lower, 0 to
+  /// below 1
   double crouch = 0.2;
 
+  /// What the robot stands on.
   Standing standing = {.feet = {"fl_foot", "fr_foot", "rl_foot", "rr_foot"},
                        .half_x = 0.0,
                        .half_y = 0.0,
@@ -53,34 +61,49 @@ struct Task {
                        .balance = 1e4,
                        .base = 1e3};
 
+  /// How the trunk goes to and fro: a sine in each direction, begun and ended smoothly.\nAxes are x
+  /// forwards as the base is turned at the start, y to its left, z up. @code how the trunk goes to
+  /// and fro
   Sway sway = {};
 
-  double settle_duration = 0.5;  ///< s of standing before it sways
-  double sway_duration = 8.0;    ///< s that it sways
-  double rest_duration = 1.0;    ///< s of standing afterwards
+  // @section phases Stand, sway, come back and stand.
+  double settle_duration = 0.5;  ///< [s] of standing before it sways, > 0
+  double sway_duration = 8.0;    ///< [s] that it sways, > 0
+  double rest_duration = 1.0;    ///< [s] of standing afterwards, > 0
 
-  double tick_rate = 1000.0;    ///< Hz, of torque commands
-  double update_rate = 200.0;   ///< Hz, of new plans; divides the tick rate
-  double solver_delay = 0.005;  ///< s from a measurement to the use of the plan made from it
-  /// s from a command to the torque that it makes, as far as it is known. Rounded to ticks. Plans
-  /// and feedback begin in the state that the torques already sent lead to.
+  // @section controller
+  double tick_rate = 1000.0;   ///< [Hz], of torque commands, 100 to 1e4
+  double update_rate = 200.0;  ///< [Hz], of new plans; divides the tick rate, > 0
+  /// [s] from a measurement to the use of the plan made from it, >= 0
+  double solver_delay = 0.005;
+  /// [s] from a command to the torque that it makes, as far as it is known, 0 to 0.1 @more Rounded
+  /// to ticks. Plans and feedback begin in the state that the torques already sent lead to.
   double command_delay = 0.0;
-  /// s from what is measured to the tick that has it, as far as it is known
+  /// [s] from what is measured to the tick that has it, as far as it is known, 0 to 0.1
   double measurement_delay = 0.0;
-  double horizon = 0.6;  ///< s that are planned ahead
-  double step = 0.01;    ///< s between the first two knots of the plan
-  int knots = 20;        ///< of the plan; the steps grow so that they fill the horizon
-  Weights weights = {};
+  double horizon = 0.6;  ///< [s] that are planned ahead, > 0
+  double step = 0.01;    ///< [s] between the first two knots of the plan, > 0
+  int knots = 20;        ///< of the plan; the steps grow so that they fill the horizon, >= 2
+  // @section -
+  Weights weights = {};  ///< Cost weights, per second of horizon.
+  /// What is estimated of what the model gets wrong.
   ModelErrorOptions model_error = {.bandwidth = 60.0, .boost = 2.0, .fading = 0.2};
 
-  PlanLimits constraints = {};
+  PlanLimits constraints = {};  ///< What plans keep, whatever it costs. Each may be never.
 
-  double slip = 0.03;  ///< m that a foot may have slid; that a ball rolls is no sliding
-  /// of the height of the centre of mass above the feet, that it may be below where it is to be
+  // @section limits Beyond these a run is given up: the robot is braked and held (fallback), and
+  // there is a report.\nEach may be never.
+  /// [m] that a foot may have slid; that a ball rolls is no sliding, > 0 or infinite
+  double slip = 0.03;
+  /// of the height of the centre of mass above the feet, that it may be below where it is to be, >
+  /// 0 or infinite
   double sink = 0.3;
-  double tilt = 0.5;  ///< rad that the base may be turned off what it is to be
+  double tilt = 0.5;  ///< [rad] that the base may be turned off what it is to be, > 0 or infinite
   SafetyLimits limits = {.torque_gap = 0.25};
 
+  // @section -
+  /// What the controller does not know. Or one word: none, sensors, mismatch, joint_friction;
+  /// or\n`preset: word` and keys that differ from it. @code what the controller does not know
   Disturbances disturbances = {};
 };
 
@@ -103,25 +126,27 @@ std::string task_text(const Task& task);
 /// is exactly what the controller believes, unless that is meant.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
-/// The task with everything resolved.
+/// A task with everything resolved: robot, start, feet, trunk, phases.
+/// @described stand
 struct Setting {
-  Robot robot;
-  /// The task's. Feet, with their sizes, are found where it states `auto`, or frames of which the
-  /// robot has none; the frames that are added for them are in `robot`.
+  Robot robot;  ///< @required
+  /// the task's, with feet that were found where it states auto, or frames of which the robot has
+  /// none @required @note the frames that are added for them are in `robot`.
   Standing standing = {};
-  std::vector<std::string> notes = {};  ///< sentences about what was found in place of what it says
-  Eigen::VectorXd q_start;              ///< nq
-  /// As the controller knows it: the feet are its supports; its surface is the ground, and its tip
-  /// a small ball in the base that never touches it.
+  /// sentences about what was found in place of what it says @after sway
+  std::vector<std::string> notes = {};
+  Eigen::VectorXd q_start;  ///< nq @required
+  /// as the controller knows it: the feet are its supports; its surface is the ground, and its tip
+  /// a small ball in the base that never touches it @required
   SceneSpec scene;
-  std::string base;  ///< a frame of the base's body
-  /// axes that the sway is in, world: x forwards as the base is turned at the start, z up
+  std::string base;  ///< a frame of the base's body @required
+  /// axes that the sway is in, world: x forwards as the base is turned at the start, z up @required
   Eigen::Matrix3d heading;
-  Eigen::Matrix3d R_base;  ///< axes of that frame at the start, world
-  Eigen::Vector3d p_base;  ///< m, and its origin, world
-  Eigen::Vector3d com;     ///< m, centre of mass at the start, world
+  Eigen::Matrix3d R_base;  ///< axes of that frame at the start, world @required
+  Eigen::Vector3d p_base;  ///< [m], and its origin, world @required
+  Eigen::Vector3d com;     ///< [m], centre of mass at the start, world @required
   Sway sway = {};          ///< the task's, within what the feet allow where it is to fit
-  double sway_end = 0.0;   ///< s of the schedule
+  double sway_end = 0.0;   ///< [s] of the schedule
 };
 /// The task's robot, whose base floats whatever its description says of it. Throws Error as
 /// load_robot() does.
@@ -150,12 +175,16 @@ MpcSpec make_mpc(const Task& task, const Setting& setting);
 /// that its feet do not hold by themselves, parts of the sway, how it is held.
 std::vector<std::string> setting_notes(const Task& task, const Setting& setting);
 
+/// A run of a task.
+/// @described stand
 struct RunSpec {
   Task task;
   std::optional<Setting> setting = {};  ///< of the task, where there is one already
   PlantKind plant = PlantKind::Mujoco;  ///< the ideal plant has no feet to stand on
   bool check_reach = true;              ///< before anything moves; a problem is then an Error
-  double plan_rate = 20.0;              ///< Hz, at which plans are recorded; 0: none
+  double plan_rate = 20.0;              ///< [Hz], at which plans are recorded; 0: none
+  /// Called now and then with the simulated time and about when it will be over, s. Returning false
+  /// stops the run.
   RunProgress progress = {};
 };
 

@@ -1,0 +1,14 @@
+// Written by scripts/describe --write from the headers of the layer; not to be edited.
+#pragma once
+
+#include "base/descriptions.hpp"
+#include "burnish/dynamics/quadric.hpp"
+#include "burnish/dynamics/surface_shape.hpp"
+
+namespace burnish {
+
+const Description& description_of(const Quadric*);
+const Description& description_of(const SurfaceShape*);
+const Words& words_of(SurfaceShape::Kind);
+
+}  // namespace burnish

@@ -1,0 +1,20 @@
+// Written by scripts/describe --write from the headers of the layer; not to be edited.
+#pragma once
+
+#include "base/descriptions.hpp"
+#include "burnish/estimate/base_estimator.hpp"
+#include "burnish/estimate/foot_contacts.hpp"
+#include "burnish/estimate/imu.hpp"
+#include "model/descriptions.gen.hpp"
+
+namespace burnish {
+
+const Words& words_of(FootKind);
+const Description& description_of(const FootSpec*);
+const Description& description_of(const UnitWatchOptions*);
+const Description& description_of(const BaseEstimatorOptions*);
+const Description& description_of(const EstimatorInnovation*);
+const Description& description_of(const FootContactOptions*);
+const Description& description_of(const ImuReading*);
+
+}  // namespace burnish

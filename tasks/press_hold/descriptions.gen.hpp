@@ -1,0 +1,24 @@
+// Written by scripts/describe --write from the headers of the layer; not to be edited.
+#pragma once
+
+#include "base/descriptions.hpp"
+#include "burnish/tasks/press_hold/press_hold.hpp"
+#include "contact/descriptions.gen.hpp"
+#include "derivatives/descriptions.gen.hpp"
+#include "dynamics/descriptions.gen.hpp"
+#include "estimate/descriptions.gen.hpp"
+#include "model/descriptions.gen.hpp"
+#include "mpc/descriptions.gen.hpp"
+#include "ocp/descriptions.gen.hpp"
+#include "pressing/descriptions.gen.hpp"
+#include "report/descriptions.hpp"
+#include "sim/descriptions.gen.hpp"
+#include "solver/descriptions.gen.hpp"
+
+namespace burnish::press_hold {
+
+const Description& description_of(const Task*);
+const Description& description_of(const Setting*);
+const Description& description_of(const RunSpec*);
+
+}  // namespace burnish::press_hold

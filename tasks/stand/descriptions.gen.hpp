@@ -1,0 +1,26 @@
+// Written by scripts/describe --write from the headers of the layer; not to be edited.
+#pragma once
+
+#include "base/descriptions.hpp"
+#include "burnish/tasks/stand/stand.hpp"
+#include "contact/descriptions.gen.hpp"
+#include "derivatives/descriptions.gen.hpp"
+#include "dynamics/descriptions.gen.hpp"
+#include "estimate/descriptions.gen.hpp"
+#include "model/descriptions.gen.hpp"
+#include "mpc/descriptions.gen.hpp"
+#include "ocp/descriptions.gen.hpp"
+#include "pressing/descriptions.gen.hpp"
+#include "report/descriptions.hpp"
+#include "sim/descriptions.gen.hpp"
+#include "solver/descriptions.gen.hpp"
+
+namespace burnish::stand {
+
+const Description& description_of(const Sway*);
+const Description& description_of(const Weights*);
+const Description& description_of(const Task*);
+const Description& description_of(const Setting*);
+const Description& description_of(const RunSpec*);
+
+}  // namespace burnish::stand
