@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -132,6 +133,7 @@ def test_joints_of_a_posture_are_nudged_and_nothing_else() -> None:
     assert golden.nudge(text, "start", math.inf) == text
 
 
+@pytest.mark.skipif(shutil.which("git") is None, reason="no git")
 @pytest.mark.parametrize("words, said", [
     (["no-such-commit"], "'no-such-commit' is not a commit"),
     (["HEAD", "--build", "no-such-build"], "is not a configured build folder"),
