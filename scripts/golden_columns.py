@@ -90,7 +90,7 @@ class Difference:
 
 
 def first(found: list[Difference]) -> Difference | None:
-    return min(found, default=None, key=lambda difference: difference.row)
+    return min(found, key=lambda difference: difference.row) if found else None
 
 
 def first_difference(theirs: Columns, ours: Columns) -> Difference | None:
@@ -114,7 +114,7 @@ def beyond_rounding(theirs: Columns, ours: Columns, nudged: list[Columns]) -> Di
         for other in nudged:
             for row, (a, b) in enumerate(zip(column, other.get(name, []))):
                 of_unit[row] = max(of_unit[row], distance(a, b))
-    so_far = {unit: list(itertools.accumulate(values, max)) for unit, values in largest.items()}
+    so_far: dict[str, list[float]] = {unit: [*itertools.accumulate(values, max)] for unit, values in largest.items()}
     found = []
     for name, column in theirs.items():
         for row, (a, b) in enumerate(zip(column, ours.get(name, MISSING))):
