@@ -44,7 +44,7 @@ def test_another_robot_gets_a_task_that_fits_it():
     with pytest.warns(UserWarning, match="aside: robot 'talos' does not have"):
         other = press_hold.run(SHIPPED, robot=arm, plant="ideal", **SHORT)
     assert other.done, other.outcome
-    task, changes = press_hold.fit_to_robot(press_hold.make_task(SHIPPED, robot=arm))
+    task, changes = press_hold.fit_to_robot(press_hold.make_task(SHIPPED, robot=arm, **SHORT))
     assert len(changes) == 2 and task == other.task
     own = press_hold.make_task(SHIPPED)
     assert press_hold.fit_to_robot(own) == (own, [])

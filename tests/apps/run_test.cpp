@@ -71,8 +71,8 @@ TEST(Run, SeveralSeeds_LeaveAFolderEachAndATableOverThem) {
             std::string::npos);
 }
 
-/// However an override names another robot, the task is adapted to it; what the file says of its own
-/// robot is not.
+/// However an override names another robot, the task is adapted to it; what the file says of its
+/// own robot is not.
 TEST(Run, AnotherRobotByAnyOverride_IsFitted) {
   const std::string arm = std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm";
   const std::string soon = " --quiet --no-page --set phases.hold_duration=0.1";
