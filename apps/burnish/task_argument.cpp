@@ -50,13 +50,14 @@ FileKind kind_of_file(const std::string& file) {
   if (!top.is_map()) return {};
   const auto has = [&](const char* key) { return top.find(key).has_value(); };
   if (const auto task = top.find("task")) {
-    if (task->is("polishing")) return {"a task file", "polish"};
-    if (did_you_mean(task->node().text, {"polishing"}).empty()) return {"a task file", "run"};
+    if (task->is("polishing")) return {"a task file of burnish polish", "polish"};
+    if (did_you_mean(task->node().text, {"polishing"}).empty())
+      return {"a task file of burnish run", "run"};
     return {};
   }
   if (has("terms")) return {"an optimal-control problem", "solve"};
-  if (has("urdf") || has("mjcf")) return {"settings of a robot", "show"};
-  if (has("surface")) return {"a task file", "polish"};
+  if (has("urdf") || has("mjcf")) return {"a robot's settings file", "show"};
+  if (has("surface")) return {"a task file of burnish polish", "polish"};
   return {};
 }
 std::string wanted_of(const std::string& command) {
