@@ -1,33 +1,39 @@
 """Reads descriptions of specifications from headers, and writes them as C++.
 
-A struct or enumeration is described where the comment above it says `@described LAYER`: what stands before that is its
-meaning, what stands behind it is for readers of the header alone. `@described LAYER.NAME` gives it another name than
-C++ does, `@result` says that it comes out of the library. Each member is a statement of its own with a comment:
+A struct or enumeration is described where the comment above it says `@described LAYER`. What stands before that is its
+meaning; what stands behind it is for readers of the header alone. `@described LAYER.NAME` gives it another name than
+C++ does, and `@result` behind it says that it comes out of the library. Each member is a statement of its own:
 
     double force = 30.0;  ///< Normal force to press with [N], > 0
 
-A text may have one unit in brackets, and ends with the numbers that are taken: `> 0`, `>= 0`, `0 to 1`, `0 to below 1`,
-`between 0 and 1`, `not zero` of a vector, each with ` or infinite`, or `finite or infinite`. Behind it:
+A unit stands in brackets, or in braces where the text has other brackets of its own. A text ends with a comma and the
+numbers that are taken: `> 0`, `>= 0`, `0 to 1`, `0 to below 1`, `between 0 and 1`, `not zero` of a vector, each with
+` or infinite` where that is taken too, or `finite or infinite`. Behind that, in any order:
 
-    @more TEXT      what files do not say         @key NAME       in files, in place of the member's name
-    @code TEXT      in place of the text but      @word WORD      in files, for none or without end
-                    for files                     @required       without a default in Python
-    @undescribed    is not described              @number_too     of a vector: one number in Python, too
-    @after NAME     comes behind that one, in place of where it stands
-    @note TEXT      is for readers of the header alone
+    @key NAME      key in files; else the member's name
+    @word WORD     word in files for a value that is not there, or that is infinite
+    @more TEXT     second sentence of docs, Python and C++, which the comments in files leave out
+    @code TEXT     text of docs, Python and C++ in place of the first one, which files keep
+    @required      no default in Python
+    @number_too    of a vector: Python takes one number for all of it
+    @after NAME    the member follows that one in files and Python, wherever it stands in C++
+    @undescribed   the member is in C++ alone
+    @note TEXT     for readers of the header alone
 
-`// @group TEXT` before a member begins entries that belong together, `// @section KEY TEXT` those of a section of files.
-Anything else is refused by file and line."""
+`// @section KEY TEXT` before a member begins a section of files, up to the next one; `// @section -` is the top again.
+`// @group TEXT` begins members that belong together. Other tags, unknown units at the end of a text and a range without
+its comma are refused by file and line."""
 
 import keyword
 import pathlib
 import re
 import textwrap
 
-NUMBER = r"-?(?:\d+\.?\d*(?:e-?\d+)?|pi)"
+NUMBER = r"-?\d+\.?\d*(?:e-?\d+)?"
 RANGE = re.compile(rf"(?:^|, |(?<=[.)]) )((?:>=? {NUMBER}|{NUMBER} to (?:below )?{NUMBER}|between {NUMBER} and {NUMBER}"
                    r"|finite|not zero)(?: or infinite)?)$")
-UNIT_WORDS = {"m", "s", "kg", "N", "Nm", "rad", "Hz", "W", "J", "V", "A", "sqrt", "degrees", "deg", "bit", "us", "ms", "mm"}
+LOST = re.compile(rf"[>\]}}] ?(?:[<>]=? ?{NUMBER}|\(.*[<>].*\))$")  # of a range whose comma is missing
+UNIT_WORDS = {"m", "s", "kg", "N", "Nm", "Ns", "rad", "Hz", "W", "J", "V", "A", "sqrt", "degrees", "deg", "bit", "us", "ms", "mm"}
 TAGS = re.compile(r"\s*@(more|code|key|word|after|required|number_too|undescribed|note)\b\s*")
 
 
@@ -72,8 +78,6 @@ def range_code(text):
         parts = {"least": words[0], "most": words[-1], "below": "true" if "below" in words else None}
     if text.endswith(" or infinite"):
         parts["infinite"] = "true"
-    if parts.get("most") and "pi" in parts["most"]:
-        raise HeaderError(f"a range of {text}")
     return "{" + ", ".join(f".{name} = {value}" for name, value in parts.items() if value) + "}"
 
 
@@ -95,6 +99,10 @@ class Entry:
             raise HeaderError(f"{where}: an unknown word behind @; wanted one of the notation in scripts/header_descriptions.py")
         if found := RANGE.search(self.meaning):
             self.range, self.meaning = found[1], self.meaning[: found.start()]
+        if (lost := LOST.search(self.meaning)) and not self.range:
+            raise HeaderError(f"{where}: '{lost[0].strip()}' is no range behind a comma; wanted such as ', > 0'")
+        if (lost := re.search(r"\[[A-Za-z0-9^/]+\]$", self.meaning)) and not is_unit(lost[0][1:-1]):
+            raise HeaderError(f"{where}: '{lost[0]}' is no unit; its words are {', '.join(sorted(UNIT_WORDS))}")
         self.meaning = meaning_of(self.meaning).replace("\\n", "\n")
 
 
@@ -321,10 +329,9 @@ def words_code(of):
 
 def group_code(text):
     kind, _, rest = text.partition(" ")
-    if kind == "@section":
-        key, _, meaning = rest.partition(" ")
-        return f".group({quoted(meaning.replace(chr(92) + 'n', chr(10)), 13)}, {quoted('' if key == '-' else key, 13)})"
-    return f".group({quoted(rest.replace(chr(92) + 'n', chr(10)), 13)})"
+    key, _, meaning = rest.partition(" ") if kind == "@section" else ("-", "", rest)
+    section = "" if key == "-" else ", " + quoted(key, 13)
+    return f".group({quoted(meaning.replace(chr(92) + 'n', chr(10)), 13)}{section})"
 
 
 def description_code(of):
@@ -387,7 +394,7 @@ def generated(root, layers):
         own = [as_included(path) for path in (folder / "run_descriptions.hpp",) if (root / path).is_file()]
         texts[folder / "descriptions.gen.cpp"] = (
             HEAD + "".join(f'#include "{name}"\n' for name in [door(folder), *own])
-            + "\n// NOLINTBEGIN(readability-function-size): tables\n"
+            + "\n// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables\n"
             + by_namespace(described, lambda of: words_code(of) if of.is_enum else description_code(of))
-            + "// NOLINTEND(readability-function-size)\n")
+            + "// NOLINTEND(readability-function-size,modernize-raw-string-literal)\n")
     return texts

@@ -78,6 +78,8 @@ def test_values_of_an_enumeration_are_words(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("body, words", [
     ("  double a = 0.0, b = 1.0;\n", "press.hpp:6: several members in one statement"),
+    ("  double a;  ///< Force to press with [N] > 0\n", "press.hpp:6: '] > 0' is no range behind a comma"),
+    ("  double a;  ///< Damping of the tool [Nsm]\n", "press.hpp:6: '[Nsm]' is no unit"),
     ("  double a;  ///< way @keys b\n", "press.hpp:6: an unknown word behind @"),
     ("  double a;  ///< way @key\n", "press.hpp:6: @key wants a text"),
     ("  double a;  ///< way @required yes\n", "press.hpp:6: @required takes no text"),

@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 #include "contact/descriptions.gen.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {
 
 const Words& words_of(Acceleration /*of*/) {
@@ -232,4 +232,4 @@ const Words& words_of(LoopMetric /*of*/) {
 }
 
 }  // namespace burnish
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 #include "derivatives/descriptions.gen.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {
 
 const Description& description_of(const CheckGains* /*of*/) {
@@ -165,4 +165,4 @@ const Description& description_of(const PlacementDerivatives* /*of*/) {
 }
 
 }  // namespace burnish
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 #include "estimate/descriptions.gen.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {
 
 const Words& words_of(FootKind /*of*/) {
@@ -196,4 +196,4 @@ const Description& description_of(const ImuReading* /*of*/) {
 }
 
 }  // namespace burnish
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 #include "ocp/descriptions.gen.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {
 
 const Description& description_of(const ProblemCheckOptions* /*of*/) {
@@ -650,4 +650,4 @@ const Description& description_of(const CentroidalMomentum* /*of*/) {
 }
 
 }  // namespace burnish::residual
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 #include "solver/descriptions.gen.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {
 
 const Words& words_of(StopReason /*of*/) {
@@ -412,4 +412,4 @@ const Description& description_of(const DdpOptions* /*of*/) {
 }
 
 }  // namespace burnish
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

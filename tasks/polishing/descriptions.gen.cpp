@@ -2,7 +2,7 @@
 #include "polishing/descriptions.hpp"
 #include "polishing/run_descriptions.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish::polishing {
 
 const Description& description_of(const ForceProfile* /*of*/) {
@@ -530,7 +530,7 @@ const Description& description_of(const Task* /*of*/) {
                  {.least = 0, .open = true, .infinite = true})
           .more("Where the sensor's noise comes near it, which is found out in the reach, it is "
                 "the mean over 5 ms that counts, against six of its own deviations.")
-          .group("", "")
+          .group("")
           .field("fallback", &S::fallback,
                  "What holds the arm after a fault: gravity compensation, a damper, and a spring "
                  "that slips.")
@@ -564,4 +564,4 @@ const Description& description_of(const NamedSurface* /*of*/) {
 }
 
 }  // namespace burnish::polishing
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

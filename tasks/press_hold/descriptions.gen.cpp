@@ -2,7 +2,7 @@
 #include "press_hold/descriptions.hpp"
 #include "press_hold/run_descriptions.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish::press_hold {
 
 const Description& description_of(const Task* /*of*/) {
@@ -112,7 +112,7 @@ const Description& description_of(const Task* /*of*/) {
           .field("slip", &S::slip,
                  "{m} that the tool may be off its point, along the surface",
                  {.least = 0, .open = true, .infinite = true})
-          .group("", "")
+          .group("")
           .field("disturbances", &S::disturbances,
                  "What the controller does not know. Or one word: none, sensors, mismatch, "
                  "joint_friction; or\n`preset: word` and keys that differ from it.")
@@ -172,4 +172,4 @@ const Description& description_of(const RunSpec* /*of*/) {
 }
 
 }  // namespace burnish::press_hold
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

@@ -2,7 +2,7 @@
 #include "pressing/descriptions.gen.hpp"
 #include "pressing/run_descriptions.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {
 
 const Description& description_of(const AdmittanceGains* /*of*/) {
@@ -628,4 +628,4 @@ const Description& description_of(const Standing* /*of*/) {
 }
 
 }  // namespace burnish
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

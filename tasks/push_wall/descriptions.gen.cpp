@@ -2,7 +2,7 @@
 #include "push_wall/descriptions.hpp"
 #include "push_wall/run_descriptions.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish::push_wall {
 
 const Description& description_of(const Weights* /*of*/) {
@@ -174,7 +174,7 @@ const Description& description_of(const Task* /*of*/) {
           .field("retreat_duration", &S::retreat_duration,
                  "{s} off the wall, by the clearance",
                  {.least = 0, .open = true})
-          .group("", "")
+          .group("")
           .field("lean", &S::lean,
                  "How the largest force is looked for, and when the search is over.")
           .group("", "controller")
@@ -204,7 +204,7 @@ const Description& description_of(const Task* /*of*/) {
           .field("knots", &S::knots,
                  "of the plan; the steps grow so that they fill the horizon",
                  {.least = 2})
-          .group("", "")
+          .group("")
           .field("weights", &S::weights,
                  "Cost weights, per second of horizon.")
           .field("model_error", &S::model_error,
@@ -233,7 +233,7 @@ const Description& description_of(const Task* /*of*/) {
                  "{N}, mean over 10 ms, that count as contact of a hand",
                  {.least = 0, .open = true})
           .field("limits", &S::limits)
-          .group("", "")
+          .group("")
           .field("disturbances", &S::disturbances,
                  "What the controller does not know. Or one word: none, sensors, mismatch, "
                  "joint_friction; or\n`preset: word` and keys that differ from it.")
@@ -307,4 +307,4 @@ const Description& description_of(const RunSpec* /*of*/) {
 }
 
 }  // namespace burnish::push_wall
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

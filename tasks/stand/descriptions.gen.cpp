@@ -2,7 +2,7 @@
 #include "stand/descriptions.hpp"
 #include "stand/run_descriptions.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish::stand {
 
 const Description& description_of(const Sway* /*of*/) {
@@ -110,7 +110,7 @@ const Description& description_of(const Task* /*of*/) {
           .field("knots", &S::knots,
                  "of the plan; the steps grow so that they fill the horizon",
                  {.least = 2})
-          .group("", "")
+          .group("")
           .field("weights", &S::weights,
                  "Cost weights, per second of horizon.")
           .field("model_error", &S::model_error,
@@ -130,7 +130,7 @@ const Description& description_of(const Task* /*of*/) {
                  "{rad} that the base may be turned off what it is to be",
                  {.least = 0, .open = true, .infinite = true})
           .field("limits", &S::limits)
-          .group("", "")
+          .group("")
           .field("disturbances", &S::disturbances,
                  "What the controller does not know. Or one word: none, sensors, mismatch, "
                  "joint_friction; or\n`preset: word` and keys that differ from it.")
@@ -202,4 +202,4 @@ const Description& description_of(const RunSpec* /*of*/) {
 }
 
 }  // namespace burnish::stand
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)

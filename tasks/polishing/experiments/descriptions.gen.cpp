@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 #include "polishing/experiments/descriptions.gen.hpp"
 
-// NOLINTBEGIN(readability-function-size): tables
+// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish::polishing {
 
 const Description& description_of(const ExperimentSpec* /*of*/) {
@@ -118,4 +118,4 @@ const Description& description_of(const ResultTable* /*of*/) {
 }
 
 }  // namespace burnish::polishing
-// NOLINTEND(readability-function-size)
+// NOLINTEND(readability-function-size,modernize-raw-string-literal)
