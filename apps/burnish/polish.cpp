@@ -13,6 +13,7 @@
 #include "fitted_controller.hpp"
 #include "job_notes.hpp"
 #include "plan_steps.hpp"
+#include "polish_arguments.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
 #include "polishing/rotors.hpp"
@@ -36,18 +37,6 @@ using polishing::ControllerKind;
 using polishing::PlantKind;
 using polishing::PolishJob;
 using polishing::RunResult;
-
-struct PolishArguments {
-  std::string file, robot, tool, controller, plant, disturbances, out, write_task, write_posture;
-  std::vector<std::string> surfaces, overrides;
-  std::vector<int> seeds;
-  std::optional<double> duration;
-  int record_every = 10;
-  bool quiet = false, json = false, time = false, unchecked = false, assume_rotors = false;
-  bool no_page = false, plots = false, mcap = false, force = false, strict = false;
-
-  bool talks() const { return !quiet && !json; }
-};
 
 files::Said<polishing::Task> make_task(const PolishArguments& arguments,
                                        const std::string& surface) {
@@ -121,10 +110,7 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
     if (arguments.robot.empty()) surfaces.emplace_back("board");
   }
   if (surfaces.empty()) surfaces = {""};
-  if (!arguments.file.empty()) {
-    refuse_robot(arguments.file, "--robot");
-    refuse_file_of_another_command(arguments.file, "polish");
-  }
+  if (!arguments.file.empty()) refuse_other_file(arguments.file, "polish", "--robot");
   std::vector<PolishJob> jobs;
   for (const std::string& surface : surfaces) {
     files::Said<polishing::Task> said = make_task(arguments, surface);
@@ -391,100 +377,13 @@ int polish(const PolishArguments& arguments) {
   return polished && !StopRequest::asked() ? exit_ok : exit_failed;
 }
 
-void add_task_options(CLI::App& command, PolishArguments& a) {
-  command
-      .add_option("TASK", a.file,
-                  "Task file [the default task, on table and board; with --robot on the table]")
-      ->type_name("");
-  command
-      .add_option(
-          "--robot", a.robot,
-          "Robot: a name, a URDF or MJCF file, a folder or a settings file, with :variant [the "
-          "file's, or talos:right_arm]")
-      ->type_name("ROBOT");
-  command
-      .add_option("--tool", a.tool,
-                  "Frame whose origin is the centre of the round tip [the file's, or tool]")
-      ->type_name("FRAME");
-  command
-      .add_option("--surface", a.surfaces,
-                  "Surface: table, board (in front), board_x, board_y, board_minus_y, tilt_45; "
-                  "again for more")
-      ->type_name("SURFACE")
-      ->allow_extra_args(false);
-  command
-      .add_option(
-          "--controller", a.controller,
-          "Controller: mpc, baseline (impedance), admittance, both of the first two, or all "
-          "[both, or mpc where a robot stands or carries the surface]")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"mpc", "baseline", "admittance", "both", "all"}));
-  command
-      .add_option("--plant", a.plant,
-                  polishing::has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"
-                                          : "Simulator: ideal; this build has no MuJoCo [ideal]")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"mujoco", "ideal"}));
-  command
-      .add_option("--disturbances", a.disturbances,
-                  "What the controller does not know: none, sensors, mismatch or joint_friction, "
-                  "each with those before [the file's, or mismatch]")
-      ->type_name("PRESET");
-  command.add_flag("--assume-rotors", a.assume_rotors,
-                   "Give joints whose rotor is missing in the description a usual one, in the "
-                   "plant too; tables say so");
-  command.add_option("--set", a.overrides, "Any key of a task file, such as force=20; repeatable")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  command.add_option("--seed", a.seeds, "Seed of what is drawn at random; again for more runs")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
-      ->allow_extra_args(false);
-  command
-      .add_option("--duration", a.duration, "Seconds on the path [the file's, or the default's]")
-      ->type_name("S");
-}
-
-void add_run_options(CLI::App& command, PolishArguments& a) {
-  command
-      .add_option(
-          "--out", a.out,
-          "Folder for what is written [a new one: TASK_run or polishing_run, polishing_run_2, ...]")
-      ->type_name("DIR");
-  command.add_flag("--force", a.force, "Replace the run that the folder of --out holds");
-  command
-      .add_option("--record-every", a.record_every,
-                  "Rows of trace.csv are so many plant steps apart [10]")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  command.add_flag("--no-page", a.no_page, "Write no run.json, run.html and comparison.html");
-  command.add_flag("--plots", a.plots,
-                   "Write force.svg, path.svg, torques.svg and solver.svg beside the page, which "
-                   "shows the same; without a page they are written in any case");
-  command.add_flag("--mcap", a.mcap, "Write run.mcap too, a recording that Foxglove opens");
-  command.add_flag("--time", a.time, "Print how long the controller's ticks took");
-  command.add_flag("--unchecked", a.unchecked, "Run what the arm cannot reach, too");
-  command
-      .add_option("--write-task", a.write_task,
-                  "Write the task with every key explained to a file, and do nothing else")
-      ->type_name("FILE");
-  command
-      .add_option("--write-posture", a.write_posture,
-                  "Add the start that is searched for to the robot's settings, under this name")
-      ->type_name("NAME");
-  command.add_flag("--quiet", a.quiet, "Print nothing but the table of results");
-  command.add_flag("--json", a.json, "Print summary.json and nothing else");
-  add_strict(command, a.strict);
-}
-
 }  // namespace
 
 void add_polish(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("polish", "A robot polishes a surface: control, simulation, score");
   const auto arguments = std::make_shared<PolishArguments>();
-  add_task_options(*command, *arguments);
-  add_run_options(*command, *arguments);
+  arguments->add_to(*command);
   command->footer(
       "Examples:\n"
       "  burnish polish                                    table and board, MPC and baseline\n"

@@ -94,13 +94,6 @@ void tell_margins(const std::string& name, const Task& task, const MpcSpec& spec
     fmt::print("{}: tolerates {}\n", name, margins.text());
 }
 
-/// Whether an override names another robot than the task's file, which is the first text.
-bool names_another_robot(const std::vector<files::Reader>& texts) {
-  return std::any_of(texts.begin() + 1, texts.end(), [](const files::Reader& text) {
-    return files::stated(text, "robot").has_value();
-  });
-}
-
 /// Prints what is odd about a run that will be made.
 template <class RunSpec>
 void print_notes(const RunArguments& a, const std::string& name, const RunSpec& spec,
@@ -139,7 +132,7 @@ auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) 
         check_stated_feet(robot.model, spec.task.standing, said.texts);
       if (is_first) print_warnings(robot, a.strict);
       if constexpr (requires { fit_to_robot(spec.task, robot); })
-        if (names_another_robot(said.texts))
+        if (is_overridden(said.texts, "robot"))
           for (const std::string& change : fit_to_robot(spec.task, robot))
             if (is_first) fmt::print(stderr, "burnish: note: {}\n", change);
       spec.setting = make_setting(spec.task, robot);
@@ -236,8 +229,7 @@ int run_as(const RunArguments& a) {
 /// A file that names no task is refused as one of the first of the table.
 int run(const RunArguments& arguments) {
   const std::string& file = arguments.file;
-  refuse_robot(file, "burnish run TASK --robot");
-  refuse_file_of_another_command(file, "run");
+  refuse_other_file(file, "run", "burnish run TASK --robot");
   const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
   std::optional<int> code;
   std::function<int()> first;

@@ -29,15 +29,6 @@ std::string place_name(const std::string& surface, const polishing::Task& task) 
   return name;
 }
 
-void refuse_robot(const std::string& file, const std::string& option) {
-  const std::string kind = std::filesystem::path(file).extension().string();
-  std::error_code ignored;
-  const bool is_description = kind == ".urdf" || kind == ".xml" || kind == ".mjcf";
-  if (!is_description && (std::filesystem::exists(file, ignored) || !robot_file(file))) return;
-  throw Error(fmt::format("{} is a robot, and a task file was wanted; did you mean {} {}?",
-                          in_quotes(file), option, shell_word(file)));
-}
-
 namespace {
 
 /// What a YAML file is, and the command that takes it.
@@ -60,6 +51,14 @@ FileKind kind_of_file(const std::string& file) {
   if (has("surface")) return {"a task file of burnish polish", "polish"};
   return {};
 }
+void refuse_robot(const std::string& file, const std::string& option) {
+  const std::string kind = std::filesystem::path(file).extension().string();
+  std::error_code ignored;
+  const bool is_description = kind == ".urdf" || kind == ".xml" || kind == ".mjcf";
+  if (!is_description && (std::filesystem::exists(file, ignored) || !robot_file(file))) return;
+  throw Error(fmt::format("{} is a robot, and a task file was wanted; did you mean {} {}?",
+                          in_quotes(file), option, shell_word(file)));
+}
 std::string wanted_of(const std::string& command) {
   if (command == "show") return "a robot";
   return command == "solve" ? "an optimal-control problem" : "a task file of burnish " + command;
@@ -80,13 +79,21 @@ void refuse_file_of_another_command(const std::string& file, const std::string& 
                           shell_word(file)));
 }
 
+void refuse_other_file(const std::string& file, const std::string& wanted,
+                       const std::string& robot_option) {
+  refuse_robot(file, robot_option);
+  refuse_file_of_another_command(file, wanted);
+}
+
+bool is_overridden(const std::vector<files::Reader>& texts, const std::string& key) {
+  return std::any_of(
+      texts.begin() + (texts.empty() ? 0 : 1), texts.end(),
+      [&](const files::Reader& text) { return files::stated(text, key).has_value(); });
+}
+
 void check_stated_feet(const Model& model, const Standing& standing,
                        const std::vector<files::Reader>& texts) {
-  const auto is_overridden = [&](const char* key) {
-    return std::any_of(texts.begin() + (texts.empty() ? 0 : 1), texts.end(),
-                       [&](const files::Reader& text) { return files::stated(text, key); });
-  };
-  if (is_overridden("robot") && !is_overridden("standing.feet")) return;
+  if (is_overridden(texts, "robot") && !is_overridden(texts, "standing.feet")) return;
   if (standing.feet == std::vector<std::string>{"auto"}) return;
   for (const std::string& foot : standing.feet)
     if (!model.has_frame(foot))

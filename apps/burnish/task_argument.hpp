@@ -13,14 +13,18 @@ namespace burnish::app {
 /// settings change its normal or shape, such as "tilt_30_sphere".
 std::string place_name(const std::string& surface, const polishing::Task& task);
 
-/// Throws Error if `file` is a robot instead of a task file; the message names `option`, which
-/// takes a robot.
-void refuse_robot(const std::string& file, const std::string& option);
+/// Throws Error if `file`, a task file of the command `wanted` ("polish" or "run"), is a robot; the
+/// message names `robot_option`, which takes one. Throws as refuse_file_of_another_command() too.
+void refuse_other_file(const std::string& file, const std::string& wanted,
+                       const std::string& robot_option);
 
 /// Throws Error if the YAML file `file` is for another command than `wanted`: a task, an
 /// optimal-control problem or settings of a robot. `wanted`: "polish", "run", "solve", or "show"
 /// for all that take a robot. The message names the command.
 void refuse_file_of_another_command(const std::string& file, const std::string& wanted);
+
+/// Whether an override states the key. `texts`: the task's file, then its overrides.
+bool is_overridden(const std::vector<files::Reader>& texts, const std::string& key);
 
 /// Throws EntryError, "standing.feet", for a frame that the robot does not have. Feet that a file
 /// states for its own robot pass where an override names another one: standing_on() replaces them.
