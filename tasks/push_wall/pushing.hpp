@@ -15,10 +15,6 @@ enum Phase : int { settle, approach, ramp, hold, lean, top, release, retreat };
 
 /// s in which the force comes down from the largest one to the share that is held.
 inline constexpr double back_duration = 1.5;
-/// Begin of the windows over which forces are judged, after they were reached [s].
-inline constexpr double settling = 0.3;
-/// Least time for which a force is held, for such a window [s].
-inline constexpr double least_hold = 0.4;
 
 /// What the robot may bear at rest within the limits that plans keep: how hard each hand can push.
 pressing::Bearing make_bearing(const Task& task, const Setting& setting);

@@ -8,6 +8,7 @@
 #include "pressing/closed_run.hpp"
 #include "pressing/standing_terms.hpp"
 #include "push_wall/limits_near.hpp"
+#include "push_wall/measured.hpp"
 #include "push_wall/pushing.hpp"
 #include "report/moving_mean.hpp"
 

@@ -4,7 +4,7 @@
 #include "pressing/task_checks.hpp"
 #include "pressing/task_form.hpp"
 #include "push_wall/descriptions.hpp"
-#include "push_wall/pushing.hpp"
+#include "push_wall/measured.hpp"
 
 namespace burnish::push_wall {
 namespace {
