@@ -17,6 +17,7 @@ if not SCRIPTS.exists():
 sys.path.insert(0, str(SCRIPTS))
 
 import golden_columns as golden
+import golden_runs
 
 UP = 1 + 2.0**-52
 
@@ -142,3 +143,9 @@ def test_wrong_usage_is_refused(words: list[str], said: str, tmp_path: Path) -> 
     (tmp_path / "CMakeCache.txt").write_text("")
     done = subprocess.run([str(SCRIPTS / "golden"), "--build", str(tmp_path), *words], capture_output=True, text=True)
     assert done.returncode == 2 and said in done.stderr
+
+
+def test_every_named_surface_is_run() -> None:
+    from burnish import polishing
+
+    assert set(golden_runs.SURFACES) == {surface.name for surface in polishing.named_surfaces()}
