@@ -360,7 +360,7 @@ def description_code(of):
     return "\n".join(lines) + ";\n  return all;\n}\n"
 
 
-HEAD = "// Written by scripts/describe --write from the headers of the layer; not to be edited.\n"
+HEAD = "// Written by scripts/describe --write from the headers of the layer; not to be edited.\n// clang-format off\n"
 
 
 def by_namespace(described, code):
@@ -375,7 +375,7 @@ def generated(root, layers):
     """Files and what stands in them. Descriptions by hand, in descriptions.hpp, are included."""
     texts = {}
 
-    def door(folder):
+    def header_of(folder):
         by_hand = folder / "descriptions.hpp"
         return as_included(by_hand if (root / by_hand).is_file() else folder / "descriptions.gen.hpp")
 
@@ -386,14 +386,14 @@ def generated(root, layers):
             included(root, header, seen)
         near = {folder_of(path) for path in seen} - {folder}
         others = [other for other in near if other in layers or (root / other / "descriptions.hpp").is_file()]
-        includes = sorted({*map(as_included, headers), *map(door, others)} | {"base/descriptions.hpp"})
+        includes = sorted({*map(as_included, headers), *map(header_of, others)} | {"base/descriptions.hpp"})
         declared = by_namespace(described, lambda of: f"const Words& words_of({of.cpp_name});\n" if of.is_enum
                                 else f"const Description& description_of(const {of.cpp_name}*);\n").replace(";\n\nconst", ";\nconst")
         texts[folder / "descriptions.gen.hpp"] = (
             HEAD + "#pragma once\n\n" + "".join(f'#include "{name}"\n' for name in includes) + "\n" + declared)
         own = [as_included(path) for path in (folder / "run_descriptions.hpp",) if (root / path).is_file()]
         texts[folder / "descriptions.gen.cpp"] = (
-            HEAD + "".join(f'#include "{name}"\n' for name in [door(folder), *own])
+            HEAD + "".join(f'#include "{name}"\n' for name in [header_of(folder), *own])
             + "\n// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables\n"
             + by_namespace(described, lambda of: words_code(of) if of.is_enum else description_code(of))
             + "// NOLINTEND(readability-function-size,modernize-raw-string-literal)\n")

@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "contact/descriptions.gen.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
@@ -95,10 +96,7 @@ const Description& description_of(const ContactForce* /*of*/) {
                  "force (N), then moment about the reference's origin (Nm)")
           .field("tool_rotation", &S::tool_rotation,
                  "world axes, at that state")
-          .field("base_rotation", &S::base_rotation,
-                 "Poses at that state, world axes, with which the force converts itself. `frame` "
-                 "is what `reference` names: the rotation of its axes' frame, the position of its"
-                 " origin's.")
+          .field("base_rotation", &S::base_rotation)
           .field("tool_position", &S::tool_position,
                  "{m}")
           .field("base_position", &S::base_position)

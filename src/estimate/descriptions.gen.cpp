@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "estimate/descriptions.gen.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
@@ -31,10 +32,10 @@ const Description& description_of(const UnitWatchOptions* /*of*/) {
   using S = UnitWatchOptions;
   static const Description all =
       Describe<S>("estimate", "UnitWatchOptions",
-                  "What is taken for an inertial measurement unit that is wrong, while feet "
+                  "Thresholds by which a faulty inertial measurement unit is found while feet "
                   "stand.")
           .field("enabled", &S::enabled,
-                 "look at what the unit says; else only whether it says anything")
+                 "compare the unit with the feet; else find only a unit that is silent")
           .field("window", &S::window,
                  "{s} over which the unit and the feet are compared",
                  {.least = 0, .open = true})
@@ -45,7 +46,8 @@ const Description& description_of(const UnitWatchOptions* /*of*/) {
                  "{m}, likewise",
                  {.least = 0, .open = true})
           .field("rate", &S::rate,
-                 "{rad/s} beyond the feet's that are not believed before that is clear",
+                 "Turn rate in excess of the feet's that is not used until it is clear which of "
+                 "both is wrong [{rad/s}]",
                  {.least = 0, .open = true})
           .field("feet_turn", &S::feet_turn,
                  "{rad} that a sole may turn against the others and stand",
@@ -116,8 +118,8 @@ const Description& description_of(const BaseEstimatorOptions* /*of*/) {
                  "{m/s} below which it rests",
                  {.least = 0, .open = true})
           .field("lost_after", &S::lost_after,
-                 "{s} without any foot that counts while some stand, after which it is not they "
-                 "that are taken to slip, but the base's velocity to be wrong",
+                 "Time for which feet stand and all of them seem to slip [{s}], after which the "
+                 "base's velocity is taken to be wrong instead",
                  {.least = 0})
           .group("Of what reset() is told.")
           .field("tilt_deviation", &S::tilt_deviation,

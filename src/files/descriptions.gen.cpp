@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "files/descriptions.gen.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
@@ -51,7 +52,8 @@ const Description& description_of(const TrajectoryGuess* /*of*/) {
           .result()
           .field("xs", &S::xs,
                  "(N + 1) x nx")
-          .field("us", &S::us);
+          .field("us", &S::us,
+                 "N x max_controls");
   return all;
 }
 

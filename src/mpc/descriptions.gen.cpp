@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "mpc/descriptions.gen.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
@@ -415,9 +416,8 @@ const Description& description_of(const MpcSpec* /*of*/) {
                   "Model predictive control of a task: a horizon that moves with time, solved "
                   "again and again from the measured state, and its policy in between.")
           .field("problem", &S::problem,
-                 "Horizon, stages, costs. The horizon's stages are replaced by what the schedule "
-                 "says, so its segments matter for the number of knots alone; all stages have the"
-                 " same step.")
+                 "Horizon, stages, costs. The schedule replaces the horizon's stages, so its "
+                 "segments matter for the number of knots and their steps alone.")
           .required()
           .field("schedule", &S::schedule)
           .field("task", &S::task,

@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "ocp/descriptions.gen.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
@@ -177,7 +178,7 @@ const Description& description_of(const Constraint* /*of*/) {
                  " the distance of its limits, without one the robot's own limit, of forces its "
                  "weight, of torque rates its torque times the cut-off, of distances the limit "
                  "itself where it is above zero, of support margins half the polygon's width. "
-                 "Where there is none of these it has to be said.")
+                 "Without any of these it must be stated.")
           .number_too()
           .field("price", &S::price,
                  "A violation v costs price |v| + 1/2 square v^2, in units of cost (not "

@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "sim/descriptions.gen.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
@@ -282,7 +283,8 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "{m} along the normal")
           .more("before the tilt")
           .field("surface_curvature", &S::surface_curvature,
-                 "how much more the surface bends than the scene's: its lengths are divided by it",
+                 "Factor of the surface's curvature in the plant: lengths of its shape are "
+                 "divided by it",
                  {.least = 0, .open = true})
           .field("surface_shape", &S::surface_shape,
                  "what the surface is about its point in place of what it is thought to be, or "

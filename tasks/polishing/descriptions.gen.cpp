@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "polishing/descriptions.hpp"
 #include "polishing/run_descriptions.hpp"
 
@@ -366,7 +367,7 @@ const Description& description_of(const Task* /*of*/) {
           .key("axis")
           .word("auto")
           .field("tip_radius", &S::tip_radius,
-                 "{m}",
+                 "Radius of the round tip [{m}]",
                  {.least = 0, .open = true})
           .group("Or one word for posture, normal and point: table, board, board_x, board_y, "
              "board_minus_y,\ntilt_45. The controller knows where it is; it knows nothing of "
@@ -475,12 +476,12 @@ const Description& description_of(const Task* /*of*/) {
                  "{s} from a measurement to the use of the plan made from it",
                  {.least = 0})
           .field("command_delay", &S::command_delay,
-                 "{s} from a command to the torque that it makes, as far as it is known",
+                 "Delay from command to torque that the controller assumes [{s}]",
                  {.least = 0, .most = 0.1})
           .more("Rounded to ticks. Plans and feedback begin in the state that the torques already"
                 " sent lead to.")
           .field("measurement_delay", &S::measurement_delay,
-                 "{s} from what is measured to the tick that has it, as far as it is known",
+                 "Delay from measurement to tick that the controller assumes [{s}]",
                  {.least = 0, .most = 0.1})
           .field("slowdown", &S::slowdown,
                  "of measured timing: a machine by this factor slower",

@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "press_hold/descriptions.hpp"
 #include "press_hold/run_descriptions.hpp"
 
@@ -18,10 +19,10 @@ const Description& description_of(const Task* /*of*/) {
           .more("Of the robot's settings. Empty: the robot's default, or searched where it has "
                 "none.")
           .field("force", &S::force,
-                 "{N}, that the tool presses with",
+                 "Normal force that the tool presses with [{N}]",
                  {.least = 0, .open = true})
           .field("aside", &S::aside,
-                 "{rad (m)} that the posture goes, joint by joint: {joint: way, ...}")
+                 "{rad (m)}, offset of each joint from the start: {joint: way, ...}")
           .group("", "tool")
           .field("tool", &S::tool,
                  "its origin is the centre of a round tip")
@@ -36,9 +37,10 @@ const Description& description_of(const Task* /*of*/) {
           .key("axis")
           .word("auto")
           .field("tip_radius", &S::tip_radius,
-                 "{m}",
+                 "Radius of the round tip [{m}]",
                  {.least = 0, .open = true})
-          .group("It lies `clearance` below the tool at the start. The controller knows its normal.", "surface")
+          .group("The surface lies `clearance` from the tool at the start. The controller knows its "
+             "normal.", "surface")
           .field("normal_world", &S::normal_world,
                  "[x, y, z] out of the material towards the robot, any length, world",
                  {.direction = true})
@@ -87,12 +89,12 @@ const Description& description_of(const Task* /*of*/) {
                  "{Hz}, of torque commands and of new plans",
                  {.least = 100, .most = 1e4})
           .field("command_delay", &S::command_delay,
-                 "{s} from a command to the torque that it makes, as far as it is known",
+                 "Delay from command to torque that the controller assumes [{s}]",
                  {.least = 0, .most = 0.1})
           .more("Rounded to ticks. Plans and feedback begin in the state that the torques already"
                 " sent lead to.")
           .field("measurement_delay", &S::measurement_delay,
-                 "{s} from what is measured to the tick that has it, as far as it is known",
+                 "Delay from measurement to tick that the controller assumes [{s}]",
                  {.least = 0, .most = 0.1})
           .field("posture_weight", &S::posture_weight,
                  "{1/rad^2}: joints to where they shall be, beside 1e4 1/m^2 of the point",

@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "pressing/descriptions.gen.hpp"
 #include "pressing/run_descriptions.hpp"
 
@@ -395,7 +396,7 @@ const Description& description_of(const ReachOptions* /*of*/) {
   using S = ReachOptions;
   static const Description all =
       Describe<S>("pressing", "ReachOptions",
-                  "How check_reach() looks.")
+                  "How check_reach() looks, and how much room it asks for.")
           .field("spacing", &S::spacing,
                  "{m} between two points that are looked at")
           .field("tolerance", &S::tolerance,

@@ -1,4 +1,5 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #include "push_wall/descriptions.hpp"
 #include "push_wall/run_descriptions.hpp"
 
@@ -188,12 +189,12 @@ const Description& description_of(const Task* /*of*/) {
                  "{s} from a measurement to the use of the plan made from it",
                  {.least = 0})
           .field("command_delay", &S::command_delay,
-                 "{s} from a command to the torque that it makes, as far as it is known",
+                 "Delay from command to torque that the controller assumes [{s}]",
                  {.least = 0, .most = 0.1})
           .more("Rounded to ticks. Plans and feedback begin in the state that the torques already"
                 " sent lead to.")
           .field("measurement_delay", &S::measurement_delay,
-                 "{s} from what is measured to the tick that has it, as far as it is known",
+                 "Delay from measurement to tick that the controller assumes [{s}]",
                  {.least = 0, .most = 0.1})
           .field("horizon", &S::horizon,
                  "{s} that are planned ahead",

@@ -20,7 +20,7 @@ namespace burnish {
 /// @described contact
 /// They differ by w x v; all agree where the contact velocity is zero. See docs/frames.md.
 enum class Acceleration {
-  TimeDerivative,  ///< the true derivative of the constraint velocity
+  TimeDerivative,  ///< the true derivative of the constraint velocity @note d(nu)/dt
   Spatial,         ///< the tool's local spatial acceleration carried into the axes (Proposition 3)
   Classical,       ///< of the material point, written in the axes
 };

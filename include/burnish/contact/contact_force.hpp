@@ -15,12 +15,9 @@ struct ContactForce {
   std::string by;       ///< base frame C1: the body that acts, "world" for the environment
   Reference reference;  ///< in which `value` is written
   Vector6 value;        ///< force (N), then moment about the reference's origin (Nm)
-  /// world axes, at that state @note Poses at that state, world axes, with which the force converts
-  /// itself. `frame` is what `reference` names: the rotation of its axes' frame, the position of
-  /// its origin's.
+  /// world axes, at that state @note With these poses the force converts itself. `frame` is the
+  /// one that `reference` names: rotation of its axes' frame, position of its origin's.
   Eigen::Matrix3d tool_rotation;
-  /// Poses at that state, world axes, with which the force converts itself. `frame` is what
-  /// `reference` names: the rotation of its axes' frame, the position of its origin's.
   Eigen::Matrix3d base_rotation;
   Eigen::Vector3d tool_position;  ///< [m]
   Eigen::Vector3d base_position = Eigen::Vector3d::Zero();

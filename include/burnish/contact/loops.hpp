@@ -14,8 +14,8 @@ namespace burnish {
 
 /// How a loop that has drifted comes back: alpha + kd nu + kp e = 0.
 /// @described contact
-/// How a loop that has drifted comes back: alpha + kd nu + kp e = 0 (Baumgarte, "Stabilization of
-/// constraints and integrals of motion in dynamical systems", 1972). Critically damped unless said.
+/// Source: Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems",
+/// 1972. The defaults damp critically.
 struct LoopGains {
   double kp = 1e4;    ///< [1/s^2], >= 0
   double kd = 200.0;  ///< [1/s], >= 0

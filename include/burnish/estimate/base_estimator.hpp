@@ -28,15 +28,17 @@ struct FootSpec {
   FootKind kind = FootKind::Ball;  ///< ball, whose origin stays, or sole, which does not turn
 };
 
-/// What is taken for an inertial measurement unit that is wrong, while feet stand.
+/// Thresholds by which a faulty inertial measurement unit is found while feet stand.
 /// @described estimate
-/// What GuardedBase takes for a unit that is wrong. BaseEstimator alone does not look.
+/// GuardedBase uses them; BaseEstimator does not.
 struct UnitWatchOptions {
-  bool enabled = true;  ///< look at what the unit says; else only whether it says anything
+  bool enabled = true;  ///< compare the unit with the feet; else find only a unit that is silent
   double window = 0.1;  ///< [s] over which the unit and the feet are compared, > 0
   double turn = 2e-3;   ///< [rad] that they may differ by in it, beside noise and biases, > 0
   double place = 2e-3;  ///< [m], likewise, > 0
-  double rate = 0.1;  ///< [rad/s] beyond the feet's that are not believed before that is clear, > 0
+  /// Turn rate in excess of the feet's that is not used until it is clear which of both is wrong
+  /// [rad/s], > 0
+  double rate = 0.1;
   double feet_turn = 2e-3;     ///< [rad] that a sole may turn against the others and stand, > 0
   double feet_place = 1e-3;    ///< [m] that a foot may move against the others and stand, > 0
   double silent_after = 3e-3;  ///< [s] without a reading, after which there is none, >= 0
@@ -71,8 +73,8 @@ struct BaseEstimatorOptions {
   /// [s] that a foot which slipped has to rest before it counts again, >= 0
   double rejoin_after = 0.05;
   double rejoin_speed = 0.03;  ///< [m/s] below which it rests, > 0
-  /// [s] without any foot that counts while some stand, after which it is not they that are taken
-  /// to slip, but the base's velocity to be wrong, >= 0
+  /// Time for which feet stand and all of them seem to slip [s], after which the base's velocity is
+  /// taken to be wrong instead, >= 0
   double lost_after = 0.15;
 
   // @group Of what reset() is told.

@@ -44,7 +44,7 @@ ProblemFile read_problem_file(const std::filesystem::path& file);
 /// @described files @result
 struct TrajectoryGuess {
   RowMatrix xs;  ///< (N + 1) x nx
-  RowMatrix us;
+  RowMatrix us;  ///< N x max_controls
 };
 
 /// Throws Error where a file cannot be read, has not the problem's columns, or not its number of

@@ -19,12 +19,12 @@ namespace burnish {
 /// Every joint frame is turned so that its axis is z (one without an axis stays as it is); frames
 /// by name keep the axes of the file.
 enum class JointKind {
-  Revolute,    ///< q = angle, v = rate
-  Continuous,  ///< q = (cos, sin), v = rate
-  Prismatic,   ///< q = displacement, v = rate
-  Planar,      ///< q = (x, y, cos, sin), v = (v_x, v_y, w_z) in body axes
-  FreeFlyer,   ///< q = (p, quaternion x y z w), v = (v, w) in body axes
-  Ball,        ///< q = quaternion x y z w, v = w in body axes
+  Revolute,    ///< q = angle, v = rate @note nq = 1, nv = 1
+  Continuous,  ///< q = (cos, sin), v = rate @note nq = 2, nv = 1
+  Prismatic,   ///< q = displacement, v = rate @note nq = 1, nv = 1
+  Planar,      ///< q = (x, y, cos, sin), v = (v_x, v_y, w_z) in body axes @note nq = 4, nv = 3
+  FreeFlyer,   ///< q = (p, quaternion x y z w), v = (v, w) in body axes @note nq = 7, nv = 6
+  Ball,        ///< q = quaternion x y z w, v = w in body axes @note nq = 4, nv = 3
 };
 
 /// Number of entries of a joint in q and in v.
@@ -43,6 +43,7 @@ struct Following {
 /// A moving joint of a Model and the rigid body that it carries. One that follows another has no
 /// entries of its own in q and v: its leader's move both.
 /// @described model @result
+/// Links that are fixed to each other are one body.
 struct Joint {
   std::string name;
   JointKind kind = JointKind::Revolute;
@@ -72,6 +73,7 @@ struct StatedJoint {
 /// Joints of a Model coupled by the length of a tendon, which has a spring, a damper or both. What
 /// locked joints add is taken off `rest`, and what followers add stands at their leaders.
 /// @described model @result
+/// The length is the sum of coefficient times position over its parts.
 struct Tendon {
   /// A joint that a tendon of a Model goes along.
   /// @described model.TendonEntry @result
@@ -117,6 +119,7 @@ struct Visual {
 /// Two frames of a Model tied to each other along some directions: motion of the second seen from
 /// the first, in the first one's axes.
 /// @described model @result
+/// Loops close chains (LoopSpec); contact/loops.hpp makes contacts of them.
 struct Loop {
   std::string name;
   std::string first;   ///< frame of the model, NAME/first

@@ -40,6 +40,7 @@ struct SphereShape {
 };
 /// A mesh is kept for drawing only.
 /// @described model
+/// Dynamics never opens it.
 struct MeshShape {
   std::string uri;        ///< as written in the file, `package://` included @required
   Eigen::Vector3d scale;  ///< per axis @required

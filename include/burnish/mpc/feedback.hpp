@@ -16,6 +16,7 @@ class DdpSolver;
 
 /// u = feedforward + gain (x (-) state): the triple that linear feedback controllers take.
 /// @described mpc @result
+/// As in ros2_control.
 struct LinearFeedback {
   Eigen::VectorXd feedforward;  ///< nu, Nm (N)
   Eigen::MatrixXd gain;   ///< nu x ndx: by position, velocity and, with a torque model, torque

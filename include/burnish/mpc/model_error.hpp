@@ -21,7 +21,7 @@ namespace burnish {
 /// What an MpcController estimates of what its model gets wrong. Both are relative to the torque
 /// that was commanded, so that what actuators get wrong is part of them.
 /// @described mpc
-/// What is estimated.
+/// The command counts behind the torque model's filter, where the problem has one.
 enum class ModelErrorKind {
   None,  ///< nothing: the paper's controller
   /// d in M a + b = tau + J^T f + d, a torque per joint @note in an MpcController also the ratio of

@@ -73,20 +73,19 @@ struct SlipOptions {
 /// the robot was at the fault, and slips where the spring would use more than `give` of a joint's
 /// effort limit.
 /// @described mpc
-/// How the robot is brought to rest after a fault, and held there: on the actuated joints a, tau_a
-/// = b_a(q, 0) - M_aa (stiffness e + damping v_a),  e = (q (-) q_hold)_a, within the torque limits.
-/// No contact force is asked for. A motor that was found to fail (FaultKind::MotorLost) is left
-/// out: the others hold the robot as one whose joint is free there. A robot on supports
-/// (MpcSpec::supports) is held as one that they carry, and, where their sensors say that they do
-/// not, as one that hangs. q_hold is where the robot was at the fault, and slips: where the
-/// spring's torque M_aa stiffness e would exceed `give` times a joint's effort limit, q_hold
-/// follows q so that it does not. A fast robot is thereby braked and held where it comes to rest, a
-/// hand can push it aside, and a wrong model (torques off by d) lets it sink by (stiffness M_aa)^-1
-/// d and no further. Joints without an effort limit do not slip. A floating base is not held.
-/// Without a good measurement for more than 10 ms (or SafetyLimits::bad, if that is shorter) there
-/// is no spring, and v dies away from its last value as the damping would have it: that bears a
-/// gap, but blind for good the robot is not held, and its brakes are to be used. When measurements
-/// come back, q_hold is where the robot is then.
+/// The law holds for the rows and columns a of the actuated joints: tau_a = b_a(q, 0) - M_aa
+/// (stiffness e_a + damping v_a). No contact force is asked for. A motor that was found to fail
+/// (FaultKind::MotorLost) is left out: the others hold the robot as one whose joint is free there.
+/// A robot on supports (MpcSpec::supports) is held as one that they carry, and, where their sensors
+/// say that they do not, as one that hangs. q_hold slips: where the spring's torque M_aa stiffness
+/// e would exceed `give` times a joint's effort limit, q_hold follows q so that it does not. A fast
+/// robot is thereby braked and held where it comes to rest, a hand can push it aside, and a wrong
+/// model (torques off by d) lets it sink by (stiffness M_aa)^-1 d and no further. Joints without an
+/// effort limit do not slip. A floating base is not held. Without a good measurement for more than
+/// 10 ms (or SafetyLimits::bad, if that is shorter) there is no spring, and v dies away from its
+/// last value as the damping would have it: that bears a gap, but blind for good the robot is not
+/// held, and its brakes are to be used. When measurements come back, q_hold is where the robot is
+/// then.
 struct Fallback {
   /// [1/s^2], times the mass matrix; 0: nothing holds, the arm is braked only, >= 0
   double stiffness = 900.0;
@@ -99,10 +98,10 @@ struct Fallback {
 enum class PlanTiming {
   Fixed,  ///< solver_delay after the measurement that it starts from
   /// when it would be done: the time that it took passes, as measured, while the plan before goes
-  /// on; for simulations
+  /// on; for simulations @note The next plan begins no earlier.
   Measured,
-  /// when it is done: plans are made in a thread of their own @note The functions of the
-  /// specification are then called in that thread.
+  /// when it is done: plans are made in a thread of their own @note A tick takes no longer for
+  /// them. The functions of the specification are called in that thread.
   Thread,
 };
 
@@ -110,11 +109,10 @@ enum class PlanTiming {
 /// the measured state, and its policy in between.
 /// @described mpc
 struct MpcSpec {
-  /// Horizon, stages, costs. The horizon's stages are replaced by what the schedule says, so its
-  /// segments matter for the number of knots alone; all stages have the same step. @required @note
-  /// a knot keeps its step whatever its stage, and all stages have the same one unless the segments
-  /// state theirs. Where steps differ, the knot nearest to a change of phase begins there; else a
-  /// knot is of the phase that it begins in.
+  /// Horizon, stages, costs. The schedule replaces the horizon's stages, so its segments matter for
+  /// the number of knots and their steps alone. @required @note All stages have the same step
+  /// unless the segments state theirs. Where steps differ, the knot nearest to a change of phase
+  /// begins there; else a knot is of the phase that it begins in.
   ProblemSpec problem;
   std::vector<SchedulePhase> schedule = {};
   MakeTask task = {};         ///< events of the schedule, what is watched; none: neither

@@ -16,7 +16,7 @@ namespace burnish {
 
 /// What a residual costs: a function of each of its entries.
 /// @described ocp
-/// phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
+/// It is phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
 struct Penalty {
   /// phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
   /// @described ocp.PenaltyKind
@@ -32,8 +32,8 @@ struct Penalty {
 
   Kind kind = Kind::Square;
   /// barriers: limit in the residual's unit, a number for all rows or one per row, infinite where
-  /// there is none; empty: none @number_too @note limits in the residual's unit; one entry for all
-  /// rows, or one per row;
+  /// there is none; empty: none @number_too @note One entry for all
+  /// rows, or one per row, in the residual's unit.
   Eigen::VectorXd lower;
   /// Barriers: limits in the residual's unit; one entry for all rows, or one per row; infinite
   /// where there is none. Empty: none. @number_too
@@ -81,7 +81,7 @@ struct Constraint {
   /// What counts as much of a row, in its unit: per row, one for all, or empty: half the distance
   /// of its limits, without one the robot's own limit, of forces its weight, of torque rates its
   /// torque times the cut-off, of distances the limit itself where it is above zero, of support
-  /// margins half the polygon's width. Where there is none of these it has to be said. @number_too
+  /// margins half the polygon's width. Without any of these it must be stated. @number_too
   Eigen::VectorXd scale = {};
   /// A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied by the step:
   /// of longer knots there are fewer that pay); infinite: hard. >= 0 or infinite
@@ -101,8 +101,8 @@ enum class Integrator {
 /// Actuators as a first-order low-pass of the control: dtau/dt = cutoff (u - tau). The torques join
 /// the state.
 /// @described ocp
-/// Or held: each step's torque is its control, and the control of the step before joins the state,
-/// so that rates (u - tau) / step are known.
+/// Source: eq. (49) of the paper. Or held: each step's torque is its control, and the control of
+/// the step before joins the state, so that rates (u - tau) / step are known.
 struct TorqueModel {
   /// Of the torque model.
   /// @described ocp

@@ -44,7 +44,7 @@ struct JointPosition {
 /// v - target for the entries of the named joints, rad/s or m/s; no joints: all but the free-flying
 /// base.
 /// @described residual
-/// No joints named: all but the free-flying base. Empty target: zero.
+/// Empty target: zero.
 struct JointVelocity {
   std::vector<std::string> joints = {};
   Signal target = {};  ///< None: zero
@@ -78,7 +78,7 @@ struct JointTorqueRate {
 struct FramePosition {
   std::string frame = {};
   /// 3, {m}: from the reference's origin, in the axes that its rotation is fixed in; of
-  /// Reference::world(...) a point of the world @note 3 entries, m:
+  /// Reference::world(...) a point of the world
   Signal target = {};
   Reference reference = Reference::world();
 };
@@ -90,8 +90,7 @@ struct FramePosition {
 /// @described residual
 struct FrameDistance {
   std::string frame = {};
-  /// 3, {m}, as of FramePosition. None: the reference's origin, unless that is the world's @note
-  /// Empty:
+  /// 3, {m}, as of FramePosition. None: the reference's origin, unless that is the world's
   Signal target = {};
   Directions directions = Directions::linear();  ///< one or more of x, y and z
   Reference reference = Reference::world();
@@ -116,7 +115,7 @@ struct FrameInclination {
   std::string frame = {};
   Reference reference = Reference::world();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< 3, of any length, in the frame
-  Signal target = {};  ///< lead and tilt, {rad}; None: zero @note empty:
+  Signal target = {};                               ///< lead and tilt, {rad}; None: zero
 };
 
 /// Height of a frame's origin above the surface that the reference follows (Reference.on), minus
@@ -127,7 +126,7 @@ struct FrameInclination {
 struct FrameHeight {
   std::string frame = {};
   Reference reference = Reference::world();
-  Signal target = {};  ///< [m]; None: zero @note empty:
+  Signal target = {};  ///< [m]; None: zero
 };
 
 /// SE(3) logarithm of the frame in the target: 3 rows m, 3 rows rad, target axes.
@@ -173,6 +172,7 @@ struct ContactForceRate {
 /// inside the cone: n rows, N, friction * cos(pi / n) * f_n - d_i . f_t, where d_0 is the next axis
 /// of the reference after the normal and the others follow every 360 / n degrees.
 /// @described residual
+/// `sides`: 3 to 32; d_i turn from the next axis (y after x, x after z) towards the one after that.
 /// What keeps them at zero or above keeps the cone and f_n. One of the two directions along the
 /// ground need not be held by the contact: its force is zero. To Problem::set_target its
 /// coefficient is its target: what is under a foot may change.

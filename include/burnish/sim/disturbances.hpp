@@ -140,7 +140,7 @@ struct Disturbances {
   /// @more through its point, about the first tangent after the second
   Eigen::Vector2d surface_tilt_deg = Eigen::Vector2d::Zero();
   double surface_height = 0.0;  ///< [m] along the normal @more before the tilt
-  /// how much more the surface bends than the scene's: its lengths are divided by it, > 0
+  /// Factor of the surface's curvature in the plant: lengths of its shape are divided by it, > 0
   double surface_curvature = 1.0;
   /// what the surface is about its point in place of what it is thought to be, or none @code what
   /// the surface is about its point in place of the scene's shape @word none

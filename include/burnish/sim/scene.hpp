@@ -63,7 +63,7 @@ struct ToolTipSpec {
 /// @described sim
 struct SupportSpec {
   std::string frame = {};
-  double half_x = 0.0;   ///< [m], half the side of a sole along x; 0: a ball, >= 0 @note both 0:
+  double half_x = 0.0;   ///< [m], half the side of a sole along x; 0: a ball, >= 0
   double half_y = 0.0;   ///< [m], along y, >= 0
   double radius = 0.02;  ///< [m], of a ball, > 0
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the plane, {m}, world

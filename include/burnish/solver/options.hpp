@@ -120,8 +120,7 @@ struct DdpOptions {
   LimitOptions limits = {};
   Regularization regularization = {};
   /// called after each iteration; False stops the solve, None and True go on, and what it raises
-  /// reaches the caller of solve() @note Stops the solve by returning false; what it throws reaches
-  /// the caller of solve().
+  /// reaches the caller of solve()
   std::function<bool(const DdpProgress&)> callback = nullptr;
 
   /// Throws Error with a sentence naming the option that is out of range.

@@ -29,7 +29,7 @@ struct RunCounts {
 struct ExperimentSpec {
   /// MUJOCO where this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  int seeds = 0;  ///< at most 10 000; 0: the experiment's own number @note at most max_seeds;
+  int seeds = 0;  ///< at most 10 000; 0: the experiment's own number
   int first_seed = 0;
   int threads = 0;                         ///< runs at once; 0: as many as there are cores
   bool quick = false;                      ///< few and short runs, to see whether it works

@@ -20,7 +20,6 @@ struct RequiredMargins {
 
 /// Stability margins of a polishing task's loop at its starting posture.
 /// @described polishing @result
-/// Margins in free air and with the tool on the surface, at the starting posture.
 struct TaskMargins {
   LoopMargins air = {};      ///< in free air
   LoopMargins contact = {};  ///< with the tool on the surface

@@ -108,7 +108,7 @@ struct Task {
   /// in its frame, any length; without it see pressing_direction() @more a posture that is given
   /// must agree with it, within search.tilt @key axis @word auto
   std::optional<Eigen::Vector3d> tool_axis = {};
-  double tip_radius = 0.02;  ///< [m], > 0
+  double tip_radius = 0.02;  ///< Radius of the round tip [m], > 0
 
   /// of the robot, that carries the surface, such as a plate in the other hand, in whose axes
   /// normal and point are then; or world @code of the robot, that carries the surface, such as a
@@ -169,10 +169,10 @@ struct Task {
   /// passes, in simulations too; thread: they are made in a thread of their own
   PlanTiming timing = PlanTiming::Fixed;
   double solver_delay = 0.0;  ///< [s] from a measurement to the use of the plan made from it, >= 0
-  /// [s] from a command to the torque that it makes, as far as it is known, 0 to 0.1 @more Rounded
-  /// to ticks. Plans and feedback begin in the state that the torques already sent lead to.
+  /// Delay from command to torque that the controller assumes [s], 0 to 0.1 @more Rounded to ticks.
+  /// Plans and feedback begin in the state that the torques already sent lead to.
   double command_delay = 0.0;
-  /// [s] from what is measured to the tick that has it, as far as it is known, 0 to 0.1
+  /// Delay from measurement to tick that the controller assumes [s], 0 to 0.1
   double measurement_delay = 0.0;
   double slowdown = 1.0;  ///< of measured timing: a machine by this factor slower, > 0
   int iterations = 1;     ///< of the solver, per plan, >= 1
@@ -187,12 +187,11 @@ struct Task {
   /// between plans follow their Riccati gains, not just their torques @after solver
   bool feedback = true;
   /// What measurements say that the model gets wrong, given back to it before each plan. @note
-  /// bandwidth, boost, lag and force_gain that are none are fitted to the arm, see fit_gains()
+  /// Bandwidth, boost, lag and force_gain that are none are fitted to the arm, see fit_gains().
   ModelErrorOptions model_error = {.calm = 0.25, .sliding_bandwidth = 360.0};
   /// What the tip's own path says of the surface, given to each plan: not with axes: local.
   SurfaceEstimateOptions surface_estimate = {};
-  /// The coefficient of friction between tool and surface, given to each plan. @note of the tool on
-  /// the surface; plans know friction, by this coefficient
+  /// The coefficient of friction between tool and surface, given to each plan.
   FrictionEstimateOptions friction_estimate = {.enabled = false};
   SafetyLimits limits = {.torque_gap = 0.25};
   ToolLimits tool_limits = {};  ///< @key limits

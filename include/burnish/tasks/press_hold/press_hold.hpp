@@ -26,8 +26,8 @@ struct Task {
   /// where it starts; search: found for the surface @more Of the robot's settings. Empty: the
   /// robot's default, or searched where it has none.
   std::string posture = {};
-  double force = 20.0;  ///< [N], that the tool presses with, > 0
-  /// {rad (m)} that the posture goes, joint by joint: {joint: way, ...}
+  double force = 20.0;  ///< Normal force that the tool presses with [N], > 0
+  /// {rad (m)}, offset of each joint from the start: {joint: way, ...}
   std::map<std::string, double> aside = {};
 
   // @section tool
@@ -37,10 +37,10 @@ struct Task {
   /// in its frame, any length; without it see pressing_direction() @more a posture that is given
   /// must agree with it, within search.tilt @key axis @word auto
   std::optional<Eigen::Vector3d> tool_axis = {};
-  double tip_radius = 0.02;  ///< [m], > 0
+  double tip_radius = 0.02;  ///< Radius of the round tip [m], > 0
 
-  // @section surface It lies `clearance` below the tool at the start. The controller knows its
-  // normal.
+  // @section surface The surface lies `clearance` from the tool at the start. The
+  // controller knows its normal.
   /// [x, y, z] out of the material towards the robot, any length, world, not zero @code out of the
   /// surface, any length @key normal
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
@@ -64,10 +64,10 @@ struct Task {
 
   // @section controller
   double tick_rate = 1000.0;  ///< [Hz], of torque commands and of new plans, 100 to 1e4
-  /// [s] from a command to the torque that it makes, as far as it is known, 0 to 0.1 @more Rounded
-  /// to ticks. Plans and feedback begin in the state that the torques already sent lead to.
+  /// Delay from command to torque that the controller assumes [s], 0 to 0.1 @more Rounded to ticks.
+  /// Plans and feedback begin in the state that the torques already sent lead to.
   double command_delay = 0.0;
-  /// [s] from what is measured to the tick that has it, as far as it is known, 0 to 0.1
+  /// Delay from measurement to tick that the controller assumes [s], 0 to 0.1
   double measurement_delay = 0.0;
   /// [1/rad^2]: joints to where they shall be, beside 1e4 1/m^2 of the point, > 0
   double posture_weight = 1.0;

@@ -74,6 +74,7 @@ struct PlanLimits {
 /// What the task asks of the tool at a time of the schedule, for the record. What the controller
 /// aims at is what the costs of the problem say.
 /// @described pressing
+/// Friction in plans goes with its force.
 struct TaskTarget {
   /// [m]; in the axes of MpcSpec::base where there is one
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
@@ -83,6 +84,7 @@ struct TaskTarget {
 
 /// The surface that a round tip presses on, as the task believes it to be.
 /// @described pressing
+/// In the axes of MpcSpec::base where there is one, else of the world.
 struct PressedSurface {
   SurfaceShape shape = {};
   Eigen::Vector3d point_world = Eigen::Vector3d::Zero();    ///< [m], of it

@@ -8,9 +8,8 @@
 
 namespace burnish {
 
-/// How check_reach() looks.
+/// How check_reach() looks, and how much room it asks for.
 /// @described pressing
-/// How much room is asked for.
 struct ReachOptions {
   double spacing = 5e-3;       ///< [m] between two points that are looked at
   double tolerance = 1e-4;     ///< [m] that the tool may be off

@@ -53,7 +53,7 @@ struct Standing {
   bool estimate = true;
   std::string imu_frame = {};  ///< of that unit; empty: the base's body
   /// hold at first and after a fault, in place of the task's; light feet on compliant ground need a
-  /// soft one @note a light foot on ground that gives way bears no stiffer one
+  /// soft one
   Fallback fallback = {.stiffness = 100.0, .damping = 15.0, .give = 0.5};
   /// [s] at first, within settle, in which a hoist hands the weight over to the feet, >= 0
   double hoist = 0.5;

@@ -58,7 +58,7 @@ struct Wall {
 /// bear `reserve` more, where plans cannot keep their limits or give way, where a hand or a foot
 /// slips, and at `force_max`.
 /// @described push_wall
-/// How the largest force is looked for, and when the search is over; see Limit.
+/// Limit says which of these ended it.
 struct Lean {
   double rate = 10.0;  ///< [N/s], of each hand, > 0
   /// [N] of each hand, where it ends at the latest, > 0 or infinite @more never: nine tenths of
@@ -78,9 +78,7 @@ struct Lean {
 enum class Limit {
   None,  ///< nothing: the search did not end
   Most,  ///< Lean.force_max was reached
-  /// the posture could not bear Lean.reserve more @note more than Lean::reserve beyond it the
-  /// posture cannot bear
-  Bear,
+  Bear,  ///< the posture could not bear Lean.reserve more
   Give,  ///< plans gave way: the hands fell behind the target
   Plan,  ///< plans could not keep all their limits
   Hand,  ///< a hand slipped
@@ -124,10 +122,10 @@ struct Task {
   double update_rate = 200.0;  ///< [Hz], of new plans; divides the tick rate, > 0
   /// [s] from a measurement to the use of the plan made from it, >= 0
   double solver_delay = 0.005;
-  /// [s] from a command to the torque that it makes, as far as it is known, 0 to 0.1 @more Rounded
-  /// to ticks. Plans and feedback begin in the state that the torques already sent lead to.
+  /// Delay from command to torque that the controller assumes [s], 0 to 0.1 @more Rounded to ticks.
+  /// Plans and feedback begin in the state that the torques already sent lead to.
   double command_delay = 0.0;
-  /// [s] from what is measured to the tick that has it, as far as it is known, 0 to 0.1
+  /// Delay from measurement to tick that the controller assumes [s], 0 to 0.1
   double measurement_delay = 0.0;
   double horizon = 1.0;  ///< [s] that are planned ahead, > 0
   double step = 0.01;    ///< [s] between the first two knots of the plan, > 0
@@ -180,7 +178,6 @@ std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = fals
 
 /// A task with everything resolved: robot, start, wall, feet, hands, phases.
 /// @described push_wall
-/// The task with everything resolved.
 struct Setting {
   Robot robot;              ///< @required
   Eigen::VectorXd q_start;  ///< nq @required

@@ -76,10 +76,10 @@ struct Task {
   double update_rate = 200.0;  ///< [Hz], of new plans; divides the tick rate, > 0
   /// [s] from a measurement to the use of the plan made from it, >= 0
   double solver_delay = 0.005;
-  /// [s] from a command to the torque that it makes, as far as it is known, 0 to 0.1 @more Rounded
-  /// to ticks. Plans and feedback begin in the state that the torques already sent lead to.
+  /// Delay from command to torque that the controller assumes [s], 0 to 0.1 @more Rounded to ticks.
+  /// Plans and feedback begin in the state that the torques already sent lead to.
   double command_delay = 0.0;
-  /// [s] from what is measured to the tick that has it, as far as it is known, 0 to 0.1
+  /// Delay from measurement to tick that the controller assumes [s], 0 to 0.1
   double measurement_delay = 0.0;
   double horizon = 0.6;  ///< [s] that are planned ahead, > 0
   double step = 0.01;    ///< [s] between the first two knots of the plan, > 0
@@ -131,7 +131,7 @@ std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = fals
 struct Setting {
   Robot robot;  ///< @required
   /// the task's, with feet that were found where it states auto, or frames of which the robot has
-  /// none @required @note the frames that are added for them are in `robot`.
+  /// none @required @note Frames that are added for feet are in `robot`.
   Standing standing = {};
   /// sentences about what was found in place of what it says @after sway
   std::vector<std::string> notes = {};
