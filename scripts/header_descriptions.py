@@ -15,6 +15,9 @@ numbers that are taken: `> 0`, `>= 0`, `0 to 1`, `0 to below 1`, `between 0 and 
     @more TEXT     second sentence of docs, Python and C++, which the comments in files leave out
     @code TEXT     text of docs, Python and C++ in place of the first one, which files keep
     @required      no default in Python
+    @stated        no default in files
+    @name_of KIND  of a text or a list of them: each is the name of a frame, a joint or a contact of the model
+    @words WORDS   of a count: words in files for 0, 1, ...
     @number_too    of a vector: Python takes one number for all of it
     @after NAME    the member follows that one in files and Python, wherever it stands in C++
     @undescribed   the member is in C++ alone
@@ -34,7 +37,8 @@ RANGE = re.compile(rf"(?:^|, |(?<=[.)]) )((?:>=? {NUMBER}|{NUMBER} to (?:below )
                    r"|finite|not zero)(?: or infinite)?)$")
 LOST = re.compile(rf"[>\]}}] ?(?:[<>]=? ?{NUMBER}|\(.*[<>].*\))$")  # of a range whose comma is missing
 UNIT_WORDS = {"m", "s", "kg", "N", "Nm", "Ns", "rad", "Hz", "W", "J", "V", "A", "sqrt", "degrees", "deg", "bit", "us", "ms", "mm"}
-TAGS = re.compile(r"\s*@(more|code|key|word|after|required|number_too|undescribed|note)\b\s*")
+BARE = ("required", "stated", "number_too", "undescribed")
+TAGS = re.compile(rf"\s*@(more|code|key|word|words|name_of|after|note|{'|'.join(BARE)})\b\s*")
 
 
 class HeaderError(Exception):
@@ -53,15 +57,6 @@ def meaning_of(text):
             unit = f"{{{match[1]}}}" if match.start() == 0 else f"[{{{match[1]}}}]"
             return text[: match.start()] + unit + text[match.end() :]
     return text
-
-
-def text_of(meaning):
-    """The reverse of meaning_of()."""
-    if meaning.startswith("{"):
-        text = re.sub(r"^\{([^}]*)\}", r"[\1]", meaning)
-    else:
-        text = re.sub(r"\[\{([^}]*)\}\]", r"[\1]", meaning, count=1)
-    return text if meaning_of(text) == meaning else meaning
 
 
 def range_code(text):
@@ -91,7 +86,7 @@ class Entry:
         for tag, value in zip(parts[1::2], parts[2::2]):
             if tag in self.tags:
                 raise HeaderError(f"{where}: @{tag} stands twice")
-            if (tag in ("required", "number_too", "undescribed")) == bool(value.strip()):
+            if (tag in BARE) == bool(value.strip()):
                 raise HeaderError(f"{where}: @{tag} {'takes no' if value.strip() else 'wants a'} text")
             self.tags[tag] = value.strip()
         self.tags.pop("note", None)

@@ -10,7 +10,8 @@ namespace burnish {
 using Kind = ValueType::Kind;
 
 bool Range::holds(double value) const {
-  if (!std::isfinite(value)) return infinite && value > 0.0;
+  if (std::isinf(value)) return infinite && (value > 0.0 || std::isinf(least));
+  if (std::isnan(value)) return false;
   if (below && value == most) return false;
   return open ? value > least && value < most : value >= least && value <= most;
 }

@@ -110,7 +110,12 @@ struct Field {
   Range range;
   std::size_t offset = 0;
   const ValueType* type = nullptr;
+  /// What a text, or each of a list, has to be the name of: "frame", "joint" or "contact"; or
+  /// empty.
+  std::string name_of;
+  std::string words;  ///< in files, for a count: that of 0, of 1, ..., a space between; or empty
   bool required = false;    ///< of a value that Python's users make, without default there
+  bool stated = false;      ///< in files: it has no default there
   bool number_too = false;  ///< in Python: of a vector, for which one number stands too
 
   void* in(void* spec) const { return static_cast<char*>(spec) + offset; }
@@ -313,6 +318,9 @@ class Describe : public Description {
   Describe& more(const char* text) { return set(&Field::more, text); }
   Describe& key(const char* text) { return set(&Field::key, text); }
   Describe& word(const char* text) { return set(&Field::word, text); }
+  Describe& name_of(const char* text) { return set(&Field::name_of, text); }
+  Describe& words(const char* text) { return set(&Field::words, text); }
+  Describe& stated() { return detail::last_field(*this).stated = true, *this; }
   Describe& required() { return detail::last_field(*this).required = true, *this; }
   Describe& number_too() { return detail::last_field(*this).number_too = true, *this; }
   /// Begins one.

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "base/sentence.hpp"
-#include "files/described.hpp"
+#include "document/described.hpp"
 
 namespace burnish::files {
 namespace {
@@ -38,10 +38,10 @@ DescribedFile::DescribedFile(const Description& description, std::string head, s
   const auto key = [](const Field& field, std::size_t offset) {
     return Key{field.key, field.comment(), field.unit(),
                [&field, offset](void* spec, const Reader& reader) {
-                 read_entry(field, static_cast<char*>(spec) + offset, reader);
+                 document::read_entry(field, static_cast<char*>(spec) + offset, reader);
                },
                [&field, offset](const void* spec) {
-                 return entry_text(field, static_cast<const char*>(spec) + offset);
+                 return document::entry_text(field, static_cast<const char*>(spec) + offset);
                }};
   };
   auto group = description.groups.begin();

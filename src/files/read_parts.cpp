@@ -4,7 +4,7 @@
 
 #include "burnish/dynamics/placement.hpp"
 #include "contact/descriptions.gen.hpp"
-#include "files/described.hpp"
+#include "document/described.hpp"
 #include "robots/known_robots.hpp"
 
 namespace burnish::files {
@@ -90,7 +90,7 @@ ContactSpec read_contact(const std::string& name, const Reader& reader, const Mo
   if (const auto kp = reader.find("kp")) spec.kp = read_gains(*kp);
   if (const auto kd = reader.find("kd")) spec.kd = read_gains(*kd);
   if (const auto friction = reader.find("friction"))
-    read_described(description_of(&spec.friction.emplace()), &*spec.friction, *friction);
+    document::read_described(description_of(&spec.friction.emplace()), &*spec.friction, *friction);
   const auto target = reader.find("target");
   spec.target = target && !target->is("here") ? read_placement(*target) : base.inverse() * tool;
   return spec;

@@ -1,6 +1,6 @@
 #include "files/read_solver.hpp"
 
-#include "files/described.hpp"
+#include "document/described.hpp"
 #include "files/read_values.hpp"
 #include "solver/descriptions.gen.hpp"
 
@@ -8,7 +8,7 @@ namespace burnish::files {
 
 DdpOptions read_solver(const Reader& reader) {
   DdpOptions options;
-  read_described(description_of(&options), &options, reader);
+  document::read_described(description_of(&options), &options, reader);
   reader.named([&] { options.check(); });
   return options;
 }

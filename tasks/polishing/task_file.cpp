@@ -6,7 +6,7 @@
 #include "base/sentence.hpp"
 #include "base/whole_file.hpp"
 #include "files/csv_table.hpp"
-#include "files/described.hpp"
+#include "document/described.hpp"
 #include "files/read_values.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/horizon.hpp"
@@ -29,7 +29,7 @@ void read_surface_name(Task& task, const Reader& reader) {
 /// Numbers, or the name of a table beside the file; what a command line names lies where it runs.
 void read_points(PathSpec& path, const Reader& reader) {
   const Description& description = description_of(&path);
-  if (reader.is_list()) return files::read_entry(description.field("points"), &path, reader);
+  if (reader.is_list()) return document::read_entry(description.field("points"), &path, reader);
   const bool is_file = !reader.file().starts_with("override ");
   const fs::path folder = is_file ? fs::path(reader.file()).parent_path() : fs::path();
   path.points.clear();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "burnish/sim/disturbances.hpp"
-#include "files/described.hpp"
+#include "document/described.hpp"
 #include "files/described_file.hpp"
 #include "sim/descriptions.gen.hpp"
 
@@ -58,7 +58,7 @@ inline void note_ideal_world(const Disturbances& disturbances, std::vector<std::
   const Disturbances none;
   for (const Field& field : description_of(&none).fields)
     if (field.name != "seed" &&
-        files::entry_text(field, &disturbances) != files::entry_text(field, &none))
+        document::entry_text(field, &disturbances) != document::entry_text(field, &none))
       return;
   notes.emplace_back(
       "the world is ideal: the plant is the controller's own model, without noise, delays or joint "
