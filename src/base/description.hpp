@@ -112,8 +112,9 @@ struct Field {
   const ValueType* type = nullptr;
   /// What a text, or each of a list, has to be the name of: "frame", "joint" or "contact"; or
   /// empty.
-  std::string name_of;
-  std::string words;  ///< in files, for a count: that of 0, of 1, ..., a space between; or empty
+  std::string name_of = {};
+  std::string words =
+      {};  ///< in files, for a count: that of 0, of 1, ..., a space between; or empty
   bool required = false;    ///< of a value that Python's users make, without default there
   bool stated = false;      ///< in files: it has no default there
   bool number_too = false;  ///< in Python: of a vector, for which one number stands too
