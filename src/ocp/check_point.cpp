@@ -6,7 +6,6 @@
 
 #include "derivatives/check_differences.hpp"
 #include "derivatives/check_units.hpp"
-#include "ocp/row_names.hpp"
 
 namespace burnish::ocp {
 namespace {

@@ -13,361 +13,380 @@
 
 namespace burnish::ocp {
 
-void TermBuilder::operator()(const residual::State& r) {
-  term.rows = layout().ndx();
-  target(r.target, layout().nx(), spec.initial_state);
-  unit_configuration();
-  StateDifference state{
-      &problem.tree, layout().nq, layout().filtered + layout().remembered, {}, problem.blocks};
-  std::vector<char> in_block(static_cast<std::size_t>(layout().ndx()), 0);
-  for (const TangentBlock& block : problem.blocks)
-    std::fill_n(in_block.begin() + block.first, block.size, char{1});
-  // One diagonal run between each two blocks, in the order that evaluate writes them.
-  int row = 0;
-  while (row < layout().ndx()) {
-    if (in_block[row] != 0) {
-      ++row;
-      continue;
+namespace {
+
+/// The builder, with what each kind of residual asks of it.
+struct ResidualCompiler : TermBuilder {
+  void operator()(const residual::State& r) {
+    term.rows = layout().ndx();
+    target(r.target, layout().nx(), spec.initial_state);
+    unit_configuration();
+    StateDifference state{
+        &problem.tree, layout().nq, layout().filtered + layout().remembered, {}, problem.blocks};
+    std::vector<char> in_block(static_cast<std::size_t>(layout().ndx()), 0);
+    for (const TangentBlock& block : problem.blocks)
+      std::fill_n(in_block.begin() + block.first, block.size, char{1});
+    // One diagonal run between each two blocks, in the order that evaluate writes them.
+    int row = 0;
+    while (row < layout().ndx()) {
+      if (in_block[row] != 0) {
+        ++row;
+        continue;
+      }
+      JacobianBlock run{row, 0, {}, true};
+      for (; row < layout().ndx() && in_block[row] == 0; ++row, ++run.rows) {
+        run.columns.push_back(layout().nu + row);
+        state.diagonal_rows.push_back(row);
+      }
+      term.blocks.push_back(run);
     }
-    JacobianBlock run{row, 0, {}, true};
-    for (; row < layout().ndx() && in_block[row] == 0; ++row, ++run.rows) {
-      run.columns.push_back(layout().nu + row);
-      state.diagonal_rows.push_back(row);
+    for (const TangentBlock& block : problem.blocks) {
+      std::vector<int> columns(static_cast<std::size_t>(block.size));
+      std::iota(columns.begin(), columns.end(), layout().column_q() + block.first);
+      term.blocks.push_back({block.first, block.size, columns, false});
     }
-    term.blocks.push_back(run);
+    term.residual = state;
   }
-  for (const TangentBlock& block : problem.blocks) {
-    std::vector<int> columns(static_cast<std::size_t>(block.size));
-    std::iota(columns.begin(), columns.end(), layout().column_q() + block.first);
-    term.blocks.push_back({block.first, block.size, columns, false});
+
+  void select(Selection::Source source, std::vector<int> entries, int first_column,
+              const std::vector<int>& columns, const Signal& signal) {
+    term.rows = static_cast<int>(entries.size());
+    if (term.rows == 0) refuse("has no rows");
+    zero_target(signal, term.rows);
+    JacobianBlock block{0, term.rows, {}, true};
+    for (const int c : columns) block.columns.push_back(first_column + c);
+    term.blocks.push_back(block);
+    term.residual = Selection{source, std::move(entries)};
   }
-  term.residual = state;
-}
 
-void TermBuilder::select(Selection::Source source, std::vector<int> entries, int first_column,
-                         const std::vector<int>& columns, const Signal& signal) {
-  term.rows = static_cast<int>(entries.size());
-  if (term.rows == 0) refuse("has no rows");
-  zero_target(signal, term.rows);
-  JacobianBlock block{0, term.rows, {}, true};
-  for (const int c : columns) block.columns.push_back(first_column + c);
-  term.blocks.push_back(block);
-  term.residual = Selection{source, std::move(entries)};
-}
-
-void TermBuilder::operator()(const residual::Control& r) {
-  if (stage.nu == 0) refuse("there is no control here");
-  std::vector<int> entries(static_cast<std::size_t>(layout().nu));
-  std::iota(entries.begin(), entries.end(), 0);
-  select(Selection::Source::U, entries, 0, entries, r.target);
-}
-
-const Joint& TermBuilder::joint(const std::string& name) const {
-  try {
-    const Model& model = problem.model;
-    const Joint& found = model.joints[static_cast<std::size_t>(model.joint_index(name))];
-    if (found.follows) refuse(that_it_follows(model, found));
-    return found;
-  } catch (const Error& error) {
-    refuse(error.what());
+  void operator()(const residual::Control& r) {
+    if (stage.nu == 0) refuse("there is no control here");
+    std::vector<int> entries(static_cast<std::size_t>(layout().nu));
+    std::iota(entries.begin(), entries.end(), 0);
+    select(Selection::Source::U, entries, 0, entries, r.target);
   }
-}
 
-void TermBuilder::operator()(const residual::JointPosition& r) {
-  std::vector<int> entries, columns;
-  const auto add = [&](const Joint& j) {
-    entries.push_back(j.q_index);
-    columns.push_back(j.v_index);
-  };
-  const auto plain = [](const Joint& j) { return j.nq == 1; };
-  for (const std::string& name : r.joints) {
-    const Joint& j = joint(name);
-    if (!plain(j))
-      refuse("joint " + in_quotes(name) + " is " + std::string(name_of(j.kind)) +
-             "; wanted a revolute or prismatic one");
-    add(j);
-  }
-  if (r.joints.empty())
-    for (const Joint& j : problem.model.joints)
-      if (has_position_limit(problem.model, j)) add(j);
-  select(Selection::Source::Q, entries, layout().column_q(), columns, r.target);
-}
-
-std::vector<int> TermBuilder::velocity_entries(const std::vector<std::string>& joints) const {
-  std::vector<int> entries;
-  const auto add = [&](const Joint& j) {
-    for (int k = 0; k < j.nv; ++k) entries.push_back(j.v_index + k);
-  };
-  for (const std::string& name : joints) add(joint(name));
-  if (joints.empty())
-    for (const Joint& j : problem.model.joints)
-      if (j.kind != JointKind::FreeFlyer) add(j);
-  return entries;
-}
-
-void TermBuilder::operator()(const residual::JointVelocity& r) {
-  const std::vector<int> entries = velocity_entries(r.joints);
-  select(Selection::Source::V, entries, layout().column_v(), entries, r.target);
-}
-
-std::vector<int> TermBuilder::actuators(const std::vector<std::string>& joints) const {
-  std::vector<int> entries;
-  for (const int k : velocity_entries(joints)) {
-    const auto found = std::find(layout().actuated.begin(), layout().actuated.end(), k);
-    if (found != layout().actuated.end()) {
-      entries.push_back(static_cast<int>(found - layout().actuated.begin()));
-    } else if (!joints.empty()) {
-      refuse("joint entry " + in_quotes(problem.model.v_name(k)) + " is not driven");
+  const Joint& joint(const std::string& name) const {
+    try {
+      const Model& model = problem.model;
+      const Joint& found = model.joints[static_cast<std::size_t>(model.joint_index(name))];
+      if (found.follows) refuse(that_it_follows(model, found));
+      return found;
+    } catch (const Error& error) {
+      refuse(error.what());
     }
   }
-  return entries;
-}
 
-void TermBuilder::operator()(const residual::JointTorque& r) {
-  const std::vector<int> entries = actuators(r.joints);
-  const bool in_state = layout().acts_from_state();
-  if (!in_state && stage.nu == 0) refuse("there is no control here");
-  select(in_state ? Selection::Source::TorqueState : Selection::Source::U, entries,
-         in_state ? layout().column_tau() : 0, entries, r.target);
-}
+  void operator()(const residual::JointPosition& r) {
+    std::vector<int> entries, columns;
+    const auto add = [&](const Joint& j) {
+      entries.push_back(j.q_index);
+      columns.push_back(j.v_index);
+    };
+    const auto plain = [](const Joint& j) { return j.nq == 1; };
+    for (const std::string& name : r.joints) {
+      const Joint& j = joint(name);
+      if (!plain(j))
+        refuse("joint " + in_quotes(name) + " is " + std::string(name_of(j.kind)) +
+               "; wanted a revolute or prismatic one");
+      add(j);
+    }
+    if (r.joints.empty())
+      for (const Joint& j : problem.model.joints)
+        if (has_position_limit(problem.model, j)) add(j);
+    select(Selection::Source::Q, entries, layout().column_q(), columns, r.target);
+  }
 
-void TermBuilder::operator()(const residual::JointTorqueRate& r) {
-  if (!spec.torque_model)
-    refuse(
-        "torques that are the control have no rate; wanted a torque model in the problem, which "
-        "puts "
-        "one more entry per driven joint into the state: 'held', the torques of the step before, "
-        "or "
-        "a cut-off, those that act");
-  if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
-  const bool held = layout().holds_torque;
-  TorqueRate rate{held ? 1.0 / stage.step : spec.torque_model->cutoff, held, actuators(r.joints)};
-  term.rows = static_cast<int>(rate.entries.size());
-  if (term.rows == 0) refuse("has no rows");
-  zero_target(r.target, term.rows);
-  for (int i = 0; i < term.rows; ++i)
-    term.blocks.push_back(
-        {i, 1, {rate.entries[i], layout().column_tau() + rate.entries[i]}, false});
-  term.residual = std::move(rate);
-}
+  std::vector<int> velocity_entries(const std::vector<std::string>& joints) const {
+    std::vector<int> entries;
+    const auto add = [&](const Joint& j) {
+      for (int k = 0; k < j.nv; ++k) entries.push_back(j.v_index + k);
+    };
+    for (const std::string& name : joints) add(joint(name));
+    if (joints.empty())
+      for (const Joint& j : problem.model.joints)
+        if (j.kind != JointKind::FreeFlyer) add(j);
+    return entries;
+  }
 
-FramePositionError TermBuilder::position(const std::string& name, const Reference& reference) {
-  const int f = frame(name);
-  FramePositionError result{f, view(f, asked_for_positions(reference))};
-  if (result.view.reference.at_tool)
-    refuse(
-        "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
-        "another frame");
-  const CompiledReference& seen = result.view.reference;
-  result.is_in_world =
-      seen.at_world && seen.axes_body < 0 && to_eigen(seen.fixed_in).isIdentity(0.0);
-  return result;
-}
+  void operator()(const residual::JointVelocity& r) {
+    const std::vector<int> entries = velocity_entries(r.joints);
+    select(Selection::Source::V, entries, layout().column_v(), entries, r.target);
+  }
 
-void TermBuilder::operator()(const residual::FramePosition& r) {
-  term.rows = 3;
-  target(r.target, 3, {});
-  const FramePositionError error = position(r.frame, r.reference);
-  term.residual = error;
-  dense_block(3, columns(layout().column_q(), error.view.entries));
-}
+  /// Of these joints, or of all that have one.
+  std::vector<int> actuators(const std::vector<std::string>& joints) const {
+    std::vector<int> entries;
+    for (const int k : velocity_entries(joints)) {
+      const auto found = std::find(layout().actuated.begin(), layout().actuated.end(), k);
+      if (found != layout().actuated.end()) {
+        entries.push_back(static_cast<int>(found - layout().actuated.begin()));
+      } else if (!joints.empty()) {
+        refuse("joint entry " + in_quotes(problem.model.v_name(k)) + " is not driven");
+      }
+    }
+    return entries;
+  }
 
-void TermBuilder::operator()(const residual::FrameDistance& r) {
-  if (r.directions.bits == 0 || (r.directions.bits & Directions::angular().bits) != 0)
-    refuse("directions are '" + r.directions.text() + "'; wanted one or more of x, y and z");
-  term.rows = 1;
-  const FrameDistance distance{position(r.frame, r.reference), r.directions};
-  if (distance.position.view.reference.at_world)
+  void operator()(const residual::JointTorque& r) {
+    const std::vector<int> entries = actuators(r.joints);
+    const bool in_state = layout().acts_from_state();
+    if (!in_state && stage.nu == 0) refuse("there is no control here");
+    select(in_state ? Selection::Source::TorqueState : Selection::Source::U, entries,
+           in_state ? layout().column_tau() : 0, entries, r.target);
+  }
+
+  void operator()(const residual::JointTorqueRate& r) {
+    if (!spec.torque_model)
+      refuse(
+          "torques that are the control have no rate; wanted a torque model in the problem, which "
+          "puts "
+          "one more entry per driven joint into the state: 'held', the torques of the step before, "
+          "or "
+          "a cut-off, those that act");
+    if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
+    const bool held = layout().holds_torque;
+    TorqueRate rate{held ? 1.0 / stage.step : spec.torque_model->cutoff, held, actuators(r.joints)};
+    term.rows = static_cast<int>(rate.entries.size());
+    if (term.rows == 0) refuse("has no rows");
+    zero_target(r.target, term.rows);
+    for (int i = 0; i < term.rows; ++i)
+      term.blocks.push_back(
+          {i, 1, {rate.entries[i], layout().column_tau() + rate.entries[i]}, false});
+    term.residual = std::move(rate);
+  }
+
+  /// Of a frame in a reference with another origin; axes of a surface at the tool have that of the
+  /// frame that it is fixed in.
+  FramePositionError position(const std::string& name, const Reference& reference) {
+    const int f = frame(name);
+    FramePositionError result{f, view(f, asked_for_positions(reference))};
+    if (result.view.reference.at_tool)
+      refuse(
+          "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
+          "another frame");
+    const CompiledReference& seen = result.view.reference;
+    result.is_in_world =
+        seen.at_world && seen.axes_body < 0 && to_eigen(seen.fixed_in).isIdentity(0.0);
+    return result;
+  }
+
+  void operator()(const residual::FramePosition& r) {
+    term.rows = 3;
     target(r.target, 3, {});
-  else
-    zero_target(r.target, 3);
-  term.residual = distance;
-  dense_block(1, columns(layout().column_q(), distance.position.view.entries));
-}
+    const FramePositionError error = position(r.frame, r.reference);
+    term.residual = error;
+    dense_block(3, columns(layout().column_q(), error.view.entries));
+  }
 
-void TermBuilder::operator()(const residual::FrameRotation& r) {
-  term.rows = 3;
-  target(r.target, 4, {}, CompiledTerm::Load::Rotation);
-  unit_quaternion(0);
-  const int f = frame(r.frame);
-  const FrameRotationError error{f, turned(f, r.reference)};
-  term.residual = error;
-  dense_block(3, columns(layout().column_q(), error.view.entries));
-}
+  void operator()(const residual::FrameDistance& r) {
+    if (r.directions.bits == 0 || (r.directions.bits & Directions::angular().bits) != 0)
+      refuse("directions are '" + r.directions.text() + "'; wanted one or more of x, y and z");
+    term.rows = 1;
+    const FrameDistance distance{position(r.frame, r.reference), r.directions};
+    if (distance.position.view.reference.at_world)
+      target(r.target, 3, {});
+    else
+      zero_target(r.target, 3);
+    term.residual = distance;
+    dense_block(1, columns(layout().column_q(), distance.position.view.entries));
+  }
 
-FrameView TermBuilder::turned(int frame, Reference reference) {
-  reference.origin = Anchor::Tool;  // it does not matter
-  const FrameView result = view(frame, reference);
-  if (reference.axes == Anchor::Tool)
-    refuse(
-        "the reference's axes are the frame's own, against which it never turns; wanted those of "
-        "the world or of another frame");
-  return result;
-}
+  void operator()(const residual::FrameRotation& r) {
+    term.rows = 3;
+    target(r.target, 4, {}, CompiledTerm::Load::Rotation);
+    unit_quaternion(0);
+    const int f = frame(r.frame);
+    const FrameRotationError error{f, turned(f, r.reference)};
+    term.residual = error;
+    dense_block(3, columns(layout().column_q(), error.view.entries));
+  }
 
-void TermBuilder::operator()(const residual::FrameInclination& r) {
-  if (!r.axis.allFinite() || !(r.axis.norm() > 1e-9))
-    refuse("the axis is not finite or has no length; wanted a direction of the frame");
-  term.rows = 2;
-  zero_target(r.target, 2);
-  const int f = frame(r.frame);
-  const FrameInclinationError error{f, turned(f, r.reference),
-                                    from_eigen(Eigen::Vector3d(r.axis.normalized()))};
-  term.residual = error;
-  dense_block(2, columns(layout().column_q(), error.view.entries));
-}
+  /// Of a frame in axes that it turns against.
+  FrameView turned(int frame, Reference reference) {
+    reference.origin = Anchor::Tool;  // it does not matter
+    const FrameView result = view(frame, reference);
+    if (reference.axes == Anchor::Tool)
+      refuse(
+          "the reference's axes are the frame's own, against which it never turns; wanted those of "
+          "the world or of another frame");
+    return result;
+  }
 
-void TermBuilder::operator()(const residual::FrameHeight& r) {
-  if (!r.reference.quadric)
-    refuse("the reference follows no surface to be above; wanted one of Reference::on");
-  term.rows = 1;
-  zero_target(r.target, 1);
-  const int f = frame(r.frame);
-  const FrameHeightError error{f, turned(f, r.reference)};
-  term.residual = error;
-  dense_block(1, columns(layout().column_q(), error.view.entries));
-}
+  void operator()(const residual::FrameInclination& r) {
+    if (!r.axis.allFinite() || !(r.axis.norm() > 1e-9))
+      refuse("the axis is not finite or has no length; wanted a direction of the frame");
+    term.rows = 2;
+    zero_target(r.target, 2);
+    const int f = frame(r.frame);
+    const FrameInclinationError error{f, turned(f, r.reference),
+                                      from_eigen(Eigen::Vector3d(r.axis.normalized()))};
+    term.residual = error;
+    dense_block(2, columns(layout().column_q(), error.view.entries));
+  }
 
-void TermBuilder::operator()(const residual::FramePlacement& r) {
-  term.rows = 6;
-  target(r.target, 7, {}, CompiledTerm::Load::Placement);
-  unit_quaternion(3);
-  const int f = frame(r.frame);
-  term.residual = FramePlacementError{f};
-  dense_block(6, support_columns(f));
-}
+  void operator()(const residual::FrameHeight& r) {
+    if (!r.reference.quadric)
+      refuse("the reference follows no surface to be above; wanted one of Reference::on");
+    term.rows = 1;
+    zero_target(r.target, 1);
+    const int f = frame(r.frame);
+    const FrameHeightError error{f, turned(f, r.reference)};
+    term.residual = error;
+    dense_block(1, columns(layout().column_q(), error.view.entries));
+  }
 
-void TermBuilder::operator()(const residual::FrameVelocity& r) {
-  term.rows = 6;
-  zero_target(r.target, 6);
-  const int f = frame(r.frame);
-  const FrameVelocityError error{f, view(f, r.reference)};
-  term.residual = error;
-  std::vector<int> all = columns(layout().column_q(), error.view.entries);
-  for (const MovingAxis& k : stage.frames[f].support) all.push_back(layout().column_v() + k.v);
-  dense_block(6, all);
-}
-
-void TermBuilder::operator()(const residual::ContactForce& r) {
-  const int c = contact(r.contact);
-  if (r.reference) {
+  void operator()(const residual::FramePlacement& r) {
     term.rows = 6;
-    term.residual = WrenchError{wrench(c, r.reference)};
-  } else {
-    term.rows = static_cast<int>(problem.contacts.contacts()[c].directions.size());
-    term.residual = OwnForceError{c, term.rows};
+    target(r.target, 7, {}, CompiledTerm::Load::Placement);
+    unit_quaternion(3);
+    const int f = frame(r.frame);
+    term.residual = FramePlacementError{f};
+    dense_block(6, support_columns(f));
   }
-  zero_target(r.target, term.rows);
-  dense_block(term.rows, all_columns());
-}
 
-void TermBuilder::operator()(const residual::ContactForceRate& r) {
-  const int c = contact(r.contact);
-  if (stage.terminal) refuse("no step begins at the end, so forces have no rate there");
-  const auto remembered =
-      std::find_if(problem.remembered.begin(), problem.remembered.end(),
-                   [c](const RememberedForce& force) { return force.contact == c; });
-  const auto rows = problem.contacts.contacts()[c].directions.size();
-  if (remembered == problem.remembered.end())
-    refuse("the force of the step before is not known; wanted " + in_quotes(r.contact) +
-           " in the problem's remembered_forces, which puts " + std::to_string(rows) +
-           (rows == 1 ? " more entry" : " more entries") + " into the state");
-  term.rows = remembered->rows;
-  term.residual = ForceRate{c, term.rows, remembered->first, 1.0 / stage.step};
-  zero_target(r.target, term.rows);
-  dense_block(term.rows, all_columns());
-}
-
-void TermBuilder::needs_most(int c, Directions wanted, int normal) const {
-  const Directions held = problem.contacts.contacts()[c].spec.directions;
-  const Directions both{static_cast<std::uint8_t>(held.bits & wanted.bits)};
-  if (!held.has(normal) || both.count() + 1 < wanted.count())
-    refuse("contact " + in_quotes(problem.contacts.contacts()[c].spec.name) + " holds " +
-           held.text() + "; wanted " + wanted.text() + " among them");
-}
-
-void TermBuilder::operator()(const residual::FrictionCone& r) {
-  const int c = contact(r.contact);
-  if (!(r.friction > 0.0) || !std::isfinite(r.friction))
-    refuse("friction is " + number(r.friction) + "; wanted a number above 0");
-  if (r.normal < 0 || r.normal > 2)
-    refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
-  needs_most(c, Directions::linear(), r.normal);
-  try {
-    check_sides(r.sides);
-  } catch (const Error& error) {
-    refuse(error.what());
+  void operator()(const residual::FrameVelocity& r) {
+    term.rows = 6;
+    zero_target(r.target, 6);
+    const int f = frame(r.frame);
+    const FrameVelocityError error{f, view(f, r.reference)};
+    term.residual = error;
+    std::vector<int> all = columns(layout().column_q(), error.view.entries);
+    for (const MovingAxis& k : stage.frames[f].support) all.push_back(layout().column_v() + k.v);
+    dense_block(6, all);
   }
-  const WrenchView view = wrench(c, r.reference);
-  term.rows = r.sides == 0 ? 2 : r.sides;
-  if (r.sides == 0)
-    term.residual = ConeMargin{view, r.normal};
-  else
-    term.residual = PyramidMargin{view, r.normal, pyramid_reach(r.sides), pyramid_sides(r.sides)};
-  target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
-  dense_block(term.rows, all_columns());
-}
 
-void TermBuilder::operator()(const residual::CenterOfPressure& r) {
-  const int c = contact(r.contact);
-  needs_most(c, Directions::pad_z(), 2);
-  if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
-    refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
-           " m; wanted positive numbers");
-  if (!(r.friction >= 0.0) || !std::isfinite(r.friction))
-    refuse("friction is " + number(r.friction) + "; wanted a number of at least zero");
-  const bool rubs = r.friction > 0.0;
-  if (rubs) needs_most(c, Directions::all(), 2);
-  term.rows = rubs ? 12 : 4;
-  term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y, rubs};
-  if (rubs) target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
-  dense_block(term.rows, all_columns());
-}
-
-void TermBuilder::operator()(const residual::CenterOfMass& r) {
-  term.rows = 3;
-  target(r.target, 3, {});
-  stage.has_momentum = true;
-  term.residual = ComError{};
-  std::vector<int> columns(static_cast<std::size_t>(layout().nv));
-  std::iota(columns.begin(), columns.end(), layout().column_q());
-  dense_block(3, columns);
-}
-
-void TermBuilder::operator()(const residual::SupportMargin& r) {
-  SupportMargin margin;
-  try {
-    margin.edges = support_edges(r.points);
-  } catch (const Error& error) {
-    refuse(error.what());
+  void operator()(const residual::ContactForce& r) {
+    const int c = contact(r.contact);
+    if (r.reference) {
+      term.rows = 6;
+      term.residual = WrenchError{wrench(c, r.reference)};
+    } else {
+      term.rows = static_cast<int>(problem.contacts.contacts()[c].directions.size());
+      term.residual = OwnForceError{c, term.rows};
+    }
+    zero_target(r.target, term.rows);
+    dense_block(term.rows, all_columns());
   }
-  term.rows = static_cast<int>(margin.edges.size());
-  stage.has_momentum = true;
-  term.residual = std::move(margin);
-  std::vector<int> columns(static_cast<std::size_t>(layout().nv));
-  std::iota(columns.begin(), columns.end(), layout().column_q());
-  dense_block(term.rows, columns);
-}
 
-void TermBuilder::operator()(const residual::CentroidalMomentum& r) {
-  term.rows = 6;
-  zero_target(r.target, 6);
-  stage.has_momentum = true;
-  term.residual = MomentumError{};
-  std::vector<int> columns(static_cast<std::size_t>(2 * layout().nv));
-  std::iota(columns.begin(), columns.end(), layout().column_q());
-  dense_block(6, columns);
-}
+  void operator()(const residual::ContactForceRate& r) {
+    const int c = contact(r.contact);
+    if (stage.terminal) refuse("no step begins at the end, so forces have no rate there");
+    const auto remembered =
+        std::find_if(problem.remembered.begin(), problem.remembered.end(),
+                     [c](const RememberedForce& force) { return force.contact == c; });
+    const auto rows = problem.contacts.contacts()[c].directions.size();
+    if (remembered == problem.remembered.end())
+      refuse("the force of the step before is not known; wanted " + in_quotes(r.contact) +
+             " in the problem's remembered_forces, which puts " + std::to_string(rows) +
+             (rows == 1 ? " more entry" : " more entries") + " into the state");
+    term.rows = remembered->rows;
+    term.residual = ForceRate{c, term.rows, remembered->first, 1.0 / stage.step};
+    zero_target(r.target, term.rows);
+    dense_block(term.rows, all_columns());
+  }
 
-void TermBuilder::operator()(const residual::Custom& r) {
-  if (r.rows < 1) refuse("has " + std::to_string(r.rows) + " rows; wanted at least 1");
-  if (!r.value) refuse("has no value function");
-  CustomResidual compiled{r, {}, {}};
-  for (const std::string& name : r.frames) compiled.frames.push_back(frame(name));
-  for (const std::string& name : r.contacts) compiled.contacts.push_back(contact(name));
-  term.rows = r.rows;
-  term.residual = compiled;
-  dense_block(r.rows, all_columns());
+  /// Refuses a contact that does not hold its normal (0 to 2), or lacks more than one of `wanted`.
+  /// The force along the one is zero.
+  void needs_most(int c, Directions wanted, int normal) const {
+    const Directions held = problem.contacts.contacts()[c].spec.directions;
+    const Directions both{static_cast<std::uint8_t>(held.bits & wanted.bits)};
+    if (!held.has(normal) || both.count() + 1 < wanted.count())
+      refuse("contact " + in_quotes(problem.contacts.contacts()[c].spec.name) + " holds " +
+             held.text() + "; wanted " + wanted.text() + " among them");
+  }
+
+  void operator()(const residual::FrictionCone& r) {
+    const int c = contact(r.contact);
+    if (!(r.friction > 0.0) || !std::isfinite(r.friction))
+      refuse("friction is " + number(r.friction) + "; wanted a number above 0");
+    if (r.normal < 0 || r.normal > 2)
+      refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
+    needs_most(c, Directions::linear(), r.normal);
+    try {
+      check_sides(r.sides);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+    const WrenchView view = wrench(c, r.reference);
+    term.rows = r.sides == 0 ? 2 : r.sides;
+    if (r.sides == 0)
+      term.residual = ConeMargin{view, r.normal};
+    else
+      term.residual = PyramidMargin{view, r.normal, pyramid_reach(r.sides), pyramid_sides(r.sides)};
+    target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
+    dense_block(term.rows, all_columns());
+  }
+
+  void operator()(const residual::CenterOfPressure& r) {
+    const int c = contact(r.contact);
+    needs_most(c, Directions::pad_z(), 2);
+    if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
+      refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
+             " m; wanted positive numbers");
+    if (!(r.friction >= 0.0) || !std::isfinite(r.friction))
+      refuse("friction is " + number(r.friction) + "; wanted a number of at least zero");
+    const bool rubs = r.friction > 0.0;
+    if (rubs) needs_most(c, Directions::all(), 2);
+    term.rows = rubs ? 12 : 4;
+    term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y, rubs};
+    if (rubs) target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
+    dense_block(term.rows, all_columns());
+  }
+
+  void operator()(const residual::CenterOfMass& r) {
+    term.rows = 3;
+    target(r.target, 3, {});
+    stage.has_momentum = true;
+    term.residual = ComError{};
+    std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+    std::iota(columns.begin(), columns.end(), layout().column_q());
+    dense_block(3, columns);
+  }
+
+  void operator()(const residual::SupportMargin& r) {
+    SupportMargin margin;
+    try {
+      margin.edges = support_edges(r.points);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+    term.rows = static_cast<int>(margin.edges.size());
+    stage.has_momentum = true;
+    term.residual = std::move(margin);
+    std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+    std::iota(columns.begin(), columns.end(), layout().column_q());
+    dense_block(term.rows, columns);
+  }
+
+  void operator()(const residual::CentroidalMomentum& r) {
+    term.rows = 6;
+    zero_target(r.target, 6);
+    stage.has_momentum = true;
+    term.residual = MomentumError{};
+    std::vector<int> columns(static_cast<std::size_t>(2 * layout().nv));
+    std::iota(columns.begin(), columns.end(), layout().column_q());
+    dense_block(6, columns);
+  }
+
+  void operator()(const residual::Custom& r) {
+    if (r.rows < 1) refuse("has " + std::to_string(r.rows) + " rows; wanted at least 1");
+    if (!r.value) refuse("has no value function");
+    CustomResidual compiled{r, {}, {}};
+    for (const std::string& name : r.frames) compiled.frames.push_back(frame(name));
+    for (const std::string& name : r.contacts) compiled.contacts.push_back(contact(name));
+    term.rows = r.rows;
+    term.residual = compiled;
+    dense_block(r.rows, all_columns());
+  }
+};
+
+}  // namespace
+
+void compile_residual(TermBuilder& builder) {
+  ResidualCompiler compiler{builder};
+  std::visit(compiler, builder.residual);
+  builder.term = std::move(compiler.term);
 }
 
 }  // namespace burnish::ocp

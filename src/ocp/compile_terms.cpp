@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/sentence.hpp"
+#include "ocp/residual_rows.hpp"
 #include "ocp/row_prices.hpp"
 #include "ocp/term_builder.hpp"
 
@@ -126,7 +127,8 @@ void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,
     for (const CompiledTerm& other : stage.terms)
       if (other.name == name) builder.refuse("the name is used twice in this stage");
     builder.term.name = std::move(name);
-    std::visit(builder, given.residual);
+    compile_residual(builder);
+    builder.term.row_names = row_names(spec.model, residual_rows(spec, given.residual).groups);
     finish(builder);
     CompiledTerm& term = builder.term;
     for (const JacobianBlock& block : term.blocks) term.jacobian_size += block.size();

@@ -20,9 +20,10 @@ struct CompiledTerm {
   CompiledResidual residual;
   Signal signal;  ///< the target as the user gave it, or its default
   int rows = 0;
-  int target = 0;       ///< first entry in the stage's targets
-  int target_size = 0;  ///< entries there
-  int signal_size = 0;  ///< entries of the signal
+  std::vector<std::string> row_names;  ///< none of a difference of states
+  int target = 0;                      ///< first entry in the stage's targets
+  int target_size = 0;                 ///< entries there
+  int signal_size = 0;                 ///< entries of the signal
   enum class Load { Plain, Rotation, Placement } load = Load::Plain;  ///< signal -> target entries
   double weight = 1.0;          ///< of a cost, per second while time passes
   std::vector<double> weights;  ///< of a cost's rows

@@ -6,7 +6,6 @@
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "ocp/problem_impl.hpp"
-#include "ocp/row_names.hpp"
 
 namespace burnish {
 

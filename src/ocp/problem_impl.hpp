@@ -97,6 +97,11 @@ struct ProblemInside {
   static auto& of(Problem& problem) { return *problem.impl_; }
   static const auto& of(const Problem& problem) { return *problem.impl_; }
 };
+
+inline std::vector<std::string> row_names(const Problem& problem, const CompiledTerm& term) {
+  const bool is_state = std::holds_alternative<StateDifference>(term.residual);
+  return is_state ? problem.state_names() : term.row_names;
+}
 }  // namespace ocp
 
 }  // namespace burnish

@@ -44,45 +44,6 @@ struct TermBuilder {
   WrenchView wrench(int contact, const std::optional<Reference>& reference);
   int contact(const std::string& name);
 
-  // compile_residuals.cpp: rows, target and columns of each kind.
-
-  void operator()(const residual::State& r);
-  void operator()(const residual::Control& r);
-  void operator()(const residual::JointPosition& r);
-  void operator()(const residual::JointVelocity& r);
-  void operator()(const residual::JointTorque& r);
-  void operator()(const residual::JointTorqueRate& r);
-  void operator()(const residual::FramePosition& r);
-  void operator()(const residual::FrameDistance& r);
-  void operator()(const residual::FrameRotation& r);
-  void operator()(const residual::FrameInclination& r);
-  void operator()(const residual::FrameHeight& r);
-  void operator()(const residual::FramePlacement& r);
-  void operator()(const residual::FrameVelocity& r);
-  void operator()(const residual::ContactForce& r);
-  void operator()(const residual::ContactForceRate& r);
-  void operator()(const residual::FrictionCone& r);
-  void operator()(const residual::CenterOfPressure& r);
-  void operator()(const residual::CenterOfMass& r);
-  void operator()(const residual::SupportMargin& r);
-  void operator()(const residual::CentroidalMomentum& r);
-  void operator()(const residual::Custom& r);
-
-  void select(Selection::Source source, std::vector<int> entries, int first_column,
-              const std::vector<int>& columns, const Signal& signal);
-  const Joint& joint(const std::string& name) const;
-  std::vector<int> velocity_entries(const std::vector<std::string>& joints) const;
-  /// Of these joints, or of all that have one.
-  std::vector<int> actuators(const std::vector<std::string>& joints) const;
-  /// Of a frame in a reference with another origin; axes of a surface at the tool have that of the
-  /// frame that it is fixed in.
-  FramePositionError position(const std::string& name, const Reference& reference);
-  /// Of a frame in axes that it turns against.
-  FrameView turned(int frame, Reference reference);
-  /// Refuses a contact that does not hold its normal (0 to 2), or lacks more than one of `wanted`.
-  /// The force along the one is zero.
-  void needs_most(int c, Directions wanted, int normal) const;
-
   // compile_terms.cpp: what a cost or a constraint has beside its residual.
 
   bool is_margin() const;
@@ -97,5 +58,8 @@ struct TermBuilder {
   /// Room for the second derivatives that a constraint's residual offers.
   void find_bends();
 };
+
+/// Fills in the rows, the target and the columns that the builder's residual has.
+void compile_residual(TermBuilder& builder);
 
 }  // namespace burnish::ocp
