@@ -4,10 +4,10 @@
 #include <iterator>
 
 #include "burnish/contact/loops.hpp"
-#include "files/read_costs.hpp"
 #include "files/read_parts.hpp"
 #include "files/read_problem.hpp"
 #include "files/read_solver.hpp"
+#include "files/read_terms.hpp"
 #include "robots/read_inertia.hpp"
 
 namespace burnish::files {
@@ -18,7 +18,7 @@ std::vector<std::string> read_stage_contacts(const Reader& stage, const ProblemS
   const auto given = stage.find("contacts");
   std::vector<std::string> names;
   if (given && !(given->is_list() && given->entries().empty())) names = given->texts();
-  for (const std::string& name : names) given->named([&] { scope.contact(name); });
+  for (const std::string& name : names) given->named([&] { ocp::contact_named(scope.spec, name); });
   for (const ContactSpec& contact : scope.spec.contacts)
     if (is_loop(scope.model(), contact) &&
         std::find(names.begin(), names.end(), contact.name) == names.end())
@@ -163,7 +163,7 @@ void set_forces(const std::optional<Reader>& start, const std::vector<std::strin
   if (given) {
     given->allow_only(spec.remembered_forces);
     for (const auto& [name, value] : given->items()) {
-      const int rows = scope.contact(name).directions.count();
+      const int rows = ocp::contact_named(scope.spec, name).directions.count();
       forces[name] = rows == 1 && value.is_number() ? Eigen::VectorXd::Constant(1, value.number())
                                                     : Eigen::VectorXd(value.numbers(rows));
     }
@@ -214,7 +214,7 @@ void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemF
     spec.remembered_forces = remembered->texts();
     const ProblemScope scope{result.robot, spec, spec.initial_state.head(model.nq), folder};
     for (const std::string& name : spec.remembered_forces)
-      remembered->named([&] { (void)scope.contact(name); });
+      remembered->named([&] { (void)ocp::contact_named(scope.spec, name); });
   }
 }
 

@@ -21,16 +21,6 @@ bool holds(const std::vector<std::string>& contacts, const std::string& name) {
 
 }  // namespace
 
-const ContactSpec& ProblemScope::contact(const std::string& name) const {
-  std::vector<std::string> known;
-  for (const ContactSpec& contact : spec.contacts) {
-    known.push_back(name_of_contact(contact));
-    if (known.back() == name) return contact;
-  }
-  throw Error("contact " + in_quotes(name) + " is not known" +
-              (known.empty() ? "; the problem has no contacts" : did_you_mean(name, known)));
-}
-
 std::vector<const Joint*> ProblemScope::driven() const {
   return driven_joints(spec.model, spec.actuation);
 }
@@ -116,9 +106,8 @@ HeldForces read_held_forces(const ProblemScope& scope, const std::vector<std::st
   if (reader.is("hold")) return forces;
   reader.allow_only({"hold"});
   for (const auto& [name, value] : reader["hold"].items()) {
-    const std::string& contact_name = name;
-    const ContactSpec& contact =
-        reader["hold"].named([&]() -> const ContactSpec& { return scope.contact(contact_name); });
+    const ContactSpec& contact = reader["hold"].named(
+        [&, &of = name]() -> const ContactSpec& { return ocp::contact_named(scope.spec, of); });
     if (!holds(contacts, name)) value.refuse("this contact does not hold in the stage");
     const int rows = contact.directions.count();
     forces[name] = value.is_number() ? Eigen::VectorXd::Constant(1, value.number())

@@ -9,14 +9,11 @@
 #include "burnish/ocp/problem_spec.hpp"
 #include "burnish/robots/robot.hpp"
 #include "files/reader.hpp"
+#include "ocp/residual_rows.hpp"
 
 namespace burnish::files {
 
-/// Rows that belong together under one name: a joint and its entries, or a direction.
-struct RowGroup {
-  std::string name;
-  int size = 1;
-};
+using ocp::RowGroup;
 
 struct ProblemScope {
   const Robot& robot;
@@ -25,8 +22,6 @@ struct ProblemScope {
   std::filesystem::path folder;
 
   const Model& model() const { return spec.model; }
-  /// Index of a contact by name; throws Error with the nearest known name.
-  const ContactSpec& contact(const std::string& name) const;
   std::vector<const Joint*> driven() const;
   int controls() const;
 };

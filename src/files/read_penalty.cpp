@@ -7,7 +7,7 @@ namespace burnish::files {
 namespace {
 
 /// The robot's limits, a share of them about their middle.
-void set_robot_limits(const PenaltyRows& rows, double share, const Reader& reader,
+void set_robot_limits(const ocp::ResidualRows& rows, double share, const Reader& reader,
                       RowLimits& limits) {
   if (rows.lower.size() == 0)
     reader.refuse("the robot states no limits for this residual; wanted 'lower' or 'upper'");
@@ -20,7 +20,7 @@ void set_robot_limits(const PenaltyRows& rows, double share, const Reader& reade
   }
 }
 
-RowLimits read_penalty_limits(const PenaltyRows& rows, const Reader& reader, bool log) {
+RowLimits read_penalty_limits(const ocp::ResidualRows& rows, const Reader& reader, bool log) {
   if (reader.is("limits")) {
     RowLimits limits;
     set_robot_limits(rows, 1.0, reader, limits);
@@ -36,19 +36,19 @@ RowLimits read_penalty_limits(const PenaltyRows& rows, const Reader& reader, boo
 
 }  // namespace
 
-RowLimits read_limits(const PenaltyRows& rows, const Reader& reader) {
+RowLimits read_limits(const ocp::ResidualRows& rows, const Reader& reader) {
   RowLimits limits;
   if (const auto share = reader.find("limits"))
     set_robot_limits(rows, share->positive(), *share, limits);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (const auto lower = reader.find("lower"))
-    limits.lower = read_rows(*lower, rows.rows, -infinity);
+    limits.lower = read_rows(*lower, rows.groups, -infinity);
   if (const auto upper = reader.find("upper"))
-    limits.upper = read_rows(*upper, rows.rows, infinity);
+    limits.upper = read_rows(*upper, rows.groups, infinity);
   return limits;
 }
 
-Penalty read_penalty(const PenaltyRows& rows, const Reader& reader) {
+Penalty read_penalty(const ocp::ResidualRows& rows, const Reader& reader) {
   Penalty penalty;
   if (!reader.is_map()) {
     penalty.kind = reader.named([&] { return parse_penalty(reader.text()); });

@@ -5,21 +5,15 @@
 
 namespace burnish::files {
 
-/// Rows of a residual and their limits on the robot, where there are any.
-struct PenaltyRows {
-  std::vector<RowGroup> rows = {};
-  Eigen::VectorXd lower = {}, upper = {};  ///< of the robot, or empty
-};
-
 struct RowLimits {
   Eigen::VectorXd lower = {}, upper = {};  ///< per row, or empty: none
 };
 
 /// Reads the keys lower, upper and limits of a map: the last a share of the robot's.
-RowLimits read_limits(const PenaltyRows& rows, const Reader& reader);
+RowLimits read_limits(const ocp::ResidualRows& rows, const Reader& reader);
 
 /// Reads square, {barrier: limits}, {barrier: {lower, upper, limits}}, {smooth_absolute: width} or
 /// {log_barrier: {lower, upper, limits, width}}.
-Penalty read_penalty(const PenaltyRows& rows, const Reader& reader);
+Penalty read_penalty(const ocp::ResidualRows& rows, const Reader& reader);
 
 }  // namespace burnish::files

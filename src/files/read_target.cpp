@@ -172,14 +172,6 @@ Signal read_points(const std::filesystem::path& folder, const TargetSpace& space
 
 }  // namespace
 
-std::vector<RowGroup> direction_rows(Directions directions) {
-  std::vector<RowGroup> rows;
-  for (int d = 0; d < 6; ++d)
-    if (directions.has(d))
-      rows.push_back({std::string(direction_names[static_cast<std::size_t>(d)]), 1});
-  return rows;
-}
-
 Signal read_rotation_over_time(const std::filesystem::path& folder, const Reader& reader) {
   reader.allow_only({"line", "points"});
   if (reader.has("line") == reader.has("points")) reader.refuse("wanted either 'line' or 'points'");

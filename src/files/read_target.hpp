@@ -25,9 +25,6 @@ struct TargetSpace {
   int turned() const { return kind == Kind::Plain ? 0 : 4; }
 };
 
-/// Directions as rows: "x", "y", "z", "rx", ...
-std::vector<RowGroup> direction_rows(Directions directions);
-
 /// Reads a target; its tables are in `folder`. Refuses what does not fit the space.
 Signal read_target(const std::filesystem::path& folder, const TargetSpace& space,
                    const Reader& reader);

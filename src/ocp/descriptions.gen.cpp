@@ -395,6 +395,7 @@ const Description& description_of(const JointPosition* /*of*/) {
                   "q_j - target for revolute and prismatic joints, one row each, rad or m. No "
                   "joints: all of them that have a limit.")
           .field("joints", &S::joints)
+          .name_of("joint")
           .field("target", &S::target,
                  "None: zero, as limits want it");
   return all;
@@ -407,6 +408,7 @@ const Description& description_of(const JointVelocity* /*of*/) {
                   "v - target for the entries of the named joints, rad/s or m/s; no joints: all "
                   "but the free-flying base.")
           .field("joints", &S::joints)
+          .name_of("joint")
           .field("target", &S::target,
                  "None: zero");
   return all;
@@ -420,6 +422,7 @@ const Description& description_of(const JointTorque* /*of*/) {
                   "control, or with a cut-off of the torque model the torque state. No joints: "
                   "all actuated ones.")
           .field("joints", &S::joints)
+          .name_of("joint")
           .field("target", &S::target,
                  "None: zero");
   return all;
@@ -435,6 +438,7 @@ const Description& description_of(const JointTorqueRate* /*of*/) {
                   "step before. With a torque model alone, where there is a control. No joints: "
                   "all actuated ones.")
           .field("joints", &S::joints)
+          .name_of("joint")
           .field("target", &S::target,
                  "None: zero");
   return all;
@@ -450,6 +454,8 @@ const Description& description_of(const FramePosition* /*of*/) {
                   " the surface is fixed in, and the first two rows are how far the target is "
                   "along the tangents at the frame.")
           .field("frame", &S::frame)
+          .name_of("frame")
+          .stated()
           .field("target", &S::target,
                  "3, {m}: from the reference's origin, in the axes that its rotation is fixed in;"
                  " of Reference::world(...) a point of the world")
@@ -467,6 +473,8 @@ const Description& description_of(const FrameDistance* /*of*/) {
                   "along one from a plane. It is sqrt(d^2 + (1e-6 m)^2), so that it has a "
                   "derivative everywhere; at d = 0 that is zero, as no direction leads away.")
           .field("frame", &S::frame)
+          .name_of("frame")
+          .stated()
           .field("target", &S::target,
                  "3, {m}, as of FramePosition. None: the reference's origin, unless that is the "
                  "world's")
@@ -484,6 +492,8 @@ const Description& description_of(const FrameRotation* /*of*/) {
                   " target, which is a rotation from the axes A of the reference, whose base is "
                   "the world; its origin does not matter.")
           .field("frame", &S::frame)
+          .name_of("frame")
+          .stated()
           .field("target", &S::target,
                  "quaternion x, y, z, w, of unit length")
           .field("reference", &S::reference);
@@ -501,6 +511,8 @@ const Description& description_of(const FrameInclination* /*of*/) {
                   "itself does not matter. With Reference.on the third axis is a surface's "
                   "normal.")
           .field("frame", &S::frame)
+          .name_of("frame")
+          .stated()
           .field("reference", &S::reference)
           .field("axis", &S::axis,
                  "3, of any length, in the frame")
@@ -519,7 +531,10 @@ const Description& description_of(const FrameHeight* /*of*/) {
                   " and cylinders, to first order for others; far outside of a surface that the "
                   "normal there misses it only grows.")
           .field("frame", &S::frame)
+          .name_of("frame")
+          .stated()
           .field("reference", &S::reference)
+          .stated()
           .field("target", &S::target,
                  "{m}; None: zero");
   return all;
@@ -531,6 +546,8 @@ const Description& description_of(const FramePlacement* /*of*/) {
       Describe<S>("residual", "FramePlacement",
                   "SE(3) logarithm of the frame in the target: 3 rows m, 3 rows rad, target axes.")
           .field("frame", &S::frame)
+          .name_of("frame")
+          .stated()
           .field("target", &S::target,
                  "position (m), quaternion x, y, z, w");
   return all;
@@ -543,6 +560,8 @@ const Description& description_of(const FrameVelocity* /*of*/) {
                   "Velocity of a frame in the world minus the target, 6 rows: m/s, rad/s, written"
                   " in the reference, whose tool is the frame and whose base is the world.")
           .field("frame", &S::frame)
+          .name_of("frame")
+          .stated()
           .field("reference", &S::reference)
           .field("target", &S::target,
                  "None: zero");
@@ -556,6 +575,8 @@ const Description& description_of(const ContactForce* /*of*/) {
                   "Force of an active contact minus the target, N and Nm: the held rows in the "
                   "contact's own reference, or six rows in another one.")
           .field("contact", &S::contact)
+          .name_of("contact")
+          .stated()
           .field("reference", &S::reference)
           .field("target", &S::target,
                  "None: zero");
@@ -571,6 +592,8 @@ const Description& description_of(const ContactForceRate* /*of*/) {
                   "the contact's own reference. For contacts that the problem remembers the force"
                   " of.")
           .field("contact", &S::contact)
+          .name_of("contact")
+          .stated()
           .field("target", &S::target,
                  "None: zero");
   return all;
@@ -587,12 +610,18 @@ const Description& description_of(const FrictionCone* /*of*/) {
                   "friction * cos(pi / n) * f_n - d_i . f_t, where d_0 is the next axis of the "
                   "reference after the normal and the others follow every 360 / n degrees.")
           .field("contact", &S::contact)
-          .field("friction", &S::friction)
+          .name_of("contact")
+          .stated()
+          .field("friction", &S::friction,
+                 "",
+                 {.least = 0, .open = true})
           .field("normal", &S::normal)
+          .words("x y z")
           .field("reference", &S::reference,
                  "default: the contact's own")
           .field("sides", &S::sides,
-                 "3 to 32, of a pyramid inside the cone; 0: the cone itself");
+                 "3 to 32, of a pyramid inside the cone; 0: the cone itself",
+                 {.least = 0});
   return all;
 }
 
@@ -608,11 +637,19 @@ const Description& description_of(const CenterOfPressure* /*of*/) {
                   "about the normal is within what the corners bear with that coefficient each. "
                   "Default penalty: a barrier at 0.")
           .field("contact", &S::contact)
+          .name_of("contact")
+          .stated()
           .field("half_x", &S::half_x,
-                 "{m}")
-          .field("half_y", &S::half_y)
+                 "{m}",
+                 {.least = 0, .open = true})
+          .stated()
+          .field("half_y", &S::half_y,
+                 "{m}",
+                 {.least = 0, .open = true})
+          .stated()
           .field("friction", &S::friction,
-                 "0: the moment about the normal is free");
+                 "0: the moment about the normal is free",
+                 {.least = 0});
   return all;
 }
 
@@ -635,7 +672,8 @@ const Description& description_of(const SupportMargin* /*of*/) {
                   "the last back to the first.")
           .field("points", &S::points,
                  "3 or more, x and y in the world, {m}: the corners of a convex polygon, "
-                 "counter-clockwise as seen from above. Others are refused.");
+                 "counter-clockwise as seen from above. Others are refused.")
+          .stated();
   return all;
 }
 

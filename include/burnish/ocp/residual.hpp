@@ -37,8 +37,8 @@ struct Control {
 /// @described residual
 /// Empty target: zero, as limits want it.
 struct JointPosition {
-  std::vector<std::string> joints = {};
-  Signal target = {};  ///< None: zero, as limits want it
+  std::vector<std::string> joints = {};  ///< @name_of joint
+  Signal target = {};                    ///< None: zero, as limits want it
 };
 
 /// v - target for the entries of the named joints, rad/s or m/s; no joints: all but the free-flying
@@ -46,8 +46,8 @@ struct JointPosition {
 /// @described residual
 /// Empty target: zero.
 struct JointVelocity {
-  std::vector<std::string> joints = {};
-  Signal target = {};  ///< None: zero
+  std::vector<std::string> joints = {};  ///< @name_of joint
+  Signal target = {};                    ///< None: zero
 };
 
 /// What the actuators apply to the named joints minus the target, Nm or N: the control, or with a
@@ -55,8 +55,8 @@ struct JointVelocity {
 /// @described residual
 /// Empty target: zero.
 struct JointTorque {
-  std::vector<std::string> joints = {};
-  Signal target = {};  ///< None: zero
+  std::vector<std::string> joints = {};  ///< @name_of joint
+  Signal target = {};                    ///< None: zero
 };
 
 /// How fast the torques of the named joints follow the control, minus the target: cutoff (u - tau),
@@ -66,8 +66,8 @@ struct JointTorque {
 /// @described residual
 /// Empty target: zero.
 struct JointTorqueRate {
-  std::vector<std::string> joints = {};
-  Signal target = {};  ///< None: zero
+  std::vector<std::string> joints = {};  ///< @name_of joint
+  Signal target = {};                    ///< None: zero
 };
 
 /// Origin of a frame minus the target, 3 rows, m, written in the axes of the reference, whose base
@@ -76,7 +76,7 @@ struct JointTorqueRate {
 /// far the target is along the tangents at the frame.
 /// @described residual
 struct FramePosition {
-  std::string frame = {};
+  std::string frame = {};  ///< @name_of frame @stated
   /// 3, {m}: from the reference's origin, in the axes that its rotation is fixed in; of
   /// Reference::world(...) a point of the world
   Signal target = {};
@@ -89,7 +89,7 @@ struct FramePosition {
 /// so that it has a derivative everywhere; at d = 0 that is zero, as no direction leads away.
 /// @described residual
 struct FrameDistance {
-  std::string frame = {};
+  std::string frame = {};  ///< @name_of frame @stated
   /// 3, {m}, as of FramePosition. None: the reference's origin, unless that is the world's
   Signal target = {};
   Directions directions = Directions::linear();  ///< one or more of x, y and z
@@ -101,8 +101,8 @@ struct FrameDistance {
 /// matter.
 /// @described residual
 struct FrameRotation {
-  std::string frame = {};
-  Signal target = {};  ///< quaternion x, y, z, w, of unit length
+  std::string frame = {};  ///< @name_of frame @stated
+  Signal target = {};      ///< quaternion x, y, z, w, of unit length
   Reference reference = Reference::world();
 };
 
@@ -112,7 +112,7 @@ struct FrameRotation {
 /// about itself does not matter. With Reference.on the third axis is a surface's normal.
 /// @described residual
 struct FrameInclination {
-  std::string frame = {};
+  std::string frame = {};  ///< @name_of frame @stated
   Reference reference = Reference::world();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< 3, of any length, in the frame
   Signal target = {};                               ///< lead and tilt, {rad}; None: zero
@@ -124,16 +124,16 @@ struct FrameInclination {
 /// a surface that the normal there misses it only grows.
 /// @described residual
 struct FrameHeight {
-  std::string frame = {};
-  Reference reference = Reference::world();
-  Signal target = {};  ///< [m]; None: zero
+  std::string frame = {};                    ///< @name_of frame @stated
+  Reference reference = Reference::world();  ///< @stated
+  Signal target = {};                        ///< [m]; None: zero
 };
 
 /// SE(3) logarithm of the frame in the target: 3 rows m, 3 rows rad, target axes.
 /// @described residual
 struct FramePlacement {
-  std::string frame = {};
-  Signal target = {};  ///< position (m), quaternion x, y, z, w
+  std::string frame = {};  ///< @name_of frame @stated
+  Signal target = {};      ///< position (m), quaternion x, y, z, w
 };
 
 /// Velocity of a frame in the world minus the target, 6 rows: m/s, rad/s, written in the reference,
@@ -141,7 +141,7 @@ struct FramePlacement {
 /// @described residual
 /// Empty target: zero.
 struct FrameVelocity {
-  std::string frame = {};
+  std::string frame = {};  ///< @name_of frame @stated
   Reference reference = Reference::centered();
   Signal target = {};  ///< None: zero
 };
@@ -151,7 +151,7 @@ struct FrameVelocity {
 /// @described residual
 /// Empty target: zero.
 struct ContactForce {
-  std::string contact = {};
+  std::string contact = {};  ///< @name_of contact @stated
   std::optional<Reference> reference = {};
   Signal target = {};  ///< None: zero
 };
@@ -162,8 +162,8 @@ struct ContactForce {
 /// @described residual
 /// Empty target: zero.
 struct ContactForceRate {
-  std::string contact = {};
-  Signal target = {};  ///< None: zero
+  std::string contact = {};  ///< @name_of contact @stated
+  Signal target = {};        ///< None: zero
 };
 
 /// Two rows, N: friction * f_n - |f_t| (smoothed over 1e-3 N) and f_n, both to be kept above a
@@ -177,11 +177,11 @@ struct ContactForceRate {
 /// ground need not be held by the contact: its force is zero. To Problem::set_target its
 /// coefficient is its target: what is under a foot may change.
 struct FrictionCone {
-  std::string contact = {};
-  double friction = 0.5;
-  int normal = 2;
+  std::string contact = {};                 ///< @name_of contact @stated
+  double friction = 0.5;                    ///< > 0
+  int normal = 2;                           ///< @words x y z
   std::optional<Reference> reference = {};  ///< default: the contact's own
-  int sides = 0;  ///< 3 to 32, of a pyramid inside the cone; 0: the cone itself
+  int sides = 0;  ///< 3 to 32, of a pyramid inside the cone; 0: the cone itself, >= 0
 };
 
 /// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times
@@ -199,10 +199,10 @@ struct FrictionCone {
 /// Problem::set_target the coefficient is its target. One direction beside the normal need not be
 /// held by the contact: its force or moment is zero.
 struct CenterOfPressure {
-  std::string contact = {};
-  double half_x = 0.1;  ///< [m]
-  double half_y = 0.05;
-  double friction = 0.0;  ///< 0: the moment about the normal is free
+  std::string contact = {};  ///< @name_of contact @stated
+  double half_x = 0.1;       ///< [m], > 0 @stated
+  double half_y = 0.05;      ///< [m], > 0 @stated
+  double friction = 0.0;     ///< 0: the moment about the normal is free, >= 0
 };
 
 /// Centre of mass minus the target, 3 rows, m, world.
@@ -217,7 +217,7 @@ struct CenterOfMass {
 /// @described residual
 struct SupportMargin {
   /// 3 or more, x and y in the world, {m}: the corners of a convex polygon, counter-clockwise as
-  /// seen from above. Others are refused.
+  /// seen from above. Others are refused. @stated
   std::vector<Eigen::Vector2d> points = {};
 };
 

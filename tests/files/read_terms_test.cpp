@@ -24,7 +24,7 @@ ProblemFile with_cone(const std::string& keys) {
                                      "horizon: [press: 2]\n"));
 }
 
-TEST(ReadCosts, SidesOfAConeAreNamedByWhereTheyLook) {
+TEST(ReadTerms, SidesOfAConeAreNamedByWhereTheyLook) {
   const ProblemFile file = with_cone(", friction: 0.7, sides: 4, lower: {side_90deg: 3, other: 2}");
   const Problem problem(file.spec);
   const std::vector<std::string> names{"cone/side_0deg", "cone/side_90deg", "cone/side_180deg",
@@ -33,13 +33,13 @@ TEST(ReadCosts, SidesOfAConeAreNamedByWhereTheyLook) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(problem.row_lower(0)[i], i == 1 ? 3.0 : 2.0);
 }
 
-TEST(ReadCosts, ConesAreExactUnlessSidesAreSaid) {
+TEST(ReadTerms, ConesAreExactUnlessSidesAreSaid) {
   const std::vector<std::string> names{"cone/cone", "cone/normal"};
   EXPECT_EQ(Problem(with_cone("").spec).row_names(0), names);
   EXPECT_EQ(Problem(with_cone(", sides: 0").spec).row_names(0), names);
 }
 
-TEST(ReadCosts, SidesThatMakeNoPyramidAreRefusedWithTheirPlace) {
+TEST(ReadTerms, SidesThatMakeNoPyramidAreRefusedWithTheirPlace) {
   for (const char* sides : {"1", "2", "33", "1000000000"})
     expect_words(refusal([&] { with_cone(std::string(", sides: ") + sides); }),
                  {"cone.sides: sides is ", sides, "wanted 3 to 32, or 0 for the cone itself"});
