@@ -36,7 +36,7 @@ NUMBER = r"-?\d+\.?\d*(?:e-?\d+)?"
 RANGE = re.compile(rf"(?:^|, |(?<=[.)]) )((?:>=? {NUMBER}|{NUMBER} to (?:below )?{NUMBER}|between {NUMBER} and {NUMBER}"
                    r"|finite|not zero)(?: or infinite)?)$")
 LOST = re.compile(rf"[>\]}}] ?(?:[<>]=? ?{NUMBER}|\(.*[<>].*\))$")  # of a range whose comma is missing
-UNIT_WORDS = {"m", "s", "kg", "N", "Nm", "Ns", "rad", "Hz", "W", "J", "V", "A", "sqrt", "degrees", "deg", "bit", "us", "ms", "mm"}
+UNIT_WORDS = {"m", "s", "kg", "N", "Nm", "Ns", "Nms", "rad", "Hz", "W", "J", "V", "A", "sqrt", "degrees", "deg", "bit", "us", "ms", "mm"}
 BARE = ("required", "stated", "number_too", "undescribed")
 TAGS = re.compile(rf"\s*@(more|code|key|word|words|name_of|after|note|{'|'.join(BARE)})\b\s*")
 
@@ -46,7 +46,7 @@ class HeaderError(Exception):
 
 
 def is_unit(text):
-    words = re.findall(r"[A-Za-z]+", text)
+    words = re.findall(r"[A-Za-z]+", text.replace(" or ", " "))
     return bool(words or text.startswith("1/")) and all(word in UNIT_WORDS for word in words) and not re.search(r"[,;:]", text)
 
 
@@ -380,7 +380,8 @@ def generated(root, layers):
         for header in headers:
             included(root, header, seen)
         near = {folder_of(path) for path in seen} - {folder}
-        others = [other for other in near if other in layers or (root / other / "descriptions.hpp").is_file()]
+        others = [other for other in near if any(pathlib.Path(of.path) in seen for of in layers.get(other, ()))
+                  or (root / other / "descriptions.hpp").is_file()]
         includes = sorted({*map(as_included, headers), *map(header_of, others)} | {"base/descriptions.hpp"})
         declared = by_namespace(described, lambda of: f"const Words& words_of({of.cpp_name});\n" if of.is_enum
                                 else f"const Description& description_of(const {of.cpp_name}*);\n").replace(";\n\nconst", ";\nconst")

@@ -30,6 +30,7 @@ def read(tmp_path: Path, body: str):
 @pytest.mark.parametrize("comment, meaning, numbers", [
     ("Normal force to press with [N], > 0", "Normal force to press with [{N}]", "> 0"),
     ("[m/s], below which it fades, >= 0 or infinite", "{m/s}, below which it fades", ">= 0 or infinite"),
+    ("Viscous friction [Nms/rad or Ns/m], >= 0", "Viscous friction [{Nms/rad or Ns/m}]", ">= 0"),
     ("> 0", "", "> 0"),
     ("Kept as it was. between 0 and 1", "Kept as it was.", "between 0 and 1"),
     ("[x, y, z] out of the material, not zero", "[x, y, z] out of the material", "not zero"),

@@ -125,12 +125,43 @@ void check_ranges(const Description& description, const void* spec, const Subjec
     check_value(field, *field.type, field.in(spec), field.name, subject);
 }
 
+namespace {
+
+void put_named(const ValueType& list, void* all, const void* added) {
+  const ValueType& type = list.element();
+  const auto name_in = [&](void* entry) -> const std::string& {
+    return *static_cast<const std::string*>(type.description().field("name").in(entry));
+  };
+  for (std::size_t i = 0; i < list.size(added); ++i) {
+    void* entry = list.entry(to_read(added), i);
+    std::size_t same = 0;
+    while (same < list.size(all) && name_in(list.entry(all, same)) != name_in(entry)) ++same;
+    if (same == list.size(all)) list.resize(all, same + 1);
+    type.assign(list.entry(all, same), entry);
+  }
+}
+
+}  // namespace
+
+void put_over(const Description& description, void* spec, const void* changes) {
+  for (const Field& field : description.fields) {
+    const ValueType& type = *field.type;
+    void* all = field.in(spec);
+    const void* added = field.in(changes);
+    if (type.kind == Kind::Optional && type.size(added) > 0) type.assign(all, added);
+    if (type.kind == Kind::List && type.element().kind == Kind::Struct) put_named(type, all, added);
+    if (type.kind == Kind::Map)
+      for (std::size_t i = 0; i < type.size(added); ++i)
+        type.element().assign(type.named(all, type.name(added, i)), type.entry(to_read(added), i));
+  }
+}
+
 namespace detail {
 
 void add_field(Description& description, const char* name, const char* means, const Range& numbers,
                std::size_t offset, const ValueType& type) {
   Field field{name, name, means, "", "", "", numbers, offset, &type};
-  if (numbers.infinite) field.word = "never";
+  if (numbers.infinite && type.kind != Kind::Optional) field.word = "never";
   description.fields.push_back(std::move(field));
 }
 

@@ -76,6 +76,7 @@ struct ValueType {
   enum class Kind { Number, Count, Flag, Word, Text, Array, List, Map, Optional, Struct, Other };
   Kind kind = Kind::Other;
   std::type_index id = typeid(void);
+  void (*assign)(void* to, const void* from) = nullptr;
   bool is_unsigned = false;                                        ///< Count
   Eigen::Index rows = 1, columns = 1;                              ///< Array; -1: any number
   const Words& (*words)() = nullptr;                               ///< Word
@@ -150,6 +151,10 @@ struct Description {
 /// "pushes[0].duration".
 void check_ranges(const Description& description, const void* spec,
                   const std::function<std::string(const std::string& entry)>& subject);
+
+/// Writes what `changes` state over `spec`: optionals that are set, entries of maps and of lists by
+/// their names. Nothing else says whether it is stated, and stays as it is.
+void put_over(const Description& description, void* spec, const void* changes);
 
 template <class T>
 const ValueType& type_of();
@@ -241,6 +246,10 @@ ValueType make_type() {
   using Kind = ValueType::Kind;
   ValueType type;
   type.id = typeid(T);
+  if constexpr (std::is_copy_assignable_v<T>)
+    type.assign = [](void* to, const void* from) {
+      *static_cast<T*>(to) = *static_cast<const T*>(from);
+    };
   if constexpr (std::same_as<T, bool>) {
     type.kind = Kind::Flag;
   } else if constexpr (Worded<T>) {

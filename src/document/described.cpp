@@ -59,11 +59,13 @@ struct DescribedReader {
 
   /// Entries of a list state all keys but those that have a word for what they are without.
   void structure(const Description& description, void* spec, const Reader& reader, bool all,
-                 std::vector<std::string> keys = {}) const {
+                 const std::vector<std::string>& also = {}) const {
     std::vector<const Field*> fields;
+    std::vector<std::string> keys;
     for (const Field& field : description.fields)
       if (can_read(*field.type)) fields.push_back(&field);
     for (const Field* field : fields) keys.push_back(field->key);
+    keys.insert(keys.end(), also.begin(), also.end());
     reader.allow_only(keys);
     for (const Field* field : fields)
       if (field->stated || (all && field->word.empty()))
@@ -204,7 +206,7 @@ std::string value_text(const Field& field, const ValueType& type, void* at) {
   switch (type.kind) {
     case Type::Number: {
       const double value = *static_cast<const double*>(at);
-      return std::isinf(value) ? field.word : number_text(value);
+      return std::isinf(value) && !field.word.empty() ? field.word : number_text(value);
     }
     case Type::Count:
       if (!field.words.empty()) return words_of(field)[static_cast<std::size_t>(type.get(at))];

@@ -5,7 +5,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <typeindex>
+#include <utility>
 #include <vector>
 
 #include "base/description.hpp"
@@ -22,6 +24,14 @@ struct Reading {
   /// Keys of the outermost value that somebody else reads.
   std::vector<std::string> also = {};
 };
+
+/// Of Reading::types: values that `read` makes.
+template <class Read, class Value = std::invoke_result_t<Read, const Reader&>>
+std::pair<const std::type_index, std::function<void(void*, const Reader&)>> read_by(Read read) {
+  return {typeid(Value), [read](void* value, const Reader& reader) {
+            *static_cast<Value*>(value) = read(reader);
+          }};
+}
 
 /// Refuses what the entry does not take, with the place.
 void read_entry(const Field& field, void* spec, const Reader& reader);

@@ -13,7 +13,6 @@
 #include "derivatives/descriptions.gen.hpp"
 #include "dynamics/descriptions.gen.hpp"
 #include "model/descriptions.gen.hpp"
-#include "solver/descriptions.gen.hpp"
 
 namespace burnish {
 

@@ -81,5 +81,61 @@ TEST(Descriptions, give_ranges_their_ends) {
   EXPECT_TRUE(range::any_or_infinite.holds(range::end));
 }
 
+struct Named {
+  std::string name;
+  double value = 0.0;
+};
+struct Changing {
+  std::optional<double> end = {};
+  std::optional<std::string> word = {};
+  std::vector<Named> list = {};
+  std::map<std::string, Inner> map = {};
+  int always = 1;
+};
+
+const Description& description_of(const Named* /*of*/) {
+  static const Description all = Describe<Named>("base", "Named", "")
+                                     .field("name", &Named::name)
+                                     .field("value", &Named::value);
+  return all;
+}
+const Description& description_of(const Changing* /*of*/) {
+  static const Description all = Describe<Changing>("base", "Changing", "")
+                                     .field("end", &Changing::end, "", range::any_or_infinite)
+                                     .field("word", &Changing::word)
+                                     .field("list", &Changing::list)
+                                     .field("map", &Changing::map)
+                                     .field("always", &Changing::always);
+  return all;
+}
+
+TEST(Descriptions, put_what_is_stated_over_a_value_by_names) {
+  Changing value{.end = 1.0,
+                 .word = "a",
+                 .list = {{"x", 1.0}, {"y", 2.0}},
+                 .map = {{"p", {0.1}}, {"q", {0.2}}},
+                 .always = 5};
+  const Changing changes{
+      .word = "b", .list = {{"z", 3.0}, {"x", 4.0}}, .map = {{"q", {0.3}}, {"r", {0.4}}}};
+  put_over(description_of(&value), &value, &changes);
+  EXPECT_EQ(value.end, 1.0);
+  EXPECT_EQ(value.word, "b");
+  ASSERT_EQ(value.list.size(), 3U);
+  EXPECT_EQ(value.list[0].value, 4.0);
+  EXPECT_EQ(value.list[1].name, "y");
+  EXPECT_EQ(value.list[2].name, "z");
+  EXPECT_EQ(value.map.size(), 3U);
+  EXPECT_EQ(value.map.at("p").share, 0.1);
+  EXPECT_EQ(value.map.at("q").share, 0.3);
+  EXPECT_EQ(value.always, 5) << "nothing says whether it is stated";
+}
+
+TEST(Descriptions, call_infinity_never_unless_the_value_can_be_absent) {
+  EXPECT_EQ(description_of(static_cast<const Changing*>(nullptr)).field("end").word, "");
+  const Description one = Describe<Inner>("base", "Inner", "")
+                              .field("share", &Inner::share, "", range::any_or_infinite);
+  EXPECT_EQ(one.field("share").word, "never");
+}
+
 }  // namespace
 }  // namespace burnish

@@ -298,7 +298,8 @@ TEST_F(RobotFiles, SettingsStateSpringsFrictionAndRotorsBehindGears) {
   };
   expect_words(sentence("{hinje: {rest: 1}}"), {"robot.yaml", "'hinje'", "'hinge'?"});
   expect_words(sentence("{hinge: {stifness: 1}}"), {"'stifness'", "'stiffness'?"});
-  expect_words(sentence("{hinge: {stiffness: -1}}"), {"joints.hinge.stiffness", "positive"});
+  expect_words(sentence("{hinge: {stiffness: -1}}"),
+               {"joints.hinge.stiffness", "-1", "at least 0"});
   expect_words(sentence("{hinge: {gear_ratio: 50}}"), {"'gear_ratio'", "'rotor_inertia'"});
 }
 

@@ -58,7 +58,7 @@ struct RobotOverrides {
 /// Throws Error naming the file, the place in it and what was wanted, all problems of a URDF file
 /// at once. What is odd but computes is in the result's `warnings`.
 ///
-/// A settings file (all keys but `urdf` are optional; angles in rad, lengths in m):
+/// A settings file, of which docs/robots.md has all keys (angles in rad, lengths in m):
 ///
 ///     urdf: talos.urdf                 # beside the settings file; or mjcf: talos.xml
 ///     description: one line
@@ -83,8 +83,8 @@ struct RobotOverrides {
 /// of the description that have their names. Where the values of a posture leave a loop open by
 /// more than 1 mm or 0.1 degrees, a warning says so, unless it leaves joints to close it with.
 ///
-/// A variant's keys replace those of the file; its postures, frames, limits and loops are added,
-/// replacing those of the same name; its `lock` or `free` replaces the file's `lock` and `free`.
+/// A variant's keys replace those of the file; what it has by name is added, replacing what has the
+/// same name; its `lock` or `free` replaces the file's `lock` and `free`.
 Robot load_robot(const std::string& name, const RobotOverrides& overrides = {});
 
 /// Folders searched for robots by name, in order.
