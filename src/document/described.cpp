@@ -37,23 +37,43 @@ std::optional<double> infinite(const Reader& reader) {
   return {};
 }
 
+void read_array(const Field& field, const ValueType& type, void* at, const Reader& reader) {
+  const bool any_size = type.rows < 0;
+  const Eigen::VectorXd values = any_size ? reader.numbers() : reader.numbers(type.rows);
+  for (const double value : values) check(value, field.range, reader);
+  constexpr double shortest = 1e-9;
+  if (field.range.direction && !(values.norm() > shortest))
+    reader.refuse("the " + field.key + " has no direction; wanted " + field.range.text());
+  if (any_size) type.resize_array(at, values.size(), 1);
+  Eigen::Map<Eigen::VectorXd>(type.numbers(at), values.size()) = values;
+}
+
+void read_number(const Field& field, void* at, const Reader& reader, bool is_word) {
+  const auto end = field.range.infinite ? infinite(reader) : std::nullopt;
+  const double value = is_word ? infinity : end ? *end : reader.number();
+  check(value, field.range, reader);
+  *static_cast<double*>(at) = value;
+}
+
+void read_count(const Field& field, const ValueType& type, void* at, const Reader& reader) {
+  if (!field.words.empty()) {
+    const std::vector<std::string> words = words_of(field);
+    const std::string word = reader.word(words);
+    return type.set(at, std::find(words.begin(), words.end(), word) - words.begin());
+  }
+  constexpr double most = 1e9;
+  const double least = type.is_unsigned ? 0.0 : -most;
+  const int value = reader.count(static_cast<int>(std::max(field.range.least, least)));
+  check(value, field.range, reader);
+  type.set(at, value);
+}
+
 /// Reads values, whatever specification holds them.
 struct DescribedReader {
   const Reading& reading;
 
-  void array(const Field& field, const ValueType& type, void* at, const Reader& reader) const {
-    const bool any_size = type.rows < 0;
-    const Eigen::VectorXd values = any_size ? reader.numbers() : reader.numbers(type.rows);
-    for (const double value : values) check(value, field.range, reader);
-    constexpr double shortest = 1e-9;
-    if (field.range.direction && !(values.norm() > shortest))
-      reader.refuse("the " + field.key + " has no direction; wanted " + field.range.text());
-    if (any_size) type.resize_array(at, values.size(), 1);
-    Eigen::Map<Eigen::VectorXd>(type.numbers(at), values.size()) = values;
-  }
-
   bool can_read(const ValueType& type) const {
-    if (reading.types.count(type.id) > 0) return true;
+    if (reading.types.contains(type.id)) return true;
     return type.element != nullptr ? can_read(type.element()) : type.kind != Type::Other;
   }
 
@@ -104,35 +124,15 @@ struct DescribedReader {
       value(field, type.element(), type.named(at, name), stated);
   }
 
-  void number(const Field& field, void* at, const Reader& reader, bool is_word) const {
-    const auto end = field.range.infinite ? infinite(reader) : std::nullopt;
-    const double value = is_word ? infinity : end ? *end : reader.number();
-    check(value, field.range, reader);
-    *static_cast<double*>(at) = value;
-  }
-
-  void count(const Field& field, const ValueType& type, void* at, const Reader& reader) const {
-    if (!field.words.empty()) {
-      const std::vector<std::string> words = words_of(field);
-      const std::string word = reader.word(words);
-      return type.set(at, std::find(words.begin(), words.end(), word) - words.begin());
-    }
-    constexpr double most = 1e9;
-    const double least = type.is_unsigned ? 0.0 : -most;
-    const int value = reader.count(static_cast<int>(std::max(field.range.least, least)));
-    check(value, field.range, reader);
-    type.set(at, value);
-  }
-
   void value(const Field& field, const ValueType& type, void* at, const Reader& reader) const {
     if (const auto own = reading.types.find(type.id); own != reading.types.end())
       return own->second(at, reader);
     const bool is_word = !field.word.empty() && reader.is(field.word);
     switch (type.kind) {
       case Type::Number:
-        return number(field, at, reader, is_word);
+        return read_number(field, at, reader, is_word);
       case Type::Count:
-        return count(field, type, at, reader);
+        return read_count(field, type, at, reader);
       case Type::Flag:
         *static_cast<bool*>(at) = reader.yes_or_no();
         return;
@@ -142,7 +142,7 @@ struct DescribedReader {
         *static_cast<std::string*>(at) = is_word ? std::string() : reader.text();
         return;
       case Type::Array:
-        if (!is_word) return array(field, type, at, reader);
+        if (!is_word) return read_array(field, type, at, reader);
         if (type.rows < 0) return type.resize_array(at, 0, 1);
         Eigen::Map<Eigen::VectorXd>(type.numbers(at), type.rows).setZero();
         return;

@@ -5,8 +5,8 @@
 
 #include "base/sentence.hpp"
 #include "base/whole_file.hpp"
-#include "files/csv_table.hpp"
 #include "document/described.hpp"
+#include "files/csv_table.hpp"
 #include "files/read_values.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/horizon.hpp"
