@@ -382,7 +382,7 @@ def generated(root, layers):
         near = {folder_of(path) for path in seen} - {folder}
         others = [other for other in near if any(pathlib.Path(of.path) in seen for of in layers.get(other, ()))
                   or (root / other / "descriptions.hpp").is_file()]
-        includes = sorted({*map(as_included, headers), *map(header_of, others)} | {"base/descriptions.hpp"})
+        includes = sorted({*map(as_included, headers), *map(header_of, others)} | {"base/description.hpp" if folder.name == "base" else "base/descriptions.gen.hpp"})
         declared = by_namespace(described, lambda of: f"const Words& words_of({of.cpp_name});\n" if of.is_enum
                                 else f"const Description& description_of(const {of.cpp_name}*);\n").replace(";\n\nconst", ";\nconst")
         texts[folder / "descriptions.gen.hpp"] = (

@@ -1,7 +1,7 @@
 // Values of the base layer. Signals are None, numbers, or functions of time.
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/base/signal.hpp"
 #include "callback.hpp"
 #include "spec.hpp"

@@ -1,7 +1,7 @@
 // Values of the derivatives layer.
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/derivatives/check.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"

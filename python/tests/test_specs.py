@@ -237,9 +237,9 @@ def test_a_keyword_that_there_is_not_is_answered_with_the_nearest() -> None:
 
 
 def test_help_has_the_meaning_of_entries() -> None:
-    assert "0: none, until it is set" in (burnish.SlidingFriction.__doc__ or "")
+    assert "Coefficient of friction" in (burnish.SlidingFriction.__doc__ or "")
     assert "coefficient" in str(inspect.signature(burnish.SlidingFriction))
-    assert "m/s, below which it fades" in burnish.SlidingFriction().describe()
+    assert "Speed below which friction fades out" in burnish.SlidingFriction().describe()
 
 
 def test_summaries_are_short() -> None:

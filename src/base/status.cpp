@@ -1,4 +1,4 @@
-#include "base/descriptions.hpp"
+#include "burnish/base/status.hpp"
 
 namespace burnish {
 
@@ -28,23 +28,6 @@ std::string_view describe(Status status) {
              "then differentiate, with no other evaluation or change of contacts between";
   }
   return "unknown status";
-}
-
-const Words& words_of(Status /*of*/) {
-  static const Words all{
-      "base",
-      "Status",
-      "Outcome of an evaluation, ordered by severity.",
-      {{"ok"},
-       {"not_converged", "proximal iterations stopped at their limit above the tolerance"},
-       {"singular_contacts", "contact rows are redundant or not controllable, and mu = 0"},
-       {"singular_mass", "the mass matrix is not positive definite at this posture"},
-       {"not_normalized", "a quaternion or a (cos, sin) pair is not of unit length to 1e-6"},
-       {"not_physical", "a mass distribution that no solid has"},
-       {"not_finite", "an input holds a NaN or an infinity, or is so large that the result does"},
-       {"wrong_size", "an argument has the wrong number of entries"},
-       {"not_evaluated", "derivatives of an evaluation that was not the last one made"}}};
-  return all;
 }
 
 }  // namespace burnish

@@ -9,10 +9,10 @@ const Words& words_of(Acceleration /*of*/) {
   static const Words all{
       "contact",
       "Acceleration",
-      "Which acceleration of the tool a contact prescribes.",
-      {{"time_derivative", "the true derivative of the constraint velocity"},
-       {"spatial", "the tool's local spatial acceleration carried into the axes (Proposition 3)"},
-       {"classical", "of the material point, written in the axes"}}};
+      "Kind of tool acceleration that a contact prescribes.",
+      {{"time_derivative", "True time derivative of the contact velocity"},
+       {"spatial", "Spatial acceleration of the tool in tool axes, transformed to contact axes"},
+       {"classical", "Acceleration of the tool's material point, in contact axes"}}};
   return all;
 }
 
@@ -20,9 +20,9 @@ const Words& words_of(PoseError /*of*/) {
   static const Words all{
       "contact",
       "PoseError",
-      "Position-level error that the proportional gain acts on.",
-      {{"split", "position error, and the logarithm of the rotation error"},
-       {"log6", "the SE(3) logarithm in tool axes, carried into the contact's axes"}}};
+      "Kind of pose error that the proportional gain of a contact multiplies.",
+      {{"split", "Position error and logarithm of the rotation error"},
+       {"log6", "SE(3) logarithm of the pose error, transformed from tool axes to contact axes"}}};
   return all;
 }
 
@@ -30,21 +30,26 @@ const Description& description_of(const SlidingFriction* /*of*/) {
   using S = SlidingFriction;
   static const Description all =
       Describe<S>("contact", "SlidingFriction",
-                  "Coulomb's, of a tool that slides: beside lambda along the held normal, on the "
-                  "tool acts -coefficient lambda v_t / sqrt(|v_t|^2 + speed^2), v_t being the "
-                  "velocity across the normal, seen from the base, of the tool's point where it "
-                  "acts.")
+                  "Smoothed Coulomb friction on a sliding tool. The friction force on the tool is"
+                  " -coefficient lambda v_t / sqrt(|v_t|^2 + speed^2). Here lambda is the normal "
+                  "force, and v_t is the tangential velocity of the tool relative to the base, at"
+                  " the point where friction acts.")
           .field("coefficient", &S::coefficient,
-                 "0: none, until it is set",
+                 "Coefficient of friction",
                  {.least = 0})
+          .more("With 0, there is no friction until another coefficient is set.")
           .field("speed", &S::speed,
-                 "{m/s}, below which it fades, so that it has a derivative at rest; none: in a "
-                 "problem what its steps tolerate, elsewhere 0.01",
+                 "Speed below which friction fades out (none: chosen from a problem's time steps)"
+                 " [{m/s}]",
                  {.least = 0, .open = true})
           .word("none")
+          .more("The fade-out makes friction differentiable at rest. The speed chosen from the "
+                "time steps is at least 0.01 m/s. Outside a problem, none stands for 0.01 m/s.")
           .field("radius", &S::radius,
-                 "{m} from the tool's origin against the normal to where it acts: of a round tip",
-                 {.least = 0});
+                 "Radius of a round tool tip [{m}]",
+                 {.least = 0})
+          .more("Friction acts at the tool's origin shifted by this distance, opposite to the "
+                "normal.");
   return all;
 }
 
@@ -52,29 +57,33 @@ const Description& description_of(const ContactSpec* /*of*/) {
   using S = ContactSpec;
   static const Description all =
       Describe<S>("contact", "ContactSpec",
-                  "A tool frame tied to a base frame along some directions: alpha + kd nu + kp e "
-                  "= 0, nu and alpha being velocity and acceleration of the tool relative to the "
-                  "base, in the reference.")
+                  "Contact that constrains a tool frame relative to a base frame in some "
+                  "directions: alpha + kd nu + kp e = 0. The symbols e, nu and alpha are the pose"
+                  " error, velocity and acceleration of the tool relative to the base. They are "
+                  "written in the axes of the reference.")
           .field("name", &S::name,
-                 "unique; the tool's name if left empty")
+                 "Unique name (empty: the name of the tool frame)")
           .field("tool", &S::tool,
-                 "frame C2")
+                 "Name of the tool frame C2")
           .field("base", &S::base,
-                 "frame C1; \"world\" is always known")
+                 "Name of the base frame C1; \"world\" always exists")
           .field("reference", &S::reference)
           .field("directions", &S::directions,
-                 "\"all\", \"linear\", \"angular\", \"pad_x|y|z\", or names separated by commas "
-                 "such as \"z,rx,ry\"")
+                 "Constrained directions: \"all\", \"linear\", \"angular\", \"pad_x\", \"pad_y\","
+                 " \"pad_z\" (a flat pad with its normal along that axis), or a list "
+                 "(\"z,rx,ry\")")
           .field("acceleration", &S::acceleration)
           .field("error", &S::error)
           .field("kp", &S::kp,
-                 "{1/s^2}, by direction; only entries of held directions are used")
+                 "Gains on the pose error, one per direction [{1/s^2}]")
+          .more("Gains of free directions have no effect.")
           .field("kd", &S::kd,
-                 "{1/s}")
+                 "Gains on the velocity, one per direction [{1/s}]")
           .field("target", &S::target,
-                 "Placement of C2 in C1 that the error is measured from.")
+                 "Desired pose of the tool frame C2 in the base frame C1")
+          .more("The pose error is zero there.")
           .field("friction", &S::friction,
-                 "none: the tool slides freely");
+                 "Friction on the tool (none: frictionless)");
   return all;
 }
 
@@ -82,26 +91,32 @@ const Description& description_of(const ContactForce* /*of*/) {
   using S = ContactForce;
   static const Description all =
       Describe<S>("contact", "ContactForce",
-                  "The wrench that the base exerts on the tool, at one state.")
+                  "Wrench that the base of a contact exerts on the tool, at one state of the "
+                  "robot.")
           .result()
           .field("contact", &S::contact,
-                 "name of the contact")
+                 "Name of the contact")
           .field("on", &S::on,
-                 "tool frame C2: the body acted on")
+                 "Name of the tool frame C2; the force acts on the tool's body")
           .field("by", &S::by,
-                 "base frame C1: the body that acts, \"world\" for the environment")
+                 "Name of the base frame C1; the base's body exerts the force (\"world\": the "
+                 "environment)")
           .field("reference", &S::reference,
-                 "in which `value` is written")
+                 "Origin and axes in which `value` is written")
           .field("value", &S::value,
-                 "force (N), then moment about the reference's origin (Nm)")
+                 "Force (N), then moment about the origin of the reference (Nm)")
           .field("tool_rotation", &S::tool_rotation,
-                 "world axes, at that state")
-          .field("base_rotation", &S::base_rotation)
+                 "Rotation matrix from tool axes to world axes")
+          .field("base_rotation", &S::base_rotation,
+                 "Rotation matrix from base axes to world axes")
           .field("tool_position", &S::tool_position,
-                 "{m}")
-          .field("base_position", &S::base_position)
-          .field("frame_rotation", &S::frame_rotation)
-          .field("frame_position", &S::frame_position);
+                 "Position of the tool frame in the world [{m}]")
+          .field("base_position", &S::base_position,
+                 "Position of the base frame in the world [{m}]")
+          .field("frame_rotation", &S::frame_rotation,
+                 "Orientation of the frame in which the reference's axes are fixed, in world axes")
+          .field("frame_position", &S::frame_position,
+                 "Position of the reference's origin in the world [{m}]");
   return all;
 }
 
@@ -109,19 +124,25 @@ const Description& description_of(const ContactSolver* /*of*/) {
   using S = ContactSolver;
   static const Description all =
       Describe<S>("contact", "ContactSolver",
-                  "The KKT system of eq. (3) and its relaxation.")
+                  "Options for computing contact forces from the KKT system: compliance and "
+                  "proximal iterations.")
           .field("mu", &S::mu,
-                 "Compliance, the lower right block -mu 1 of the KKT matrix. 0: the exact system,"
-                 " which needs independent rows. Positive: any rows, m/s^2 per unit force.",
+                 "Compliance of the contact rows (0: rigid contacts)",
                  {.least = 0})
+          .more("Rigid contacts need independent rows; compliant contacts do not. The compliance "
+                "mu is in m/s^2 per unit force. The lower right block of the KKT matrix is -mu "
+                "times the identity.")
           .field("max_proximal_iterations", &S::max_proximal_iterations,
-                 "With mu > 0: refinements lambda <- G^-1 (rho + mu lambda), at most; they remove"
-                 " the compliance while it lasts. 0 keeps the compliant solution.",
+                 "Maximum number of proximal iterations (0: none)",
                  {.least = 0})
+          .more("Proximal iterations remove the effect of the compliance mu on the solution. Each"
+                " one computes lambda <- G^-1 (rho + mu lambda), where G lambda = rho is the "
+                "compliant system.")
           .field("proximal_tolerance", &S::proximal_tolerance,
-                 "The iterations stop when every |mu (lambda - previous)| <= this, m/s^2: what is"
-                 " left of the contact acceleration.",
-                 {.least = 0});
+                 "Contact acceleration error at which proximal iterations stop [{m/s^2}]",
+                 {.least = 0})
+          .more("They stop once |mu (lambda - previous lambda)| is at most this number in every "
+                "row.");
   return all;
 }
 
@@ -129,12 +150,14 @@ const Description& description_of(const LoopGains* /*of*/) {
   using S = LoopGains;
   static const Description all =
       Describe<S>("contact", "LoopGains",
-                  "How a loop that has drifted comes back: alpha + kd nu + kp e = 0.")
+                  "Baumgarte gains, which correct the drift of a kinematic loop: alpha + kd nu + "
+                  "kp e = 0. The symbols e, nu and alpha are the position error, velocity and "
+                  "acceleration between the loop's two frames.")
           .field("kp", &S::kp,
-                 "{1/s^2}",
+                 "Gain on the position error [{1/s^2}]",
                  {.least = 0})
           .field("kd", &S::kd,
-                 "{1/s}",
+                 "Gain on the velocity [{1/s}]",
                  {.least = 0});
   return all;
 }
@@ -143,7 +166,8 @@ const Description& description_of(const RedundantLoop* /*of*/) {
   using S = RedundantLoop;
   static const Description all =
       Describe<S>("contact", "RedundantLoop",
-                  "Rows of a loop that those of its other directions, or of other loops, imply.")
+                  "Redundant directions of a loop. Other constraints of the loops already imply "
+                  "them.")
           .result()
           .field("loop", &S::loop)
           .field("directions", &S::directions);
@@ -154,16 +178,16 @@ const Description& description_of(const LoopFreedom* /*of*/) {
   using S = LoopFreedom;
   static const Description all =
       Describe<S>("contact", "LoopFreedom",
-                  "What loops leave of the freedom of a robot.")
+                  "Degrees of freedom of a robot whose loops are closed.")
           .result()
           .field("rows", &S::rows,
-                 "of all loops as described")
+                 "Number of constraint rows of all loops")
           .field("rank", &S::rank,
-                 "of their Jacobian")
+                 "Rank of the Jacobian of all loops")
           .field("freedom", &S::freedom,
-                 "nv - rank")
+                 "Remaining degrees of freedom: nv - rank")
           .field("redundant", &S::redundant,
-                 "loops that have some");
+                 "Loops with redundant directions");
   return all;
 }
 
@@ -171,21 +195,20 @@ const Description& description_of(const LoopProjectionOptions* /*of*/) {
   using S = LoopProjectionOptions;
   static const Description all =
       Describe<S>("contact", "LoopProjectionOptions",
-                  "How a posture is moved onto the loops.")
+                  "Options for projecting a configuration onto closed loops.")
           .field("keep", &S::keep,
-                 "Joints that stay where they are.")
+                 "Names of joints that must not move")
           .field("weights", &S::weights,
-                 "How dear a change of each entry of v is, nv positive numbers, or empty: all "
-                 "alike.")
+                 "Cost of motion for each entry of v: nv positive numbers (empty: equal costs)")
           .field("tolerance", &S::tolerance,
-                 "m and rad, of every row",
+                 "Largest error of a row at which a loop counts as closed, m or rad",
                  {.least = 0, .open = true})
           .field("max_iterations", &S::max_iterations,
-                 "of all attempts",
+                 "Maximum number of iterations, summed over all restarts",
                  {.least = 1})
           .field("within_limits", &S::within_limits,
-                 "Revolute and prismatic joints stay within their limits, or where they start "
-                 "beyond them.");
+                 "Whether revolute and prismatic joints must stay within their position limits")
+          .more("A joint that starts beyond a limit does not move further out.");
   return all;
 }
 
@@ -193,13 +216,13 @@ const Description& description_of(const LoopMiss* /*of*/) {
   using S = LoopMiss;
   static const Description all =
       Describe<S>("contact", "LoopMiss",
-                  "How far a loop is from closed.")
+                  "Closure error of a loop.")
           .result()
           .field("loop", &S::loop)
           .field("translation", &S::translation,
-                 "{m}, along the held directions")
+                 "Length of the position error, in the constrained directions only [{m}]")
           .field("rotation", &S::rotation,
-                 "{rad}, about the held directions");
+                 "Size of the rotation error, about the constrained directions only [{rad}]");
   return all;
 }
 
@@ -207,15 +230,16 @@ const Description& description_of(const LoopProjection* /*of*/) {
   using S = LoopProjection;
   static const Description all =
       Describe<S>("contact", "LoopProjection",
-                  "A posture that closes the loops, or the nearest to one that was found.")
+                  "Result of a projection onto the loops. If no posture was found that closes the"
+                  " loops, the result is the posture with the smallest error.")
           .result()
           .field("q", &S::q,
-                 "nq")
+                 "Configuration, nq entries")
           .field("misses", &S::misses,
-                 "what is left, per loop")
+                 "Remaining closure error of each loop")
           .field("iterations", &S::iterations)
           .field("status", &S::status,
-                 "NotConverged: some loop is not closed");
+                 "NotConverged if a loop is still open");
   return all;
 }
 
@@ -223,9 +247,10 @@ const Words& words_of(LoopMetric /*of*/) {
   static const Words all{
       "contact",
       "LoopMetric",
-      "What a change of velocity is measured by.",
-      {{"plain", "|dv|^2, rad/s and m/s alike"},
-       {"mass", "dv^T M dv: what impulses in the loops do"}}};
+      "Norm that a projection of a velocity onto the loops minimizes. The symbol dv is the change"
+      " of velocity.",
+      {{"plain", "|dv|^2, with equal weights of rad/s and m/s"},
+       {"mass", "dv^T M dv, with the mass matrix M; dv is then the effect of impulses in the loops"}}};
   return all;
 }
 

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"

@@ -9,11 +9,11 @@ const Description& description_of(const CheckGains* /*of*/) {
   using S = CheckGains;
   static const Description all =
       Describe<S>("derivatives", "CheckGains",
-                  "Gains that a check tries, and the error that they act on.")
+                  "Contact gains to check, and the kind of pose error that kp multiplies.")
           .field("kp", &S::kp,
-                 "{1/s^2}")
+                 "Gains on the pose error, one per direction [{1/s^2}]")
           .field("kd", &S::kd,
-                 "{1/s}")
+                 "Gains on the velocity, one per direction [{1/s}]")
           .field("error", &S::error);
   return all;
 }
@@ -22,19 +22,19 @@ const Description& description_of(const CheckEntry* /*of*/) {
   using S = CheckEntry;
   static const Description all =
       Describe<S>("derivatives", "CheckEntry",
-                  "One entry of one block: a derivative, and what differences say.")
+                  "Entry of a derivative block, computed analytically and by finite differences.")
           .field("block", &S::block,
-                 "such as \"da_dq\"")
+                 "Name of the block, such as \"da_dq\"")
           .field("row", &S::row,
-                 "entry of v, or contact and direction such as \"tool/z\"")
+                 "Name of the row: an entry of v, or a contact row such as \"tool/z\"")
           .field("column", &S::column,
-                 "what it is differentiated by: an entry of v, or of lambda")
+                 "Name of the column (the variable): an entry of v or of lambda")
           .field("value", &S::value,
-                 "computed analytically")
+                 "Analytic derivative")
           .field("expected", &S::expected,
-                 "from differences")
+                 "Derivative from finite differences")
           .field("state", &S::state,
-                 "which of the random states, from 0");
+                 "Index of the random state, from 0");
   return all;
 }
 
@@ -42,28 +42,30 @@ const Description& description_of(const CheckRow* /*of*/) {
   using S = CheckRow;
   static const Description all =
       Describe<S>("derivatives", "CheckRow",
-                  "One set of contacts at all states. Words that differ between contacts are "
-                  "joined by \" + \".")
+                  "Result of the check for one set of contacts, over all random states. If the "
+                  "contacts have different texts, the texts are joined by \" + \".")
           .field("reference", &S::reference)
           .field("directions", &S::directions)
           .field("bodies", &S::bodies,
-                 "\"tool on base\"")
+                 "Tool frame and base frame, as \"tool on base\"")
           .field("acceleration", &S::acceleration)
           .field("error", &S::error,
-                 "\"split\" or \"log6\"; \"-\" without a proportional gain")
+                 "Kind of pose error, \"split\" or \"log6\" (\"-\": no proportional gain)")
           .field("gains", &S::gains,
-                 "\"none\", or such as \"kp 7..12, kd 2..7\"")
+                 "Range of gains in constrained directions, such as \"kp 7..12, kd 2..7\", or "
+                 "\"none\"")
           .field("states", &S::states)
           .field("mu", &S::mu,
-                 "Compliance that the row was checked with, m/s^2 per N: zero, or positive where "
-                 "the joints cannot hold the contact rigidly at most postures (too few joints, "
-                 "redundant rows).")
+                 "Compliance of the contacts (zero: rigid), m/s^2 per N")
+          .more("The compliance is positive if the contacts cannot be rigid in the majority of "
+                "postures. In that case the robot has too few joints, or rows are redundant.")
           .field("worst_error", &S::worst_error,
-                 "Relative to the block's largest entry, or to what makes its rounding 1e-6 where"
-                 " that is more; infinite after a NaN.")
+                 "Largest error, as a fraction of the largest entry of its block")
+          .more("Infinite if a value is NaN. The divisor is at least 1e6 times the rounding error"
+                " of the finite differences.")
           .field("worst", &S::worst)
           .field("pass_", &S::pass,
-                 "worst_error <= tolerance");
+                 "Whether worst_error <= tolerance");
   return all;
 }
 
@@ -71,16 +73,16 @@ const Description& description_of(const CheckReport* /*of*/) {
   using S = CheckReport;
   static const Description all =
       Describe<S>("derivatives", "CheckReport",
-                  "What check_derivatives() found.")
+                  "Result of check_derivatives().")
           .field("robot", &S::robot)
           .field("rows", &S::rows)
           .field("tolerance", &S::tolerance)
           .field("singular_mass", &S::singular_mass,
-                 "Why there is no forward dynamics to check, naming the joints that move no mass:"
-                 " rows then are of inverse dynamics and contact accelerations alone. Empty: "
-                 "there is.")
+                 "Sentence that names the joints that move no mass (empty: there are none)")
+          .more("Such joints make the mass matrix singular. The check then covers inverse "
+                "dynamics and contact accelerations only.")
           .field("pass_", &S::pass,
-                 "there are rows, all of them pass, and the mass matrix is not singular");
+                 "True if all rows pass and the mass matrix is not singular");
   return all;
 }
 
@@ -88,13 +90,17 @@ const Description& description_of(const WrenchDerivatives* /*of*/) {
   using S = WrenchDerivatives;
   static const Description all =
       Describe<S>("derivatives", "WrenchDerivatives",
-                  "Derivatives of a wrench in a reference: (6, nv) each, force rows first.")
+                  "Derivatives of a wrench that is written in a reference. Each matrix is 6 x nv,"
+                  " with the force rows first.")
           .result()
           .field("dq", &S::dq,
-                 "N/rad (N/m), Nm/rad (Nm/m), by the right tangent increment of q")
+                 "Derivative with respect to a right tangent increment of q")
+          .more("Units are N/rad and Nm/rad for revolute joints, N/m and Nm/m for prismatic "
+                "joints.")
           .field("dv", &S::dv)
           .field("dtau", &S::dtau,
-                 "{1/m} (force per torque), dimensionless (moment per torque)");
+                 "Derivative with respect to joint torques")
+          .more("For revolute joints, force rows are in 1/m and moment rows have no unit.");
   return all;
 }
 
@@ -102,18 +108,19 @@ const Description& description_of(const RedundantRow* /*of*/) {
   using S = RedundantRow;
   static const Description all =
       Describe<S>("derivatives", "RedundantRow",
-                  "A row of the contact Jacobian that depends on rows before it.")
+                  "Row of the contact Jacobian that depends linearly on the rows before it, or "
+                  "that no joint moves.")
           .result()
           .field("contact", &S::contact,
-                 "name of the contact")
+                 "Name of the contact")
           .field("direction", &S::direction,
-                 "\"x\" ... \"rz\" in its reference")
+                 "Direction in the contact's reference, \"x\" ... \"rz\"")
           .field("row", &S::row,
-                 "index among all rows of the set")
+                 "Index among all rows of the contact set")
           .field("immovable", &S::immovable,
-                 "no joint moves it at this posture, but for rounding")
+                 "True if no joint moves the contact in this direction, up to rounding")
           .field("implied_by", &S::implied_by,
-                 "\"contact/direction\" of the rows that already hold it");
+                 "Rows that already imply this row, as \"contact/direction\"");
   return all;
 }
 
@@ -121,12 +128,12 @@ const Description& description_of(const ContactDiagnosis* /*of*/) {
   using S = ContactDiagnosis;
   static const Description all =
       Describe<S>("derivatives", "ContactDiagnosis",
-                  "What diagnose() found: no redundant rows means that the contacts are "
-                  "independent.")
+                  "Result of diagnose(). The contacts are independent if no row is redundant.")
           .result()
           .field("redundant", &S::redundant)
           .field("condition", &S::condition,
-                 "of J M^-1 J^T scaled to a unit diagonal; infinite when redundant");
+                 "Condition number of J M^-1 J^T, scaled to a unit diagonal; infinite if a row is"
+                 " redundant");
   return all;
 }
 
@@ -134,17 +141,17 @@ const Description& description_of(const FrameDerivatives* /*of*/) {
   using S = FrameDerivatives;
   static const Description all =
       Describe<S>("derivatives", "FrameDerivatives",
-                  "Derivatives of a frame's motion, (6, nv) each, linear rows first, in the axes "
-                  "that were asked for.")
+                  "Derivatives of a frame's velocity and acceleration, in the axes of the "
+                  "requested reference. Each matrix is 6 x nv, with the linear rows first.")
           .result()
           .field("jacobian", &S::jacobian,
-                 "d(velocity)/dv, and d(acceleration)/da")
+                 "d(velocity)/dv, which equals d(acceleration)/da")
           .field("velocity_dq", &S::velocity_dq,
                  "d(velocity)/dq")
           .field("acceleration_dq", &S::acceleration_dq,
-                 "d(acceleration)/dq, v and a held")
+                 "d(acceleration)/dq at constant v and a")
           .field("acceleration_dv", &S::acceleration_dv,
-                 "d(acceleration)/dv, q and a held");
+                 "d(acceleration)/dv at constant q and a");
   return all;
 }
 
@@ -152,16 +159,19 @@ const Description& description_of(const PlacementDerivatives* /*of*/) {
   using S = PlacementDerivatives;
   static const Description all =
       Describe<S>("derivatives", "PlacementDerivatives",
-                  "Derivatives of a frame's placement, nv columns each.")
+                  "Derivatives of a frame's placement with respect to q. Each matrix has nv "
+                  "columns.")
           .result()
           .field("position", &S::position,
-                 "3 x nv, world axes, m/rad (m/m)")
+                 "Derivative of the position in world axes: 3 x nv, m/rad (m/m)")
           .field("rotation", &S::rotation,
-                 "3 x nv, R^T dR/dq_k = [column k x], the frame's own axes")
+                 "Derivative of the rotation R in the frame's own axes: 3 x nv")
+          .more("Column k is the vector w with R^T dR/dq_k = [w x].")
           .field("rotation_error", &S::rotation_error,
-                 "3 x nv, of log(R_target^T R)")
+                 "Derivative of log(R_target^T R): 3 x nv")
           .field("placement_error", &S::placement_error,
-                 "6 x nv, of the SE(3) logarithm of the frame in the target");
+                 "Derivative of the SE(3) logarithm of the frame's placement in the target: 6 x "
+                 "nv");
   return all;
 }
 

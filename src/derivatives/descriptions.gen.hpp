@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/derivatives/check.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"

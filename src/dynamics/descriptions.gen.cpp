@@ -9,13 +9,16 @@ const Description& description_of(const Quadric* /*of*/) {
   using S = Quadric;
   static const Description all =
       Describe<S>("contact", "Quadric",
-                  "A curved surface, where phi(x) = x^T Q x / 2 + b^T x + c is zero, phi growing "
-                  "out of the material; x is a point in the axes of the frame that the surface is"
-                  " fixed in, m. References follow its normals.")
+                  "A curved surface: all points x with phi(x) = 0, where phi(x) = x^T Q x / 2 + "
+                  "b^T x + c. phi is positive outside the material. x is a point [m] in the frame"
+                  " to which the surface is fixed. The axes of a Reference can follow the normal "
+                  "of the surface.")
           .field("Q", &S::Q,
-                 "symmetric")
-          .field("b", &S::b)
-          .field("c", &S::c);
+                 "Matrix of the quadratic term, symmetric")
+          .field("b", &S::b,
+                 "Vector of the linear term")
+          .field("c", &S::c,
+                 "Constant term");
   return all;
 }
 
@@ -23,32 +26,36 @@ const Description& description_of(const SurfaceShape* /*of*/) {
   using S = SurfaceShape;
   static const Description all =
       Describe<S>("contact", "SurfaceShape",
-                  "What a surface is beyond a point of it and its normal there: the lengths and "
-                  "angles of a shape that touches the tangent plane at that point.")
+                  "Shape of a surface near a given point: kind, lengths and angles. The two axes "
+                  "of the tangent plane at this point are called first and second tangent.")
           .field("kind", &S::kind,
-                 "plane, sphere, cylinder, cone, torus, ellipsoid, saddle or ridge")
+                 "Kind of shape: plane, sphere, cylinder, cone, torus, ellipsoid, saddle or ridge")
           .field("radius", &S::radius,
-                 "{m}: of a sphere; of a cylinder; of a cone, from the point to its axis along "
-                 "the normal; of the tube of a torus",
+                 "Radius of a sphere, cylinder, torus tube, or cone at the given point [{m}]",
                  {.least = 0, .open = true})
+          .more("For a cone, the radius is the distance from the point to the axis, along the "
+                "normal.")
           .field("ring", &S::ring,
-                 "{m}, of the circle that the tube of a torus runs along",
+                 "Radius of a torus from its centre to the middle of the tube [{m}]",
                  {.least = 0, .open = true})
           .field("half_angle", &S::half_angle,
-                 "{rad}, of a cone",
+                 "Angle between the axis and the surface of a cone [{rad}]",
                  {.least = 0, .open = true})
           .field("semi_axes", &S::semi_axes,
-                 "{m}, of an ellipsoid, along the tangents and the normal")
+                 "Semi-axes of an ellipsoid, along the two tangents and the normal [{m}]")
           .field("curvature", &S::curvature,
-                 "{1/m}, of a saddle: its height over the tangents is (k_0 x^2 + k_1 y^2) / 2")
+                 "Curvatures of a saddle along the tangents [{1/m}]")
+          .more("The height of the saddle is (k_0 x^2 + k_1 y^2) / 2, with the curvatures k_0 and"
+                " k_1 and distances x and y along the tangents.")
           .field("edge", &S::edge,
-                 "{m}, of a ridge: from the point to its edge along the first tangent")
+                 "Distance from the point to the edge of a ridge, along the first tangent [{m}]")
           .field("slope", &S::slope,
-                 "{rad}, of a ridge: by which its second plane falls off behind the edge")
+                 "Downward slope of a ridge's second plane, behind the edge [{rad}]")
           .field("hollow", &S::hollow,
-                 "the material is outside: the tool works in it, as in a bowl")
+                 "Whether the material is outside the shape, so that the tool works inside, as in"
+                 " a bowl")
           .field("turn_deg", &S::turn_deg,
-                 "by which the shape is turned about the normal, degrees");
+                 "Rotation of the shape about the normal [{degrees}]");
   return all;
 }
 
@@ -56,15 +63,16 @@ const Words& words_of(SurfaceShape::Kind /*of*/) {
   static const Words all{
       "contact",
       "SurfaceKind",
-      "What a surface is beyond a point of it and its normal there.",
+      "Kinds of surface shapes. The tangents are the two axes of the tangent plane at a given "
+      "point.",
       {{"plane"},
        {"sphere"},
-       {"cylinder", "its axis along the first tangent"},
-       {"cone", "opening along the first tangent"},
-       {"torus", "the outside of a ring that runs along the first tangent"},
-       {"ellipsoid", "at the end of its third semi-axis"},
-       {"saddle", "of any two curvatures along the tangents"},
-       {"ridge", "two planes that meet in an edge across the first tangent"}}};
+       {"cylinder", "Cylinder with its axis along the first tangent"},
+       {"cone", "Cone that opens along the first tangent"},
+       {"torus", "Outside of a torus; the ring runs along the first tangent"},
+       {"ellipsoid", "Ellipsoid, touched at the end of its third semi-axis"},
+       {"saddle", "Surface with a given curvature along each tangent"},
+       {"ridge", "Two planes that meet in an edge perpendicular to the first tangent"}}};
   return all;
 }
 

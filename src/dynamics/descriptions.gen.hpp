@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/dynamics/quadric.hpp"
 #include "burnish/dynamics/surface_shape.hpp"
 

@@ -9,9 +9,9 @@ const Words& words_of(FootKind /*of*/) {
   static const Words all{
       "estimate",
       "FootKind",
-      "What of a foot stays where it is while the foot stands.",
-      {{"ball", "the frame's origin"},
-       {"sole", "the frame: it neither moves nor turns"}}};
+      "Kind of foot. It defines which motion is zero while the foot stands.",
+      {{"ball", "Point foot: the origin of its frame does not move"},
+       {"sole", "Planar foot: its frame neither moves nor rotates"}}};
   return all;
 }
 
@@ -19,12 +19,15 @@ const Description& description_of(const FootSpec* /*of*/) {
   using S = FootSpec;
   static const Description all =
       Describe<S>("estimate", "FootSpec",
-                  "A foot that may stand.")
+                  "Foot that may stand on the ground.")
           .field("frame", &S::frame,
-                 "of a ball its middle, where it rolls little")
+                 "Name of the foot's frame")
+          .more("For a ball, the frame is at the centre of the ball, and the ball should roll "
+                "only a little.")
           .required()
           .field("kind", &S::kind,
-                 "ball, whose origin stays, or sole, which does not turn");
+                 "Kind of foot: ball (frame origin does not move) or sole (frame neither moves "
+                 "nor rotates)");
   return all;
 }
 
@@ -32,38 +35,48 @@ const Description& description_of(const UnitWatchOptions* /*of*/) {
   using S = UnitWatchOptions;
   static const Description all =
       Describe<S>("estimate", "UnitWatchOptions",
-                  "Thresholds by which a faulty inertial measurement unit is found while feet "
+                  "Thresholds for detecting a faulty inertial measurement unit (IMU) while feet "
                   "stand.")
           .field("enabled", &S::enabled,
-                 "compare the unit with the feet; else find only a unit that is silent")
+                 "Whether to compare the IMU with the feet")
+          .more("If not, the only detected fault is an IMU without readings.")
           .field("window", &S::window,
-                 "{s} over which the unit and the feet are compared",
+                 "Time window in which IMU and feet are compared [{s}]",
                  {.least = 0, .open = true})
+          .more("Older differences fade exponentially.")
           .field("turn", &S::turn,
-                 "{rad} that they may differ by in it, beside noise and biases",
+                 "Largest accepted difference in rotation between IMU and feet in the window "
+                 "[{rad}]",
                  {.least = 0, .open = true})
+          .more("Expected effects of noise and biases are added to this threshold.")
           .field("place", &S::place,
-                 "{m}, likewise",
+                 "Largest accepted difference in displacement between IMU and feet in the window "
+                 "[{m}]",
                  {.least = 0, .open = true})
+          .more("Expected effects of noise and biases are added to this threshold.")
           .field("rate", &S::rate,
-                 "Turn rate in excess of the feet's that is not used until it is clear which of "
-                 "both is wrong [{rad/s}]",
+                 "Largest accepted difference in angular velocity between IMU and feet [{rad/s}]",
                  {.least = 0, .open = true})
+          .more("Readings beyond this threshold are withheld from the filter until it is clear "
+                "whether the IMU or the feet are wrong.")
           .field("feet_turn", &S::feet_turn,
-                 "{rad} that a sole may turn against the others and stand",
+                 "Largest accepted rotation of a standing sole relative to the other feet [{rad}]",
                  {.least = 0, .open = true})
           .field("feet_place", &S::feet_place,
-                 "{m} that a foot may move against the others and stand",
+                 "Largest accepted displacement of a standing foot relative to the other feet "
+                 "[{m}]",
                  {.least = 0, .open = true})
           .field("silent_after", &S::silent_after,
-                 "{s} without a reading, after which there is none",
+                 "Time without readings after which the IMU counts as silent [{s}]",
                  {.least = 0})
           .field("back_after", &S::back_after,
-                 "{s} that a unit has to agree with the feet before it counts again",
+                 "Time of agreement with the feet after which a faulty IMU is used again [{s}]",
                  {.least = 0, .open = true})
           .field("fading", &S::fading,
-                 "{s} in which the difference is made up when the feet take over",
-                 {.least = 0, .open = true});
+                 "Decay time of the jump that occurs when the feet take over [{s}]",
+                 {.least = 0, .open = true})
+          .more("The jump is the difference between the last estimate and the estimate from the "
+                "feet.");
   return all;
 }
 
@@ -71,78 +84,82 @@ const Description& description_of(const BaseEstimatorOptions* /*of*/) {
   using S = BaseEstimatorOptions;
   static const Description all =
       Describe<S>("estimate", "BaseEstimatorOptions",
-                  "How the floating base is estimated. Noise is white where it is a density, a "
-                  "deviation per square root of Hz: a reading every dt s has the density times "
-                  "1/sqrt(dt).")
+                  "Options for estimating the floating base. Noise densities describe white "
+                  "noise: with one reading every dt s, the standard deviation of a reading is "
+                  "density / sqrt(dt).")
           .field("imu_frame", &S::imu_frame,
-                 "frame of the measurement unit, whose axes its readings have; empty: the "
-                 "floating base's body")
+                 "Frame of the inertial measurement unit (empty: the floating base's body)")
+          .more("Readings are in the axes of this frame.")
           .field("feet", &S::feet,
-                 "that may stand, up to 32")
+                 "Feet that may stand, 1 to 32 of them")
           .group("Noise.")
           .field("gyro_noise", &S::gyro_noise,
-                 "{rad/s/sqrt(Hz)}",
+                 "Noise density of the gyroscope [{rad/s/sqrt(Hz)}]",
                  {.least = 0})
           .field("accelerometer_noise", &S::accelerometer_noise,
-                 "{m/s^2/sqrt(Hz)}",
+                 "Noise density of the accelerometer [{m/s^2/sqrt(Hz)}]",
                  {.least = 0})
           .field("gyro_bias_walk", &S::gyro_bias_walk,
-                 "{rad/s^2/sqrt(Hz)} that the bias walks with",
+                 "Random-walk density of the gyroscope's bias [{rad/s^2/sqrt(Hz)}]",
                  {.least = 0})
           .field("accelerometer_bias_walk", &S::accelerometer_bias_walk,
-                 "{m/s^3/sqrt(Hz)} that the bias walks with",
+                 "Random-walk density of the accelerometer's bias [{m/s^3/sqrt(Hz)}]",
                  {.least = 0})
           .field("encoder_noise", &S::encoder_noise,
-                 "{rad (m)}, deviation of a reading",
+                 "Standard deviation of an encoder reading [{rad (m)}]",
                  {.least = 0})
           .field("place_noise", &S::place_noise,
-                 "{m}, deviation per reading of a foot's place, beside encoders",
+                 "Standard deviation of a foot's measured position, in addition to encoder noise "
+                 "[{m}]",
                  {.least = 0, .open = true})
           .field("turn_noise", &S::turn_noise,
-                 "{rad}, deviation per reading of a sole's rotation, likewise",
+                 "Standard deviation of a sole's measured rotation, in addition to encoder noise "
+                 "[{rad}]",
                  {.least = 0, .open = true})
           .field("slip_noise", &S::slip_noise,
-                 "{m/s/sqrt(Hz)} that a foot creeps with",
+                 "Random-walk density of a standing foot's position, for slow slip "
+                 "[{m/s/sqrt(Hz)}]",
                  {.least = 0})
           .field("sole_turn_noise", &S::sole_turn_noise,
-                 "{rad/s/sqrt(Hz)} that a sole creeps with",
+                 "Random-walk density of a standing sole's rotation, for slow slip "
+                 "[{rad/s/sqrt(Hz)}]",
                  {.least = 0})
           .group("Feet that slip.")
           .field("gate", &S::gate,
-                 "share of a foot's readings that pass while it stands still",
+                 "Fraction of the readings of a resting foot that pass the outlier gate",
                  {.least = 0, .most = 1, .open = true})
           .field("rejoin_after", &S::rejoin_after,
-                 "{s} that a foot which slipped has to rest before it counts again",
+                 "Rest time after which a foot that slipped is used again [{s}]",
                  {.least = 0})
           .field("rejoin_speed", &S::rejoin_speed,
-                 "{m/s} below which it rests",
+                 "Speed below which a foot that slipped counts as at rest [{m/s}]",
                  {.least = 0, .open = true})
           .field("lost_after", &S::lost_after,
-                 "Time for which feet stand and all of them seem to slip [{s}], after which the "
-                 "base's velocity is taken to be wrong instead",
+                 "Longest time in which all standing feet may seem to slip [{s}]",
                  {.least = 0})
-          .group("Of what reset() is told.")
+          .more("After this time, the filter assumes that its velocity is wrong instead.")
+          .group("Standard deviations of the initial state.")
           .field("tilt_deviation", &S::tilt_deviation,
-                 "{rad}, of what reset() is told, about horizontal axes",
+                 "Standard deviation of the initial rotation about horizontal axes (tilt) [{rad}]",
                  {.least = 0})
           .field("yaw_deviation", &S::yaw_deviation,
-                 "{rad}, likewise about the vertical",
+                 "Standard deviation of the initial rotation about the vertical (yaw) [{rad}]",
                  {.least = 0})
           .field("velocity_deviation", &S::velocity_deviation,
-                 "{m/s}, likewise",
+                 "Standard deviation of the initial velocity [{m/s}]",
                  {.least = 0})
           .field("position_deviation", &S::position_deviation,
-                 "{m}, likewise",
+                 "Standard deviation of the initial position [{m}]",
                  {.least = 0})
           .field("gyro_bias_deviation", &S::gyro_bias_deviation,
-                 "{rad/s}, likewise",
+                 "Standard deviation of the gyroscope's initial bias [{rad/s}]",
                  {.least = 0})
           .field("accelerometer_bias_deviation", &S::accelerometer_bias_deviation,
-                 "{m/s^2}, likewise",
+                 "Standard deviation of the accelerometer's initial bias [{m/s^2}]",
                  {.least = 0})
-          .group("A unit that goes wrong.")
+          .group("Faults of the inertial measurement unit.")
           .field("watch", &S::watch,
-                 "of the unit, by the feet");
+                 "Monitor that compares the IMU with the feet");
   return all;
 }
 
@@ -150,12 +167,15 @@ const Description& description_of(const EstimatorInnovation* /*of*/) {
   using S = EstimatorInnovation;
   static const Description all =
       Describe<S>("estimate", "EstimatorInnovation",
-                  "Of the readings of feet at the last update, against what was expected.")
+                  "Innovation r of the last update: measured minus predicted positions and "
+                  "rotations of the feet.")
           .result()
           .field("squared", &S::squared,
-                 "r^T S^-1 r, as a chi-square of `rows` degrees where the filter is right")
+                 "Normalized square r^T S^-1 r, with the covariance S of r")
+          .more("If the filter is consistent, this square has a chi-square distribution with "
+                "`rows` degrees of freedom.")
           .field("rows", &S::rows,
-                 "that were used");
+                 "Number of entries of r that the update used");
   return all;
 }
 
@@ -163,22 +183,27 @@ const Description& description_of(const FootContactOptions* /*of*/) {
   using S = FootContactOptions;
   static const Description all =
       Describe<S>("estimate", "FootContactOptions",
-                  "Which feet stand, by the force on each. Shares are of the robot's weight.")
+                  "Options for detecting standing feet from the force on each foot. Force "
+                  "thresholds are fractions of the robot's weight.")
           .field("touch", &S::touch,
-                 "share of the weight on a foot above which it stands",
+                 "Force above which a foot counts as standing, as a fraction of the weight",
                  {.least = 0, .open = true})
           .field("lift", &S::lift,
-                 "share below which it is in the air; between them it stays as it was",
+                 "Force below which a foot counts as in the air, as a fraction of the weight",
                  {.least = 0, .open = true})
+          .more("Between `lift` and `touch`, the state of the foot does not change.")
           .field("smoothing", &S::smoothing,
-                 "{s}, of a first-order low-pass on forces; 0: none",
+                 "Time constant of the low-pass filter on the forces (0: no filter) [{s}]",
                  {.least = 0})
+          .more("The filter is of first order.")
           .field("force_noise", &S::force_noise,
-                 "{N/sqrt(Hz)}, of the force sensors; behind the low-pass it is to be a quarter "
-                 "of what lies between `touch` and `lift` at most",
+                 "Noise density of the force sensors [{N/sqrt(Hz)}]",
                  {.least = 0})
+          .more("The standard deviation of the filtered noise must be at most a quarter of the "
+                "gap between the forces of `lift` and `touch`.")
           .field("bandwidth", &S::bandwidth,
-                 "{rad/s}, low-pass of forces that are told from torques (FootForces)",
+                 "Bandwidth of the observer that estimates foot forces from joint torques "
+                 "[{rad/s}]",
                  {.least = 0, .open = true});
   return all;
 }
@@ -187,13 +212,13 @@ const Description& description_of(const ImuReading* /*of*/) {
   using S = ImuReading;
   static const Description all =
       Describe<S>("estimate", "ImuReading",
-                  "What an inertial measurement unit says, in the axes of the frame that it "
-                  "stands for: means over the time since the reading before.")
+                  "Reading of an inertial measurement unit (IMU): mean values since the previous "
+                  "reading, in the axes of the IMU frame.")
           .field("gyro", &S::gyro,
-                 "{rad/s}")
+                 "Angular velocity [{rad/s}]")
           .field("accelerometer", &S::accelerometer,
-                 "{m/s^2}, specific force: acceleration minus gravity, so that at rest it points "
-                 "up");
+                 "Specific force: acceleration minus gravity [{m/s^2}]")
+          .more("At rest, it points up.");
   return all;
 }
 

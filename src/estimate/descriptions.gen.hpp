@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/estimate/base_estimator.hpp"
 #include "burnish/estimate/foot_contacts.hpp"
 #include "burnish/estimate/imu.hpp"

@@ -9,10 +9,10 @@ const Description& description_of(const WarmStart* /*of*/) {
   using S = WarmStart;
   static const Description all =
       Describe<S>("files", "WarmStart",
-                  "Where the solver starts from.")
+                  "Trajectory that the solver starts from (warm start).")
           .field("kind", &S::kind)
           .field("file", &S::file,
-                 "File: where it is");
+                 "Path of the trajectory file, if `kind` is file");
   return all;
 }
 
@@ -20,10 +20,10 @@ const Words& words_of(WarmStart::Kind /*of*/) {
   static const Words all{
       "files",
       "WarmStartKind",
-      "Where the solver starts from.",
-      {{"hold", "the initial state at every knot, with the controls that hold it in the knot's stage"},
-       {"still", "the initial state at every knot, zero controls"},
-       {"file", "a trajectory.csv of an earlier solve"}}};
+      "Kind of warm start.",
+      {{"hold", "Initial state at every knot; controls hold the robot still in the contacts of the stage"},
+       {"still", "Initial state at every knot, with zero controls"},
+       {"file", "Trajectory from a file trajectory.csv of an earlier solve"}}};
   return all;
 }
 
@@ -31,13 +31,13 @@ const Description& description_of(const ProblemFile* /*of*/) {
   using S = ProblemFile;
   static const Description all =
       Describe<S>("files", "ProblemFile",
-                  "What a problem file says.")
+                  "Content of a problem file.")
           .field("description", &S::description)
           .required()
           .field("robot", &S::robot)
           .required()
           .field("spec", &S::spec,
-                 "compiles: it has been tried")
+                 "Specification of the problem; read_problem_file() has checked that it compiles")
           .required()
           .field("solver", &S::solver)
           .field("guess", &S::guess);
@@ -48,12 +48,12 @@ const Description& description_of(const TrajectoryGuess* /*of*/) {
   using S = TrajectoryGuess;
   static const Description all =
       Describe<S>("files", "TrajectoryGuess",
-                  "States and controls to start from.")
+                  "Trajectory of states and controls that the solver starts from.")
           .result()
           .field("xs", &S::xs,
-                 "(N + 1) x nx")
+                 "States, (N + 1) x nx for N knots")
           .field("us", &S::us,
-                 "N x max_controls");
+                 "Controls, N x max_controls for N knots");
   return all;
 }
 

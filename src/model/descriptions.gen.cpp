@@ -9,11 +9,13 @@ const Words& words_of(JointConvention /*of*/) {
   static const Words all{
       "model",
       "JointConvention",
-      "How vectors of another program write the joints.",
-      {{"angles", "one angle of a continuous joint; else as in q, v and tau here"},
-       {"same", "as in q, v and tau here, (cos, sin) of a continuous joint included"},
-       {"mujoco", "one angle of a continuous joint; quaternions w x y z; the linear velocity of a floating "
-        "joint along the axes of its parent"}}};
+      "Coordinates in which another program writes joint positions and velocities.",
+      {{"angles", "As in q, v, tau of a Model, but with one angle for the rotation of a continuous or "
+        "planar joint"},
+       {"same", "As in q, v, tau of a Model, with (cos, sin) for the rotation of a continuous or planar "
+        "joint"},
+       {"mujoco", "As in MuJoCo: one angle for the rotation of a continuous or planar joint, quaternions w "
+        "x y z, and the linear velocity of a floating or planar joint in the axes of its parent"}}};
   return all;
 }
 
@@ -26,8 +28,8 @@ const Words& words_of(JointKind /*of*/) {
        {"continuous", "q = (cos, sin), v = rate"},
        {"prismatic", "q = displacement, v = rate"},
        {"planar", "q = (x, y, cos, sin), v = (v_x, v_y, w_z) in body axes"},
-       {"free_flyer", "q = (p, quaternion x y z w), v = (v, w) in body axes"},
-       {"ball", "q = quaternion x y z w, v = w in body axes"}}};
+       {"free_flyer", "q = (position, quaternion x y z w), v = (linear, angular velocity) in body axes"},
+       {"ball", "q = quaternion x y z w, v = angular velocity in body axes"}}};
   return all;
 }
 
@@ -35,10 +37,10 @@ const Description& description_of(const Following* /*of*/) {
   using S = Following;
   static const Description all =
       Describe<S>("model", "Following",
-                  "How a joint moves with another one: multiplier * value of the leader + offset,"
-                  " rad or m.")
+                  "Coupling of a follower joint to its leader joint: follower position = "
+                  "multiplier * leader position + offset, in rad or m.")
           .field("leader", &S::leader,
-                 "index of a joint that follows no other")
+                 "Index of the leader, which is not a follower itself")
           .field("multiplier", &S::multiplier)
           .field("offset", &S::offset);
   return all;
@@ -48,30 +50,33 @@ const Description& description_of(const Joint* /*of*/) {
   using S = Joint;
   static const Description all =
       Describe<S>("model", "Joint",
-                  "A moving joint of a Model and the rigid body that it carries. One that follows"
-                  " another has no entries of its own in q and v: its leader's move both.")
+                  "A moving joint of a Model, and the rigid body that the joint moves. A follower"
+                  " is a joint whose position is computed from another joint, the leader. A "
+                  "follower has no entries in q and v.")
           .result()
           .field("name", &S::name)
           .field("kind", &S::kind)
           .field("parent", &S::parent,
-                 "index of the joint that carries this one, -1 for the world")
+                 "Index of the parent joint; -1: the world")
           .field("q_index", &S::q_index,
-                 "first entry in q; of a follower that of its leader")
+                 "Index of the first entry in q; a follower has the leader's index")
           .field("v_index", &S::v_index,
-                 "first entry in v; of a follower that of its leader")
+                 "Index of the first entry in v; a follower has the leader's index")
           .field("nq", &S::nq,
-                 "entries in q, 0 of a follower")
+                 "Number of entries in q; 0 for a follower")
           .field("nv", &S::nv,
-                 "entries in v, 0 of a follower")
+                 "Number of entries in v; 0 for a follower")
           .field("placement", &S::placement,
-                 "joint frame at zero in the parent body's frame")
+                 "Placement of the joint frame in the parent body's frame, at joint position zero")
           .field("mass", &S::mass,
-                 "of the body, kg")
+                 "Mass of the body [{kg}]")
           .field("com", &S::com,
-                 "of the body, in the joint frame, m")
+                 "Centre of mass of the body in the joint frame [{m}]")
           .field("inertia_at_com", &S::inertia_at_com,
-                 "of the body, about com, joint axes, kg m^2")
-          .field("follows", &S::follows);
+                 "Inertia of the body about its centre of mass, in the axes of the joint frame "
+                 "[{kg m^2}]")
+          .field("follows", &S::follows,
+                 "Coupling to a leader, for followers only");
   return all;
 }
 
@@ -79,15 +84,15 @@ const Description& description_of(const StatedJoint* /*of*/) {
   using S = StatedJoint;
   static const Description all =
       Describe<S>("model", "StatedJoint",
-                  "A joint that has a position in the description: it moves in the model too, or "
-                  "is held.")
+                  "A joint that has a position in the description. In the model, the joint either"
+                  " moves or is held at a constant position.")
           .result()
           .field("name", &S::name)
           .field("kind", &S::kind)
           .field("joint", &S::joint,
-                 "index in the model's joints, -1: held")
+                 "Index in the model's joints; -1: the joint is held")
           .field("held", &S::held,
-                 "where it is held, in the coordinates of a Posture");
+                 "Position of a held joint, as in a Posture; empty if the joint moves");
   return all;
 }
 
@@ -95,19 +100,20 @@ const Description& description_of(const Tendon* /*of*/) {
   using S = Tendon;
   static const Description all =
       Describe<S>("model", "Tendon",
-                  "Joints of a Model coupled by the length of a tendon, which has a spring, a "
-                  "damper or both. What locked joints add is taken off `rest`, and what followers"
-                  " add stands at their leaders.")
+                  "A tendon of a Model: a spring, a damper or both act on a length, which is a "
+                  "weighted sum of joint positions. Contributions of locked joints are included "
+                  "in `rest`. Contributions of followers are included in the coefficients of "
+                  "their leaders.")
           .result()
           .field("name", &S::name)
           .field("parts", &S::parts,
-                 "ascending in v")
+                 "Joints along the tendon, in ascending order of v")
           .field("rest", &S::rest,
-                 "{m}")
+                 "Length at which the spring is at rest [{m}]")
           .field("stiffness", &S::stiffness,
-                 "{N/m}")
+                 "Stiffness of the spring [{N/m}]")
           .field("damping", &S::damping,
-                 "{Ns/m}");
+                 "Damping of the length [{Ns/m}]");
   return all;
 }
 
@@ -115,14 +121,14 @@ const Description& description_of(const Tendon::Entry* /*of*/) {
   using S = Tendon::Entry;
   static const Description all =
       Describe<S>("model", "TendonEntry",
-                  "A joint that a tendon of a Model goes along.")
+                  "A joint along a tendon of a Model.")
           .result()
           .field("q", &S::q,
-                 "the joint's entry of q, if its kind has one alone")
+                 "Index of the joint's position in q (of its cosine for a continuous joint)")
           .field("v", &S::v,
-                 "the joint's entry of v")
+                 "Index of the joint's entry in v")
           .field("coefficient", &S::coefficient,
-                 "{m/rad} or 1");
+                 "Tendon length per joint position [{m/rad}]; dimensionless for a prismatic joint");
   return all;
 }
 
@@ -130,7 +136,7 @@ const Words& words_of(FrameKind /*of*/) {
   static const Words all{
       "model",
       "FrameKind",
-      "What a named frame belongs to.",
+      "Kinds of named frames: frame of a link, frame of a joint, or additional frame.",
       {{"link"},
        {"joint"},
        {"user"}}};
@@ -146,9 +152,9 @@ const Description& description_of(const Frame* /*of*/) {
           .field("name", &S::name)
           .field("kind", &S::kind)
           .field("body", &S::body,
-                 "index of the joint whose body carries it, -1 for the world")
+                 "Index of the joint that moves the frame; -1: fixed to the world")
           .field("placement", &S::placement,
-                 "in the body's frame (in the world if body is -1)")
+                 "Placement in the body's frame, or in the world if body is -1")
           .required();
   return all;
 }
@@ -157,7 +163,7 @@ const Description& description_of(const Visual* /*of*/) {
   using S = Visual;
   static const Description all =
       Describe<S>("model", "Visual",
-                  "A solid to draw, fixed to a body of a Model.")
+                  "A solid shape to draw, fixed to a body of a Model.")
           .result()
           .field("link", &S::link)
           .field("body", &S::body)
@@ -172,14 +178,15 @@ const Description& description_of(const Loop* /*of*/) {
   using S = Loop;
   static const Description all =
       Describe<S>("model", "Loop",
-                  "Two frames of a Model tied to each other along some directions: motion of the "
-                  "second seen from the first, in the first one's axes.")
+                  "A constraint between two frames of a Model that closes a kinematic chain. The "
+                  "constraint prevents relative motion of the frames along `directions`, in the "
+                  "axes of the first frame.")
           .result()
           .field("name", &S::name)
           .field("first", &S::first,
-                 "frame of the model, NAME/first")
+                 "Name of the first frame: name of the loop followed by \"/first\"")
           .field("second", &S::second,
-                 "frame of the model, NAME/second")
+                 "Name of the second frame: name of the loop followed by \"/second\"")
           .field("directions", &S::directions);
   return all;
 }
@@ -188,7 +195,7 @@ const Words& words_of(Base /*of*/) {
   static const Words all{
       "model",
       "Base",
-      "How the root link stands in the world.",
+      "Attachment of the root link to the world.",
       {{"fixed"},
        {"free_flyer"}}};
   return all;
@@ -198,25 +205,28 @@ const Description& description_of(const ModelOptions* /*of*/) {
   using S = ModelOptions;
   static const Description all =
       Describe<S>("model", "ModelOptions",
-                  "How a TreeSpec becomes a Model.")
+                  "Options for building a Model from a TreeSpec.")
           .field("base", &S::base)
           .field("base_placement", &S::base_placement,
-                 "Placement of the root link in the world; with a free-flyer only the neutral "
-                 "posture uses it.")
+                 "Placement of the root link in the world")
+          .more("For a free-flying base, the placement sets only the neutral configuration.")
           .field("locked", &S::locked,
-                 "Joints to lock. A locked joint is fixed at its value in `posture`, or at zero, "
-                 "and those that follow it where it puts them.")
+                 "Joints to lock, together with their followers")
+          .more("A joint is locked at its value in `posture`, or at zero if `posture` has no "
+                "value for the joint.")
           .field("free", &S::free,
-                 "When not empty: every joint that is not listed here is locked (a free-flying "
-                 "base stays free), but for those that follow a listed one.")
+                 "Joints that stay free; empty: all joints")
+          .more("If the list is not empty, all other joints are locked, except followers of "
+                "listed joints and a free-flying base.")
           .field("posture", &S::posture,
-                 "Where locked joints are held; values of joints that move are passed over.")
+                 "Positions of locked joints; values of moving joints are ignored")
           .field("frames", &S::frames,
-                 "added in this order; a parent may be an earlier one")
+                 "Frames to add, in order")
+          .more("The parent of a frame may be a frame earlier in the list.")
           .field("gravity", &S::gravity,
-                 "{m/s^2}")
+                 "Gravity [{m/s^2}]")
           .field("strict", &S::strict,
-                 "refuse what would be a warning");
+                 "Treat warnings about the robot's description as errors");
   return all;
 }
 
@@ -224,13 +234,13 @@ const Description& description_of(const InertiaSpec* /*of*/) {
   using S = InertiaSpec;
   static const Description all =
       Describe<S>("model", "InertiaSpec",
-                  "Mass distribution of a link, in the link's axes.")
+                  "Mass distribution of a link, in the axes of the link.")
           .field("mass", &S::mass,
-                 "{kg}")
+                 "Mass [{kg}]")
           .field("com", &S::com,
-                 "{m}, from the link's origin")
+                 "Centre of mass [{m}]")
           .field("inertia_at_com", &S::inertia_at_com,
-                 "{kg m^2}, about com, link axes");
+                 "Inertia about the centre of mass, in the axes of the link [{kg m^2}]");
   return all;
 }
 
@@ -240,7 +250,7 @@ const Description& description_of(const BoxShape* /*of*/) {
       Describe<S>("model", "BoxShape",
                   "A box.")
           .field("size", &S::size,
-                 "{m}, full lengths along x, y, z")
+                 "Full lengths along x, y and z [{m}]")
           .required();
   return all;
 }
@@ -251,10 +261,10 @@ const Description& description_of(const CylinderShape* /*of*/) {
       Describe<S>("model", "CylinderShape",
                   "A cylinder.")
           .field("radius", &S::radius,
-                 "{m}")
+                 "Radius [{m}]")
           .required()
           .field("length", &S::length,
-                 "{m}, along z, centred")
+                 "Length along z, with the origin in the middle [{m}]")
           .required();
   return all;
 }
@@ -265,7 +275,7 @@ const Description& description_of(const SphereShape* /*of*/) {
       Describe<S>("model", "SphereShape",
                   "A sphere.")
           .field("radius", &S::radius,
-                 "{m}")
+                 "Radius [{m}]")
           .required();
   return all;
 }
@@ -274,12 +284,12 @@ const Description& description_of(const MeshShape* /*of*/) {
   using S = MeshShape;
   static const Description all =
       Describe<S>("model", "MeshShape",
-                  "A mesh is kept for drawing only.")
+                  "A mesh file, used for drawing only.")
           .field("uri", &S::uri,
-                 "as written in the file, `package://` included")
+                 "File name as in the description, including `package://`")
           .required()
           .field("scale", &S::scale,
-                 "per axis")
+                 "Scale factors along the axes")
           .required();
   return all;
 }
@@ -288,12 +298,13 @@ const Description& description_of(const VisualSpec* /*of*/) {
   using S = VisualSpec;
   static const Description all =
       Describe<S>("model", "VisualSpec",
-                  "One solid to draw, attached to a link.")
+                  "A solid shape to draw, attached to a link.")
           .field("shape", &S::shape)
           .required()
           .field("placement", &S::placement,
-                 "in the link's frame")
-          .field("rgba", &S::rgba);
+                 "Placement of the shape in the frame of the link")
+          .field("rgba", &S::rgba,
+                 "Colour: red, green, blue, opacity");
   return all;
 }
 
@@ -301,13 +312,13 @@ const Description& description_of(const LinkSpec* /*of*/) {
   using S = LinkSpec;
   static const Description all =
       Describe<S>("model", "LinkSpec",
-                  "A body of a robot, as its description has it.")
+                  "A link (rigid body) of a robot, as its description states it.")
           .field("name", &S::name)
           .required()
           .field("inertia", &S::inertia)
           .field("visuals", &S::visuals)
           .field("line", &S::line,
-                 "of the file, for sentences about it; 0: none");
+                 "Line in the description file, for messages about the link; 0: unknown");
   return all;
 }
 
@@ -315,7 +326,7 @@ const Words& words_of(JointType /*of*/) {
   static const Words all{
       "model",
       "JointType",
-      "Joints as a description has them.",
+      "Types of joints in a robot description.",
       {{"fixed"},
        {"revolute"},
        {"continuous"},
@@ -330,7 +341,9 @@ const Description& description_of(const MimicSpec* /*of*/) {
   using S = MimicSpec;
   static const Description all =
       Describe<S>("model", "MimicSpec",
-                  "A joint that copies another: q = multiplier * q_leader + offset.")
+                  "Coupling of a joint to another joint, the leader: q = multiplier * q_leader + "
+                  "offset. q is the position of the joint, and q_leader is the position of the "
+                  "leader.")
           .field("leader", &S::leader)
           .required()
           .field("multiplier", &S::multiplier)
@@ -342,40 +355,45 @@ const Description& description_of(const JointSpec* /*of*/) {
   using S = JointSpec;
   static const Description all =
       Describe<S>("model", "JointSpec",
-                  "A joint of a robot, as its description has it.")
+                  "A joint of a robot, as its description states it.")
           .field("name", &S::name)
           .required()
           .field("type", &S::type)
           .field("parent_link", &S::parent_link)
           .field("child_link", &S::child_link)
           .field("placement", &S::placement,
-                 "Of the child link's frame in the parent link's frame when the joint is at zero.")
+                 "Placement of the child link's frame in the parent link's frame, at joint "
+                 "position zero")
           .field("axis", &S::axis,
-                 "Unit axis in the child link's frame (for Planar the normal of the plane).")
+                 "Unit axis of the joint in the child link's frame; for a planar joint, normal of"
+                 " the plane")
           .field("lower", &S::lower,
-                 "{rad} or m")
+                 "Lower position limit [{rad}] or [m]")
           .field("upper", &S::upper,
-                 "{rad} or m")
+                 "Upper position limit [{rad}] or [m]")
           .field("velocity_limit", &S::velocity_limit,
-                 "{rad/s} or m/s")
+                 "Velocity limit [{rad/s}] or [m/s]")
           .field("effort_limit", &S::effort_limit,
-                 "{Nm} or N")
+                 "Torque or force limit [{Nm}] or [N]")
           .field("damping", &S::damping,
-                 "{Nms/rad} or Ns/m")
+                 "Viscous friction [{Nm s/rad}] or [Ns/m]")
           .field("friction", &S::friction,
-                 "{Nm} or N, Coulomb")
+                 "Coulomb friction [{Nm}] or [N]")
           .field("armature", &S::armature,
-                 "{kg m^2} or kg")
+                 "Inertia of the motor, reflected to the joint [{kg m^2}] or [kg]")
           .field("stiffness", &S::stiffness,
-                 "of a spring in the joint, {Nm/rad} or N/m")
+                 "Stiffness of a spring in the joint [{Nm/rad}] or [N/m]")
           .field("rest", &S::rest,
-                 "where that spring is at rest, {rad} or m; a ball's is at no rotation")
+                 "Rest position of the joint's spring [{rad}] or [m]")
+          .more("Ignored for a ball joint, whose spring is at rest without rotation.")
           .field("mimic", &S::mimic)
           .field("held", &S::held,
-                 "Value of a fixed joint that moves in the description and is held there, as "
-                 "equalities of MJCF hold hinges and slides, {rad} or m; empty of others.")
+                 "Constant position of a joint that the description fixes [{rad}] or [m]; else "
+                 "empty")
+          .more("An equality constraint of MJCF can hold a hinge or slide joint. The type of a "
+                "held joint is Fixed.")
           .field("line", &S::line,
-                 "of the file, for sentences about it; 0: none");
+                 "Line in the description file, for messages about the joint; 0: unknown");
   return all;
 }
 
@@ -383,14 +401,14 @@ const Description& description_of(const FrameSpec* /*of*/) {
   using S = FrameSpec;
   static const Description all =
       Describe<S>("model", "FrameSpec",
-                  "A frame to add while compiling.")
+                  "A named frame to add when the Model is built.")
           .field("name", &S::name)
           .required()
           .field("parent", &S::parent,
-                 "name of an existing frame")
+                 "Name of an existing frame")
           .required()
           .field("placement", &S::placement,
-                 "in the parent frame");
+                 "Placement in the parent frame");
   return all;
 }
 
@@ -398,25 +416,26 @@ const Description& description_of(const LoopSpec* /*of*/) {
   using S = LoopSpec;
   static const Description all =
       Describe<S>("model", "LoopSpec",
-                  "Two links tied to each other along some directions: what closes a chain. "
-                  "Relative motion of the second frame seen from the first, in the first one's "
-                  "axes, is held to none.")
+                  "A constraint between two links that closes a kinematic chain. A frame is fixed"
+                  " to each link. The constraint prevents relative motion of the two frames along"
+                  " `directions`, in the axes of the first frame.")
           .field("name", &S::name)
           .required()
           .field("first_link", &S::first_link,
-                 "or \"world\"")
+                 "Name of the first link, or \"world\"")
           .required()
           .field("second_link", &S::second_link,
-                 "or \"world\"")
+                 "Name of the second link, or \"world\"")
           .required()
           .field("first", &S::first,
-                 "frame in the first link")
+                 "Placement of the first frame in the first link")
           .field("second", &S::second,
-                 "frame in the second link")
+                 "Placement of the second frame in the second link")
           .field("directions", &S::directions,
-                 "\"linear\", \"all\", or names separated by commas such as \"x,y,z,rx,rz\"")
+                 "Constrained directions: \"linear\", \"all\", or names separated by commas such "
+                 "as \"x,y,z,rx,rz\"")
           .field("line", &S::line,
-                 "of the file, for sentences about it; 0: none");
+                 "Line in the description file, for messages about the loop; 0: unknown");
   return all;
 }
 
@@ -424,21 +443,21 @@ const Description& description_of(const TendonSpec* /*of*/) {
   using S = TendonSpec;
   static const Description all =
       Describe<S>("model", "TendonSpec",
-                  "A fixed tendon: joints coupled by its length, the sum of coefficient times "
-                  "position over them.")
+                  "A tendon that couples joints, such as a fixed tendon of MuJoCo. The length of "
+                  "the tendon is the sum of coefficient * position over the joints.")
           .field("name", &S::name)
           .required()
           .field("parts", &S::parts)
           .field("held", &S::held,
-                 "the length stays at `rest`")
+                 "Whether a constraint holds the length at `rest`")
           .field("rest", &S::rest,
-                 "{m}, where it is held or its spring is at rest")
+                 "Length of a held tendon, or rest length of the spring [{m}]")
           .field("stiffness", &S::stiffness,
-                 "{N/m}")
+                 "Stiffness of the tendon's spring [{N/m}]")
           .field("damping", &S::damping,
-                 "{Ns/m}")
+                 "Damping of the tendon's length [{Ns/m}]")
           .field("line", &S::line,
-                 "of the file, for sentences about it; 0: none");
+                 "Line in the description file, for messages about the tendon; 0: unknown");
   return all;
 }
 
@@ -446,11 +465,12 @@ const Description& description_of(const TendonSpec::Part* /*of*/) {
   using S = TendonSpec::Part;
   static const Description all =
       Describe<S>("model", "TendonPart",
-                  "A joint that a tendon goes along.")
+                  "A joint along a tendon, with the coefficient of its position in the tendon's "
+                  "length.")
           .field("joint", &S::joint)
           .required()
           .field("coefficient", &S::coefficient,
-                 "{m/rad} or 1");
+                 "Tendon length per joint position [{m/rad}]; dimensionless for a prismatic joint");
   return all;
 }
 
@@ -458,7 +478,7 @@ const Words& words_of(SiblingOrder /*of*/) {
   static const Words all{
       "model",
       "SiblingOrder",
-      "Order in a Model of joints that share a parent link.",
+      "Order of joints with the same parent link in a Model.",
       {{"by_name"},
        {"as_listed"}}};
   return all;
@@ -469,31 +489,32 @@ const Description& description_of(const TreeSpec* /*of*/) {
   static const Description all =
       Describe<S>("model", "TreeSpec",
                   "A robot as its description states it: links and joints as plain values. "
-                  "build_model() compiles it.")
+                  "build_model() compiles a TreeSpec to a Model.")
           .field("name", &S::name,
-                 "of the robot")
+                 "Name of the robot")
           .field("source", &S::source,
-                 "file it was read from, used in error sentences; may be empty")
+                 "File that the robot was read from, for error messages; may be empty")
           .field("links", &S::links)
           .field("joints", &S::joints)
           .field("sibling_order", &S::sibling_order,
-                 "Order in the Model of joints that share a parent link: by name as of URDF, or "
-                 "as in `joints`, as of MJCF.")
+                 "Order of joints with the same parent link in the Model")
+          .more("For URDF, joints are sorted by name. For MJCF, joints are in the order of "
+                "`joints`.")
           .field("loops", &S::loops)
           .field("tendons", &S::tendons)
           .field("frames", &S::frames,
-                 "that the file names beside links and joints")
+                 "Named frames of the file other than frames of links and joints")
           .field("postures", &S::postures,
-                 "that the file names")
+                 "Named postures of the file")
           .field("gravity", &S::gravity,
-                 "{m/s^2}, where the file states it")
+                 "Gravity, if stated in the file [{m/s^2}]")
           .field("warnings", &S::warnings,
-                 "What was odd about the file but stopped nothing, one sentence each; a Model "
-                 "gets them too.")
+                 "Warnings about odd but usable content of the file, one sentence each")
+          .more("The warnings are copied to the Model.")
           .field("notes", &S::notes,
-                 "What the file holds beside that which is passed over without changing dynamics,"
-                 " one sentence each: no oddity, so that strict reading bears it. A Model gets "
-                 "them too.");
+                 "Notes on ignored content of the file that does not affect dynamics, one "
+                 "sentence each")
+          .more("The notes are copied to the Model. Strict loading does not reject such content.");
   return all;
 }
 

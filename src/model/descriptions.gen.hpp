@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/model/joint_order.hpp"
 #include "burnish/model/model.hpp"
 #include "burnish/model/tree_spec.hpp"

@@ -9,26 +9,28 @@ const Description& description_of(const Measurement* /*of*/) {
   using S = Measurement;
   static const Description all =
       Describe<S>("mpc", "Measurement",
-                  "What the sensors say at a tick.")
+                  "Sensor values at one tick.")
           .field("time", &S::time,
-                 "{s}")
+                 "Time of the measurement [{s}]")
           .field("q", &S::q,
-                 "nq")
+                 "Measured configuration, nq entries")
           .field("v", &S::v,
-                 "nv")
+                 "Measured velocity, nv entries")
           .field("tau", &S::tau,
-                 "nv, of the torque sensors between motor and link, Nm or N")
+                 "Joint torques measured between motor and link, nv entries [{Nm (N)}]")
           .field("tool_force_world", &S::tool_force_world,
-                 "Of the force sensor: the surface's force on the tool, N, world axes.")
+                 "Force of the surface on the tool, from the force sensor, in world axes [{N}]")
           .field("imu", &S::imu,
-                 "of the robot's inertial measurement unit, if it has one")
+                 "Reading of the inertial measurement unit; empty if the robot has none")
           .field("support_wrenches", &S::support_wrenches,
-                 "of the sensors in what the robot stands on: force and moment of the ground on "
-                 "each support, N and Nm, at the origin of its frame, in the frame's axes; 6 x "
-                 "supports, or empty: not measured")
+                 "Measured wrench of the ground on each support, one column per support: force "
+                 "(N), then moment (Nm)")
+          .more("Moments are about the origin of the support's frame, and both parts are in the "
+                "axes of that frame. Empty if wrenches are not measured")
           .field("base_lost_for", &S::base_lost_for,
-                 "{s} since nothing tells where a floating base is, whose entries of q and v are "
-                 "old; 0: it is told");
+                 "Time since the last position estimate of a floating base [{s}]")
+          .more("The value 0 means that the estimate is current. While the value is positive, the"
+                " base's entries of q and v are outdated");
   return all;
 }
 
@@ -36,43 +38,45 @@ const Description& description_of(const Command* /*of*/) {
   using S = Command;
   static const Description all =
       Describe<S>("mpc", "Command",
-                  "What a controller sends. Only `tau` reaches the plant; the rest says what the "
-                  "controller aims at and how it fares, for the record.")
+                  "Output of a controller. Only `tau` reaches the plant. The other entries record"
+                  " targets, estimates and solver results.")
           .field("tau", &S::tau,
-                 "nv, Nm or N; zero for a floating base")
+                 "Joint torques to apply, nv entries, zero for a floating base [{Nm (N)}]")
           .field("phase", &S::phase,
-                 "where the task stands: of an MpcController, its place in the schedule")
+                 "Current phase of the task")
+          .more("For an MpcController, this is the index of the phase in the schedule")
           .field("target_force", &S::target_force,
-                 "{N}, how hard the surface shall push back along its normal")
+                 "Target of the normal force of the surface on the tool [{N}]")
           .field("p_target_world", &S::p_target_world,
-                 "{m}, of the tip frame's origin; where a task presses, on the surface as it is "
-                 "known")
+                 "Target position of the tip frame's origin, in world axes [{m}]")
+          .more("While the tool presses, the target lies on the estimated surface")
           .field("normal_world", &S::normal_world,
-                 "What the controller believes the surface's normal at the tool to be, world "
-                 "axes.")
+                 "Estimated surface normal at the tool, a unit vector in world axes")
           .field("force_estimate_world", &S::force_estimate_world,
-                 "What the controller believes the surface's force on the tool to be, N, world "
-                 "axes.")
+                 "Estimated force of the surface on the tool, in world axes [{N}]")
           .field("friction", &S::friction,
-                 "What it believes the coefficient of friction between tool and surface to be.")
+                 "Estimated coefficient of friction between tool and surface")
           .field("status", &S::status)
           .field("solve_time", &S::solve_time,
-                 "{s} of wall clock, where an optimal control problem was solved")
+                 "Wall-clock time of the solve that finished at this tick [{s}]; 0: no solve "
+                 "finished")
           .field("iterations", &S::iterations,
-                 "of its solver")
+                 "Number of iterations of the solve that finished at this tick; 0: no solve "
+                 "finished")
           .field("missed_deadline", &S::missed_deadline,
-                 "its solution came later than it was due")
+                 "True if the solve that finished at this tick took longer than its deadline")
           .field("limits_outside", &S::limits_outside,
-                 "Of the last plan of a controller that keeps limits: the largest violation of a "
-                 "hard one along it, and what was left open when its budget was spent, as shares "
-                 "of a limit's scale.")
-          .field("limits_open", &S::limits_open)
+                 "Largest violation of a hard constraint along the last plan, as a fraction of "
+                 "the constraint's scale")
+          .field("limits_open", &S::limits_open,
+                 "Constraint residual that remained when the last solve used up its budget, as a "
+                 "fraction of the constraint's scale")
           .field("limits_pushing", &S::limits_pushing,
-                 "limits that push, over all knots")
+                 "Number of active constraints in the last plan, summed over all knots")
           .field("limits_infeasible", &S::limits_infeasible,
-                 "they cannot all be kept from here on")
+                 "True if the last solve found that the hard constraints cannot all be satisfied")
           .field("clipped_torques", &S::clipped_torques,
-                 "joints whose torque was cut to what may be sent, at this tick");
+                 "Number of joints whose torque was clipped to its limit at this tick");
   return all;
 }
 
@@ -80,23 +84,23 @@ const Words& words_of(FaultKind /*of*/) {
   static const Words all{
       "mpc",
       "FaultKind",
-      "What can go wrong in a control loop.",
+      "Kinds of faults that can occur in a control loop.",
       {{"none"},
-       {"stale_measurement", "time does not go on"},
-       {"bad_measurement", "NaN, infinite or of the wrong size, for too long"},
-       {"out_of_range", "a joint is beyond its position limit"},
-       {"solver_failed", "no usable plan for too many updates in a row, or at the first"},
-       {"solver_late", "too many updates in a row took longer than their deadline"},
-       {"contact_lost", "no force for too long while it is wanted"},
-       {"no_contact", "the tool went on too far where the surface was expected"},
-       {"contact_late", "the tool took too long to get to the surface"},
-       {"unexpected_contact", "a force while the tool moves through free space"},
-       {"force_limit", "the tool is pushed harder than allowed"},
-       {"speed_limit", "a joint or the tool is faster than allowed"},
-       {"support_slipped", "what the robot stands on came away too far"},
-       {"motor_lost", "a joint's torque is not what was sent"},
-       {"watched", "a quantity of the task, FaultReport.quantity, is beyond its limit"},
-       {"base_lost", "nothing tells where a floating base is, for too long"}}};
+       {"stale_measurement", "No new measurement arrived for too long"},
+       {"bad_measurement", "Measurements had NaN, infinity or a wrong size for too long"},
+       {"out_of_range", "A joint exceeds its position limit by more than the margin"},
+       {"solver_failed", "Too many solves in a row, or the first solve, gave no usable plan"},
+       {"solver_late", "Too many solves in a row took longer than the deadline"},
+       {"contact_lost", "The contact force was missing for too long in a phase that requires contact"},
+       {"no_contact", "The tool moved too far without contact after contact was due"},
+       {"contact_late", "Contact did not occur within the allowed time after it was due"},
+       {"unexpected_contact", "A contact force acts while the tool should move in free space"},
+       {"force_limit", "The contact force at the tool is larger than allowed"},
+       {"speed_limit", "A joint or the tool moves faster than allowed"},
+       {"support_slipped", "A support of the robot, such as a foot, moved too far"},
+       {"motor_lost", "The measured torque of a joint deviates too much from the command"},
+       {"watched", "A quantity that the task monitors (FaultReport.quantity) exceeds its limit"},
+       {"base_lost", "A floating base had no position estimate for too long"}}};
   return all;
 }
 
@@ -104,29 +108,35 @@ const Description& description_of(const FaultReport* /*of*/) {
   using S = FaultReport;
   static const Description all =
       Describe<S>("mpc", "FaultReport",
-                  "The first fault of a run, and the ticks that led to it.")
+                  "Report of the first fault of a run, with the ticks before the fault.")
           .field("kind", &S::kind)
           .field("time", &S::time,
-                 "{s}, of the measurement, or when it was due if there was none")
+                 "Time of the measurement that shows the fault [{s}]")
+          .more("If a measurement is missing, the time at which it was due")
           .field("joint", &S::joint,
-                 "entry of v that it is about, or -1")
+                 "Index in v of the joint with the fault; -1: the fault concerns no joint")
           .field("value", &S::value,
-                 "What was measured: s, updates, N, m, m/s, or of a joint rad (m), rad/s and Nm "
-                 "(N).")
+                 "Measured value that violates the limit")
+          .more("The unit depends on the kind of fault: s, number of updates, N, m or m/s. For a "
+                "joint it is rad, rad/s or Nm (prismatic joint: m, m/s or N)")
           .field("limit", &S::limit,
-                 "what was allowed, in the same unit")
+                 "Limit that `value` violates, in the same unit")
           .field("quantity", &S::quantity,
-                 "of FaultKind::Watched: its name and unit; of SupportSlipped: the support; else "
-                 "the part that it is about, such as \"hand 'left'\"; or empty")
+                 "Subject of the fault: a monitored quantity, a support, or a part of the robot; "
+                 "empty if there is none")
+          .more("A quantity is given by name and unit (FaultKind::Watched), a support by name "
+                "(FaultKind::SupportSlipped), a part by words such as \"hand 'left'\"")
           .field("joint_name", &S::joint_name,
-                 "of that entry of v; empty: none")
+                 "Name of the joint with the fault; empty: the fault concerns no joint")
           .field("unit", &S::unit,
-                 "of value and limit of a joint; empty: the kind has one")
+                 "Unit of `value` and `limit` if the fault concerns a joint; empty: `kind` "
+                 "determines the unit")
           .field("cause", &S::cause,
-                 "What led to it, as far as measurements tell: clauses, such as \"the force came "
-                 "to 1.4 N at most; 2 N count as contact\"; or empty.")
+                 "Cause of the fault as far as measurements show it, such as \"the force came to "
+                 "1.4 N at most; 2 N count as contact\"; empty if unknown")
           .field("last_second", &S::last_second,
-                 "oldest row first, the fault's tick last; empty while there is no fault");
+                 "Record of all ticks in the second before the fault, oldest first; empty without"
+                 " a fault");
   return all;
 }
 
@@ -134,15 +144,17 @@ const Description& description_of(const LinearFeedback* /*of*/) {
   using S = LinearFeedback;
   static const Description all =
       Describe<S>("mpc", "LinearFeedback",
-                  "u = feedforward + gain (x (-) state): the triple that linear feedback "
-                  "controllers take.")
+                  "Linear feedback law u = feedforward + gain (x (-) state), where (-) is the "
+                  "difference of two states on their manifold.")
           .result()
           .field("feedforward", &S::feedforward,
-                 "nu, Nm (N)")
+                 "Feedforward torques, nu entries [{Nm (N)}]")
           .field("gain", &S::gain,
-                 "nu x ndx: by position, velocity and, with a torque model, torque")
+                 "Feedback gains, nu x ndx. Columns: position, velocity and, with a torque model,"
+                 " torque")
           .field("state", &S::state,
-                 "nx, (q, v) or (q, v, tau)");
+                 "State at which the law is linearized, nx entries: (q, v), or (q, v, tau) with a"
+                 " torque model");
   return all;
 }
 
@@ -150,28 +162,31 @@ const Description& description_of(const FrictionEstimateOptions* /*of*/) {
   using S = FrictionEstimateOptions;
   static const Description all =
       Describe<S>("mpc", "FrictionEstimateOptions",
-                  "How the coefficient of friction between a tool and the surface that it slides "
-                  "on is estimated: deviations of what is believed at first, and of what is "
-                  "measured.")
+                  "Settings of the Kalman filter that estimates the coefficient of friction "
+                  "between tool and surface: uncertainty of the initial coefficient, and noise.")
           .field("enabled", &S::enabled,
-                 "estimate it; else what is believed is what is known")
+                 "Estimate the coefficient; if false, `coefficient` is used unchanged")
           .field("coefficient", &S::coefficient,
-                 "believed at first; plans know friction if that is above 0, or estimated",
+                 "Initial coefficient of friction",
                  {.least = 0})
+          .more("Plans include friction if this value is positive or `enabled` is true")
           .field("deviation", &S::deviation,
-                 "of that",
+                 "Standard deviation of the initial coefficient",
                  {.least = 0, .open = true})
           .field("wander", &S::wander,
-                 "per square root of a metre of way, by which it changes",
+                 "Random-walk intensity of the coefficient over the sliding distance "
+                 "[{1/sqrt(m)}]",
                  {.least = 0})
           .field("force_noise", &S::force_noise,
-                 "{N}, of the force along the surface, independent every `noise_time`",
+                 "Standard deviation of the measured force along the surface [{N}]",
                  {.least = 0, .open = true})
+          .more("Forces measured more than `noise_time` apart have independent noise")
           .field("noise_time", &S::noise_time,
-                 "{s}",
+                 "Correlation time of the force noise [{s}]",
                  {.least = 0})
           .field("speed", &S::speed,
-                 "{m/s}, below which what is felt may be stiction and tells little",
+                 "Sliding speed below which forces get little weight, since they may be stiction "
+                 "[{m/s}]",
                  {.least = 0, .open = true});
   return all;
 }
@@ -180,14 +195,14 @@ const Description& description_of(const GainRange* /*of*/) {
   using S = GainRange;
   static const Description all =
       Describe<S>("mpc", "GainRange",
-                  "Factors by which the torque of one joint may be wrong while the others are "
-                  "right: 0.1 to 10 were tried.")
+                  "Range of factors on the torque of one joint within which the loop is stable. "
+                  "The torques of all other joints are exact. Factors from 0.1 to 10 are tried.")
           .result()
           .field("joint", &S::joint)
           .field("below", &S::below,
-                 "smallest factor")
+                 "Smallest factor at which the loop is stable")
           .field("above", &S::above,
-                 "largest factor");
+                 "Largest factor at which the loop is stable");
   return all;
 }
 
@@ -195,15 +210,17 @@ const Description& description_of(const LoopMargins* /*of*/) {
   using S = LoopMargins;
   static const Description all =
       Describe<S>("mpc", "LoopMargins",
-                  "Stability margins of a controller's loop around an arm.")
+                  "Stability margins of the closed loop of a controller and an arm.")
           .result()
           .field("delay", &S::delay,
-                 "{s}, largest extra command delay at which the loop is stable, up to 0.01; 0: it"
-                 " is unstable without any")
+                 "Largest extra command delay at which the loop is stable [{s}]")
+          .more("Delays up to 0.01 s are tried. The value 0 means that the loop is unstable even "
+                "without extra delay")
           .field("bandwidth", &S::bandwidth,
-                 "{rad/s} of the model-error observer for which that delay is smallest")
+                 "Bandwidth of the model-error observer at which the delay margin is smallest "
+                 "[{rad/s}]")
           .field("gains", &S::gains,
-                 "one range per entry of v");
+                 "Ranges of torque factors, one per entry of v");
   return all;
 }
 
@@ -211,11 +228,11 @@ const Words& words_of(ModelErrorKind /*of*/) {
   static const Words all{
       "mpc",
       "ModelErrorKind",
-      "What an MpcController estimates of what its model gets wrong. Both are relative to the "
-      "torque that was commanded, so that what actuators get wrong is part of them.",
-      {{"none", "nothing: the paper's controller"},
-       {"torque", "d in M a + b = tau + J^T f + d, a torque per joint"},
-       {"force", "what the measured normal force is above the one that the model predicts"}}};
+      "Model error that an MpcController estimates. The estimate is relative to the commanded "
+      "torque, so it includes errors of the actuators.",
+      {{"none", "No estimate, as in the controller of Kleff et al. (docs/frames.md)"},
+       {"torque", "Torque error d of each joint, defined by M a + b = tau + J^T f + d"},
+       {"force", "Measured normal force minus the normal force that the model predicts"}}};
   return all;
 }
 
@@ -223,69 +240,71 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
   using S = ModelErrorOptions;
   static const Description all =
       Describe<S>("mpc", "ModelErrorOptions",
-                  "The constant part of what the model gets wrong, estimated from measurements "
-                  "and given back to the model (offset-free model predictive control).")
+                  "Settings of the online estimate of the constant model error. The estimate is "
+                  "added to the model (offset-free model predictive control).")
           .field("kind", &S::kind,
-                 "none, torque (per joint) or force (along the normal)")
+                 "Estimated error: none, torque (per joint) or force (along the normal)")
           .field("bandwidth", &S::bandwidth,
-                 "{rad/s} of the observer; a higher one follows friction sooner and tolerates "
-                 "less delay; auto: fitted to the arm where a task does that, else 30",
+                 "Bandwidth of the observer (auto: fitted to the arm in polishing, else 30) "
+                 "[{rad/s}]",
                  {.least = 0, .open = true})
-          .in_code("rad/s of the observer; a higher one follows friction sooner and tolerates "
-                   "less delay; none: fitted to the arm where a task does that, else 30")
-          .more("With kind force the observer closes a loop through the controller, whose delays "
-                "bound its bandwidth: behind a force sensor filtered at 50 Hz, 50 rad/s work and "
-                "100 rad/s oscillate.")
+          .in_code("Bandwidth of the observer (none: fitted to the arm in polishing, else 30) "
+                   "[rad/s]")
+          .more("A higher bandwidth corrects friction sooner and tolerates less delay. With kind "
+                "force, the observer closes a loop through the controller, and the delays of that"
+                " loop limit the bandwidth. Example: with a force sensor that is filtered at 50 "
+                "Hz, 50 rad/s work and 100 rad/s oscillate.")
           .word("auto")
           .field("boost", &S::boost,
-                 "factor on the bandwidth while a torque error changes faster than its noise: "
-                 "after a push or an impact, or where a joint reverses; 1: no boost; auto: fitted"
-                 " to the arm where a task does that, else 3",
+                 "Largest factor on the bandwidth (auto: fitted to the arm in polishing, else 3)",
                  {.least = 0, .open = true})
-          .in_code("factor on the bandwidth while a torque error changes faster than its noise: "
-                   "after a push or an impact, or where a joint reverses; 1: no boost; none: "
-                   "fitted to the arm where a task does that, else 3")
+          .in_code("Largest factor on the bandwidth (none: fitted to the arm in polishing, else "
+                   "3)")
+          .more("The factor rises while a torque error changes faster than its noise: after a "
+                "push or an impact, or where a joint reverses. The value 1 means no boost")
           .word("auto")
           .field("calm", &S::calm,
-                 "factor on the bandwidth while noise alone, such as encoder steps, changes the "
-                 "torque error: a slower observer passes less of it on; 1: never",
+                 "Factor on the bandwidth while the torque error has only noise (1: no reduction)",
                  {.least = 0.01, .most = 1})
+          .more("A smaller factor lets less noise pass, such as encoder steps")
           .field("lag", &S::lag,
-                 "{s} by which measured velocities follow torques later than known delays say, "
-                 "behind filters and motors; auto: fitted to the arm where a task does that, else"
-                 " 0",
+                 "Lag of velocities behind torques (auto: fitted to the arm in polishing, else 0)"
+                 " [{s}]",
                  {.least = 0})
-          .in_code("s by which measured velocities follow torques later than known delays say, "
-                   "behind filters and motors; none: fitted to the arm where a task does that, "
-                   "else 0")
+          .in_code("Lag of velocities behind torques (none: fitted to the arm in polishing, else "
+                   "0) [s]")
+          .more("Motors and the filters of measured velocities cause this lag. The stated command"
+                " and measurement delays are not part of the lag")
           .word("auto")
           .field("force_gain", &S::force_gain,
-                 "{N} pushed back at once for each N that the measured normal force is off in "
-                 "contact, of kind torque with a force sensor; auto: fitted to the arm where a "
-                 "task does that, else 0",
+                 "Gain on the normal force error (auto: fitted to the arm in polishing, else 0) "
+                 "[{N/N}]",
                  {.least = 0})
-          .in_code("N pushed back at once for each N that the measured normal force is off in "
-                   "contact, of kind torque with a force sensor; none: fitted to the arm where a "
-                   "task does that, else 0")
+          .in_code("Gain on the normal force error (none: fitted to the arm in polishing, else 0)"
+                   " [N/N]")
+          .more("Force error times gain is a commanded force on the tool. Used in contact, with "
+                "kind torque and a force sensor")
           .word("auto")
           .field("sliding_bandwidth", &S::sliding_bandwidth,
-                 "{rad/s} of the estimate of friction along the surface, with kind torque; 0: the"
-                 " bandwidth",
+                 "Bandwidth of the estimate of friction along the surface (0: as `bandwidth`) "
+                 "[{rad/s}]",
                  {.least = 0})
+          .more("Used with kind torque")
           .field("fading", &S::fading,
-                 "{s}, decay time that plans assume for a torque error that has just appeared, as"
-                 " after a push",
+                 "Decay time that plans assume for a new torque error, as after a push [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("Errors that have lasted for some seconds do not decay; infinite: none does.")
+          .more("Errors that have lasted for some seconds do not decay. With an infinite decay "
+                "time, no error decays.")
           .field("limit", &S::limit,
-                 "{Nm (N)}, largest magnitude of an estimate; for a floating base at least 6 % of"
-                 " its weight",
+                 "Largest magnitude of an estimate [{Nm (N)}]",
                  {.least = 0, .open = true})
+          .more("For a floating base, at least 6 % of the robot's weight")
           .field("joint_friction", &S::joint_friction,
-                 "with kind torque: joint friction is estimated separately and fed forward, so "
-                 "that it changes sign as soon as a joint reverses")
+                 "Estimate joint friction separately and feed it forward")
+          .more("The compensation changes sign as soon as a joint reverses. Used with kind torque")
           .field("friction_speed", &S::friction_speed,
-                 "{rad/s} (m/s) over which that friction changes its sign",
+                 "Joint speed below which the compensation of joint friction fades to zero "
+                 "[{rad/s (m/s)}]",
                  {.least = 0, .open = true});
   return all;
 }
@@ -294,47 +313,48 @@ const Description& description_of(const SafetyLimits* /*of*/) {
   using S = SafetyLimits;
   static const Description all =
       Describe<S>("mpc", "SafetyLimits",
-                  "When a run is given up, whatever the task; the task's own limits are its. "
-                  "Infinite: never.")
+                  "Limits beyond which a controller raises a fault, in every task. A task may "
+                  "have further limits. An infinite limit is never exceeded.")
           .field("joint_speed_ratio", &S::joint_speed_ratio,
-                 "of the robot's velocity limits",
+                 "Largest joint speed, as a multiple of the robot's velocity limit",
                  {.least = 0, .open = true, .infinite = true})
           .field("joint_margin", &S::joint_margin,
-                 "{rad} that a joint may be beyond its limit",
+                 "Largest distance of a joint beyond its position limit [{rad}]",
                  {.least = 0})
-          .more("m of prismatic joints")
+          .more("For prismatic joints the unit is m")
           .field("stale", &S::stale,
-                 "{s} without a new measurement",
+                 "Longest time without a new measurement [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("longer than a tick")
+          .more("Must be longer than the tick period")
           .field("bad", &S::bad,
-                 "{s} of measurements that are no state",
+                 "Longest time with invalid measurements [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("which the last good one bridges")
+          .more("During that time the policy continues from the last valid measurement")
           .field("failed_solves", &S::failed_solves,
-                 "in a row",
+                 "Number of failed solves in a row that raises a fault",
                  {.least = 1})
-          .more("the first solve may not fail")
+          .more("A failed first solve raises a fault at once")
           .field("deadline", &S::deadline,
-                 "{s} of computing time per plan",
+                 "Longest computing time of a plan, as wall-clock time [{s}]",
                  {.least = 0, .infinite = true})
-          .more("of wall clock; the first one, made at rest, may take longer")
+          .more("The first plan, which is computed at rest, may take longer")
           .field("late_solves", &S::late_solves,
-                 "in a row",
+                 "Number of late plans in a row that raises a fault",
                  {.least = 1})
+          .more("A plan is late if its computing time exceeds `deadline`")
           .field("base_lost", &S::base_lost,
-                 "{s} without anything that tells where a floating base is",
+                 "Longest time without a position estimate of a floating base [{s}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("support_way", &S::support_way,
-                 "{m} along the ground that a foot may have slid within the last second, about",
+                 "Largest sliding distance of a foot along the ground within about a second [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("torque_gap", &S::torque_gap,
-                 "of a joint's effort limit, that the measured torque may be off the commanded "
-                 "one, mean over 30 ms: a motor that fails",
+                 "Largest torque gap of a motor, as a fraction of the effort limit",
                  {.least = 0, .open = true, .infinite = true})
-          .in_code("of a joint's effort limit, that the measured torque may be off the commanded "
-                   "one, mean over 30 ms: a motor that fails; 0.6 of that where it gives less "
-                   "than a fifth of what it is told. For measurements that have torques.");
+          .more("The gap is the difference between measured and commanded torque, as a mean over "
+                "30 ms. Beyond the limit, the motor counts as failed. The limit is multiplied by "
+                "0.6 while a motor delivers less than a fifth of its command. Torques must be "
+                "measured");
   return all;
 }
 
@@ -342,38 +362,43 @@ const Description& description_of(const SlipOptions* /*of*/) {
   using S = SlipOptions;
   static const Description all =
       Describe<S>("mpc", "SlipOptions",
-                  "What plans make of a support that holds always and slips all the same: they "
-                  "keep its forces within what it was felt to bear while it did, or, where that "
-                  "is not measured, within the least. It slips while it bears `load`, has slid by"
-                  " `way` along the ground within the last second and goes on faster than "
-                  "`speed`.")
+                  "Reaction of plans to a support that slips, such as a foot: plans use a smaller"
+                  " coefficient of friction for that support. The coefficient is `share` times "
+                  "the measured ratio of tangential to normal force, or `least` if forces are not"
+                  " measured. A support counts as slipping if three values exceed their "
+                  "thresholds: its load (if measured), its sliding distance within about a "
+                  "second, and its speed.")
           .field("enabled", &S::enabled,
-                 "plans are told of feet that slip")
+                 "Reduce the friction coefficient of supports that slip")
           .field("way", &S::way,
-                 "{m}",
+                 "Sliding distance above which a support can count as slipping [{m}]",
                  {.least = 0})
           .field("speed", &S::speed,
-                 "{m/s}, mean over 5 ms",
+                 "Sliding speed (mean over 5 ms) above which a support can count as slipping "
+                 "[{m/s}]",
                  {.least = 0})
           .field("load", &S::load,
-                 "{N}",
+                 "Load above which a support can count as slipping [{N}]",
                  {.least = 0})
           .field("share", &S::share,
-                 "of what was felt, that plans keep within",
+                 "Friction coefficient for a support that slips, as a fraction of the measured "
+                 "ratio of tangential to normal force",
                  {.least = 0, .most = 1})
           .field("least", &S::least,
-                 "coefficient of friction that plans are always left",
+                 "Lower limit of the reduced friction coefficient",
                  {.least = 0, .open = true})
           .field("easing", &S::easing,
-                 "{s} in which they are told, twice that where it is not measured: what changes "
-                 "at once has no good plan",
+                 "Time constant with which the coefficient is reduced [{s}]",
                  {.least = 0})
+          .more("The time constant is doubled if forces are not measured. After an abrupt change,"
+                " the solver would not find a good plan")
           .field("recovery", &S::recovery,
-                 "{1/s}, coefficient by which they trust it again while it rests",
+                 "Rate at which the coefficient recovers while the support does not slip [{1/s}]",
                  {.least = 0})
           .field("radius", &S::radius,
-                 "{m}, of supports that are balls: that they roll is no slip",
-                 {.least = 0});
+                 "Radius of spherical feet (0: feet are not spherical) [{m}]",
+                 {.least = 0})
+          .more("Rolling of a spherical foot does not count as slipping");
   return all;
 }
 
@@ -381,18 +406,21 @@ const Description& description_of(const Fallback* /*of*/) {
   using S = Fallback;
   static const Description all =
       Describe<S>("mpc", "Fallback",
-                  "How the robot is brought to rest after a fault, and held there: tau = b(q, 0) "
-                  "- M (stiffness e + damping v) on the actuated joints, e = q (-) q_hold, within"
-                  " the torque limits. q_hold is where the robot was at the fault, and slips "
-                  "where the spring would use more than `give` of a joint's effort limit.")
+                  "Spring and damper in the joints that stop the robot after a fault and hold it "
+                  "there. The torque of the actuated joints is tau = b(q, 0) - M (stiffness e + "
+                  "damping v), clipped to the effort limits. M is the mass matrix, b(q, 0) the "
+                  "gravity torque, v the joint velocity and e = q (-) q_hold the spring "
+                  "deflection. q_hold is the configuration at the fault. Where the spring torque "
+                  "would exceed the fraction `give` of a joint's effort limit, q_hold follows the"
+                  " robot.")
           .field("stiffness", &S::stiffness,
-                 "{1/s^2}, times the mass matrix; 0: nothing holds, the arm is braked only",
+                 "Spring stiffness, multiplied by the mass matrix (0: braked, not held) [{1/s^2}]",
                  {.least = 0})
           .field("damping", &S::damping,
-                 "{1/s}, times the mass matrix",
+                 "Damping, multiplied by the mass matrix [{1/s}]",
                  {.least = 0})
           .field("give", &S::give,
-                 "of the torque limits, where the spring slips; 0 to 1",
+                 "Largest spring torque, as a fraction of a joint's effort limit",
                  {.least = 0, .most = 1});
   return all;
 }
@@ -401,11 +429,11 @@ const Words& words_of(PlanTiming /*of*/) {
   static const Words all{
       "mpc",
       "PlanTiming",
-      "When a plan is used, that takes time to be made.",
-      {{"fixed", "solver_delay after the measurement that it starts from"},
-       {"measured", "when it would be done: the time that it took passes, as measured, while the plan before "
-        "goes on; for simulations"},
-       {"thread", "when it is done: plans are made in a thread of their own"}}};
+      "Time at which a newly computed plan replaces the previous one.",
+      {{"fixed", "A plan is used a fixed time, solver_delay, after the measurement from which it was "
+        "computed"},
+       {"measured", "A plan is used once its measured computing time has passed; for simulations"},
+       {"thread", "A plan is used as soon as a background thread has computed it"}}};
   return all;
 }
 
@@ -413,84 +441,103 @@ const Description& description_of(const MpcSpec* /*of*/) {
   using S = MpcSpec;
   static const Description all =
       Describe<S>("mpc", "MpcSpec",
-                  "Model predictive control of a task: a horizon that moves with time, solved "
-                  "again and again from the measured state, and its policy in between.")
+                  "Specification of a model predictive controller. The controller repeatedly "
+                  "solves an optimal control problem over a moving horizon from the measured "
+                  "state. Between solves, the controller applies the feedback policy of the last "
+                  "solution.")
           .field("problem", &S::problem,
-                 "Horizon, stages, costs. The schedule replaces the horizon's stages, so its "
-                 "segments matter for the number of knots and their steps alone.")
+                 "Optimal control problem: model, stages, costs and horizon")
+          .more("The schedule selects the stage of each knot. The segments of the horizon define "
+                "only the number of knots and their steps")
           .required()
           .field("schedule", &S::schedule)
           .field("task", &S::task,
-                 "events of the schedule, what is watched; none: neither")
+                 "Function that creates the task, which defines events and monitored quantities; "
+                 "none: no task")
           .field("tool", &S::tool,
-                 "frame that Measurement::tool_force_world acts at")
+                 "Frame at which Measurement::tool_force_world acts")
           .field("base", &S::base,
-                 "frame that the surface moves with, which the force on the tool pushes back at: "
-                 "of the robot, as a plate in its other hand; empty: the world")
+                 "Robot frame that carries the surface, such as a plate in the other hand; empty:"
+                 " the world")
+          .more("The reaction to the force on the tool acts on this frame")
           .field("normal_world", &S::normal_world,
-                 "That the tool presses along: of the surface, towards the robot. Friction is "
-                 "across it. In the axes of `base`, with which it turns.")
+                 "Normal of the surface that the tool presses on, in the axes of `base` (world "
+                 "axes if `base` is empty)")
+          .more("The normal points towards the robot. Friction acts perpendicular to the normal")
           .field("supports", &S::supports,
-                 "Contacts of the problem that the robot stands on or leans against, by their "
-                 "names. Those of every stage are what the fallback and the estimates take to "
-                 "hold always: a base that floats free wants some. Those of some stages, such as "
-                 "hands on a wall, want support_sensors.")
+                 "Names of the contacts that the robot stands on or leans against")
+          .more("The fallback and the estimators use the supports that are in contact in every "
+                "stage. A robot with a floating base needs at least one such support. Supports "
+                "that are in contact only in some stages, such as hands on a wall, require "
+                "support_sensors")
           .field("support_sensors", &S::support_sensors,
-                 "Measurement.support_wrenches are measured, in the order of `supports`: then the"
-                 " torque error is known of all joints, of those on supports too")
+                 "Measurement.support_wrenches is measured, one column per entry of `supports`")
+          .more("Torque errors are then estimated in all joints, including the joints of "
+                "supporting legs")
           .field("force_sensor", &S::force_sensor,
-                 "Measurement.tool_force_world is measured; else the force at the tool is what "
-                 "torques, positions and velocities say beyond what they said in the air just "
-                 "before, which wants model_error.kind torque")
+                 "Measurement.tool_force_world is measured; if false, the force at the tool is "
+                 "estimated")
+          .more("The estimate is the force that explains how the torque error changes at contact."
+                " It uses torques, positions and velocities and requires model_error.kind torque")
           .field("contact_threshold", &S::contact_threshold,
-                 "{N} along the normal that count as contact")
+                 "Normal force above which the tool counts as in contact [{N}]")
           .field("tick_period", &S::tick_period,
-                 "{s}")
+                 "Time between ticks [{s}]")
           .field("update_period", &S::update_period,
-                 "{s} between solves, a multiple of the tick")
+                 "Time between solves, a multiple of the tick period [{s}]")
           .field("settle", &S::settle,
-                 "{s} before the first plan in which the fallback holds the robot where it is, so"
-                 " that what estimates comes to rest; the schedule begins after it",
+                 "Time before the first plan during which the fallback holds the robot in place "
+                 "[{s}]",
                  {.least = 0})
+          .more("The estimators settle in that time. The schedule begins afterwards")
           .field("timing", &S::timing,
-                 "fixed, measured or thread")
+                 "When a new plan comes into use: fixed, measured or thread")
           .field("solver_delay", &S::solver_delay,
-                 "{s} from a measurement to the use of the plan that starts from it, at most the "
-                 "update period. The plan is made for the state that the policy in use leads to "
-                 "by then.")
+                 "Time from a measurement to the use of the plan computed from that measurement "
+                 "[{s}]")
+          .more("With timing fixed, at most the update period. The plan begins at the state that "
+                "the current policy is predicted to reach after this time")
           .field("command_delay", &S::command_delay,
-                 "{s} from a command to the torque that it makes, as far as it is known; rounded "
-                 "to ticks. Plans begin in the state that the torques already sent lead to, "
-                 "feedback acts on that state at every tick, and the model error is told from the"
-                 " torque that acted when it was measured.")
+                 "Assumed delay from a command to its torque, rounded to ticks [{s}]")
+          .more("Plans and feedback start from the state predicted from the torques already sent."
+                " The model error is estimated from the torque that acted at the time of the "
+                "measurement")
           .field("measurement_delay", &S::measurement_delay,
-                 "{s} from what is measured to the tick that has it, all but its time, as far as "
-                 "it is known; see command_delay")
+                 "Assumed delay from a measurement to the tick that receives it [{s}]")
+          .more("The controller predicts the state over this delay, as for command_delay. "
+                "Measurement.time must be the time of the receiving tick")
           .field("slowdown", &S::slowdown,
-                 "of measured timing: a machine by this factor slower")
+                 "Factor on measured computing times, to simulate a slower computer")
+          .more("Used with timing measured")
           .field("solver", &S::solver)
           .field("first_iterations", &S::first_iterations,
-                 "of the first solve")
+                 "Maximum number of iterations of the first solve")
           .field("jump_iterations", &S::jump_iterations,
-                 "of one after the schedule's clock jumped or stood still")
+                 "Maximum number of iterations of a solve after a jump or pause of the schedule's"
+                 " clock")
           .field("max_factors", &S::max_factors,
-                 "recursions per iteration where the problem has limits, and at most as many "
-                 "sweeps with kept factors; those of solver.limits, and its largest_price, mean "
-                 "nothing here")
+                 "Maximum number of Riccati recursions per iteration if the problem has "
+                 "constraints")
+          .more("Sweeps that reuse a factorization have the same maximum. The entries "
+                "max_factors, max_sweeps and largest_price of solver.limits are ignored")
           .field("first_factors", &S::first_factors,
-                 "likewise of the first solve, and of one after a jump")
+                 "Maximum number of Riccati recursions per iteration in the first solve")
+          .more("Also used in a solve after a jump or pause of the schedule's clock")
           .field("torque_limit", &S::torque_limit,
-                 "{Nm} (N), nv: what is sent stays within, and within the robot's effort limits; "
-                 "empty: those")
+                 "Additional limits on the commanded torques, nv entries [{Nm (N)}]; empty: no "
+                 "additional limits")
+          .more("The robot's effort limits always apply. The fallback uses only the effort limits")
           .field("model_error", &S::model_error)
           .field("friction_estimate", &S::friction_estimate,
-                 "Of the tool's contacts with friction (ContactSpec.friction): their coefficient.")
+                 "Estimate of the friction coefficient for contacts of the tool that have "
+                 "friction (ContactSpec.friction)")
           .field("slip", &S::slip,
-                 "of what the robot stands on")
+                 "Reaction of plans to slipping supports")
           .field("limits", &S::limits)
           .field("fallback", &S::fallback)
           .field("feedback", &S::feedback,
-                 "the Riccati policy between solves; without, the planned torque is held");
+                 "Apply the Riccati feedback policy between solves; if false, the planned torque "
+                 "is held");
   return all;
 }
 
@@ -498,40 +545,47 @@ const Description& description_of(const SurfaceEstimateOptions* /*of*/) {
   using S = SurfaceEstimateOptions;
   static const Description all =
       Describe<S>("pressing", "SurfaceEstimateOptions",
-                  "How the surface under a sliding tool is estimated from the tool's own path: "
-                  "deviations of what is believed at first, and of what is measured.")
+                  "Settings of the Kalman filter that estimates the surface under a sliding tool "
+                  "from the path of the tool: uncertainty of the initial surface, and noise.")
           .field("enabled", &S::enabled,
-                 "estimate it; else what is believed is what is known")
+                 "Estimate the surface; if false, the initial surface is used unchanged")
           .field("height", &S::height,
-                 "{m}, of the surface",
+                 "Standard deviation of the initial surface's height [{m}]",
                  {.least = 0, .open = true})
           .field("tilt", &S::tilt,
-                 "{rad}, of the normal about each tangent",
+                 "Standard deviation of the initial normal's angle about each tangent [{rad}]",
                  {.least = 0, .open = true})
           .field("curvature", &S::curvature,
-                 "{1/m}, and a quarter of what the surface is believed to bend by",
+                 "Standard deviation of the initial curvatures [{1/m}]",
                  {.least = 0, .open = true})
+          .more("A quarter of the magnitude of the initial curvatures is added to this value")
           .field("bend_change", &S::bend_change,
-                 "{1/m} per square root of a metre of way, by which curvatures wander",
+                 "Random-walk intensity of the curvatures over the travelled distance "
+                 "[{1/m/sqrt(m)}]",
                  {.least = 0, .open = true})
           .field("position_noise", &S::position_noise,
-                 "{m}, of the tip's position along the normal, beside what differs from tick to "
-                 "tick, which is found out",
+                 "Standard deviation of position noise that is correlated along the path [{m}]",
                  {.least = 0, .open = true})
+          .more("The noise is along the surface normal. Noise that is independent from tick to "
+                "tick is estimated online and added to this noise")
           .field("noise_length", &S::noise_length,
-                 "{m} of way after which that noise is another: an encoder's step seen from the "
-                 "tip",
+                 "Correlation length of position noise, such as the tip motion per encoder step "
+                 "[{m}]",
                  {.least = 0, .open = true})
           .field("force_noise", &S::force_noise,
-                 "{N}, of the force along the normal",
+                 "Standard deviation of the force along the normal [{N}]",
                  {.least = 0, .open = true})
           .field("compliance", &S::compliance,
-                 "{m/N}, of the surface under the tip",
+                 "Standard deviation of the initial compliance of the surface under the tip "
+                 "[{m/N}]",
                  {.least = 0, .open = true})
+          .more("The initial compliance is 0")
           .field("rate", &S::rate,
-                 "{m/s}, of the surface along its normal; 0: it stands. What may move is told "
-                 "from a slope only once the tip has turned",
-                 {.least = 0});
+                 "Standard deviation of the surface's velocity along its normal (0: surface at "
+                 "rest) [{m/s}]",
+                 {.least = 0})
+          .more("A moving surface can be distinguished from a slope only after the tip has "
+                "changed direction");
   return all;
 }
 
@@ -539,20 +593,25 @@ const Description& description_of(const SchedulePhase* /*of*/) {
   using S = SchedulePhase;
   static const Description all =
       Describe<S>("mpc", "SchedulePhase",
-                  "One of the phases that follow each other in a schedule.")
+                  "Phase of a task. A schedule is a sequence of phases.")
           .field("name", &S::name,
-                 "such as \"approach\"")
+                 "Name of the phase, such as \"approach\"")
           .field("stage", &S::stage,
-                 "of the optimal control problem")
+                 "Name of the stage of the optimal control problem that is used in the phase")
           .field("duration", &S::duration,
-                 "{s}; infinite for the last one only")
+                 "Duration of the phase [{s}]")
+          .more("Only the last phase may have an infinite duration")
           .field("until", &S::until,
-                 "Event, such as \"contact\", that ends it, and not before; empty: its duration "
-                 "does. When the event is early, the clock jumps to the end; when it is late, the"
-                 " clock stands still `hold` s before it, so that the horizon goes on with the "
-                 "phase and plans the next one soon. Of the last phase it means nothing.")
+                 "Event that ends the phase, such as \"contact\"; empty: the phase ends after its"
+                 " duration")
+          .more("If the event is early, the clock jumps to the end of the phase. If the event is "
+                "late, the clock waits at the time `hold` before the end. Plans made while the "
+                "clock waits contain the rest of this phase and then the next phase. The event is"
+                " ignored in the last phase")
           .field("hold", &S::hold,
-                 "{s}; longer than the phase: the clock stands still at its start");
+                 "Time before the end of the phase at which the clock waits for a late event "
+                 "[{s}]")
+          .more("If `hold` is longer than the phase, the clock waits at the start of the phase");
   return all;
 }
 

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/mpc/controller.hpp"
 #include "burnish/mpc/fault.hpp"
 #include "burnish/mpc/feedback.hpp"

@@ -9,9 +9,9 @@ const Words& words_of(MujocoContact /*of*/) {
   static const Words all{
       "sim",
       "MujocoContact",
-      "What the tip meets in make_mujoco_plant()'s plant.",
-      {{"exact", "a spring, a damper and Coulomb friction on the exact surface"},
-       {"engine", "MuJoCo's own contact, of shapes that it has"}}};
+      "Contact model for the tip in the plant of make_mujoco_plant().",
+      {{"exact", "Spring, damper and Coulomb friction on the exact surface"},
+       {"engine", "MuJoCo's own contact, for the shapes that it supports"}}};
   return all;
 }
 
@@ -19,26 +19,28 @@ const Description& description_of(const MujocoPlantOptions* /*of*/) {
   using S = MujocoPlantOptions;
   static const Description all =
       Describe<S>("sim", "MujocoPlantOptions",
-                  "How make_mujoco_plant()'s plant steps.")
+                  "Options of the plant that make_mujoco_plant() creates.")
           .field("contact", &S::contact,
-                 "exact or engine")
+                 "Contact model: exact or engine")
           .field("dt", &S::dt,
-                 "{s}",
+                 "Time step [{s}]",
                  {.least = 0, .open = true})
           .field("impedance", &S::impedance,
-                 "d in (0, 1): 1/R is an apparent mass at the contact",
+                 "Impedance d of MuJoCo's own contact",
                  {.least = 0, .most = 1, .open = true})
+          .more("The apparent mass at the contact is d / (1 - d) times the apparent mass of the "
+                "tip.")
           .field("friction_ratio", &S::friction_ratio,
-                 "how much harder friction is than the normal (\"impratio\")",
+                 "Ratio of frictional to normal impedance (MuJoCo's impratio)",
                  {.least = 0, .open = true})
           .field("tolerance", &S::tolerance,
-                 "of the constraint solver",
+                 "Tolerance of the constraint solver",
                  {.least = 0})
           .field("max_iterations", &S::max_iterations,
-                 "of the constraint solver",
+                 "Maximum number of iterations of the constraint solver",
                  {.least = 1})
           .field("joint_stops", &S::joint_stops,
-                 "revolute and prismatic joints stop at their limits");
+                 "Whether revolute and prismatic joints stop at their limits");
   return all;
 }
 

@@ -9,28 +9,36 @@ const Description& description_of(const ProblemCheckOptions* /*of*/) {
   using S = ProblemCheckOptions;
   static const Description all =
       Describe<S>("ocp", "ProblemCheckOptions",
-                  "How check_problem() looks.")
+                  "Options of check_problem(): the random states, and the largest accepted error "
+                  "of a derivative.")
           .field("states", &S::states,
-                 "random states per stage, at least 1")
+                 "Number of random states per stage, at least 1")
           .field("seed", &S::seed,
-                 "the same seed gives the same states on every machine")
+                 "Seed of the random states; equal seeds give equal states on every machine")
           .field("tolerance", &S::tolerance,
-                 "on |derivative - difference| over the block's largest entry")
+                 "Largest accepted error of a derivative, relative to the largest entry of its "
+                 "block")
+          .more("The error is |derivative - finite difference|")
           .field("x", &S::x,
-                 "Trajectory to draw around: N + 1 states (nx) and N controls (nu; those of "
-                 "impacts are not read). Empty: the initial state, and the control that holds it "
-                 "at rest.")
-          .field("u", &S::u)
+                 "States around which random states are drawn; empty: the initial state at every "
+                 "knot")
+          .more("One state per knot: N + 1 vectors of nx entries")
+          .field("u", &S::u,
+                 "Controls around which random controls are drawn; empty: controls that hold the "
+                 "robot at rest")
+          .more("N vectors of nu entries. Vectors of impacts are not read")
           .field("position", &S::position,
-                 "How far states are drawn from it, uniformly, for a robot of 1 m and 20 kg: "
-                 "lengths grow with its size, torques and forces with its weight. rad, m")
+                 "Largest random change of a position, uniformly distributed [rad, m]")
+          .more("The number in m is for a robot of 1 m, and grows with the size of the robot")
           .field("velocity", &S::velocity,
-                 "{rad/s}, m/s")
+                 "Largest random change of a velocity [{rad/s}], or in m/s")
           .field("torque", &S::torque,
-                 "{Nm}, N: controls, and torques in the state")
+                 "Largest random change of a control or of a torque in the state [{Nm}], or in N")
+          .more("The number is for a robot of 20 kg and 1 m, and grows with the weight of the "
+                "robot")
           .field("progress", &S::progress,
-                 "Called after each stage with the number of stages done and the number of all "
-                 "stages.");
+                 "Function called after each stage, with the number of finished stages and the "
+                 "number of all stages.");
   return all;
 }
 
@@ -38,19 +46,23 @@ const Description& description_of(const ProblemCheckRow* /*of*/) {
   using S = ProblemCheckRow;
   static const Description all =
       Describe<S>("ocp", "ProblemCheckRow",
-                  "The next state, one cost term or the costs together, of one stage at all its "
-                  "states.")
+                  "Result of check_problem() for one function of one stage, over all random "
+                  "states of the stage. The function is the next state, one term, or the sum of "
+                  "the costs.")
           .result()
           .field("stage", &S::stage)
           .field("term", &S::term,
-                 "name of a cost term or a constraint, \"next state\" or \"all costs\"")
-          .field("states", &S::states)
+                 "\"next state\", \"all costs\", or the name of a cost term or a constraint")
+          .field("states", &S::states,
+                 "Number of states at which the derivatives were compared")
           .field("worst_error", &S::worst_error,
-                 "relative to the block's largest entry; infinite after a NaN")
+                 "Largest error, relative to the largest entry of its block; infinite if a NaN "
+                 "occurred")
           .field("worst", &S::worst,
-                 "blocks: such as \"dnext_dq\", \"dr_du\", \"dcost_dv\"")
+                 "Entry with the largest error; the block has a name such as \"dnext_dq\", "
+                 "\"dr_du\" or \"dcost_dv\"")
           .field("pass_", &S::pass,
-                 "worst_error <= tolerance");
+                 "True if worst_error <= tolerance");
   return all;
 }
 
@@ -58,13 +70,13 @@ const Description& description_of(const ProblemReport* /*of*/) {
   using S = ProblemReport;
   static const Description all =
       Describe<S>("ocp", "ProblemReport",
-                  "What check_problem() found.")
+                  "Result of check_problem().")
           .result()
           .field("robot", &S::robot)
           .field("rows", &S::rows)
           .field("tolerance", &S::tolerance)
           .field("pass_", &S::pass,
-                 "there are rows, and all of them pass");
+                 "True if there is at least one row and every row passes");
   return all;
 }
 
@@ -72,19 +84,21 @@ const Description& description_of(const StateLayout* /*of*/) {
   using S = StateLayout;
   static const Description all =
       Describe<S>("ocp", "StateLayout",
-                  "Where the parts of z = (du, dq, dv, dtau, dforce) start, and how many entries "
-                  "they have.")
+                  "Sizes of the parts of the state and the control, and the first column of each "
+                  "part in z = (du, dq, dv, dtau, dforce).")
           .field("nq", &S::nq)
           .field("nv", &S::nv)
           .field("filtered", &S::filtered,
-                 "torques in the state (torque model), or 0")
+                 "Number of torques in the state: nu with a torque model, else 0")
           .field("holds_torque", &S::holds_torque,
-                 "those are the controls of the step before, and what acts is the control itself")
+                 "True if the torques in the state are the previous control, and the current "
+                 "control acts on the robot")
           .field("remembered", &S::remembered,
-                 "forces of the step before in the state, N and Nm (remembered_forces)")
+                 "Number of contact forces in the state, from the previous step (N, Nm; see "
+                 "remembered_forces)")
           .field("nu", &S::nu)
           .field("actuated", &S::actuated,
-                 "entry of v that control i drives; nu entries");
+                 "For each control, the index in v of the entry that the control drives");
   return all;
 }
 
@@ -92,15 +106,14 @@ const Description& description_of(const Problem::QuasiStatic* /*of*/) {
   using S = Problem::QuasiStatic;
   static const Description all =
       Describe<S>("ocp", "QuasiStatic",
-                  "The control of least norm that with the contacts of a stage holds a state at "
-                  "rest.")
+                  "Control and contact forces that hold a posture at rest.")
           .result()
           .field("control", &S::control,
-                 "nu, Nm")
+                 "Control, nu entries, Nm")
           .field("force", &S::force,
-                 "rows of the stage's contacts, N and Nm")
+                 "Forces, one entry per row of the stage's contacts, N and Nm")
           .field("residual", &S::residual,
-                 "largest torque that nothing balances, Nm");
+                 "Largest joint torque that remains unbalanced, Nm");
   return all;
 }
 
@@ -108,18 +121,21 @@ const Description& description_of(const Penalty* /*of*/) {
   using S = Penalty;
   static const Description all =
       Describe<S>("ocp", "Penalty",
-                  "What a residual costs: a function of each of its entries.")
+                  "Penalty function phi that turns each entry r of a residual into a cost.")
           .field("kind", &S::kind)
           .field("lower", &S::lower,
-                 "barriers: limit in the residual's unit, a number for all rows or one per row, "
-                 "infinite where there is none; empty: none")
+                 "Lower limits of a barrier, in the residual's unit; empty: no lower limit")
+          .more("One number for all rows, or one number per row. Infinite for a row without a "
+                "lower limit")
           .number_too()
           .field("upper", &S::upper,
-                 "Barriers: limits in the residual's unit; one entry for all rows, or one per "
-                 "row; infinite where there is none. Empty: none.")
+                 "Upper limits of a barrier, in the residual's unit; empty: no upper limit")
+          .more("One number for all rows, or one number per row. Infinite for a row without an "
+                "upper limit")
           .number_too()
           .field("width", &S::width,
-                 "residual's unit, positive");
+                 "Width of the penalties smooth_absolute and log_barrier, in the residual's unit,"
+                 " positive");
   return all;
 }
 
@@ -127,12 +143,15 @@ const Words& words_of(Penalty::Kind /*of*/) {
   static const Words all{
       "ocp",
       "PenaltyKind",
-      "phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.",
+      "Form of phi(r) for one residual entry r. All forms are convex, so that Gauss-Newton "
+      "Hessians are positive semidefinite.",
       {{"square", "r^2 / 2"},
-       {"barrier", "half the square of how far r is outside [lower, upper], zero inside"},
-       {"smooth_absolute", "sqrt(r^2 + width^2) - width: |r| far from zero, r^2 / (2 width) close to it"},
-       {"log_barrier", "-log(s / width), s the distance to each limit, where s > width; below, and beyond the "
-        "limit, the parabola ((s / width - 2)^2 - 1) / 2 that continues it smoothly"}}};
+       {"barrier", "Half the squared distance of r from the interval [lower, upper]; zero inside"},
+       {"smooth_absolute", "sqrt(r^2 + width^2) - width. Approximately |r| for large |r|, and r^2 / (2 width) for "
+        "small |r|"},
+       {"log_barrier", "Sum over both limits, where s is the distance of r from the limit. For s > width: -log(s"
+        " / width). Else, also beyond the limit: the parabola ((s / width - 2)^2 - 1) / 2, a "
+        "smooth continuation"}}};
   return all;
 }
 
@@ -140,18 +159,22 @@ const Description& description_of(const CostTerm* /*of*/) {
   using S = CostTerm;
   static const Description all =
       Describe<S>("ocp", "CostTerm",
-                  "weight * sum over rows i of weights_i phi(r_i), times the knot's step while "
-                  "time passes: a cost is an integral over time, whatever the knots.")
+                  "A cost term: weight * sum over rows i of weights_i phi(r_i). If time passes at"
+                  " a knot, the term is multiplied by the knot's step. The sum over all knots "
+                  "then approximates an integral over time.")
           .field("residual", &S::residual)
           .required()
           .field("weight", &S::weight,
-                 "1 / (unit of phi) / s while time passes; not negative")
+                 "Weight of the term, not negative")
+          .more("The unit is 1 / (unit of phi); at a knot where time passes, 1 / (unit of phi) "
+                "per second")
           .field("name", &S::name,
-                 "unique in its stage; the residual's name if left empty")
+                 "Name of the term, unique in its stage; empty: the name of the residual")
           .field("weights", &S::weights,
-                 "per row, or empty for ones; not negative")
+                 "Weights of the rows, not negative; empty: 1 for every row")
           .field("penalty", &S::penalty,
-                 "Empty: a square, or what the residual says.");
+                 "Penalty of each row; empty: a square, or another default that the residual "
+                 "states");
   return all;
 }
 
@@ -159,34 +182,40 @@ const Description& description_of(const Constraint* /*of*/) {
   using S = Constraint;
   static const Description all =
       Describe<S>("ocp", "Constraint",
-                  "lower <= r_i <= upper for every row i of a residual; an equality where the two"
-                  " meet. Hard, or soft with a price.")
+                  "A constraint lower <= r_i <= upper on every row i of a residual. Equal limits "
+                  "make an equality constraint. A constraint is hard, or soft with a penalty for "
+                  "violations.")
           .field("residual", &S::residual)
           .required()
           .field("name", &S::name,
-                 "unique among the terms of its stage; the residual's name if left empty")
+                 "Name of the constraint, unique among the stage's terms; empty: the name of the "
+                 "residual")
           .field("lower", &S::lower,
-                 "In the residual's unit: per row, one for all, or empty: none. At least one of "
-                 "the two, but for the margins (friction cone, center of pressure, support), "
-                 "whose rows are at least zero unless said.")
+                 "Lower limits in the residual's unit: one number, or one per row; empty: no "
+                 "lower limit")
+          .more("A constraint needs a lower or an upper limit. Only margins (friction cone, "
+                "center of pressure, support) need neither: their rows must then be at least zero")
           .number_too()
           .field("upper", &S::upper,
-                 "likewise")
+                 "Upper limits in the residual's unit: one number, or one per row; empty: no "
+                 "upper limit")
           .number_too()
           .field("scale", &S::scale,
-                 "What counts as much of a row, in its unit: per row, one for all, or empty: half"
-                 " the distance of its limits, without one the robot's own limit, of forces its "
-                 "weight, of torque rates its torque times the cut-off, of distances the limit "
-                 "itself where it is above zero, of support margins half the polygon's width. "
-                 "Without any of these it must be stated.")
+                 "Characteristic size of each row, in its unit: one number, or one per row; "
+                 "empty: automatic")
+          .more("If both limits exist, the automatic scale is half the distance between them. "
+                "Otherwise it is the robot's own limit of the quantity. Exceptions are forces "
+                "(the robot's weight), torque rates (torque limit times cut-off), distances (the "
+                "limit itself, if above zero), and support margins (half the width of the "
+                "polygon). If none of these exists, the scale must be stated")
           .number_too()
           .field("price", &S::price,
-                 "A violation v costs price |v| + 1/2 square v^2, in units of cost (not "
-                 "multiplied by the step: of longer knots there are fewer that pay); infinite: "
-                 "hard.",
+                 "L1 penalty weight of violations (infinite: hard), in cost per row unit",
                  {.least = 0, .infinite = true})
+          .more("A violation v at a knot costs price |v| + 1/2 square v^2. This cost is not "
+                "multiplied by the step, so that fewer and longer knots cost less")
           .field("square", &S::square,
-                 "likewise",
+                 "Quadratic penalty weight of violations, in cost per squared row unit",
                  {.least = 0});
   return all;
 }
@@ -195,9 +224,10 @@ const Words& words_of(Integrator /*of*/) {
   static const Words all{
       "ocp",
       "Integrator",
-      "How the state goes from one knot to the next.",
+      "Integration scheme from one knot to the next.",
       {{"semi_implicit_euler", "v' = v + step a(q, v, tau), q' = q (+) step v'"},
-       {"runge_kutta4", "classical, the control held; costs are taken at the start of the step"}}};
+       {"runge_kutta4", "Classical Runge-Kutta with constant control; costs are evaluated at the start of the "
+        "step"}}};
   return all;
 }
 
@@ -205,10 +235,10 @@ const Description& description_of(const TorqueModel* /*of*/) {
   using S = TorqueModel;
   static const Description all =
       Describe<S>("ocp", "TorqueModel",
-                  "Actuators as a first-order low-pass of the control: dtau/dt = cutoff (u - "
-                  "tau). The torques join the state.")
+                  "Actuator model: each torque follows its control through a first-order low-pass"
+                  " filter, dtau/dt = cutoff (u - tau). The torques become part of the state.")
           .field("cutoff", &S::cutoff,
-                 "{rad/s}")
+                 "Cut-off frequency of the low-pass filter [{rad/s}]")
           .field("discretization", &S::discretization);
   return all;
 }
@@ -217,10 +247,10 @@ const Words& words_of(TorqueModel::Discretization /*of*/) {
   static const Words all{
       "ocp",
       "Discretization",
-      "Of the torque model.",
-      {{"exact", "decay over a step: exp(-cutoff step)"},
-       {"euler", "1 - cutoff step"},
-       {"held", "tau is the control of the step before and does not act; without a cutoff"}}};
+      "Discretization of the low-pass filter over one step.",
+      {{"exact", "The torque error decays by exp(-cutoff step) over a step"},
+       {"euler", "The torque error decays by 1 - cutoff step over a step"},
+       {"held", "No filter and no cut-off: tau is the control of the previous step, and does not act"}}};
   return all;
 }
 
@@ -228,15 +258,17 @@ const Description& description_of(const ActuationSpec* /*of*/) {
   using S = ActuationSpec;
   static const Description all =
       Describe<S>("ocp", "ActuationSpec",
-                  "Which joints are driven.")
+                  "Driven joints of the robot, and whether passive joint torques act.")
           .field("joints", &S::joints,
-                 "Empty: every joint but a free-flying base, and of robots with loops every joint"
-                 " with a motor, that is an effort limit above zero.")
+                 "Names of the driven joints; empty: automatic")
+          .more("Automatic: every joint except a free-flying base. For robots with loops: every "
+                "joint with a motor, which is a joint with an effort limit above zero")
           .field("passive_torques", &S::passive_torques,
-                 "Joint damping and friction of the model act too, smoothed as "
-                 "dynamics/passive.hpp has it, and its springs and tendons.")
+                 "True: damping, smoothed friction, springs and tendons of the model act on the "
+                 "joints")
           .field("slip_velocity", &S::slip_velocity,
-                 "{rad/s} or m/s");
+                 "Speed at which smoothed joint friction reaches 76 % of its full size [{rad/s}],"
+                 " or in m/s");
   return all;
 }
 
@@ -244,18 +276,19 @@ const Description& description_of(const Stage* /*of*/) {
   using S = Stage;
   static const Description all =
       Describe<S>("ocp", "Stage",
-                  "A kind of knot: which contacts hold, what is aimed at, how long a step is.")
+                  "A kind of knot, with active contacts, costs, constraints and the duration of a"
+                  " step.")
           .field("name", &S::name)
           .field("contacts", &S::contacts,
-                 "names of those that hold")
+                 "Names of the active contacts")
           .field("costs", &S::costs)
           .field("constraints", &S::constraints)
           .field("step", &S::step,
-                 "{s}, of knots that have none of their own")
+                 "Duration of a knot, unless the knot has its own step [{s}]")
           .field("integrator", &S::integrator)
           .field("impact", &S::impact,
-                 "The contacts are made here: velocities jump so that they hold (inelastic), no "
-                 "time passes, there is no control, and costs are not multiplied by a step.");
+                 "True: an inelastic impact, in which the contacts close and velocities jump")
+          .more("No time passes, and there is no control. Costs are not multiplied by a step");
   return all;
 }
 
@@ -263,20 +296,20 @@ const Description& description_of(const HorizonSegment* /*of*/) {
   using S = HorizonSegment;
   static const Description all =
       Describe<S>("ocp", "HorizonSegment",
-                  "Consecutive knots of one stage. Their steps may be their own: all alike, or "
-                  "each longer (or shorter) than the one before by the same factor, so that few "
-                  "knots look far ahead. What is numerical is made for the stage's step, and a "
-                  "knot n times as long has it n times slower, as explicit steps ask for: gains "
-                  "of contacts are kd / n and kp / n^2, the speeds below which friction fades are"
-                  " n times as high.")
+                  "Consecutive knots of one stage, with the stage's step or with steps of their "
+                  "own. Own steps are equal, or change from knot to knot by a constant factor. "
+                  "With growing steps, few knots cover a long time. Contact gains and friction "
+                  "speeds are set for the stage's step. For stability at a knot n times as long, "
+                  "gains are reduced to kd / n and kp / n^2, and the speeds below which friction "
+                  "fades are multiplied by n.")
           .field("stage", &S::stage)
           .field("knots", &S::knots)
           .field("step", &S::step,
-                 "{s}, of the first of them; 0: the stage's")
+                 "Duration of the segment's first knot (0: the stage's step) [{s}]")
           .field("duration", &S::duration,
-                 "{s}, of all of them together: steps grow from the first one by the factor r >= "
-                 "1/2, at most 2, for which step (1 + r + ... + r^(knots - 1)) is this; 0: knots "
-                 "times the step.");
+                 "Duration of the whole segment (0: knots times the step) [{s}]")
+          .more("Steps change from knot to knot by a factor r, 1/2 to 2, for which step (1 + r + "
+                "... + r^(knots - 1)) = duration");
   return all;
 }
 
@@ -284,35 +317,37 @@ const Description& description_of(const ProblemSpec* /*of*/) {
   using S = ProblemSpec;
   static const Description all =
       Describe<S>("ocp", "ProblemSpec",
-                  "An optimal control problem as a user states it: a robot, contacts, stages of "
-                  "costs, a horizon.")
+                  "Specification of an optimal control problem: a robot, contacts, stages with "
+                  "costs and constraints, and a horizon.")
           .field("model", &S::model)
           .required()
           .field("contacts", &S::contacts,
-                 "all contacts of the problem; stages choose; those of the robot's loops need not"
-                 " be among them")
+                 "Contacts of the problem; each stage selects its active contacts from them")
+          .more("Contacts of the robot's loops may be omitted")
           .field("contact_solver", &S::contact_solver)
           .field("actuation", &S::actuation)
           .field("torque_model", &S::torque_model)
           .field("remembered_forces", &S::remembered_forces,
-                 "Contacts whose forces of the step before join the state (rows held, in their "
-                 "own reference; zero where the contact did not hold), for ContactForceRate. They"
-                 " act on nothing.")
+                 "Names of contacts whose force of the previous step is part of the state")
+          .more("These forces are inputs of ContactForceRate, and do not act on the robot. There "
+                "is one entry per held direction, in the contact's own reference. The entry is "
+                "zero if the contact was not active")
           .field("control_lower", &S::control_lower,
-                 "nu entries or one for all, Nm (N); empty: none.")
+                 "Lower bounds of the control in Nm (N): nu entries, or one for all; empty: none")
           .number_too()
           .field("control_upper", &S::control_upper,
-                 "likewise")
+                 "Upper bounds of the control in Nm (N): nu entries, or one for all; empty: none")
           .number_too()
           .field("stages", &S::stages)
           .field("horizon", &S::horizon)
           .field("terminal", &S::terminal,
-                 "costs of the last state")
+                 "Costs of the last state")
           .field("terminal_constraints", &S::terminal_constraints)
           .field("initial_state", &S::initial_state,
-                 "(q, v), then tau with a torque model, then the remembered forces.")
+                 "Initial state: q and v, then tau with a torque model, then the remembered "
+                 "forces")
           .field("start_time", &S::start_time,
-                 "{s}, of the first knot");
+                 "Time of the first knot [{s}]");
   return all;
 }
 
@@ -320,25 +355,25 @@ const Description& description_of(const StepError* /*of*/) {
   using S = StepError;
   static const Description all =
       Describe<S>("ocp", "StepError",
-                  "How far the end of one step of a plan is from the motion that small steps lead"
-                  " to.")
+                  "Discretization error of one step of a plan: the difference between the end of "
+                  "this step and the end of an integration with small steps.")
           .result()
           .field("knot", &S::knot,
-                 "at which the step begins; -1: no time passes in the problem")
+                 "Knot at which the step begins; -1: no time passes in the problem")
           .field("place", &S::place,
-                 "the knot's name, such as \"press, knot 3\"")
+                 "Name of the knot, such as \"press, knot 3\"")
           .field("time", &S::time,
-                 "{s}, of that knot")
+                 "Time at which the step begins [{s}]")
           .field("step", &S::step,
-                 "{s}")
+                 "Duration of the step [{s}]")
           .field("entry", &S::entry,
-                 "the entry of v, as the model names it")
+                 "Name of the entry of v that has the error")
           .field("unit", &S::unit,
-                 "\"rad\" or \"m\"; of velocities \"rad/s\" or \"m/s\"")
+                 "Unit of the error: \"rad\" or \"m\"; for velocities \"rad/s\" or \"m/s\"")
           .field("error", &S::error,
-                 "size, in that unit")
+                 "Size of the error, in the unit of the error")
           .field("limit", &S::limit,
-                 "largest error that is no warning, in that unit");
+                 "Limit of the error, in the unit of the error; a larger error causes a warning");
   return all;
 }
 
@@ -346,21 +381,24 @@ const Description& description_of(const StepReport* /*of*/) {
   using S = StepReport;
   static const Description all =
       Describe<S>("ocp", "StepReport",
-                  "What check_steps() found: the largest error of a position and of a velocity, "
-                  "of those above their limits where there are any.")
+                  "Result of check_steps(): the worst position error and the worst velocity "
+                  "error. Errors above their limit are worse than errors within their limit. "
+                  "Otherwise the larger error is worse.")
           .result()
           .field("status", &S::status,
-                 "ok, or why the errors of `knot` cannot be computed: the smallest steps do not "
-                 "agree, a number is not finite, or what the contacts say")
+                 "Status ok, or the reason why the errors of `knot` cannot be computed")
+          .more("Not converged: the smallest steps still disagree. Other reasons: a number is not"
+                " finite, or the contacts cannot be solved")
           .field("knot", &S::knot,
-                 "the first one with that status; -1: none")
+                 "First knot whose errors cannot be computed; -1: none")
           .field("position", &S::position,
-                 "by the model's difference")
+                 "Worst position error, by the model's difference of configurations")
           .field("velocity", &S::velocity)
           .field("coarse", &S::coarse,
-                 "an error is above its limit, or cannot be computed")
+                 "True if an error exceeds its limit or cannot be computed")
           .field("step_enough", &S::step_enough,
-                 "{s}, a step that would do at the worst knot; 0: not coarse, or none was found");
+                 "Step that is short enough at the worst knot (0: steps are fine, or none was "
+                 "found) [{s}]");
   return all;
 }
 
@@ -372,9 +410,10 @@ const Description& description_of(const State* /*of*/) {
   using S = State;
   static const Description all =
       Describe<S>("residual", "State",
-                  "x (-) target, ndx rows: dq (rad, m), dv (rad/s, m/s), dtau (Nm, N).")
+                  "Difference of the state from the target, x (-) target, ndx rows: dq (rad, m), "
+                  "dv (rad/s, m/s), dtau (Nm, N).")
           .field("target", &S::target,
-                 "a state of nx entries; None: the initial state of the problem");
+                 "Target state, nx entries; None: the initial state of the problem");
   return all;
 }
 
@@ -382,9 +421,9 @@ const Description& description_of(const Control* /*of*/) {
   using S = Control;
   static const Description all =
       Describe<S>("residual", "Control",
-                  "u - target, nu rows, Nm (N).")
+                  "Control minus the target, nu rows, Nm (N).")
           .field("target", &S::target,
-                 "None: zero");
+                 "Target control; None: zero");
   return all;
 }
 
@@ -392,12 +431,13 @@ const Description& description_of(const JointPosition* /*of*/) {
   using S = JointPosition;
   static const Description all =
       Describe<S>("residual", "JointPosition",
-                  "q_j - target for revolute and prismatic joints, one row each, rad or m. No "
-                  "joints: all of them that have a limit.")
+                  "Position of revolute and prismatic joints minus the target, one row per joint,"
+                  " rad or m. If no joints are named, there is a row for every joint with a "
+                  "position limit.")
           .field("joints", &S::joints)
           .name_of("joint")
           .field("target", &S::target,
-                 "None: zero, as limits want it");
+                 "Target positions; None: zero, so that limits apply to the positions");
   return all;
 }
 
@@ -405,12 +445,13 @@ const Description& description_of(const JointVelocity* /*of*/) {
   using S = JointVelocity;
   static const Description all =
       Describe<S>("residual", "JointVelocity",
-                  "v - target for the entries of the named joints, rad/s or m/s; no joints: all "
-                  "but the free-flying base.")
+                  "Velocity of joints minus the target, one row per entry of v, rad/s or m/s. If "
+                  "no joints are named, there are rows for all joints except the free-flying "
+                  "base.")
           .field("joints", &S::joints)
           .name_of("joint")
           .field("target", &S::target,
-                 "None: zero");
+                 "Target velocities; None: zero");
   return all;
 }
 
@@ -418,13 +459,13 @@ const Description& description_of(const JointTorque* /*of*/) {
   using S = JointTorque;
   static const Description all =
       Describe<S>("residual", "JointTorque",
-                  "What the actuators apply to the named joints minus the target, Nm or N: the "
-                  "control, or with a cut-off of the torque model the torque state. No joints: "
-                  "all actuated ones.")
+                  "Actuator torque of joints minus the target, Nm or N. The torque is the "
+                  "control; if the torque model has a cut-off, it is the torque in the state. If "
+                  "no joints are named, there are rows for all actuated joints.")
           .field("joints", &S::joints)
           .name_of("joint")
           .field("target", &S::target,
-                 "None: zero");
+                 "Target torques; None: zero");
   return all;
 }
 
@@ -432,15 +473,15 @@ const Description& description_of(const JointTorqueRate* /*of*/) {
   using S = JointTorqueRate;
   static const Description all =
       Describe<S>("residual", "JointTorqueRate",
-                  "How fast the torques of the named joints follow the control, minus the target:"
-                  " cutoff (u - tau), Nm/s or N/s, at the begin of the step, over which it "
-                  "decays; (u - tau) / step where torques are held and tau is the control of the "
-                  "step before. With a torque model alone, where there is a control. No joints: "
-                  "all actuated ones.")
+                  "Rate of actuator torques of joints minus the target, Nm/s or N/s. The rate "
+                  "needs a torque model and a control. With a cut-off, the rate is cutoff (u - "
+                  "tau) at the start of the step, and decays over the step. With held torques, "
+                  "the rate is (u - tau) / step, where tau is the control of the previous step. "
+                  "If no joints are named, there are rows for all actuated joints.")
           .field("joints", &S::joints)
           .name_of("joint")
           .field("target", &S::target,
-                 "None: zero");
+                 "Target rates; None: zero");
   return all;
 }
 
@@ -448,17 +489,19 @@ const Description& description_of(const FramePosition* /*of*/) {
   using S = FramePosition;
   static const Description all =
       Describe<S>("residual", "FramePosition",
-                  "Origin of a frame minus the target, 3 rows, m, written in the axes of the "
-                  "reference, whose base is the world. Its origin must not be the frame itself; "
-                  "where its axes follow a surface at the frame (Reference.on) it is that of what"
-                  " the surface is fixed in, and the first two rows are how far the target is "
-                  "along the tangents at the frame.")
+                  "Position of a frame's origin minus the target, 3 rows, m, in the axes of the "
+                  "reference. The base of the reference must be the world, and the reference's "
+                  "origin must not be the frame itself. With Reference.on, the axes of the "
+                  "reference follow a surface at the frame. The reference's origin is then the "
+                  "origin of the frame in which the surface is fixed, and the first two rows are "
+                  "along the surface's tangents.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
           .field("target", &S::target,
-                 "3, {m}: from the reference's origin, in the axes that its rotation is fixed in;"
-                 " of Reference::world(...) a point of the world")
+                 "Target position from the reference's origin, 3 entries [{m}]")
+          .more("Written in the axes in which the reference's rotation is fixed. With "
+                "Reference::world(...), the target is a point of the world")
           .field("reference", &S::reference);
   return all;
 }
@@ -467,19 +510,22 @@ const Description& description_of(const FrameDistance* /*of*/) {
   using S = FrameDistance;
   static const Description all =
       Describe<S>("residual", "FrameDistance",
-                  "Distance of a frame's origin from the target, 1 row, m, measured along "
-                  "`directions` of the reference, whose base is the world and whose origin must "
-                  "not be the frame itself: along all three from a point, along two from a line, "
-                  "along one from a plane. It is sqrt(d^2 + (1e-6 m)^2), so that it has a "
-                  "derivative everywhere; at d = 0 that is zero, as no direction leads away.")
+                  "Distance of a frame's origin from the target, 1 row, m, along one or more axes"
+                  " of the reference. With three axes it is the distance from a point, with two "
+                  "from a line, with one from a plane. The base of the reference must be the "
+                  "world, and the reference's origin must not be the frame itself. For a distance"
+                  " d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable everywhere. At d"
+                  " = 0 the derivative of the row is zero.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
           .field("target", &S::target,
-                 "3, {m}, as of FramePosition. None: the reference's origin, unless that is the "
-                 "world's")
+                 "Target position from the reference's origin (None: the origin itself), 3 "
+                 "entries [{m}]")
+          .more("Written in the axes in which the reference's rotation is fixed. A target is "
+                "required if the origin is the world's origin")
           .field("directions", &S::directions,
-                 "one or more of x, y and z")
+                 "Axes that count: one or more of x, y and z")
           .field("reference", &S::reference);
   return all;
 }
@@ -488,14 +534,16 @@ const Description& description_of(const FrameRotation* /*of*/) {
   using S = FrameRotation;
   static const Description all =
       Describe<S>("residual", "FrameRotation",
-                  "log(R_target^T A^T R), 3 rows, rad, target axes: how far the frame is from the"
-                  " target, which is a rotation from the axes A of the reference, whose base is "
-                  "the world; its origin does not matter.")
+                  "Rotation of a frame from the target, log(R_target^T A^T R), 3 rows, rad, in "
+                  "the target's axes. R is the rotation of the frame in the world, A is the "
+                  "rotation of the reference, and R_target is the target, a rotation relative to "
+                  "A. The base of the reference must be the world. The origin of the reference "
+                  "has no effect.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
           .field("target", &S::target,
-                 "quaternion x, y, z, w, of unit length")
+                 "Target rotation: quaternion x, y, z, w, of unit length")
           .field("reference", &S::reference);
   return all;
 }
@@ -504,20 +552,20 @@ const Description& description_of(const FrameInclination* /*of*/) {
   using S = FrameInclination;
   static const Description all =
       Describe<S>("residual", "FrameInclination",
-                  "Lead and tilt of an axis of a frame minus the target, 2 rows, rad: the angles "
-                  "by which it leans from the third axis of the reference, whose base is the "
-                  "world, towards the first and towards the second: atan2(e_x, e_z) and "
-                  "atan2(e_y, e_z), with e the axis in the reference. How it is turned about "
-                  "itself does not matter. With Reference.on the third axis is a surface's "
-                  "normal.")
+                  "Lead and tilt of an axis of a frame minus the target, 2 rows, rad. Lead is the"
+                  " inclination from the reference's z towards its x, atan2(e_x, e_z). Tilt is "
+                  "the inclination from z towards y, atan2(e_y, e_z). The vector e is the axis, "
+                  "written in the reference. The base of the reference must be the world. "
+                  "Rotation about the axis has no effect. With Reference.on, z is the normal of a"
+                  " surface.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
           .field("reference", &S::reference)
           .field("axis", &S::axis,
-                 "3, of any length, in the frame")
+                 "Axis in the frame, 3 entries, of any length")
           .field("target", &S::target,
-                 "lead and tilt, {rad}; None: zero");
+                 "Target lead and tilt [{rad}]; None: zero");
   return all;
 }
 
@@ -525,18 +573,19 @@ const Description& description_of(const FrameHeight* /*of*/) {
   using S = FrameHeight;
   static const Description all =
       Describe<S>("residual", "FrameHeight",
-                  "Height of a frame's origin above the surface that the reference follows "
-                  "(Reference.on), minus the target, 1 row, m: how far away the surface is along "
-                  "its normal at the frame, below zero in the material. Exact for planes, spheres"
-                  " and cylinders, to first order for others; far outside of a surface that the "
-                  "normal there misses it only grows.")
+                  "Height of a frame's origin above a surface minus the target, 1 row, m. The "
+                  "reference follows the surface (Reference.on). The height is the distance to "
+                  "the surface along the normal at the frame, negative inside the material. It is"
+                  " exact for planes, spheres and cylinders, and correct to first order for other"
+                  " surfaces. If the normal at the frame does not meet the surface, the height "
+                  "only increases with the distance.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
           .field("reference", &S::reference)
           .stated()
           .field("target", &S::target,
-                 "{m}; None: zero");
+                 "Target height [{m}]; None: zero");
   return all;
 }
 
@@ -544,12 +593,13 @@ const Description& description_of(const FramePlacement* /*of*/) {
   using S = FramePlacement;
   static const Description all =
       Describe<S>("residual", "FramePlacement",
-                  "SE(3) logarithm of the frame in the target: 3 rows m, 3 rows rad, target axes.")
+                  "Pose of a frame relative to the target, as an SE(3) logarithm in the target's "
+                  "axes: 3 rows in m, 3 rows in rad.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
           .field("target", &S::target,
-                 "position (m), quaternion x, y, z, w");
+                 "Target pose: position (m), quaternion x, y, z, w");
   return all;
 }
 
@@ -557,14 +607,15 @@ const Description& description_of(const FrameVelocity* /*of*/) {
   using S = FrameVelocity;
   static const Description all =
       Describe<S>("residual", "FrameVelocity",
-                  "Velocity of a frame in the world minus the target, 6 rows: m/s, rad/s, written"
-                  " in the reference, whose tool is the frame and whose base is the world.")
+                  "Velocity of a frame in the world minus the target, 6 rows: 3 in m/s, 3 in "
+                  "rad/s. The velocity is written in the reference. The tool of the reference is "
+                  "the frame, and the base is the world.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
           .field("reference", &S::reference)
           .field("target", &S::target,
-                 "None: zero");
+                 "Target velocity; None: zero");
   return all;
 }
 
@@ -572,14 +623,15 @@ const Description& description_of(const ContactForce* /*of*/) {
   using S = ContactForce;
   static const Description all =
       Describe<S>("residual", "ContactForce",
-                  "Force of an active contact minus the target, N and Nm: the held rows in the "
-                  "contact's own reference, or six rows in another one.")
+                  "Force of an active contact minus the target, N and Nm. In the contact's own "
+                  "reference, there is one row per held direction. In another reference, there "
+                  "are six rows.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
           .field("reference", &S::reference)
           .field("target", &S::target,
-                 "None: zero");
+                 "Target force; None: zero");
   return all;
 }
 
@@ -587,15 +639,15 @@ const Description& description_of(const ContactForceRate* /*of*/) {
   using S = ContactForceRate;
   static const Description all =
       Describe<S>("residual", "ContactForceRate",
-                  "How fast the force of an active contact changes from the step before to this "
-                  "one, minus the target: (f - f_before) / step, N/s and Nm/s, the held rows in "
-                  "the contact's own reference. For contacts that the problem remembers the force"
-                  " of.")
+                  "Rate of change of an active contact's force minus the target, (f - f_before) /"
+                  " step, N/s and Nm/s. There is one row per held direction, in the contact's own"
+                  " reference. f_before is the force of the previous step: the contact must be "
+                  "one of the problem's remembered_forces.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
           .field("target", &S::target,
-                 "None: zero");
+                 "Target rates; None: zero");
   return all;
 }
 
@@ -603,24 +655,26 @@ const Description& description_of(const FrictionCone* /*of*/) {
   using S = FrictionCone;
   static const Description all =
       Describe<S>("residual", "FrictionCone",
-                  "Two rows, N: friction * f_n - |f_t| (smoothed over 1e-3 N) and f_n, both to be"
-                  " kept above a limit: the default penalty is a barrier at 0. f_n is the force "
-                  "along the axis `normal` of the reference (0, 1, 2: x, y, z), f_t what stands "
-                  "at a right angle to it. With `sides` n a pyramid inside the cone: n rows, N, "
-                  "friction * cos(pi / n) * f_n - d_i . f_t, where d_0 is the next axis of the "
-                  "reference after the normal and the others follow every 360 / n degrees.")
+                  "Margins of a contact force within its friction cone, 2 rows, N: friction * f_n"
+                  " - |f_t| and f_n. Here f_n is the force along the axis `normal` of the "
+                  "reference (0, 1, 2: x, y, z), and f_t is the tangential force. |f_t| is "
+                  "smoothed over 1e-3 N. If `sides` is n > 0, there are n rows instead, N: the "
+                  "margins friction * cos(pi / n) * f_n - d_i . f_t within a pyramid inside the "
+                  "cone. The tangent d_0 is the axis of the reference after the normal; the other"
+                  " d_i follow every 360 / n degrees. Default penalty: a barrier at 0.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
           .field("friction", &S::friction,
-                 "",
+                 "Friction coefficient",
                  {.least = 0, .open = true})
-          .field("normal", &S::normal)
+          .field("normal", &S::normal,
+                 "Axis of the reference along the normal")
           .words("x y z")
           .field("reference", &S::reference,
-                 "default: the contact's own")
+                 "Reference; by default the contact's own")
           .field("sides", &S::sides,
-                 "3 to 32, of a pyramid inside the cone; 0: the cone itself",
+                 "Number of sides of a pyramid inside the cone, 3 to 32 (0: the cone itself)",
                  {.least = 0});
   return all;
 }
@@ -629,26 +683,28 @@ const Description& description_of(const CenterOfPressure* /*of*/) {
   using S = CenterOfPressure;
   static const Description all =
       Describe<S>("residual", "CenterOfPressure",
-                  "Four rows, Nm: how far the centre of pressure is inside a rectangle of the "
-                  "tool's axes, times the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x,"
-                  " both halves in m; zero where the centre, which is (-m_y, m_x) / f_z, is at "
-                  "the edge above in x, below in x, below in y, above in y. With friction eight "
-                  "rows more, Nm, four to the right and four to the left: how far the moment "
-                  "about the normal is within what the corners bear with that coefficient each. "
-                  "Default penalty: a barrier at 0.")
+                  "Margins of the centre of pressure within a rectangle in the tool's axes, times"
+                  " the normal force f_z, 4 rows, Nm: half_x f_z + m_y, half_x f_z - m_y, half_y "
+                  "f_z + m_x and half_y f_z - m_x. With the centre of pressure c = (-m_y, m_x) / "
+                  "f_z, these rows are zero if c is at the edge with the largest x, smallest x, "
+                  "smallest y and largest y, in this order. With friction there are 8 more rows, "
+                  "Nm: the margins of the moment about the normal before the corners slip. The "
+                  "first 4 of these rows limit negative moments, the last 4 positive moments. "
+                  "Each corner has the coefficient `friction`. Default penalty: a barrier at 0.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
           .field("half_x", &S::half_x,
-                 "{m}",
+                 "Half length of the rectangle along the tool's x [{m}]",
                  {.least = 0, .open = true})
           .stated()
           .field("half_y", &S::half_y,
-                 "{m}",
+                 "Half length of the rectangle along the tool's y [{m}]",
                  {.least = 0, .open = true})
           .stated()
           .field("friction", &S::friction,
-                 "0: the moment about the normal is free",
+                 "Friction coefficient at each corner, which limits the moment about the normal "
+                 "(0: no limit)",
                  {.least = 0});
   return all;
 }
@@ -657,7 +713,7 @@ const Description& description_of(const CenterOfMass* /*of*/) {
   using S = CenterOfMass;
   static const Description all =
       Describe<S>("residual", "CenterOfMass",
-                  "Centre of mass minus the target, 3 rows, m, world.")
+                  "Position of the centre of mass minus the target, 3 rows, m, world axes.")
           .field("target", &S::target);
   return all;
 }
@@ -666,13 +722,13 @@ const Description& description_of(const SupportMargin* /*of*/) {
   using S = SupportMargin;
   static const Description all =
       Describe<S>("residual", "SupportMargin",
-                  "How far the centre of mass, seen from above, is inside of each edge of a "
-                  "support polygon: a row per edge, m, all to be kept above a limit: the default "
-                  "penalty is a barrier at 0. Row i is of the edge from point i to the next one, "
-                  "the last back to the first.")
+                  "Distance of the centre of mass from each edge of a support polygon, seen from "
+                  "above, one row per edge, m. The distance is positive inside. Row i belongs to "
+                  "the edge from point i to the next point; the last edge returns to the first "
+                  "point. Default penalty: a barrier at 0.")
           .field("points", &S::points,
-                 "3 or more, x and y in the world, {m}: the corners of a convex polygon, "
-                 "counter-clockwise as seen from above. Others are refused.")
+                 "Corners of a convex polygon, 3 or more, x and y in the world [{m}], "
+                 "counter-clockwise from above. Other polygons are rejected.")
           .stated();
   return all;
 }
@@ -681,10 +737,10 @@ const Description& description_of(const CentroidalMomentum* /*of*/) {
   using S = CentroidalMomentum;
   static const Description all =
       Describe<S>("residual", "CentroidalMomentum",
-                  "Momentum about the centre of mass minus the target, 6 rows: kg m/s, kg m^2/s, "
-                  "world axes.")
+                  "Linear momentum (3 rows, kg m/s) and angular momentum about the centre of mass"
+                  " (3 rows, kg m^2/s) minus the target, world axes.")
           .field("target", &S::target,
-                 "None: zero");
+                 "Target momentum; None: zero");
   return all;
 }
 

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/ocp/check.hpp"
 #include "burnish/ocp/node_view.hpp"
 #include "burnish/ocp/problem.hpp"

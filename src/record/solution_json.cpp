@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "base/whole_file.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"

@@ -9,22 +9,24 @@ const Description& description_of(const MetricsSpec* /*of*/) {
   using S = MetricsSpec;
   static const Description all =
       Describe<S>("report", "MetricsSpec",
-                  "What of a trace is measured.")
+                  "Settings of measure(): time window and directions for the metrics of a trace.")
           .field("start", &S::start,
-                 "{s}, of the window")
+                 "Start of the time window [{s}]")
           .field("end", &S::end,
-                 "{s}, of the window")
+                 "End of the time window [{s}]")
           .field("normal_world", &S::normal_world,
-                 "Along which the force is measured and across which the position, towards the "
-                 "robot, any length but zero; none: the normal of the surface at the tool, as it "
-                 "is in each row.")
+                 "Surface normal towards the robot, in world axes (none: the true normal at the "
+                 "tool, in each row)")
+          .more("Forces are measured along the normal, position errors perpendicular to it. The "
+                "normal may have any length except zero")
           .field("average", &S::average,
-                 "{s}, of the moving average of the force, centred; 0: none")
+                 "Width of the centred moving average of the force (0: no average) [{s}]")
           .field("tool_axis", &S::tool_axis,
-                 "that the tool presses along, in its frame, any length but zero; none: "
-                 "tool_to_normal is not measured")
+                 "Direction in which the tool presses, in the tool's frame (none: tool_to_normal "
+                 "is not measured)")
+          .more("The vector may have any length except zero")
           .field("tool_start_world", &S::tool_start_world,
-                 "columns: the tool's axes where the trace begins, world");
+                 "Axes of the tool at the start of the trace, as columns in world axes");
   return all;
 }
 
@@ -32,7 +34,7 @@ const Description& description_of(const NamedMetrics* /*of*/) {
   using S = NamedMetrics;
   static const Description all =
       Describe<S>("report", "NamedMetrics",
-                  "Metrics of a run, and what it is called.")
+                  "Metrics of a run together with the run's name.")
           .result()
           .field("name", &S::name)
           .field("metrics", &S::metrics);
@@ -43,15 +45,15 @@ const Description& description_of(const Curve* /*of*/) {
   using S = Curve;
   static const Description all =
       Describe<S>("report", "Curve",
-                  "One line. Points that are not finite interrupt it.")
+                  "A curve in a plot. Points that are not finite leave gaps in the curve.")
           .field("name", &S::name,
-                 "in the legend; empty: not listed")
+                 "Name in the legend (empty: not listed)")
           .field("x", &S::x)
           .field("y", &S::y)
           .field("color", &S::color,
-                 "of the palette; -1: the next one")
+                 "Index of the colour in the palette (-1: the next colour)")
           .field("dashed", &S::dashed,
-                 "limits and targets");
+                 "Whether the line is dashed, such as for limits and targets");
   return all;
 }
 
@@ -59,16 +61,17 @@ const Description& description_of(const Panel* /*of*/) {
   using S = Panel;
   static const Description all =
       Describe<S>("report", "Panel",
-                  "Axes with curves in them.")
+                  "A pair of axes with its curves.")
           .field("title", &S::title)
           .field("x_label", &S::x_label,
-                 "with units, such as \"time [s]\"")
+                 "Label of the x axis, with its unit, such as \"time [s]\"")
           .field("y_label", &S::y_label)
           .field("curves", &S::curves)
           .field("equal_aspect", &S::equal_aspect,
-                 "a metre is as long upwards as to the right")
+                 "Whether both axes have the same scale")
           .field("log_y", &S::log_y,
-                 "values that are not positive are left out");
+                 "Whether the y axis is logarithmic")
+          .more("Values <= 0 are then left out");
   return all;
 }
 
@@ -76,15 +79,16 @@ const Description& description_of(const PlotSpec* /*of*/) {
   using S = PlotSpec;
   static const Description all =
       Describe<S>("report", "PlotSpec",
-                  "Line plots as an SVG file that any browser shows.")
+                  "A figure with one or more panels of line plots. The result is an SVG file that"
+                  " any browser shows.")
           .field("title", &S::title)
           .field("panels", &S::panels)
           .field("columns", &S::columns,
-                 "panels beside each other")
+                 "Number of panels side by side")
           .field("panel_width", &S::panel_width,
-                 "{px}, the legend included")
+                 "Width of a panel, including its legend, in {px}")
           .field("panel_height", &S::panel_height,
-                 "{px}");
+                 "Height of a panel, in {px}");
   return all;
 }
 

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/report/svg_plot.hpp"
 #include "model/descriptions.gen.hpp"

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "model/descriptions.gen.hpp"
 #include "robots/robot_settings.hpp"
 

@@ -12,104 +12,120 @@
 
 namespace burnish {
 
-/// Limits of a joint, before those of its description.
+/// Limits of a joint. They replace the limits in the robot's description.
 /// @described robots
 struct JointLimits {
-  std::optional<double> lower;     ///< Least position [rad or m], finite or infinite
-  std::optional<double> upper;     ///< Largest position [rad or m], finite or infinite
-  std::optional<double> velocity;  ///< Largest speed [rad/s or m/s], >= 0 or infinite
-  /// Largest torque or force of the motor [Nm or N], >= 0 or infinite
-  /// @more In robots with loops 0 is a hinge without a motor
+  std::optional<double> lower;     ///< Lower position limit [rad or m], finite or infinite
+  std::optional<double> upper;     ///< Upper position limit [rad or m], finite or infinite
+  std::optional<double> velocity;  ///< Velocity limit [rad/s or m/s], >= 0 or infinite
+  /// Effort limit: largest torque or force of the motor [Nm or N], >= 0 or infinite
+  /// @more In a robot with loops, 0 means a hinge without a motor
   std::optional<double> effort;
 };
 
-/// Drive and spring of a joint, before those of its description.
+/// Drive and spring parameters of a joint. They replace the values in the robot's description.
 /// @described robots
 struct JointFigures {
-  std::optional<double> armature;  ///< Inertia of the drive, seen at the joint [kg m^2 or kg], >= 0
-  std::optional<double> damping;   ///< Viscous friction [Nms/rad or Ns/m], >= 0
-  std::optional<double> friction;  ///< Coulomb friction [Nm or N], >= 0
+  /// Inertia of the drive, reflected to the joint [kg m^2 or kg], >= 0
+  std::optional<double> armature;
+  std::optional<double> damping;    ///< Viscous friction [Nms/rad or Ns/m], >= 0
+  std::optional<double> friction;   ///< Coulomb friction [Nm or N], >= 0
   std::optional<double> stiffness;  ///< Stiffness of a spring in the joint [Nm/rad or N/m], >= 0
-  std::optional<double> rest;       ///< Position where that spring is at rest [rad or m]
-  /// Inertia of the rotor about its own axis [kg m^2], of which `gear_ratio`^2 times as much is
-  /// added to the armature, >= 0
+  std::optional<double> rest;       ///< Joint position at which the spring is at rest [rad or m]
+  /// Inertia of the rotor about its own axis [kg m^2], >= 0
+  /// @more `gear_ratio`^2 times this inertia is added to the armature
   std::optional<double> rotor_inertia;
-  /// Turns of the rotor per turn of the joint, or rad per m of one that slides; 1 unless stated
-  /// @more It stands beside a `rotor_inertia`
+  /// Turns of the rotor per turn of the joint (default: 1)
+  /// @more For a prismatic joint: rotor angle per travel, in rad/m. Requires `rotor_inertia`
   std::optional<double> gear_ratio;
 };
 
-/// What a settings file, or one variant in it, states.
+/// Contents of a settings file, or of one variant in it.
 /// @described robots
-/// Keys that are absent are empty. A value is an optional, a map or a list of what has a name, so
-/// that variants can leave it.
+/// If the file does not state a key, the member is empty: an optional without a value, or a map or
+/// list without entries. Variants state only the keys that differ.
 struct RobotSettings {
-  std::optional<std::string> urdf;  ///< URDF file, relative to the settings: it or `mjcf` is needed
-  std::optional<std::string> mjcf;  ///< MJCF file, relative to the settings, in place of `urdf`
-  /// SRDF file, relative to the settings, whose `group_state`s are postures too; the settings' own
-  /// of the same name go before
+  /// URDF file, relative to the settings file; either `urdf` or `mjcf` is required
+  std::optional<std::string> urdf;
+  std::optional<std::string> mjcf;  ///< MJCF file, relative to the settings file, instead of `urdf`
+  /// SRDF file, relative to the settings file; each `group_state` in it is a posture
+  /// @more Postures of the settings replace SRDF postures of the same name
   std::optional<std::string> srdf;
-  std::optional<std::string> description;  ///< One line for `burnish --robots`
-  std::optional<Base> base;                ///< `fixed` or `free_flyer`; `fixed` unless stated
-  /// Placement of the root link in the world: `xyz` with `rpy` (about fixed x, then y, then z),
-  /// `quaternion` or `matrix`; identity unless stated
-  /// @more With a free-flyer it is that of the neutral configuration
+  /// Description of the robot in one line, shown by `burnish --robots`
+  std::optional<std::string> description;
+  std::optional<Base> base;  ///< Base of the robot: `fixed` (default) or `free_flyer`
+  /// Placement of the root link in the world (default: identity): `xyz` with `rpy` (about fixed x,
+  /// then y, then z), `quaternion` or `matrix`
+  /// @more With a free-flyer, this is the placement in the neutral configuration
   std::optional<Eigen::Isometry3d> base_placement;
-  std::optional<std::vector<std::string>> lock;  ///< Joints to hold: a list; none unless stated
-  /// Joints to leave free, all others being held: a list, not beside `lock`; all unless stated
+  std::optional<std::vector<std::string>> lock;  ///< List of joints to lock (default: none)
+  /// List of joints that stay free; all other joints are locked (default: all joints stay free)
+  /// @more Cannot be combined with `lock`
   std::optional<std::vector<std::string>> free;
-  /// Name of the posture at which joints are held; `default_posture`, or zero, unless stated
+  /// Name of the posture at which joints are locked (default: `default_posture`, else zero)
   std::optional<std::string> posture;
-  /// Name of the posture that commands start from; the neutral configuration unless stated
+  /// Name of the posture that commands start from (default: the neutral configuration)
+  /// @more With an MJCF file, the default is its posture `home`, else the posture in which the file
+  /// draws the robot
   std::optional<std::string> default_posture;
-  /// By name: values by joint, one number each; for a planar joint `[x, y, angle]`, for a ball
-  /// `[qx, qy, qz, qw]`, for a floating one or `root_joint`, the free-flying base, `[x, y, z, qx,
-  /// qy, qz, qw]`
-  /// @more Joints that are not named are at zero; `from` names a posture above that it begins as
+  /// Postures by name, each with values by joint: one number, or for a planar joint `[x, y,
+  /// angle]`, for a ball joint `[qx, qy, qz, qw]`, for a floating joint `[x, y, z, qx, qy, qz, qw]`
+  /// @more The floating joint of a free-flying base is `root_joint`. Joints without a value are at
+  /// zero. The key `from` names an earlier posture whose values are copied first
   std::map<std::string, Posture> postures;
-  /// By name: `parent` (a link, a joint or a frame above) and the placement in it, as of
-  /// `base_placement`
-  /// @more Commands take `tool` unless told otherwise @note In the order of the file.
+  /// Frames by name: `parent` (a link, a joint or an earlier frame) and the placement in the
+  /// parent, with the keys of `base_placement`
+  /// @more Commands use the frame `tool` unless another frame is stated
+  /// @note In the order of the file.
   std::vector<FrameSpec> frames;
-  /// By joint: limits that go before those of the file, `.inf` for none; any of the keys below
+  /// Limits by joint, with any of the keys below; they replace the limits of the file (`.inf`: no
+  /// limit)
   std::map<std::string, JointLimits> limits;
-  /// By joint: drive and spring, before those of the file; any of the keys below
+  /// Drive and spring parameters by joint, with any of the keys below; they replace the values of
+  /// the file
   std::map<std::string, JointFigures> joints;
-  /// By name: `between` (two links, one of which may be `world`), `first` and `second` (placements
-  /// in them, as of `base_placement`), `directions` that are held (`[x, y, z]` unless stated),
-  /// as in [loops](#loops)
+  /// Loops by name: `between` (two links, one of which may be `world`), `first` and `second` (the
+  /// placement of a frame in each link, with the keys of `base_placement`), `directions` (the
+  /// constrained directions, by default `[x, y, z]`)
+  /// @more See [loops](#loops)
   /// @note In the order of the file.
   std::vector<LoopSpec> loops;
-  /// By link: `mass` (kg), `com` (m, link axes) and `inertia` (kg m^2 about `com`: `[xx, xy, xz,
-  /// yy, yz, zz]`, or three along the axes), in the place of the file's
+  /// Inertias by link: `mass` (kg), `com` (m, in link axes) and `inertia` (kg m^2, about `com`)
+  /// @more `inertia` is `[xx, xy, xz, yy, yz, zz]`, or three moments along the link axes. The
+  /// values replace the values of the file
   std::map<std::string, InertiaSpec> inertias;
-  /// What the robot carries: `frame` (`tool` unless stated), and `mass`, `com` and `inertia` in its
-  /// axes; nothing unless stated
-  /// @more Found as [identification.md](identification.md) says
+  /// Payload that the robot carries (default: none): `frame` (by default `tool`), and `mass`, `com`
+  /// and `inertia` in the axes of that frame
+  /// @more [identification.md](identification.md) describes how to identify a payload
   std::optional<Payload> payload;
 };
 
+/// Settings file of a robot: the settings themselves, and its variants by name.
 struct RobotSettingsFile {
   RobotSettings common;
   std::map<std::string, RobotSettings> variants;
 };
 
-/// Throws Error naming the file, the line, the key, and what was wanted.
+/// Reads the settings file of a robot. Throws Error that names the file, the line and the key, and
+/// states the requirement.
 RobotSettingsFile read_robot_settings(const std::filesystem::path& file);
-/// The same from a text, called `name` in refusals.
+/// Reads the settings of a robot from the text of a settings file. Error messages use `name` as the
+/// file's name.
 RobotSettingsFile parse_robot_settings(const std::string& text, const std::string& name);
 
-/// `common` with what `variant` states in its place.
+/// Returns `common` with the keys that `variant` states replaced or, under named entries, merged.
 RobotSettings with_variant(RobotSettings common, const RobotSettings& variant);
 
-/// Where the SRDF file lies, if there is one. One that nobody asked for stops nothing.
+/// SRDF file of a robot, if there is one. A file that was not asked for must not prevent loading:
+/// its problems become warnings.
 struct SrdfFile {
   std::filesystem::path file;
-  bool asked_for = false;
+  bool asked_for = false;  ///< Whether the settings or the command line name the file
 };
 
-/// The robot that settings and a description make; `origin` stands for the settings' file in error
-/// sentences. Frames and postures of the settings go before those of the description.
+/// Builds a robot from its settings and its description `tree`. Error messages use `origin` as the
+/// name of the settings file. Frames and postures of the settings replace those of the description
+/// that have the same name.
 Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const std::string& origin,
                  TreeSpec tree, const SrdfFile& srdf = {});
 

@@ -9,21 +9,25 @@ const Description& description_of(const ActuationStep* /*of*/) {
   using S = ActuationStep;
   static const Description all =
       Describe<S>("sim", "ActuationStep",
-                  "One plant step of the actuation: the torque after each part, nv each, Nm or N.")
+                  "Torques after each stage of the actuation, in one plant step. Every vector has"
+                  " nv entries, in Nm or N.")
           .result()
           .field("command", &S::command,
-                 "as it came")
-          .field("delayed", &S::delayed)
+                 "Last valid torque command")
+          .field("delayed", &S::delayed,
+                 "Torque after the delay")
           .field("tracked", &S::tracked,
-                 "behind the first-order lag")
+                 "Torque after the first-order lag")
           .field("noise", &S::noise,
-                 "added to what follows scale and bias")
+                 "Noise added to the torque after scale and bias")
           .field("applied", &S::applied,
-                 "to the plant: scaled, biased, noisy, within the limits")
+                 "Torque that acts on the plant, after scale, bias, noise, limits and motor "
+                 "failures")
           .field("limited", &S::limited,
-                 "joints at their effort limit")
+                 "Number of joints whose torque was clipped to the effort limit")
           .field("held", &S::held,
-                 "the command was not finite: the one before it was taken");
+                 "Whether the command was invalid and the previous command was used")
+          .more("Invalid: not finite, or of the wrong size");
   return all;
 }
 
@@ -31,21 +35,21 @@ const Description& description_of(const ClosedLoopOptions* /*of*/) {
   using S = ClosedLoopOptions;
   static const Description all =
       Describe<S>("sim", "ClosedLoopOptions",
-                  "How a ClosedLoop runs, and what it records.")
+                  "Timing, recording and sensors of a simulation in closed loop.")
           .field("control_period", &S::control_period,
-                 "{s}, a multiple of the plant's step",
+                 "Control period, a whole number of plant steps [{s}]",
                  {.least = 0, .open = true})
           .field("max_duration", &S::max_duration,
-                 "{s} that the trace has room for")
+                 "Maximum duration of the recorded trace [{s}]")
           .field("record_every", &S::record_every,
-                 "plant steps per row of the trace",
+                 "Plant steps per row of the trace",
                  {.least = 1})
           .field("imu_frame", &S::imu_frame,
-                 "frame of an inertial measurement unit that the controller is given readings of;"
-                 " empty: of the robot's first body; none: there is no unit")
+                 "Frame of the inertial measurement unit (empty: the robot's first body; none: no"
+                 " unit)")
+          .more("The controller receives the unit's readings")
           .field("support_sensors", &S::support_sensors,
-                 "the controller is told the wrenches on the scene's supports: "
-                 "Measurement::support_wrenches");
+                 "Whether the controller receives the measured wrenches on the scene's supports");
   return all;
 }
 
@@ -53,18 +57,18 @@ const Description& description_of(const Push* /*of*/) {
   using S = Push;
   static const Description all =
       Describe<S>("sim", "Push",
-                  "A force on the tool, or on another frame of the robot, for a while.")
+                  "A force on the tool, or on another frame of the robot, for a limited time.")
           .field("start", &S::start,
-                 "{s}")
+                 "Time at which the force starts [{s}]")
           .field("duration", &S::duration,
-                 "{s}",
+                 "Duration of the force [{s}]",
                  {.least = 0})
           .field("force_world", &S::force_world,
-                 "{N}, world axes, at the frame's origin")
+                 "Force in world axes, at the frame's origin [{N}]")
           .key("force")
           .field("frame", &S::frame,
-                 "that it acts at; tip: the tip's")
-          .in_code("that it acts at; empty: the tip's")
+                 "Frame that the force acts on (tip: the tip's frame)")
+          .in_code("Frame that the force acts on (empty: the tip's frame)")
           .word("tip");
   return all;
 }
@@ -73,18 +77,19 @@ const Description& description_of(const MotorLoss* /*of*/) {
   using S = MotorLoss;
   static const Description all =
       Describe<S>("sim", "MotorLoss",
-                  "A motor that gives a part of what it is told, or nothing, for a while. Its "
-                  "torque sensor shows what it gives.")
+                  "A motor failure for a limited time: the motor produces only a fraction of its "
+                  "torque, or no torque. The torque sensor measures the reduced torque.")
           .field("start", &S::start,
-                 "{s}")
+                 "Time at which the failure starts [{s}]")
           .field("duration", &S::duration,
-                 "{s}",
+                 "Duration of the failure [{s}]",
                  {.least = 0, .infinite = true})
           .word("forever")
           .field("joint", &S::joint,
-                 "by its name; all its entries")
+                 "Name of the joint")
+          .more("All of the joint's entries of v are affected")
           .field("share", &S::share,
-                 "of its torque that it gives",
+                 "Fraction of the torque that is left",
                  {.least = 0, .most = 1});
   return all;
 }
@@ -93,24 +98,27 @@ const Description& description_of(const UnknownPayload* /*of*/) {
   using S = UnknownPayload;
   static const Description all =
       Describe<S>("sim", "UnknownPayload",
-                  "What a plant carries at one of its frames and its controller does not know: a "
-                  "ball.")
+                  "A payload that the plant carries and the controller's model lacks: a solid "
+                  "ball, fixed to a frame of the robot.")
           .field("frame", &S::frame,
-                 "that it is fixed to")
+                 "Frame that the ball is fixed to")
           .field("mass", &S::mass,
-                 "{kg}",
+                 "Mass of the ball [{kg}]",
                  {.least = 0})
           .field("com", &S::com,
-                 "{m}, its centre, in the frame's axes")
+                 "Centre of the ball, in the axes of `frame` [{m}]")
           .field("radius", &S::radius,
-                 "{m}",
+                 "Radius of the ball [{m}]",
                  {.least = 0})
           .field("mass_range", &S::mass_range,
-                 "{kg}: it weighs mass + r, |r| <= this, and not less than nothing",
+                 "Largest random change of the mass [{kg}]",
                  {.least = 0})
+          .more("A random r with |r| <= mass_range is added to the mass. A negative sum counts as"
+                " zero")
           .field("com_range", &S::com_range,
-                 "{m}: each entry of its centre is com + r, |r| <= this",
-                 {.least = 0});
+                 "Largest random change of each entry of the centre [{m}]",
+                 {.least = 0})
+          .more("A random r with |r| <= com_range is added to each entry");
   return all;
 }
 
@@ -118,24 +126,24 @@ const Description& description_of(const ImuFault* /*of*/) {
   using S = ImuFault;
   static const Description all =
       Describe<S>("sim", "ImuFault",
-                  "An inertial measurement unit that goes wrong for a while.")
+                  "A fault of an inertial measurement unit, for a limited time.")
           .field("start", &S::start,
-                 "{s}")
+                 "Time at which the fault starts [{s}]")
           .field("duration", &S::duration,
-                 "{s}; infinite: for good",
+                 "Duration of the fault [{s}]",
                  {.least = 0, .infinite = true})
           .word("forever")
           .field("gyro_offset", &S::gyro_offset,
-                 "{rad/s}, added to what the gyroscope reads, the unit's axes")
+                 "Offset added to the gyroscope's reading, in the unit's axes [{rad/s}]")
           .word("none")
           .field("accelerometer_offset", &S::accelerometer_offset,
-                 "{m/s^2}, added to what the accelerometer reads, the unit's axes")
+                 "Offset added to the accelerometer's reading, in the unit's axes [{m/s^2}]")
           .word("none")
           .field("frozen", &S::frozen,
-                 "it repeats the last reading before")
+                 "Whether the unit keeps repeating its last reading from before the fault")
           .word("no")
           .field("silent", &S::silent,
-                 "there are no readings")
+                 "Whether the unit gives no readings")
           .word("no");
   return all;
 }
@@ -144,168 +152,189 @@ const Description& description_of(const Disturbances* /*of*/) {
   using S = Disturbances;
   static const Description all =
       Describe<S>("sim", "Disturbances",
-                  "All that makes a plant differ from what its controller believes. Nothing is "
-                  "switched on unless it is named: zero, empty, false or \"no value\" is off. "
-                  "What is drawn at random comes from the seed. Joints are the entries of v; "
-                  "those of a floating base have neither motors nor encoders and are spared. "
-                  "Units are those of revolute joints; prismatic ones have m and N in place of "
-                  "rad and Nm.")
+                  "All differences between a plant and its controller's model, and all errors of "
+                  "sensors and motors. A disturbance that is not named is off. Zero, empty, false"
+                  " and \"no value\" also mean off. Random values are drawn from the seed. In the"
+                  " texts of the members, a joint is one entry of v. A floating base has no "
+                  "motors and no encoders. Its entries therefore have no motor errors, no joint "
+                  "friction and no encoder rounding. Units are given for revolute joints; for "
+                  "prismatic joints, replace rad by m and Nm by N.")
           .field("seed", &S::seed,
-                 "of everything that is drawn at random")
-          .group("From command to joint torque, in the order in which they act.")
+                 "Seed of all random values")
+          .group("Disturbances between the command and the joint torque, in the order in which they "
+             "act.")
           .field("command_delay", &S::command_delay,
-                 "{s} from the controller to the motors",
+                 "Delay from the controller to the motors [{s}]",
                  {.least = 0})
-          .more("rounded to plant steps")
+          .more("Rounded to whole plant steps")
           .field("torque_cutoff", &S::torque_cutoff,
-                 "{rad/s}, first-order lag of the motors; 0: none",
+                 "Cut-off of the motors' first-order lag (0: no lag) [{rad/s}]",
                  {.least = 0})
-          .more("dtau/dt = cutoff (command - tau)")
+          .more("The torque follows dtau/dt = cutoff (command - tau)")
           .field("torque_scale_range", &S::torque_scale_range,
-                 "each joint gives 1 + r times its torque, |r| <= this",
+                 "Largest random error of a joint's torque scale",
                  {.least = 0})
+          .more("Each joint's torque is multiplied by 1 + r, where r is random and |r| <= "
+                "torque_scale_range")
           .field("torque_scale", &S::torque_scale,
-                 "factors per joint in place of drawn ones, or none")
-          .in_code("nv factors in place of drawn ones, or empty")
+                 "Torque scale of each joint (none: random scales)")
+          .in_code("Torque scale of each joint, nv entries (empty: random scales)")
           .word("none")
           .field("torque_bias_range", &S::torque_bias_range,
-                 "{Nm}: each joint adds b, |b| <= this",
+                 "Largest random torque bias of a joint [{Nm}]",
                  {.least = 0})
+          .more("A random constant b with |b| <= torque_bias_range is added to each joint's "
+                "torque")
           .field("torque_bias", &S::torque_bias,
-                 "{Nm} per joint in place of drawn ones, or none")
-          .in_code("nv, Nm (N), in place of drawn ones, or empty")
+                 "Torque bias of each joint (none: random biases) [{Nm}]")
+          .in_code("Torque bias of each joint in Nm (N), nv entries (empty: random biases)")
           .word("none")
           .field("torque_noise", &S::torque_noise,
-                 "{Nm}, deviation",
+                 "Standard deviation of the torque noise [{Nm}]",
                  {.least = 0})
-          .more("new at every plant step")
+          .more("Drawn anew in every plant step")
           .field("torque_noise_share", &S::torque_noise_share,
-                 "of a joint's effort limit that this noise is at most; 0: any",
+                 "Upper bound of torque_noise, as a fraction of the joint's effort limit (0: no "
+                 "bound)",
                  {.least = 0})
           .field("torque_limits", &S::torque_limits,
-                 "joints give no more than the robot's effort limits")
+                 "Whether joint torques are clipped to the robot's effort limits")
           .field("torque_loop", &S::torque_loop,
-                 "a loop around a torque sensor takes away scale, bias and joint friction")
-          .more("ideal in its bandwidth; it follows the sensor's noise instead")
+                 "Whether a torque control loop cancels torque scale, torque bias and joint "
+                 "friction")
+          .more("The loop uses a torque sensor in each joint. It is ideal within its bandwidth, "
+                "but the sensor's noise disturbs the torque")
           .field("torque_sensor_noise", &S::torque_sensor_noise,
-                 "{Nm}, deviation",
+                 "Standard deviation of the torque sensors' noise [{Nm}]",
                  {.least = 0})
           .field("motor_losses", &S::motor_losses,
-                 "motors that fail, behind all that: [{start: s, duration: s, joint: name, share:"
-                 " 0 to 1 of its torque}, ...]")
-          .in_code("motors that fail, behind all that")
-          .group("In the joints of the plant.")
+                 "Motor failures, applied after the torque limits: [{start: s, duration: s, "
+                 "joint: name, share: fraction of the torque that is left}, ...]")
+          .in_code("Motor failures, applied after the torque limits")
+          .group("Friction in the joints of the plant.")
           .field("joint_coulomb", &S::joint_coulomb,
-                 "{Nm}, joint friction",
+                 "Coulomb friction of each joint [{Nm}]",
                  {.least = 0})
           .field("joint_viscous", &S::joint_viscous,
-                 "{Nms/rad}, joint friction",
+                 "Viscous friction of each joint, in {Nms/rad}",
                  {.least = 0})
           .field("joint_friction_share", &S::joint_friction_share,
-                 "of a joint's effort limit that joint_coulomb is at most, joint_viscous in "
-                 "proportion; 0: any",
+                 "Upper bound of joint_coulomb, as a fraction of the joint's effort limit (0: no "
+                 "bound)",
                  {.least = 0})
-          .group("From plant to measurement.")
+          .more("If the bound reduces joint_coulomb, it reduces joint_viscous in the same ratio")
+          .group("Disturbances between the plant and the measurement.")
           .field("measurement_delay", &S::measurement_delay,
-                 "{s} from the plant to the controller, of all that is measured but its time",
+                 "Delay of all measured values except the time [{s}]",
                  {.least = 0})
-          .more("rounded to ticks")
+          .more("Rounded to whole control periods")
           .field("encoder_bits", &S::encoder_bits,
-                 "per turn; 0: exact",
+                 "Resolution of a joint's encoder, in bits per turn (0: exact)",
                  {.least = 0, .most = 40})
-          .more("of revolute and continuous joints")
+          .more("Only for revolute and continuous joints")
           .field("position_noise", &S::position_noise,
-                 "{rad}, deviation, before the encoder rounds",
+                 "Standard deviation of the position noise [{rad}]",
                  {.least = 0})
+          .more("Added before the encoder rounds the position")
           .field("velocity_noise", &S::velocity_noise,
-                 "{rad/s}, deviation",
+                 "Standard deviation of the velocity noise [{rad/s}]",
                  {.least = 0})
           .field("finite_difference_velocity", &S::finite_difference_velocity,
-                 "velocities from measured positions")
-          .more("in place of the true ones")
+                 "Whether measured velocities are finite differences of measured positions")
+          .more("If false, the true velocities are measured")
           .field("velocity_cutoff", &S::velocity_cutoff,
-                 "{rad/s}, low-pass on those; 0: none",
+                 "Cut-off of the low-pass filter on finite-difference velocities (0: no filter) "
+                 "[{rad/s}]",
                  {.least = 0})
           .field("force_noise", &S::force_noise,
-                 "{N}, deviation per axis of the force sensor",
+                 "Standard deviation of the noise of the tool's force sensor, per axis [{N}]",
                  {.least = 0})
           .field("force_cutoff", &S::force_cutoff,
-                 "{rad/s}, low-pass behind the noise; 0: none",
+                 "Cut-off of the low-pass filter on measured forces and moments (0: no filter) "
+                 "[{rad/s}]",
                  {.least = 0})
+          .more("Noise is added before the filter")
           .field("support_force_noise", &S::support_force_noise,
-                 "{N}, deviation per axis of the sensors in supports",
+                 "Standard deviation of the noise of forces measured at supports, per axis [{N}]",
                  {.least = 0})
+          .more("Filtered with the cut-off force_cutoff")
           .field("support_moment_noise", &S::support_moment_noise,
-                 "{Nm}, likewise; both behind force_cutoff",
+                 "Standard deviation of the noise of moments measured at supports, per axis "
+                 "[{Nm}]",
                  {.least = 0})
-          .group("Of an inertial measurement unit, where there is one. Densities are those of data "
-             "sheets: a reading every dt s has a deviation of the density / sqrt(dt).")
+          .more("Filtered with the cut-off force_cutoff")
+          .group("Errors of the inertial measurement unit, if there is one. Noise densities are used "
+             "as in data sheets: the noise of a reading over dt s has the standard deviation "
+             "density / sqrt(dt).")
           .field("gyro_noise", &S::gyro_noise,
-                 "{rad/s/sqrt(Hz)}, white, per axis",
+                 "Density of the gyroscope's white noise, per axis [{rad/s/sqrt(Hz)}]",
                  {.least = 0})
           .field("gyro_bias_range", &S::gyro_bias_range,
-                 "{rad/s}: each axis adds b, |b| <= this",
+                 "Largest random initial bias of the gyroscope, per axis [{rad/s}]",
                  {.least = 0})
+          .more("A random b with |b| <= gyro_bias_range is added to each axis")
           .field("gyro_bias_walk", &S::gyro_bias_walk,
-                 "{rad/s^2/sqrt(Hz)} that b walks with",
+                 "Density of the random walk of the gyroscope's bias [{rad/s^2/sqrt(Hz)}]",
                  {.least = 0})
           .field("gyro_step", &S::gyro_step,
-                 "{rad/s}, of its converter; 0: exact",
+                 "Quantization step of the gyroscope (0: exact) [{rad/s}]",
                  {.least = 0})
           .field("accelerometer_noise", &S::accelerometer_noise,
-                 "{m/s^2/sqrt(Hz)}, white, per axis",
+                 "Density of the accelerometer's white noise, per axis [{m/s^2/sqrt(Hz)}]",
                  {.least = 0})
           .field("accelerometer_bias_range", &S::accelerometer_bias_range,
-                 "{m/s^2}: each axis adds b, |b| <= this",
+                 "Largest random initial bias of the accelerometer, per axis [{m/s^2}]",
                  {.least = 0})
+          .more("A random b with |b| <= accelerometer_bias_range is added to each axis")
           .field("accelerometer_bias_walk", &S::accelerometer_bias_walk,
-                 "{m/s^3/sqrt(Hz)} that b walks with",
+                 "Density of the random walk of the accelerometer's bias [{m/s^3/sqrt(Hz)}]",
                  {.least = 0})
           .field("accelerometer_step", &S::accelerometer_step,
-                 "{m/s^2}, of its converter; 0: exact",
+                 "Quantization step of the accelerometer (0: exact) [{m/s^2}]",
                  {.least = 0})
           .field("imu_faults", &S::imu_faults,
-                 "[{start: s, duration: s, gyro_offset: [x, y, z] in rad/s, accelerometer_offset:"
-                 " [x, y, z] in m/s^2, frozen: true, silent: true}, ...], in the unit's axes; "
-                 "what is left out is not so, and lasts")
-          .in_code("of the unit")
-          .group("In the plant's model and scene: plant_model() and plant_scene().")
+                 "Faults of the unit: [{start: s, duration: s, gyro_offset: [x, y, z] in rad/s, "
+                 "accelerometer_offset: [x, y, z] in m/s^2, frozen: true, silent: true}, ...]. "
+                 "Offsets are in the unit's axes. Entries left out are off. A fault without a "
+                 "duration lasts forever")
+          .in_code("Faults of the inertial measurement unit")
+          .group("Differences in the plant's model and scene, applied by plant_model() and "
+             "plant_scene().")
           .field("mass_scale", &S::mass_scale,
-                 "of all masses and inertias of the plant",
+                 "Factor of all masses and inertias of the plant",
                  {.least = 0, .open = true})
           .field("payload", &S::payload,
-                 "what the plant carries besides")
+                 "Payload that the plant carries and the controller's model lacks")
           .field("surface_tilt_deg", &S::surface_tilt_deg,
-                 "{degrees} about the surface's two tangents, unknown to the controller",
+                 "Tilt of the plant's surface about its two tangents [{degrees}]",
                  {.least = -90, .most = 90, .open = true})
-          .more("through its point, about the first tangent after the second")
+          .more("The controller does not know the tilt. Both axes pass through the surface's "
+                "point. The rotation about the second tangent is applied first")
           .field("surface_height", &S::surface_height,
-                 "{m} along the normal")
-          .more("before the tilt")
+                 "Offset of the plant's surface along its normal [{m}]")
+          .more("Applied before the tilt")
           .field("surface_curvature", &S::surface_curvature,
-                 "Factor of the surface's curvature in the plant: lengths of its shape are "
-                 "divided by it",
+                 "Factor of the curvature of the plant's surface",
                  {.least = 0, .open = true})
+          .more("Lengths of the surface's shape are divided by this factor")
           .field("surface_shape", &S::surface_shape,
-                 "what the surface is about its point in place of what it is thought to be, or "
-                 "none")
-          .in_code("what the surface is about its point in place of the scene's shape")
+                 "Shape of the plant's surface (none: as the controller assumes)")
           .word("none")
           .field("surface_motion", &S::surface_motion,
-                 "of the surface along its normal")
+                 "Motion of the plant's surface along its normal")
           .field("surface_friction", &S::surface_friction,
-                 "Coulomb coefficient in place of the surface's, or none",
+                 "Coulomb friction coefficient of the plant's surface (none: as the controller "
+                 "assumes)",
                  {.least = 0})
-          .in_code("Coulomb coefficient in place of the scene's")
           .word("none")
           .field("slippery_ground", &S::slippery_ground,
-                 "under what the robot stands on: [{start: s, duration: s, frame: foot, friction:"
-                 " coefficient}, ...]")
-          .in_code("under what the robot stands on")
+                 "Slippery ground under the robot's supports: [{start: s, duration: s, frame: "
+                 "foot, friction: coefficient}, ...]")
+          .in_code("Slippery ground under the robot's supports")
           .field("pushes", &S::pushes,
-                 "on the tool, or on a frame: [{start: s, duration: s, force: [x, y, z] in N, "
-                 "world, frame: name}, ...]")
-          .in_code("on the robot");
+                 "Forces on the tool or on a frame: [{start: s, duration: s, force: [x, y, z] in "
+                 "N and world axes, frame: name}, ...]")
+          .in_code("Forces on the robot");
   return all;
 }
 
@@ -313,19 +342,24 @@ const Description& description_of(const IdealPlantOptions* /*of*/) {
   using S = IdealPlantOptions;
   static const Description all =
       Describe<S>("sim", "IdealPlantOptions",
-                  "How make_ideal_plant()'s plant steps.")
+                  "Time step, friction and drift correction of the ideal plant.")
           .field("dt", &S::dt,
-                 "{s}",
+                 "Time step [{s}]",
                  {.least = 0, .open = true})
           .field("tip_viscous", &S::tip_viscous,
-                 "{Ns/m}, against the contact point's sliding, besides Coulomb",
+                 "Viscous friction of the sliding tip [{Ns/m}]",
                  {.least = 0})
+          .more("It acts in addition to Coulomb friction")
           .field("stabilize_kp", &S::stabilize_kp,
-                 "{1/s^2}, on the gap while in contact, and on loops",
+                 "Gain of the drift correction on position errors [{1/s^2}]",
                  {.least = 0})
+          .more("Position errors are the gap to the surface during contact, and the errors of "
+                "kinematic loops")
           .field("stabilize_kd", &S::stabilize_kd,
-                 "{1/s}, on its rate",
-                 {.least = 0});
+                 "Gain of the drift correction on velocity errors [{1/s}]",
+                 {.least = 0})
+          .more("Velocity errors are the velocity of the gap during contact, and the velocity "
+                "errors of kinematic loops");
   return all;
 }
 
@@ -333,8 +367,8 @@ const Description& description_of(const PlantSnapshot* /*of*/) {
   using S = PlantSnapshot;
   static const Description all =
       Describe<S>("sim", "PlantSnapshot",
-                  "A moment of a plant, to go back to. What it holds belongs to the kind of plant"
-                  " that saved it.")
+                  "Saved state of a plant, from which the plant can continue later. The meaning "
+                  "of the numbers depends on the kind of plant.")
           .field("numbers", &S::numbers);
   return all;
 }
@@ -343,18 +377,19 @@ const Description& description_of(const SurfaceMotion* /*of*/) {
   using S = SurfaceMotion;
   static const Description all =
       Describe<S>("sim", "SurfaceMotion",
-                  "How a surface moves along its normal, as a plant has it: by amplitude sin(2 pi"
-                  " frequency s) + drift s, s being the time since its start; before, it rests.")
+                  "Motion of the plant's surface along its normal. The displacement is amplitude "
+                  "sin(2 pi frequency s) + drift s, where s is the time since `start`. Before "
+                  "`start` the surface rests.")
           .field("amplitude", &S::amplitude,
-                 "{m}",
+                 "Amplitude of the oscillation [{m}]",
                  {.least = 0})
           .field("frequency", &S::frequency,
-                 "{Hz}",
+                 "Frequency of the oscillation [{Hz}]",
                  {.least = 0, .open = true})
           .field("drift", &S::drift,
-                 "{m/s}, out of the material")
+                 "Constant velocity, positive out of the material [{m/s}]")
           .field("start", &S::start,
-                 "{s}, of the plant's time",
+                 "Plant time at which the motion starts [{s}]",
                  {.least = 0});
   return all;
 }
@@ -363,39 +398,41 @@ const Description& description_of(const SurfaceSpec* /*of*/) {
   using S = SurfaceSpec;
   static const Description all =
       Describe<S>("sim", "SurfaceSpec",
-                  "A plane or a curved surface, or what of it stands over a square. All vectors "
-                  "in the axes of `frame`, points from its origin: in the world where there is "
-                  "none.")
+                  "A plane, a curved surface, or a square part of either. Points are relative to "
+                  "the origin of `frame`; points and vectors are in the axes of `frame`. Without "
+                  "a frame, world coordinates are used.")
           .field("frame", &S::frame,
-                 "of the robot, that the surface moves with, such as a plate in a hand; empty: it"
-                 " stands still")
+                 "Frame of the robot that carries the surface (empty: the surface is fixed in the"
+                 " world)")
+          .more("Example: the frame of a plate in a hand")
           .field("point", &S::point,
-                 "any point on it, {m}; of a square, its middle")
+                 "A point of the surface [{m}]")
+          .more("It is the centre of the square if `extent` is finite")
           .field("normal", &S::normal,
-                 "out of the material, towards the robot; of a curved surface at its point",
+                 "Normal of the surface at `point` (out of the material, towards the robot)",
                  {.direction = true})
           .field("shape", &S::shape,
-                 "plane, or what it is about that point")
+                 "Shape of the surface around `point`")
           .field("friction", &S::friction,
-                 "Coulomb coefficient mu",
+                 "Coulomb friction coefficient mu",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
-                 "{N/m}; rigid plants pass it over",
+                 "Contact stiffness (not used by rigid plants) [{N/m}]",
                  {.least = 0, .open = true})
           .field("damping", &S::damping,
-                 "{Ns/m}; rigid plants pass it over",
+                 "Contact damping (not used by rigid plants) [{Ns/m}]",
                  {.least = 0})
-          .more("MuJoCo's own contact (MujocoContact.ENGINE) lifts a sliding tip by mu * damping "
-                "* speed.")
+          .more("MuJoCo's own contact (MujocoContact.ENGINE) lifts a sliding tip with a force of "
+                "mu * damping * speed.")
           .field("motion", &S::motion,
-                 "along the normal at its point")
+                 "Motion of the surface along its normal")
           .field("extent", &S::extent,
-                 "{m}, half the side of the square about `point` that is there to be touched, its"
-                 " sides along the columns of Reference::surface_with_normal(); infinite: the "
-                 "plane has no end",
+                 "Half side length of the square that can be touched [{m}]",
                  {.least = 0, .open = true, .infinite = true})
+          .more("Infinite: the whole surface can be touched. The square is centred at `point`. "
+                "Its sides are along the columns of Reference::surface_with_normal()")
           .field("half_size", &S::half_size,
-                 "{m}, of the square that is drawn where the plane has no end",
+                 "Half side length of the square that is drawn if `extent` is infinite [{m}]",
                  {.least = 0, .open = true});
   return all;
 }
@@ -404,11 +441,13 @@ const Description& description_of(const ToolTipSpec* /*of*/) {
   using S = ToolTipSpec;
   static const Description all =
       Describe<S>("sim", "ToolTipSpec",
-                  "A sphere about the origin of a frame. It touches a plane at one point, and the"
-                  " normal force passes through the frame's origin.")
-          .field("frame", &S::frame)
+                  "Round tip of a tool: a sphere centred at the origin of a frame. The sphere "
+                  "touches a plane at one point, and the normal force passes through the frame's "
+                  "origin.")
+          .field("frame", &S::frame,
+                 "Frame at the sphere's centre")
           .field("radius", &S::radius,
-                 "{m}",
+                 "Radius of the sphere [{m}]",
                  {.least = 0, .open = true});
   return all;
 }
@@ -417,33 +456,37 @@ const Description& description_of(const SupportSpec* /*of*/) {
   using S = SupportSpec;
   static const Description all =
       Describe<S>("sim", "SupportSpec",
-                  "A part of the robot that stands on a plane of its own, or leans against it, "
-                  "with nothing to hold it there but what it presses with: a sole, which is a "
-                  "rectangle about the origin of a frame in that frame's x and y, with z away "
-                  "from the plane, or without sides a ball about the origin.")
-          .field("frame", &S::frame)
+                  "A part of the robot that stands on a plane or leans against it, such as a "
+                  "foot. Each support has its own plane. The plane can push on the support, but "
+                  "not pull. A support is either a sole (planar foot) or a ball (point foot). A "
+                  "sole is a rectangle centred at the origin of `frame`, with sides along the "
+                  "frame's x and y axes. The frame's z axis points away from the plane. A ball is"
+                  " a sphere centred at the origin of `frame`.")
+          .field("frame", &S::frame,
+                 "Frame at the centre of the sole or ball")
           .field("half_x", &S::half_x,
-                 "{m}, half the side of a sole along x; 0: a ball",
+                 "Half length of a sole along x (0: a ball) [{m}]",
                  {.least = 0})
           .field("half_y", &S::half_y,
-                 "{m}, along y",
+                 "Half length of a sole along y (0: a ball) [{m}]",
                  {.least = 0})
           .field("radius", &S::radius,
-                 "{m}, of a ball",
+                 "Radius of a ball [{m}]",
                  {.least = 0, .open = true})
           .field("point", &S::point,
-                 "of the plane, {m}, world")
+                 "A point of the plane, in world coordinates [{m}]")
           .field("normal", &S::normal,
-                 "of the plane, out of the material, towards the robot; any length, world",
+                 "Normal of the plane in world axes (out of the material, towards the robot)",
                  {.direction = true})
+          .more("It may have any length")
           .field("friction", &S::friction,
-                 "Coulomb coefficient",
+                 "Coulomb friction coefficient",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
-                 "{N/m}, of the whole part",
+                 "Contact stiffness of the whole sole or ball [{N/m}]",
                  {.least = 0, .open = true})
           .field("damping", &S::damping,
-                 "{Ns/m}, of the whole part",
+                 "Contact damping of the whole sole or ball [{Ns/m}]",
                  {.least = 0, .open = true});
   return all;
 }
@@ -452,20 +495,20 @@ const Description& description_of(const SlipperyGround* /*of*/) {
   using S = SlipperyGround;
   static const Description all =
       Describe<S>("sim", "SlipperyGround",
-                  "Ground that is slippery for a while, under one of the things that the robot "
-                  "stands on.")
+                  "Ground that is slippery for a limited time, under one support of the robot or "
+                  "under all supports.")
           .field("start", &S::start,
-                 "{s}")
+                 "Time at which the ground becomes slippery [{s}]")
           .field("duration", &S::duration,
-                 "{s}",
+                 "Duration of the slippery ground [{s}]",
                  {.least = 0, .infinite = true})
           .word("forever")
           .field("frame", &S::frame,
-                 "of the support that stands on it; all: of all")
-          .in_code("of the support that stands on it; empty: of all")
+                 "Frame of the support on this ground (all: every support)")
+          .in_code("Frame of the support on this ground (empty: every support)")
           .word("all")
           .field("friction", &S::friction,
-                 "Coulomb coefficient in place of the support's",
+                 "Coulomb friction coefficient in place of the support's coefficient",
                  {.least = 0});
   return all;
 }
@@ -474,14 +517,15 @@ const Description& description_of(const HoistSpec* /*of*/) {
   using S = HoistSpec;
   static const Description all =
       Describe<S>("sim", "HoistSpec",
-                  "What holds the robot by a frame at first, as a crane does, and lets it go: its"
-                  " weight, upwards at that frame, and a stiff spring and damper about where that"
-                  " was, in place and rotation. It has all of it for the first half of `duration`"
-                  " and gives it to what the robot stands on in the second.")
+                  "A gantry that holds a frame of the robot at the start of a simulation and then"
+                  " releases the robot. The gantry carries the robot's weight at this frame. A "
+                  "stiff spring and damper also hold the frame at its initial position and "
+                  "rotation. During the first half of `duration` the full force acts. During the "
+                  "second half the force falls to zero, and the supports take over the load.")
           .field("frame", &S::frame,
-                 "empty: nothing holds it")
+                 "Frame that the gantry holds (empty: no gantry)")
           .field("duration", &S::duration,
-                 "{s}, until it has let go",
+                 "Time at which the gantry has released the robot [{s}]",
                  {.least = 0});
   return all;
 }
@@ -490,15 +534,17 @@ const Description& description_of(const SceneSpec* /*of*/) {
   using S = SceneSpec;
   static const Description all =
       Describe<S>("sim", "SceneSpec",
-                  "What the tool meets, a surface and a round tip, and what the robot stands on.")
+                  "Scene of a simulation: the surface, the tool's tip, and what the robot stands "
+                  "on.")
           .field("surface", &S::surface)
           .field("tip", &S::tip)
           .field("supports", &S::supports,
-                 "such as the feet, on the ground")
+                 "Parts of the robot that stand on a plane, such as feet")
           .field("slippery_ground", &S::slippery_ground,
-                 "under those")
+                 "Slippery ground under supports")
           .field("hoist", &S::hoist,
-                 "of a ClosedLoop, not the plant's");
+                 "Gantry that holds the robot at the start")
+          .more("ClosedLoop simulates the gantry, not the plant");
   return all;
 }
 

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/sim/actuation.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/disturbances.hpp"

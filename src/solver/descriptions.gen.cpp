@@ -9,16 +9,20 @@ const Words& words_of(StopReason /*of*/) {
   static const Words all{
       "solver",
       "StopReason",
-      "Why a solve ended.",
-      {{"converged", "feasible, limits kept, and the expected improvement is below stop_tolerance, or what the"
-        " tolerance of limits is worth"},
-       {"max_iterations", "max_iterations were made"},
-       {"time_budget", "time_budget was spent"},
-       {"not_evaluated", "a knot of the iterate cannot be evaluated: see status, knot, term"},
-       {"not_positive_definite", "Quu of a knot, with the largest regularisation"},
-       {"infeasible", "no trajectory near keeps all limits; this one breaks them least: see conflict"},
-       {"no_step", "no step length was acceptable, with the largest regularisation"},
-       {"callback", "the callback asked for it"}}};
+      "Reason why a solve ended.",
+      {{"converged", "The trajectory is feasible and meets all limits. The expected improvement is below "
+        "stop_tolerance, or below the change of cost that the allowed constraint violation can "
+        "cause."},
+       {"max_iterations", "The solver reached max_iterations."},
+       {"time_budget", "The solver used up its time_budget."},
+       {"not_evaluated", "A knot of the iterate cannot be evaluated: see DdpSummary.status, knot and term."},
+       {"not_positive_definite", "The control Hessian Quu of a knot is not positive definite, even with the largest "
+        "regularization."},
+       {"infeasible", "No nearby trajectory meets all hard limits, and the result violates them least: see "
+        "DdpSummary.conflict. The initial state can also be the cause, if it violates a hard "
+        "limit whatever the control: see DdpSummary.start_outside."},
+       {"no_step", "No step length was accepted, even with the largest regularization."},
+       {"callback", "The callback stopped the solve."}}};
   return all;
 }
 
@@ -26,13 +30,13 @@ const Description& description_of(const PhaseTimes* /*of*/) {
   using S = PhaseTimes;
   static const Description all =
       Describe<S>("solver", "PhaseTimes",
-                  "Seconds of a solve by phase.")
+                  "Computing time of a solve, by phase [s].")
           .field("expand", &S::expand,
-                 "values and derivatives")
+                 "Evaluation of values and derivatives [{s}]")
           .field("backward", &S::backward,
-                 "Riccati recursion")
+                 "Riccati recursion [{s}]")
           .field("trial", &S::trial,
-                 "rollouts and evaluations of the line search")
+                 "Rollouts and evaluations of the line search [{s}]")
           .field("total", &S::total);
   return all;
 }
@@ -41,11 +45,11 @@ const Description& description_of(const RowPlace* /*of*/) {
   using S = RowPlace;
   static const Description all =
       Describe<S>("solver", "RowPlace",
-                  "A row with limits at a knot.")
+                  "A constraint row at one knot.")
           .result()
           .field("knot", &S::knot)
           .field("row", &S::row,
-                 "of those of the knot");
+                 "Index of the row among the knot's constraint rows");
   return all;
 }
 
@@ -53,17 +57,17 @@ const Description& description_of(const StartRow* /*of*/) {
   using S = StartRow;
   static const Description all =
       Describe<S>("solver", "StartRow",
-                  "A hard row of the first knot that the initial state alone puts outside its "
-                  "limits.")
+                  "A hard constraint row of the first knot that the initial state violates, "
+                  "whatever the control.")
           .result()
           .field("row", &S::row,
-                 "of those of the first knot")
+                 "Index of the row among the constraint rows of the first knot")
           .field("value", &S::value,
-                 "in the row's unit")
+                 "Value of the row at the initial state, in the row's unit")
           .field("lower", &S::lower,
-                 "infinite where there is none")
+                 "Lower limit of the row; infinite if it has none")
           .field("upper", &S::upper,
-                 "likewise");
+                 "Upper limit of the row; infinite if it has none");
   return all;
 }
 
@@ -71,59 +75,73 @@ const Description& description_of(const DdpSummary* /*of*/) {
   using S = DdpSummary;
   static const Description all =
       Describe<S>("solver", "DdpSummary",
-                  "Why a solve ended and what it reached.")
+                  "Result of a solve: the reason why it ended, and the quality of the trajectory.")
           .field("reason", &S::reason)
           .field("iterations", &S::iterations,
-                 "line searches made")
+                 "Number of iterations, each with one line search")
           .field("cost", &S::cost,
-                 "of the trajectory that is returned")
+                 "Cost of the returned trajectory")
           .field("feasible", &S::feasible,
-                 "No gap is above gap_tolerance, and every hard row is within its limits.")
+                 "True if no gap exceeds gap_tolerance and all hard constraint rows are within "
+                 "their limits")
           .field("expected_improvement", &S::expected_improvement,
-                 "the last one computed")
+                 "Expected improvement along the last search direction")
           .field("regularization", &S::regularization,
-                 "the last one used")
+                 "Regularization of the last search direction")
           .field("largest_gap", &S::largest_gap,
-                 "of the trajectory that is returned")
+                 "Largest gap in the returned trajectory, between the end of a step and the next "
+                 "state")
           .field("gap_knot", &S::gap_knot,
-                 "where: the state that the gap leads to, 0 for the initial one")
+                 "Knot k with the largest gap, between x_k and the end of step k - 1; 0: from the"
+                 " initial state")
           .field("gap_entry", &S::gap_entry,
-                 "entry of dx")
+                 "Entry of dx with the largest gap")
           .field("outside", &S::outside,
-                 "largest violation of a hard row, in its scale, of the trajectory that is "
-                 "returned")
+                 "Largest violation of a hard constraint row in the returned trajectory, divided "
+                 "by the row's scale")
           .field("outside_knot", &S::outside_knot,
-                 "where; -1: every row is within its limits")
-          .field("outside_row", &S::outside_row)
+                 "Knot with the largest violation; -1: no hard row is violated")
+          .field("outside_row", &S::outside_row,
+                 "Row with the largest violation; -1: no hard row is violated")
           .field("limits_open", &S::limits_open,
-                 "what the last iteration's steps left of limits, in their scale")
+                 "Constraint residual after the last iteration, relative to the scales of the "
+                 "rows")
           .field("pushing", &S::pushing,
-                 "rows that push")
+                 "Number of active constraint rows")
           .field("given_way", &S::given_way,
-                 "hard rows that push with all that their price allows, since they cannot be kept")
+                 "Number of hard rows that cannot be satisfied: their multiplier has reached the "
+                 "L1 penalty weight")
           .field("conflict", &S::conflict,
-                 "Infeasible: rows outside their limits, worst first")
+                 "Violated rows, the worst first; empty unless the reason is Infeasible")
           .field("stopping", &S::stopping,
-                 "Infeasible: rows that push against those in conflict, from the hardest down.")
+                 "Active rows that oppose the rows in `conflict`; empty unless the reason is "
+                 "Infeasible")
+          .more("Sorted by |multiplier| * scale, the largest first")
           .field("start_outside", &S::start_outside,
-                 "whatever the reason")
+                 "Hard rows that the initial state violates, whatever the control; filled for "
+                 "every stop reason")
           .field("status", &S::status,
-                 "NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be"
-                 " evaluated: where and what.")
-          .field("knot", &S::knot)
+                 "Status of the failed evaluation")
+          .more("Set for NotEvaluated, and for NoStep if the last trial could not be evaluated")
+          .field("knot", &S::knot,
+                 "Knot of the failure; -1: none")
+          .more("Set for NotEvaluated and NotPositiveDefinite, and for NoStep if the last trial "
+                "could not be evaluated")
           .field("term", &S::term,
-                 "cost term that is not finite, -1: none, a row or the dynamics")
+                 "Cost term that is not finite; -1: none")
+          .more("If -1, the cause can be a constraint row or the dynamics")
           .field("row", &S::row,
-                 "row of a constraint that is not finite, -1: none")
+                 "Constraint row that is not finite; -1: none")
           .field("in_derivatives", &S::in_derivatives,
-                 "NotEvaluated: values are finite, derivatives are not")
+                 "True if the derivatives are not finite, but the values are; only for "
+                 "NotEvaluated")
           .field("control", &S::control,
-                 "NotPositiveDefinite: the first one whose pivot is not positive")
+                 "First control whose pivot in Quu is not positive; only for NotPositiveDefinite")
           .field("options", &S::options,
-                 "those it was solved with, without callback")
+                 "Options of the solve, without the callback")
           .field("seconds", &S::seconds)
           .field("log", &S::log,
-                 "an entry per iteration");
+                 "Progress after each iteration");
   return all;
 }
 
@@ -131,17 +149,18 @@ const Description& description_of(const CostReport* /*of*/) {
   using S = CostReport;
   static const Description all =
       Describe<S>("solver", "CostReport",
-                  "Where a cost comes from.")
+                  "Costs of a trajectory, by term and by knot, and the values of its constraint "
+                  "rows.")
           .result()
           .field("total", &S::total)
           .field("terms", &S::terms,
-                 "summed over knots, in order of appearance")
+                 "Cost of each term, summed over the knots; in order of appearance")
           .field("knots", &S::knots,
-                 "N + 1")
+                 "Cost of each knot, N + 1 entries")
           .field("rows", &S::rows,
-                 "over all knots, in order of appearance")
+                 "One entry for each constraint row, in order of appearance")
           .field("limits", &S::limits,
-                 "along the horizon, knot by knot in the order of its rows");
+                 "Active or violated rows, knot by knot");
   return all;
 }
 
@@ -149,7 +168,7 @@ const Description& description_of(const CostReport::Entry* /*of*/) {
   using S = CostReport::Entry;
   static const Description all =
       Describe<S>("solver", "CostEntry",
-                  "What one cost term adds.")
+                  "Cost of one term.")
           .result()
           .field("name", &S::name)
           .field("cost", &S::cost);
@@ -160,7 +179,7 @@ const Description& description_of(const CostReport::Knot* /*of*/) {
   using S = CostReport::Knot;
   static const Description all =
       Describe<S>("solver", "CostKnot",
-                  "What one knot costs.")
+                  "Cost of one knot.")
           .result()
           .field("name", &S::name)
           .field("cost", &S::cost)
@@ -172,26 +191,28 @@ const Description& description_of(const CostReport::Row* /*of*/) {
   using S = CostReport::Row;
   static const Description all =
       Describe<S>("solver", "LimitedRow",
-                  "A row of a constraint, where it is furthest outside its limits, or nearest to "
-                  "one of them from inside.")
+                  "A constraint row at its worst knot: the knot with the largest violation. If "
+                  "the row is never violated, the worst knot is the one closest to a limit.")
           .result()
           .field("name", &S::name,
-                 "as Problem.row_names has it")
+                 "Name of the row, as in Problem.row_names")
           .field("knot", &S::knot,
-                 "as Problem.knot_name has it")
+                 "Name of the knot, as in Problem.knot_name")
           .field("value", &S::value)
           .field("lower", &S::lower)
           .field("upper", &S::upper)
           .field("outside", &S::outside,
-                 "how far; negative: the least distance to a limit from inside")
+                 "Violation of the limits; within the limits, minus the distance to the nearest "
+                 "limit")
           .field("scale", &S::scale,
-                 "in its unit: what counts as much of it")
+                 "Characteristic size of the row, in the row's unit")
           .field("multiplier", &S::multiplier,
-                 "of the horizon the largest: see multipliers()")
+                 "Multiplier with the largest magnitude over all knots; see multipliers()")
           .field("pushed", &S::pushed,
-                 "the knot that has that")
+                 "Name of the knot with the largest multiplier; empty: the row is active at no "
+                 "knot")
           .field("active", &S::active,
-                 "knots at which a limit pushes");
+                 "Number of knots at which the row is active");
   return all;
 }
 
@@ -199,20 +220,20 @@ const Description& description_of(const CostReport::ActiveLimit* /*of*/) {
   using S = CostReport::ActiveLimit;
   static const Description all =
       Describe<S>("solver", "ActiveLimit",
-                  "A row at a knot where its limit pushes or is broken.")
+                  "A constraint row at a knot where it is active or violated.")
           .result()
           .field("knot", &S::knot,
-                 "0 to N")
+                 "Index of the knot, 0 to N")
           .field("row", &S::row,
-                 "as Problem.row_names has it")
+                 "Name of the row, as in Problem.row_names")
           .field("value", &S::value,
-                 "in the row's unit")
+                 "Value of the row, in the row's unit")
           .field("lower", &S::lower,
-                 "infinite where there is none")
+                 "Lower limit of the row; infinite if it has none")
           .field("upper", &S::upper,
-                 "likewise")
+                 "Upper limit of the row; infinite if it has none")
           .field("multiplier", &S::multiplier,
-                 "cost per unit of the row; see multipliers()");
+                 "Multiplier, in cost per unit of the row; see multipliers()");
   return all;
 }
 
@@ -220,7 +241,7 @@ const Description& description_of(const NamedMatrix* /*of*/) {
   using S = NamedMatrix;
   static const Description all =
       Describe<S>("solver", "NamedMatrix",
-                  "A result with the names of what its rows and columns stand for.")
+                  "A matrix with a name for each row and each column.")
           .result()
           .field("rows", &S::rows)
           .field("columns", &S::columns)
@@ -232,11 +253,13 @@ const Words& words_of(StepUpdate /*of*/) {
   static const Words all{
       "solver",
       "StepUpdate",
-      "How a direction becomes the next iterate.",
-      {{"rollout", "The controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha. After"
-        " a step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP)."},
-       {"multiple_shooting", "States and controls move along the solution of the linear-quadratic problem; every knot "
-        "is evaluated on its own, in packs and threads. Gaps vanish with convergence."}}};
+      "Computation of the next iterate from a search direction.",
+      {{"rollout", "Rollout of the control policy through the dynamics (feasibility-driven DDP). A step of "
+        "length alpha multiplies the gaps by 1 - alpha. From the first step of length 1 on, the "
+        "trajectory is feasible."},
+       {"multiple_shooting", "Step of all states and controls along the solution of the linear-quadratic problem. "
+        "Knots are evaluated independently of each other, in packs and threads. Gaps vanish with "
+        "convergence."}}};
   return all;
 }
 
@@ -244,24 +267,25 @@ const Description& description_of(const Regularization* /*of*/) {
   using S = Regularization;
   static const Description all =
       Describe<S>("solver", "Regularization",
-                  "Levenberg term, added to the diagonal of Quu, in cost per squared unit of "
-                  "control.")
+                  "Levenberg regularization: a number that is added to the diagonal of Quu, in "
+                  "cost per squared unit of control.")
           .field("initial", &S::initial,
-                 "",
+                 "Regularization at the start of a solve",
                  {.least = 0})
           .field("smallest", &S::smallest,
-                 "Below this there is none: a decrease ends at 0, an increase from 0 begins here.",
+                 "Smallest nonzero regularization",
                  {.least = 0, .open = true})
+          .more("A decrease below this value ends at 0. An increase from 0 starts at this value")
           .field("largest", &S::largest,
-                 "needed more than this: the solver gives up")
+                 "Largest regularization; if this is not enough, the solver gives up")
           .field("factor", &S::factor,
-                 "of an increase, and 1 / factor of a decrease",
+                 "Ratio by which a step changes the regularization, up or down",
                  {.least = 1, .open = true})
           .field("decrease_above", &S::decrease_above,
-                 "decreases after a step of length > this",
+                 "Step length above which the regularization decreases",
                  {.infinite = true})
           .field("increase_at_or_below", &S::increase_at_or_below,
-                 "increases after a step of length <= this",
+                 "Step length at or below which the regularization increases",
                  {.infinite = true});
   return all;
 }
@@ -270,30 +294,40 @@ const Description& description_of(const LineSearch* /*of*/) {
   using S = LineSearch;
   static const Description all =
       Describe<S>("solver", "LineSearch",
-                  "The step lengths 1, 1/2, 1/4, ... and what a trial must reach to be taken.")
+                  "Step lengths alpha = 1, 1/2, 1/4, ... of the line search, and conditions for "
+                  "accepting a trial.")
           .field("halvings", &S::halvings,
-                 "the smallest length is 2^-halvings",
+                 "Largest number of halvings of the step length",
                  {.least = 0, .most = 60})
+          .more("The smallest length is 2^-halvings")
           .field("sufficient_decrease", &S::sufficient_decrease,
-                 "Rollout, expected improvement dV(alpha) >= 0: taken if the iterate is not "
-                 "feasible, since closing its gaps may cost, or cost - trial > "
-                 "sufficient_decrease * dV(alpha).",
+                 "Fraction of the expected improvement that a rollout must achieve",
                  {.least = 0, .most = 1, .below = true})
+          .more("Used by Rollout if the improvement dV(alpha) that is expected for step length "
+                "alpha is >= 0. A trial is accepted if cost(current) - cost(trial) > "
+                "sufficient_decrease * dV(alpha). If the current iterate is not feasible, every "
+                "trial is accepted, since closing gaps may raise the cost")
           .field("allowed_increase", &S::allowed_increase,
-                 "Rollout, dV(alpha) < 0 (closing gaps costs): taken if cost - trial > "
-                 "allowed_increase * dV(alpha).",
+                 "Allowed cost increase of a rollout, as a multiple of the expected increase",
                  {.least = 0})
+          .more("Used by Rollout if the improvement dV(alpha) that is expected for step length "
+                "alpha is < 0, since closing gaps raises the cost. A trial is accepted if "
+                "cost(current) - cost(trial) > allowed_increase * dV(alpha)")
           .field("merit_decrease", &S::merit_decrease,
-                 "MultipleShooting, merit = cost + penalty * sum |gap|_1 with slope D: taken if "
-                 "trial <= merit + merit_decrease * alpha * D.",
+                 "Fraction of the predicted merit decrease that a trial must achieve",
                  {.least = 0, .most = 1, .below = true})
+          .more("Used by MultipleShooting. A trial is accepted if merit(trial) <= merit(current) "
+                "+ merit_decrease * alpha * D. The merit is cost + penalty * sum |gap|_1, D is "
+                "the slope of the merit along the direction, and alpha is the step length")
           .field("merit_share", &S::merit_share,
-                 "MultipleShooting: the penalty makes D <= -merit_share * penalty * sum |gap|_1.",
+                 "Required downward slope of the merit, as a fraction of the gap penalty",
                  {.least = 0, .most = 1, .below = true})
+          .more("Used by MultipleShooting. The penalty is raised until D <= -merit_share * "
+                "penalty * sum |gap|_1. D is the slope of the merit along the direction")
           .field("rounding", &S::rounding,
-                 "Rounding of a sum of costs: every comparison above is relaxed by rounding * "
-                 "|cost|.",
-                 {.least = 0});
+                 "Relative rounding error of a sum of costs",
+                 {.least = 0})
+          .more("Every comparison of the line search is relaxed by rounding * |cost|");
   return all;
 }
 
@@ -301,38 +335,48 @@ const Description& description_of(const LimitOptions* /*of*/) {
   using S = LimitOptions;
   static const Description all =
       Describe<S>("solver", "LimitOptions",
-                  "How rows are kept within their limits: semismooth Newton steps on an augmented"
-                  " Lagrangian of the linear-quadratic problem of each iteration.")
+                  "Options for constraints. Each iteration solves a linear-quadratic problem with"
+                  " an augmented Lagrangian and semismooth Newton steps.")
           .field("weight", &S::weight,
-                 "Weight of a violation, in units of the cost's curvature over a row's scale. "
-                 "More needs fewer changes of multipliers and costs digits.",
+                 "Penalty weight of the augmented Lagrangian, relative to the curvature of the "
+                 "cost",
                  {.least = 0, .open = true})
+          .more("The weight multiplies the square of (violation / scale of the row). A larger "
+                "weight needs fewer updates of the multipliers, but increases rounding errors")
           .field("max_factors", &S::max_factors,
-                 "recursions per iteration, without an interior-point method's",
+                 "Largest number of Riccati factorizations per iteration",
                  {.least = 1})
+          .more("Factorizations of the interior-point method do not count")
           .field("max_sweeps", &S::max_sweeps,
-                 "with kept factors, per iteration",
+                 "Largest number of Riccati sweeps per iteration that reuse a factorization",
                  {.least = 0})
           .field("interior_after", &S::interior_after,
-                 "Recursions of an iteration after which an interior-point method finds out which"
-                 " rows push, where max_factors leaves 20. It takes at most 80 recursions, most "
-                 "often 10 to 20. 0: at once, where nothing is known of multipliers.",
+                 "Number of factorizations in an iteration before an interior-point method starts",
                  {.least = 0})
+          .more("The interior-point method searches the active set. It starts only if at least 20"
+                " factorizations of max_factors are left. It uses at most 80 factorizations, most"
+                " often 10 to 20. With 0, it starts immediately if there are no multipliers for a"
+                " warm start")
           .field("price", &S::price,
-                 "Of a violation of a hard row, and weight of its square where that price leaves "
-                 "some broken, in units of the cost's curvature over its scale.",
+                 "L1 penalty weight of hard rows, in units of (curvature of the cost) / (scale of"
+                 " the row)",
                  {.least = 0, .open = true})
+          .more("If rows remain violated at this weight, their squared violations are penalized "
+                "instead, at first with the same weight")
           .field("largest_price", &S::largest_price,
-                 "What it is raised to until limits are kept, or it is known that they cannot be;"
-                 " below price: it stays.",
+                 "Largest penalty weight of hard rows",
                  {.least = 0})
+          .more("The weight is raised until all limits are met, or until the solver finds that "
+                "this is impossible. With a value below `price`, the weight is never raised")
           .field("tolerance", &S::tolerance,
-                 "Kept if every violation <= tolerance * scale of its row.",
+                 "Constraint tolerance, relative to the scale of each row",
                  {.least = 0, .open = true})
+          .more("A limit is met if violation <= tolerance * scale of its row")
           .field("bends", &S::bends,
-                 "Steps know how rows bend (distances with an upper limit, friction cones). "
-                 "Without it limits that bend more than the cost take many more iterations, to "
-                 "the same solution.");
+                 "True: steps use the curvature of constraints (friction cones, distances with an"
+                 " upper limit)")
+          .more("Without this curvature, problems with constraints more curved than the cost take"
+                " many more iterations. The solution is the same");
   return all;
 }
 
@@ -340,26 +384,25 @@ const Description& description_of(const DdpProgress* /*of*/) {
   using S = DdpProgress;
   static const Description all =
       Describe<S>("solver", "DdpProgress",
-                  "What a callback sees after each iteration.")
+                  "Progress of a solve after one iteration, passed to the callback.")
           .field("iteration", &S::iteration,
-                 "from 1")
+                 "Number of the iteration, from 1")
           .field("cost", &S::cost)
           .field("expected_improvement", &S::expected_improvement,
-                 "|d1 + d2 / 2|: what the quadratic model said before the step that the whole "
-                 "step would save.")
+                 "Cost decrease |d1 + d2 / 2| that the quadratic model predicts for the full step")
           .field("largest_gap", &S::largest_gap)
           .field("step_length", &S::step_length,
-                 "0: no length was acceptable")
+                 "Accepted step length; 0: no length was accepted")
           .field("regularization", &S::regularization)
           .field("penalty", &S::penalty,
-                 "of gaps in the merit; MultipleShooting only")
+                 "Penalty weight of gaps in the merit (MultipleShooting only)")
           .field("feasible", &S::feasible)
           .field("outside", &S::outside,
-                 "largest violation of a hard row, in its scale")
+                 "Largest violation of a hard row, divided by the scale of the row")
           .field("factors", &S::factors,
-                 "recursions of this iteration")
+                 "Riccati factorizations in this iteration")
           .field("seconds", &S::seconds,
-                 "since the solve began");
+                 "Time since the solve began [{s}]");
   return all;
 }
 
@@ -367,48 +410,55 @@ const Description& description_of(const DdpOptions* /*of*/) {
   using S = DdpOptions;
   static const Description all =
       Describe<S>("solver", "DdpOptions",
-                  "How a DdpSolver works, each tolerance beside the inequality it enters.")
+                  "Options of a DdpSolver. The text of each tolerance states the inequality in "
+                  "which the tolerance is used.")
           .field("update", &S::update)
           .field("max_iterations", &S::max_iterations,
-                 "",
+                 "Largest number of iterations of a solve",
                  {.least = 0})
           .field("time_budget", &S::time_budget,
-                 "Seconds, looked at between phases and between trials; the best iterate so far "
-                 "is kept. At least the guess is evaluated.",
+                 "Time limit of a solve [{s}]",
                  {.least = 0, .infinite = true})
+          .more("The clock is read between phases and between trials. The guess is always "
+                "evaluated. The result is the best iterate so far")
           .field("threads", &S::threads,
-                 "",
+                 "Number of threads, the calling thread included",
                  {.least = 1, .most = 1024})
           .field("pin_threads", &S::pin_threads,
-                 "Thread i of the solver stays on the i-th core that the thread which makes it "
-                 "(or gives it options) may run on. The thread that solves is left as it is. "
-                 "Linux alone.")
+                 "Pin the solver's threads to cores (Linux only)")
+          .more("Thread i runs on the i-th core that is available to the thread which creates the"
+                " solver or sets its options. The thread that calls solve() is not pinned")
           .field("share_knots", &S::share_knots,
-                 "Threads work together on each knot of the recursion where knots are large (a "
-                 "humanoid's), which is faster on cores that share a cache and slower on others. "
-                 "Results have the same bits.")
+                 "Let threads share the work within one knot of the Riccati recursion")
+          .more("Used only if knots are large, such as the knots of a humanoid. Sharing is faster"
+                " on cores with a common cache, and slower on others. Results are identical bit "
+                "for bit")
           .field("segments", &S::segments,
-                 "The recursion works on so many parts of the horizon at the same time, for long "
-                 "horizons and several cores: docs/performance.md, \"Threads\", says when that is"
-                 " faster. It makes up to three times the operations, and threads + 1 segments "
-                 "suit `threads` best; 1 and 2 mean one sweep from the end to the begin, as do "
-                 "bounds on controls. Fewer than the problem has knots. Gains and values are "
-                 "those of the whole horizon, but for rounding; their bits depend on this number "
-                 "and not on that of threads.",
+                 "Number of segments of the horizon that the Riccati recursion processes in "
+                 "parallel",
                  {.least = 1, .most = 1024})
+          .more("For long horizons and several cores; docs/performance.md, \"Threads\", says when"
+                " segments are faster. Segments take up to three times the operations of a single"
+                " sweep. The best number is usually threads + 1. With 1 or 2 segments, or with "
+                "bounds on controls, a single sweep runs from the end to the start. There must be"
+                " fewer segments than knots. Gains and values equal the results of a single sweep"
+                " up to rounding. For a given number of segments, results are identical bit for "
+                "bit for any number of threads")
           .field("stop_tolerance", &S::stop_tolerance,
-                 "Converged if feasible and expected improvement < stop_tolerance (in units of "
-                 "cost).",
+                 "Convergence tolerance of the expected improvement, in units of cost",
                  {.least = 0})
+          .more("Converged if feasible and expected improvement < stop_tolerance")
           .field("gap_tolerance", &S::gap_tolerance,
-                 "Feasible if every |entry of a gap| <= gap_tolerance.",
+                 "Largest gap of a feasible trajectory",
                  {.least = 0})
+          .more("Feasible if |entry| <= gap_tolerance for all entries of all gaps")
           .field("line_search", &S::line_search)
           .field("limits", &S::limits)
           .field("regularization", &S::regularization)
           .field("callback", &S::callback,
-                 "called after each iteration; False stops the solve, None and True go on, and "
-                 "what it raises reaches the caller of solve()");
+                 "Function called after each iteration; False stops the solve, None and True "
+                 "continue")
+          .more("Exceptions of the function reach the caller of solve()");
   return all;
 }
 

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "burnish/solver/options.hpp"
 

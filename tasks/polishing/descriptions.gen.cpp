@@ -10,26 +10,26 @@ const Description& description_of(const ForceProfile* /*of*/) {
   using S = ForceProfile;
   static const Description all =
       Describe<S>("polishing", "ForceProfile",
-                  "What the wanted force does from when the path begins.")
+                  "Target of the normal force as a function of the time on the path.")
           .field("kind", &S::kind,
-                 "constant, steps, lines or sine")
+                 "Shape of the force over time: constant, steps, lines or sine")
           .field("points", &S::points,
-                 "[[s since the path began, N], ...] (steps: the force from then on; lines: "
-                 "joined by straight lines)")
-          .more("before the first one it is the task's force that holds, from which the first "
-                "line leads")
+                 "Points of steps and lines: [[time on the path in s, force in N], ...]")
+          .more("Before the first point, kind steps uses the task's force. Kind lines "
+                "interpolates from the task's force at time 0.")
           .field("amplitude", &S::amplitude,
-                 "{N}, about the task's force (sine)",
+                 "Amplitude of the sine about the force of the task [{N}]",
                  {.least = 0})
           .field("frequency", &S::frequency,
-                 "{Hz} (sine)",
+                 "Frequency of the sine [{Hz}]",
                  {.least = 0, .open = true})
           .field("start", &S::start,
-                 "{s} since the path began, until which the force is constant (sine)",
+                 "Time on the path when the sine begins [{s}]",
                  {.least = 0})
+          .more("Until then the force is constant.")
           .field("preview", &S::preview,
-                 "plans know the force that is to come; false: they take that of now for all that"
-                 " is ahead");
+                 "Plans know the future target force; false: plans assume that the present target"
+                 " force stays");
   return all;
 }
 
@@ -37,11 +37,11 @@ const Words& words_of(ForceProfile::Kind /*of*/) {
   static const Words all{
       "polishing",
       "ForceProfileKind",
-      "What the wanted force does from when the path begins.",
+      "Shape of the target force over the time on the path.",
       {{"constant"},
-       {"steps", "from one point's force to the next one's at once"},
-       {"lines", "straight between points"},
-       {"sine", "about the task's force"}}};
+       {"steps", "Jump to the force of a point at the time of that point"},
+       {"lines", "Straight lines between points"},
+       {"sine", "Sine about the force of the task"}}};
   return all;
 }
 
@@ -49,13 +49,15 @@ const Description& description_of(const RequiredMargins* /*of*/) {
   using S = RequiredMargins;
   static const Description all =
       Describe<S>("polishing", "RequiredMargins",
-                  "Margins that every arm must have beyond the delays and filters of its loop.")
+                  "Stability margins that fit_gains() requires, in addition to the delays and "
+                  "filters of the loop.")
           .field("delay", &S::delay,
-                 "{s}, extra delay of the commands",
+                 "Delay of the commands that the loop must tolerate [{s}]",
                  {.least = 0})
           .field("gain", &S::gain,
-                 "factor on one joint's torque; also its inverse",
-                 {.least = 0, .open = true});
+                 "Factor on the torque of any single joint that the loop must tolerate",
+                 {.least = 0, .open = true})
+          .more("The loop must also tolerate the inverse of the factor.");
   return all;
 }
 
@@ -63,12 +65,13 @@ const Description& description_of(const TaskMargins* /*of*/) {
   using S = TaskMargins;
   static const Description all =
       Describe<S>("polishing", "TaskMargins",
-                  "Stability margins of a polishing task's loop at its starting posture.")
+                  "Stability margins of the control loop of a polishing task at its starting "
+                  "posture.")
           .result()
           .field("air", &S::air,
-                 "in free air")
+                 "Margins with the tool in free air")
           .field("contact", &S::contact,
-                 "with the tool on the surface");
+                 "Margins with the tool on the surface");
   return all;
 }
 
@@ -79,9 +82,9 @@ const Description& description_of(const FittedGains* /*of*/) {
                   "Result of fit_gains().")
           .result()
           .field("meets", &S::meets,
-                 "true if the required margins are met, or cannot be computed")
+                 "True if the required margins are met or cannot be computed")
           .field("changes", &S::changes,
-                 "sentence that names the fitted gains; empty if none was fitted");
+                 "Gains that differ from their initial values, as a text; empty if there are none");
   return all;
 }
 
@@ -89,7 +92,7 @@ const Words& words_of(PathKind /*of*/) {
   static const Words all{
       "polishing",
       "PathKind",
-      "Shapes of paths.",
+      "Shape of a path.",
       {{"circle"},
        {"spiral"},
        {"zigzag"},
@@ -101,39 +104,41 @@ const Description& description_of(const PathSpec* /*of*/) {
   using S = PathSpec;
   static const Description all =
       Describe<S>("polishing", "PathSpec",
-                  "A path in the plane of a surface, in its two tangents (u, w), from its centre "
-                  "at rest.")
+                  "Path in the plane of a surface. Coordinates (u, w) are along the two tangents "
+                  "of the surface. The path begins at rest at its centre (0, 0).")
           .field("kind", &S::kind,
-                 "circle, spiral, zigzag or points")
+                 "Shape of the path: circle, spiral, zigzag or points")
           .field("radius", &S::radius,
-                 "{m} (circle, and the largest of a spiral)",
+                 "Radius of the circle, or largest radius of the spiral [{m}]",
                  {.least = 0, .open = true})
           .field("rate", &S::rate,
-                 "{rad/s} (circle, spiral)")
+                 "Angular rate of the circle or spiral [{rad/s}]")
           .field("start_up", &S::start_up,
-                 "{s} until the full radius (circle), the full growth (spiral)",
+                 "Time until the circle has its full radius, or the spiral its full growth rate "
+                 "[{s}]",
                  {.least = 0, .open = true})
           .field("pitch", &S::pitch,
-                 "{m} between two turns (spiral)",
+                 "Mean distance between two turns of the spiral [{m}]",
                  {.least = 0, .open = true})
-          .more("mean over the way out")
+          .more("The mean is taken from the centre to the largest radius.")
           .field("width", &S::width,
-                 "{m} along the first tangent (zigzag)",
+                 "Length of the zigzag along the first tangent [{m}]",
                  {.least = 0, .open = true})
           .field("height", &S::height,
-                 "{m} along the second tangent (zigzag)",
+                 "Length of the zigzag along the second tangent [{m}]",
                  {.least = 0, .open = true})
           .field("rows", &S::rows,
-                 "lines (zigzag)",
+                 "Number of lines of the zigzag",
                  {.least = 2})
           .field("speed", &S::speed,
-                 "{m/s}, the highest along a line (zigzag, points)",
+                 "Highest speed along a straight line of the zigzag or between points [{m/s}]",
                  {.least = 0, .open = true})
           .field("points", &S::points,
-                 "[[u, w], ...] in the surface's tangents, {m}, or a CSV file with columns u and "
-                 "w (points)")
-          .in_code("in the surface's tangents, m (points); followed by lines from the centre, at "
-                   "rest at each");
+                 "Points [[u, w], ...] along the tangents [{m}], or a CSV file with columns u and"
+                 " w")
+          .in_code("Points (u, w) along the two tangents [m]")
+          .more("Straight lines lead from the centre through the points. The path comes to rest "
+                "at each point.");
   return all;
 }
 
@@ -141,13 +146,14 @@ const Description& description_of(const PlanarPoint* /*of*/) {
   using S = PlanarPoint;
   static const Description all =
       Describe<S>("polishing", "PlanarPoint",
-                  "(u, w) of a path and their first two derivatives at a time.")
+                  "Coordinates (u, w) of a path at one time, with their first two time "
+                  "derivatives.")
           .field("p", &S::p,
-                 "{m}")
+                 "Position (u, w) [{m}]")
           .field("v", &S::v,
-                 "{m/s}")
+                 "Velocity of (u, w) [{m/s}]")
           .field("a", &S::a,
-                 "{m/s^2}");
+                 "Acceleration of (u, w) [{m/s^2}]");
   return all;
 }
 
@@ -155,12 +161,13 @@ const Description& description_of(const FreeHome* /*of*/) {
   using S = FreeHome;
   static const Description all =
       Describe<S>("polishing", "FreeHome",
-                  "Posture of a robot from which its joints can move straight to a task's start.")
+                  "Named posture from which the joints can move straight to the start of a task "
+                  "without a problem.")
           .result()
           .field("posture", &S::posture,
-                 "of the robot's settings")
+                 "Name of the posture in the robot's settings")
           .field("duration", &S::duration,
-                 "{s}, of the move");
+                 "Duration of the move [{s}]");
   return all;
 }
 
@@ -168,10 +175,10 @@ const Words& words_of(ControllerKind /*of*/) {
   static const Words all{
       "polishing",
       "ControllerKind",
-      "What controls a run.",
-      {{"mpc", "model predictive control (MpcController)"},
-       {"baseline", "impedance with force feedback, no optimisation (make_impedance_controller())"},
-       {"admittance", "force error to joint positions that are held (make_admittance_controller())"}}};
+      "Controller of a run.",
+      {{"mpc", "Model predictive control (MpcController)"},
+       {"baseline", "Impedance with force feedback, no optimisation (make_impedance_controller())"},
+       {"admittance", "Admittance from force error to targets of joint positions (make_admittance_controller())"}}};
   return all;
 }
 
@@ -179,21 +186,23 @@ const Description& description_of(const RunSpec* /*of*/) {
   using S = RunSpec;
   static const Description all =
       Describe<S>("polishing", "RunSpec",
-                  "A run of a task.")
+                  "Options of run_task().")
           .field("task", &S::task)
           .field("robot", &S::robot,
-                 "in place of the one that the task names")
+                 "Robot to use instead of the robot that the task names")
           .field("controller", &S::controller)
           .field("plant", &S::plant,
-                 "MuJoCo where this build has it")
+                 "Plant to simulate; MuJoCo if this build has it")
           .field("check_reach", &S::check_reach,
-                 "before anything moves; a problem is then an Error")
+                 "Check the reach before the run, and throw Error if there is a problem")
           .field("reach", &S::reach)
           .field("plan_rate", &S::plan_rate,
-                 "{Hz}, at which plans of the MPC are recorded, at most 20 000 of them; 0: none")
+                 "Recording rate of the plans of the MPC (0: no recording) [{Hz}]")
+          .more("At most 20 000 plans are recorded.")
           .field("progress", &S::progress,
-                 "Called now and then with the simulated time and about when it will be over, s. "
-                 "Returning false stops the run.");
+                 "Callback that is called repeatedly with the simulated time and the run's "
+                 "expected end, in s")
+          .more("If the callback returns false, the run stops.");
   return all;
 }
 
@@ -201,37 +210,39 @@ const Description& description_of(const Setting* /*of*/) {
   using S = Setting;
   static const Description all =
       Describe<S>("polishing", "Setting",
-                  "A task with everything resolved: robot, start, surface, path in the world, "
+                  "Task with all settings filled in: robot, start, surface, path in the world, "
                   "phases.")
-          .field("robot", &S::robot)
+          .field("robot", &S::robot,
+                 "Robot of the task")
           .required()
           .field("q_start", &S::q_start,
-                 "nq")
+                 "Configuration at the start, nq")
           .required()
           .field("scene", &S::scene,
-                 "as the controller knows it")
+                 "Tip, surface and feet as the controller assumes them")
           .required()
           .field("surface_axes", &S::surface_axes,
-                 "columns: two tangents and the normal, world")
+                 "Axes of the surface in the world; the columns are two tangents and the normal")
           .required()
           .field("p_start", &S::p_start,
-                 "of the tool, m, world")
+                 "Position of the tool at the start, in the world [{m}]")
           .required()
           .field("p_center", &S::p_center,
-                 "of the tool at the path's origin in contact, m, world")
+                 "Position of the tool in contact at the path's origin, in the world [{m}]")
           .required()
           .field("reach_end", &S::reach_end,
-                 "{s} of the schedule")
+                 "Schedule time at the end of the reach [{s}]")
           .field("touch", &S::touch,
-                 "{s} of the schedule")
+                 "Schedule time of the planned contact [{s}]")
           .field("ramp_end", &S::ramp_end,
-                 "{s} of the schedule")
+                 "Schedule time when the ramp ends and the path begins [{s}]")
           .field("track_end", &S::track_end,
-                 "{s} of the schedule")
+                 "Schedule time at the end of the path [{s}]")
           .field("assumed_rotors", &S::assumed_rotors,
-                 "kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature")
+                 "Armature that Task.assume_rotors added to each joint, by joint name [{kg m^2 "
+                 "(kg)}]")
           .field("home", &S::home,
-                 "from where a run begins (Task.home) to q_start");
+                 "Move from Task.home to q_start; none if the run begins at q_start");
   return all;
 }
 
@@ -239,11 +250,11 @@ const Words& words_of(ForceAxes /*of*/) {
   static const Words all{
       "polishing",
       "ForceAxes",
-      "Axes that the contact and its force are written in.",
-      {{"surface", "the surface's own: x, y along it, z out of it (the paper's centred frame where the "
-        "surface is aligned with the world)"},
-       {"local", "the tool's: its axis that is closest to the normal at the start"},
-       {"world", "the world's: those of the surface at the start, which stay where they are"}}};
+      "Axes in which the contact and its force are expressed.",
+      {{"surface", "Axes of the surface: x and y along the surface, z out of the surface. If the surface is "
+        "aligned with the world, this is the centred frame of Kleff et al."},
+       {"local", "Axes fixed to the tool, parallel to the surface's axes at the start"},
+       {"world", "Axes fixed to the world, parallel to the surface's axes at the start"}}};
   return all;
 }
 
@@ -251,26 +262,27 @@ const Description& description_of(const Waving* /*of*/) {
   using S = Waving;
   static const Description all =
       Describe<S>("polishing", "Waving",
-                  "How the robot itself moves the frame that carries the surface: from where it "
-                  "starts by shift * s and turn * s (a rotation vector), s = sin(2 pi frequency "
-                  "t) from contact on.")
+                  "Oscillation of a surface that is attached to a frame of the robot. The frame "
+                  "moves from its placement at the start by the translation shift * s and the "
+                  "rotation vector turn * s. Here s = sin(2 pi frequency t), where t is the time "
+                  "since contact. The amplitude grows smoothly during start_up.")
           .field("shift_world", &S::shift_world,
-                 "[x, y, z] {m}, world")
+                 "Amplitude of the translation, [x, y, z] in world axes [{m}]")
           .key("shift")
           .field("turn_world", &S::turn_world,
-                 "[x, y, z] {rad}, world")
+                 "Amplitude of the rotation vector, [x, y, z] in world axes [{rad}]")
           .key("turn")
           .field("frequency", &S::frequency,
-                 "{Hz}",
+                 "Frequency of the oscillation [{Hz}]",
                  {.least = 0, .open = true})
           .field("start_up", &S::start_up,
-                 "{s} until the full way",
+                 "Time from contact to the full amplitude [{s}]",
                  {.least = 0, .open = true})
           .field("position", &S::position,
-                 "{1/m^2}: the frame's origin to where it shall be",
+                 "Weight on the distance of the frame's origin from its target [{1/m^2}]",
                  {.least = 0})
           .field("rotation", &S::rotation,
-                 "{1/rad^2}: the frame's axes to what they shall be",
+                 "Weight on the angle between the frame and its target [{1/rad^2}]",
                  {.least = 0});
   return all;
 }
@@ -279,35 +291,38 @@ const Description& description_of(const Weights* /*of*/) {
   using S = Weights;
   static const Description all =
       Describe<S>("polishing", "Weights",
-                  "Cost weights, per second of horizon. Each is (what it buys): doubling it "
-                  "halves the error that the others force on its term.")
+                  "Cost weights, per second of horizon. If the weight of a term is doubled, the "
+                  "other terms cause half the error in that term.")
           .field("force", &S::force,
-                 "{1/N^2}: force along the normal to its target",
+                 "Weight on errors of the normal force [{1/N^2}]",
                  {.least = 0})
           .field("position", &S::position,
-                 "{1/m^2}: tool to the path, in the reach to the point above the surface; auto: "
-                 "fitted to the arm",
+                 "Weight on the tool's distance from the path (auto: fitted to the arm) [{1/m^2}]",
                  {.least = 0})
-          .in_code("1/m^2: tool to the path, in the reach to the point above the surface; none: "
-                   "fitted to the arm, see fit_gains()")
+          .in_code("Weight on the tool's distance from the path (none: fitted to the arm) [1/m^2]")
+          .more("fit_gains() fits the weight. During the reach, the target is the point above the"
+                " surface.")
           .word("auto")
           .field("approach", &S::approach,
-                 "{s^2/m^2}: speed along the normal to that of approach and retreat",
+                 "Weight on errors of the tool's normal speed in approach and retreat [{s^2/m^2}]",
                  {.least = 0})
           .field("rotation", &S::rotation,
-                 "{1/rad^2}: tool to its orientation at the start; less lets the wrist follow",
+                 "Weight on the tool's orientation relative to the start [{1/rad^2}]",
                  {.least = 0})
+          .more("With a smaller weight the wrist turns more.")
           .field("posture", &S::posture,
-                 "{1/rad^2}: joints to the start; more holds the elbow, costs path accuracy",
+                 "Weight on joint angles relative to the start [{1/rad^2}]",
                  {.least = 0})
+          .more("A larger weight keeps the elbow in place but costs accuracy.")
           .field("velocity", &S::velocity,
-                 "{s^2/rad^2}: joint speeds; more damps, and lags on fast paths",
+                 "Weight on joint velocities [{s^2/rad^2}]",
                  {.least = 0})
+          .more("A larger weight damps more but lets the tool lag on fast paths.")
           .field("torque", &S::torque,
-                 "{1/Nm^2}: torques to those that hold the start",
+                 "Weight on torques relative to the torques that hold the start [{1/Nm^2}]",
                  {.least = 0})
           .field("terminal", &S::terminal,
-                 "{s}: what the end of the horizon costs, as a time at its running cost",
+                 "Duration by which the weights are multiplied for the terminal cost [{s}]",
                  {.least = 0});
   return all;
 }
@@ -316,20 +331,24 @@ const Description& description_of(const Verdict* /*of*/) {
   using S = Verdict;
   static const Description all =
       Describe<S>("polishing", "Verdict",
-                  "What \"polished\" asks for, of the plant's true force and place, from the end "
-                  "of the ramp to the end of the path.")
+                  "Requirements on a run for the outcome \"polished\". They apply to the plant's "
+                  "true force and position, from the end of the ramp to the end of the path.")
           .field("contact_share", &S::contact_share,
-                 "of the time in contact, at least; 0 to 1",
+                 "Smallest allowed fraction of the time in contact",
                  {.least = 0, .most = 1})
           .field("force_rmse", &S::force_rmse,
-                 "of the force: rms error of its mean over 10 ms, at most; or never",
+                 "Largest allowed rms error of the force, as a fraction of the task's force; or "
+                 "never",
                  {.least = 0, .open = true, .infinite = true})
-          .in_code("of the force: rms error of its mean over 10 ms, at most; infinite: any")
+          .in_code("Largest allowed rms error of the force, as a fraction of the task's force")
+          .more("The force is averaged over 10 ms. The value never (infinite) allows any error.")
           .field("path_share", &S::path_share,
-                 "of the path's length with the tip over its target, at least; 0 to 1",
+                 "Smallest allowed fraction of the path's length on which the tip is over its "
+                 "target",
                  {.least = 0, .most = 1})
-          .more("Nearer to it than the tip's radius. A path without end is as long as "
-                "Task::polish_duration makes it.");
+          .more("The tip is over its target if their distance along the surface is at most the "
+                "tip's radius. The length of a path without end is the length that the tool "
+                "travels in Task.polish_duration.");
   return all;
 }
 
@@ -337,215 +356,231 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("polishing", "Task",
-                  "The polishing task: all that a task file may say, with its defaults.")
+                  "Task of polishing a surface along a path: all keys of a task file, with their "
+                  "defaults.")
           .field("robot", &S::robot,
-                 "a robot's name, folder or settings file, with :variant")
+                 "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "start of the arm, what its null space is drawn to; search: found for the "
-                 "surface")
-          .more("Of the robot's settings, or find_posture()'s. Empty: the robot's default, or "
-                "searched where it has none. So is a named surface's, where the robot has none of"
-                " that name.")
+                 "Starting posture, also the target of the null space (search: find one for the "
+                 "surface)")
+          .more("The value is a posture's name in the robot's settings, or search, which calls "
+                "find_posture(). If empty: the robot's default posture, or a search if the robot "
+                "has none. If the robot does not have the posture of a named surface, that "
+                "posture is searched, too.")
           .field("assume_rotors", &S::assume_rotors,
-                 "joints whose rotor is missing get an armature of 2 ms * effort / velocity")
-          .more("In plans and plant. Missing: torque noise alone drives the joint past its speed "
-                "limit; without this a note names it.")
+                 "Add an armature of 2 ms * effort / velocity to joints whose rotor is missing")
+          .more("Effort and velocity are the limits of the joint. The armature is added in plans "
+                "and plant. A rotor counts as missing if torque noise alone drives the joint "
+                "beyond its speed limit. If false, a note names these joints.")
           .field("force", &S::force,
-                 "{N}, that the tool presses with",
+                 "Normal force that the tool presses with [{N}]",
                  {.least = 0, .open = true})
           .group("", "tool")
           .field("tool", &S::tool,
-                 "its origin is the centre of a round tip")
+                 "Frame of the tool; its origin is the centre of the round tip")
           .key("frame")
           .field("tool_axis", &S::tool_axis,
-                 "[x, y, z] that it presses along, in its frame; or auto: z or -z of a frame of "
-                 "robot.yaml, of others the last joint's axis, away from the arm",
+                 "Pressing direction [x, y, z] in the tool's frame (auto: away from the arm)",
                  {.direction = true})
-          .in_code("that the tool presses along, in its frame, any length; without it see "
-                   "pressing_direction()")
-          .more("a posture that is given must agree with it, within search.tilt")
+          .in_code("Pressing direction in the tool's frame (none: away from the arm)")
+          .more("The automatic direction is z or -z of a frame from robot.yaml, else the axis of "
+                "the last joint; see pressing_direction(). The vector need not have unit length. "
+                "A stated starting posture must agree with the direction within search.tilt.")
           .key("axis")
           .word("auto")
           .field("tip_radius", &S::tip_radius,
                  "Radius of the round tip [{m}]",
                  {.least = 0, .open = true})
-          .group("Or one word for posture, normal and point: table, board, board_x, board_y, "
-             "board_minus_y,\ntilt_45. The controller knows where it is; it knows nothing of "
-             "friction and stiffness.", "surface")
+          .group("The controller knows where the surface is, but not its friction and stiffness.\nOne"
+             " word can replace all keys and set posture, normal and point:\ntable, board, "
+             "board_x, board_y, board_minus_y, tilt_45.", "surface")
           .field("surface_frame", &S::surface_frame,
-                 "of the robot, that carries the surface, such as a plate in the other hand, in "
-                 "whose axes normal and point are then; or world")
-          .in_code("of the robot, that carries the surface, such as a plate in the other hand; "
-                   "empty: the world")
+                 "Frame of the robot that carries the surface, such as its other hand; or world")
+          .in_code("Frame of the robot that carries the surface, such as its other hand; empty: "
+                   "the world")
+          .more("The surface may be a plate in that hand. Normal and point of the surface are in "
+                "the axes of this frame.")
           .key("frame")
           .word("world")
           .field("normal_world", &S::normal_world,
-                 "[x, y, z] out of the material towards the robot, any length, world",
+                 "Normal of the surface [x, y, z], towards the robot",
                  {.direction = true})
-          .in_code("out of the surface, any length; in the axes of the frame that carries it")
+          .more("The normal is in the axes of the frame that carries the surface; without such a "
+                "frame, in world axes. It points out of the material and need not have unit "
+                "length.")
           .key("normal")
           .field("point_world", &S::point_world,
-                 "[x, y, z] of any point on it, {m}; or under_tool: clearance below the start")
-          .in_code("a point of the surface, m, alike; without it `clearance` under the tool at "
-                   "the start")
+                 "Position [x, y, z] of any point on the surface [{m}]; or under_tool: "
+                 "`clearance` below the tool")
+          .in_code("Position of any point on the surface [m]; none: `clearance` below the tool at"
+                   " the start")
+          .more("The position is in the axes of the frame that carries the surface; without such "
+                "a frame, in world axes. The value under_tool refers to the tool at the start.")
           .key("point")
           .word("under_tool")
           .field("extent", &S::extent,
-                 "{m} that there is surface beyond the path, on all four sides; or endless",
+                 "Width of the surface beyond the path on all four sides (or endless) [{m}]",
                  {.least = 0, .infinite = true})
-          .in_code("m that there is surface beyond the path, on all four sides of a square about "
-                   "the path's origin; infinite: it has no end")
+          .in_code("Width of the surface beyond the path on all four sides [m]")
+          .more("The surface is a square about the path's origin. The value endless (infinite) "
+                "makes it a whole plane.")
           .word("endless")
           .field("friction", &S::friction,
-                 "Coulomb coefficient of the plant, unless disturbances.surface_friction says "
-                 "another",
+                 "Coulomb friction coefficient (replaced by disturbances.surface_friction if "
+                 "stated)",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
-                 "{N/m}, of the plant",
+                 "Stiffness of the surface in the plant [{N/m}]",
                  {.least = 0, .open = true})
           .field("damping", &S::damping,
-                 "{Ns/m}, of the plant",
+                 "Damping of the surface in the plant [{Ns/m}]",
                  {.least = 0})
           .field("shape", &S::shape,
-                 "What the surface is about its point. The path is drawn on it as seen along the "
-                 "normal there.")
-          .in_code("plane, or what the surface is about its point")
+                 "Shape of the surface: a plane, or a curved shape about its point.\nThe path is "
+                 "projected onto the surface along the normal at that point.")
           .field("waving", &S::waving,
-                 "How the robot moves the frame that carries the surface, where one does.")
-          .in_code("of that frame")
+                 "Oscillation of the frame that carries the surface, if it is a frame of the "
+                 "robot.")
           .field("search", &S::search,
-                 "What a posture that is searched keeps to.")
+                 "Requirements on a starting posture that is found by a search.")
           .field("home", &S::home,
-                 "Where a run begins, if not at its start: a posture, from which the joints move "
-                 "straight to the start\nin a phase `home`.")
-          .in_code("where a run begins, if not at the start of the arm")
+                 "Posture where a run begins, if it differs from the start of the task.\nFrom "
+                 "there the joints move straight to the start, in a phase `home`.")
           .field("standing", &S::standing,
-                 "What a robot whose base floats stands on.")
+                 "Feet and ground of a robot with a floating base.")
           .field("path", &S::path,
-                 "In the plane of the surface, from the point under the start, beginning at rest.")
+                 "Path in the plane of the surface. The path begins at rest at the point under "
+                 "the start.")
           .field("force_profile", &S::force_profile,
-                 "What the force does from when the path begins; until then it rises to `force`.")
+                 "Target force as a function of the time on the path. Before the path, the force "
+                 "rises to `force`.")
           .group("Reach above the surface, approach until contact, ramp the force, polish, retreat.", "phases")
           .field("clearance", &S::clearance,
-                 "{m} between tool and surface where the reach ends",
+                 "Distance between tool and surface at the end of the reach [{m}]",
                  {.least = 0, .open = true})
           .field("reach_duration", &S::reach_duration,
-                 "{s}",
+                 "Duration of the reach [{s}]",
                  {.least = 0, .open = true})
           .field("approach_speed", &S::approach_speed,
-                 "{m/s} towards the surface",
+                 "Speed towards the surface [{m/s}]",
                  {.least = 0, .open = true})
           .field("touch_force", &S::touch_force,
-                 "{N}, at once where contact is made, so that the tool does not rebound",
+                 "Force that the tool presses with as soon as contact is made [{N}]",
                  {.least = 0})
-          .more("the ramp starts there")
+          .more("This force keeps the tool from rebounding. The ramp starts at this force.")
           .field("ramp_duration", &S::ramp_duration,
-                 "{s} from contact to the full force",
+                 "Duration of the ramp from touch_force to force [{s}]",
                  {.least = 0, .open = true})
           .field("polish_duration", &S::polish_duration,
-                 "{s} on the path",
+                 "Time on the path [{s}]",
                  {.least = 0, .open = true})
           .field("retreat_duration", &S::retreat_duration,
-                 "{s} back to the clearance",
+                 "Duration of the retreat from the surface to the distance `clearance` [{s}]",
                  {.least = 0, .open = true})
           .field("verdict", &S::verdict,
-                 "What \"polished\" asks for, of the plant's true force and place, from the end "
-                 "of the ramp on.")
-          .group("The optimal control problem that is solved again and again, and the loop around it.", "controller")
+                 "Requirements for the outcome \"polished\".\nThey apply to the plant's true "
+                 "force and position, from the end of the ramp to the end of the path.")
+          .group("Optimal control problem that is solved at every update, and the control loop around"
+             " it.", "controller")
           .field("horizon", &S::horizon,
-                 "{s} that are planned ahead",
+                 "Duration that a plan covers [{s}]",
                  {.least = 0, .open = true})
           .field("step", &S::step,
-                 "{s} between two knots of the plan",
+                 "Time between the first two knots of the plan [{s}]",
                  {.least = 0, .open = true})
           .field("knots", &S::knots,
-                 "of the plan: their steps grow from the first one, so that few look as far "
-                 "ahead; 0: all are alike",
+                 "Number of knots in the plan (0: one every `step`)",
                  {.least = 0})
+          .more("The steps between knots grow to cover the horizon. With 0, all steps are equal.")
           .field("update_rate", &S::update_rate,
-                 "{Hz}, of new plans; divides the tick rate",
+                 "Rate of new plans, tick_rate divided by an integer [{Hz}]",
                  {.least = 0, .open = true})
           .field("tick_rate", &S::tick_rate,
-                 "{Hz}, of torque commands",
+                 "Rate of torque commands [{Hz}]",
                  {.least = 0, .open = true})
           .field("timing", &S::timing,
-                 "fixed: plans are used solver_delay after their measurement; measured: the time "
-                 "that each takes passes, in simulations too; thread: they are made in a thread "
-                 "of their own")
+                 "When a new plan is used: fixed (after solver_delay), measured (after its "
+                 "computing time) or thread")
+          .more("With measured, simulations delay the plan by its computing time, too. With "
+                "thread, a separate thread computes plans, and a plan is used as soon as it is "
+                "ready.")
           .field("solver_delay", &S::solver_delay,
-                 "{s} from a measurement to the use of the plan made from it",
+                 "Time from a measurement to the use of the plan that starts from it [{s}]",
                  {.least = 0})
           .field("command_delay", &S::command_delay,
-                 "Delay from command to torque that the controller assumes [{s}]",
+                 "Assumed delay from a command to its torque [{s}]",
                  {.least = 0, .most = 0.1})
-          .more("Rounded to ticks. Plans and feedback begin in the state that the torques already"
-                " sent lead to.")
+          .more("The delay is rounded to ticks. Plans and feedback start from the state that the "
+                "torques already sent lead to.")
           .field("measurement_delay", &S::measurement_delay,
-                 "Delay from measurement to tick that the controller assumes [{s}]",
+                 "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
           .field("slowdown", &S::slowdown,
-                 "of measured timing: a machine by this factor slower",
+                 "Factor on the measured computing time of plans, if timing is measured",
                  {.least = 0, .open = true})
           .field("iterations", &S::iterations,
-                 "of the solver, per plan",
+                 "Number of solver iterations per plan",
                  {.least = 1})
           .field("solver", &S::solver,
-                 "multiple_shooting or rollout")
+                 "Type of the solver's step: multiple_shooting or rollout")
           .field("feedback", &S::feedback,
-                 "between plans follow their Riccati gains, not just their torques")
+                 "Apply the plan's Riccati feedback between plans; false: apply only the plan's "
+                 "torques")
           .field("contact_kd", &S::contact_kd,
-                 "{1/s}, damping of the contact constraint (Baumgarte)",
+                 "Damping of the contact constraint (Baumgarte) [{1/s}]",
                  {.least = 0})
           .field("friction_speed", &S::friction_speed,
-                 "{m/s} of sliding below which the friction of plans fades: their steps bear no "
-                 "less",
+                 "Sliding speed below which friction fades to zero in plans [{m/s}]",
                  {.least = 0, .open = true})
+          .more("Plans with steps of 10 ms do not tolerate a smaller value than 0.1 m/s.")
           .field("torque_cutoff", &S::torque_cutoff,
-                 "{rad/s}, torque lag that plans know of; 0: none; the plant's is in disturbances",
+                 "Cutoff of the torque lag in plans (0: no lag) [{rad/s}]",
                  {.least = 0})
+          .more("The lag of the plant is a key of disturbances.")
           .field("force_sensor", &S::force_sensor,
-                 "false: the force is told from torques, encoders and velocities, against what "
-                 "they said in the air just before")
+                 "Use the force sensor; false: estimate the force from torques and joint motion")
+          .more("The estimate is relative to the estimate in free air just before contact.")
           .field("axes", &S::axes,
-                 "of contact and force: surface, local (the tool's) or world")
+                 "Axes of contact and force: surface, local (fixed to the tool) or world")
           .field("weights", &S::weights,
-                 "Cost per second of squared error. What counts is how they compare: raise one, "
-                 "and its error\nshrinks at the expense of the others.")
+                 "Cost weights, per second of horizon. Only their ratios matter.\nA larger weight"
+                 " reduces the error of its own term and increases the errors of the other terms.")
           .field("constraints", &S::constraints,
-                 "What plans keep, whatever it costs. Each may be never.")
+                 "Hard constraints of plans; `never` switches a constraint off.")
           .field("model_error", &S::model_error,
-                 "What measurements say that the model gets wrong, given back to it before each "
-                 "plan.")
+                 "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("surface_estimate", &S::surface_estimate,
-                 "What the tip's own path says of the surface, given to each plan: not with axes:"
-                 " local.")
+                 "Estimation of the surface from the path of the tip. Plans use the estimate only"
+                 " if `axes` is surface.")
           .field("friction_estimate", &S::friction_estimate,
-                 "The coefficient of friction between tool and surface, given to each plan.")
-          .group("Beyond these a run is given up: the arm is braked and held (fallback), and there is"
-             " a report.\nEach may be never.", "limits")
+                 "Friction coefficient between tool and surface that plans assume, and its "
+                 "estimation.")
+          .group("Exceeding a limit ends the run and is reported as a fault.\nThe fallback controller"
+             " then brakes and holds the robot. `never` switches a limit off.", "limits")
           .field("limits", &S::limits)
           .field("tool_limits", &S::tool_limits)
           .key("limits")
           .field("contact_threshold", &S::contact_threshold,
-                 "{N} that count as contact",
+                 "Normal force above which the tool counts as in contact [{N}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("Where the sensor's noise comes near it, which is found out in the reach, it is "
-                "the mean over 5 ms that counts, against six of its own deviations.")
+          .more("The noise of the force is measured in free air. If six standard deviations of "
+                "the noise exceed the threshold, the mean force over 5 ms is used. Contact then "
+                "requires that the mean exceeds both the threshold and six standard deviations of"
+                " the mean.")
           .group("")
           .field("fallback", &S::fallback,
-                 "What holds the arm after a fault: gravity compensation, a damper, and a spring "
-                 "that slips.")
+                 "Controller after a fault: gravity compensation, a damper, and a spring of "
+                 "limited torque.")
           .field("baseline", &S::baseline,
                  "Gains of the controller `baseline`, an impedance with force feedback.")
-          .in_code("of the controller `baseline`")
           .field("admittance", &S::admittance,
-                 "Gains of the controller `admittance`: force error to motion, inverse "
-                 "kinematics, joint\npositions that are held.")
-          .in_code("of the controller `admittance`")
+                 "Gains of the controller `admittance`: force loop, inverse kinematics and joint "
+                 "position loop.")
           .field("disturbances", &S::disturbances,
-                 "What the controller does not know. Or one word: none, sensors, mismatch, "
-                 "joint_friction; or\n`preset: word` and keys that differ from it.")
-          .in_code("what the controller does not know");
+                 "Disturbances that the controller does not know.\nOne word can replace all keys:"
+                 " none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of "
+                 "these words, only keys that differ from the preset are needed.")
+          .in_code("Disturbances that the controller does not know");
   return all;
 }
 
@@ -553,14 +588,15 @@ const Description& description_of(const NamedSurface* /*of*/) {
   using S = NamedSurface;
   static const Description all =
       Describe<S>("polishing", "NamedSurface",
-                  "A surface by name: where its normal points and a starting posture of the robot"
-                  " for it.")
+                  "Surface with a name, its normal, and a starting posture of the robot that fits"
+                  " it.")
           .result()
-          .field("name", &S::name)
+          .field("name", &S::name,
+                 "Name of the surface")
           .field("posture", &S::posture,
-                 "of the robot's settings")
+                 "Name of a posture in the robot's settings")
           .field("normal_world", &S::normal_world,
-                 "out of the surface");
+                 "Normal of the surface in the world; points out of the material");
   return all;
 }
 

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/tasks/polishing/force_profile.hpp"
 #include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/path.hpp"

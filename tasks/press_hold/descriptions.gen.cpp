@@ -10,115 +10,123 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("press_hold", "Task",
-                  "The task of pressing at a point while the arm moves aside: all that a task "
-                  "file may say, with its defaults.")
+                  "Task of pressing at a point while the rest of the arm moves aside: all keys of"
+                  " a task file, with their defaults.")
           .field("robot", &S::robot,
-                 "a robot's name, folder or settings file, with :variant")
+                 "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "where it starts; search: found for the surface")
-          .more("Of the robot's settings. Empty: the robot's default, or searched where it has "
-                "none.")
+                 "Starting posture (search: find one for the surface)")
+          .more("The value is a posture's name in the robot's settings, or search. If empty: the "
+                "robot's default posture, or a search if the robot has none.")
           .field("force", &S::force,
                  "Normal force that the tool presses with [{N}]",
                  {.least = 0, .open = true})
           .field("aside", &S::aside,
-                 "{rad (m)}, offset of each joint from the start: {joint: way, ...}")
+                 "Offsets of joints from the start when the arm is aside [{rad (m)}]: {joint: "
+                 "offset, ...}")
           .group("", "tool")
           .field("tool", &S::tool,
-                 "its origin is the centre of a round tip")
+                 "Frame of the tool; its origin is the centre of the round tip")
           .key("frame")
           .field("tool_axis", &S::tool_axis,
-                 "[x, y, z] that it presses along, in its frame; or auto: z or -z of a frame of "
-                 "robot.yaml, of others the last joint's axis, away from the arm",
+                 "Pressing direction [x, y, z] in the tool's frame (auto: away from the arm)",
                  {.direction = true})
-          .in_code("that the tool presses along, in its frame, any length; without it see "
-                   "pressing_direction()")
-          .more("a posture that is given must agree with it, within search.tilt")
+          .in_code("Pressing direction in the tool's frame (none: away from the arm)")
+          .more("The automatic direction is z or -z of a frame from robot.yaml, else the axis of "
+                "the last joint; see pressing_direction(). The vector need not have unit length. "
+                "A stated starting posture must agree with the direction within search.tilt.")
           .key("axis")
           .word("auto")
           .field("tip_radius", &S::tip_radius,
                  "Radius of the round tip [{m}]",
                  {.least = 0, .open = true})
-          .group("The surface lies `clearance` from the tool at the start. The controller knows its "
-             "normal.", "surface")
+          .group("The surface lies at the distance `clearance` from the tool at the start. The "
+             "controller knows its normal.", "surface")
           .field("normal_world", &S::normal_world,
-                 "[x, y, z] out of the material towards the robot, any length, world",
+                 "Normal of the surface [x, y, z] in world axes, towards the robot",
                  {.direction = true})
-          .in_code("out of the surface, any length")
+          .more("The normal points out of the material. It need not have unit length.")
           .key("normal")
           .field("extent", &S::extent,
-                 "{m} that there is surface beyond the point, on all four sides; or endless",
+                 "Width of the surface beyond the point on all four sides (or endless) [{m}]",
                  {.least = 0, .open = true, .infinite = true})
+          .in_code("Width of the surface beyond the point on all four sides [m]")
+          .more("The surface is a square about the point. The value endless (infinite) makes it a"
+                " whole plane.")
           .word("endless")
           .field("friction", &S::friction,
-                 "Coulomb coefficient of the plant, unless disturbances.surface_friction says "
-                 "another",
+                 "Coulomb friction coefficient (replaced by disturbances.surface_friction if "
+                 "stated)",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
-                 "{N/m}, of the plant",
+                 "Stiffness of the surface in the plant [{N/m}]",
                  {.least = 0, .open = true})
           .field("damping", &S::damping,
-                 "{Ns/m}, of the plant",
+                 "Damping of the surface in the plant [{Ns/m}]",
                  {.least = 0})
           .field("search", &S::search,
-                 "What a posture that is searched keeps to.")
+                 "Requirements on a starting posture that is found by a search.")
           .group("Approach until contact, ramp the force, move aside, hold, retreat.", "phases")
           .field("clearance", &S::clearance,
-                 "{m} between tool and surface at the start",
+                 "Distance between tool and surface at the start [{m}]",
                  {.least = 0, .open = true})
           .field("approach_speed", &S::approach_speed,
-                 "{m/s} towards the surface",
+                 "Speed towards the surface [{m/s}]",
                  {.least = 0, .open = true})
           .field("touch_force", &S::touch_force,
-                 "{N}, at once where contact is made",
+                 "Force that the tool presses with as soon as contact is made [{N}]",
                  {.least = 0})
           .field("ramp_duration", &S::ramp_duration,
-                 "{s} from touch_force to force",
+                 "Duration of the ramp from touch_force to force [{s}]",
                  {.least = 0, .open = true})
           .field("aside_duration", &S::aside_duration,
-                 "{s} that the posture takes to go aside",
+                 "Duration of the move aside [{s}]",
                  {.least = 0, .open = true})
           .field("hold_duration", &S::hold_duration,
-                 "{s} that it stays there",
+                 "Time for which the arm stays aside [{s}]",
                  {.least = 0, .open = true})
           .field("retreat_duration", &S::retreat_duration,
-                 "{s} off the surface, by the clearance",
+                 "Duration of the retreat from the surface to the distance `clearance` [{s}]",
                  {.least = 0, .open = true})
           .group("", "controller")
           .field("tick_rate", &S::tick_rate,
-                 "{Hz}, of torque commands and of new plans",
+                 "Rate of torque commands and of new plans [{Hz}]",
                  {.least = 100, .most = 1e4})
           .field("command_delay", &S::command_delay,
-                 "Delay from command to torque that the controller assumes [{s}]",
+                 "Assumed delay from a command to its torque [{s}]",
                  {.least = 0, .most = 0.1})
-          .more("Rounded to ticks. Plans and feedback begin in the state that the torques already"
-                " sent lead to.")
+          .more("The delay is rounded to ticks. Plans and feedback start from the state that the "
+                "torques already sent lead to.")
           .field("measurement_delay", &S::measurement_delay,
-                 "Delay from measurement to tick that the controller assumes [{s}]",
+                 "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
           .field("posture_weight", &S::posture_weight,
-                 "{1/rad^2}: joints to where they shall be, beside 1e4 1/m^2 of the point",
+                 "Weight on joint angles relative to their reference [{1/rad^2}]",
                  {.least = 0, .open = true})
+          .more("For comparison, the weight on the tool's position is 1e4 1/m^2.")
           .field("constraints", &S::constraints,
-                 "What plans keep, whatever it costs. Each may be never.")
-          .group("Beyond these a run is given up: the arm is braked and held (fallback), and there is"
-             " a report.\nEach may be never.", "limits")
+                 "Hard constraints of plans; `never` switches a constraint off.")
+          .group("Exceeding a limit ends the run and is reported as a fault.\nThe fallback controller"
+             " then brakes and holds the robot. `never` switches a limit off.", "limits")
           .field("limits", &S::limits)
           .field("tool_limits", &S::tool_limits)
           .key("limits")
           .field("contact_threshold", &S::contact_threshold,
-                 "{N} that count as contact",
+                 "Normal force above which the tool counts as in contact [{N}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("Where the sensor's noise comes near it, which is found out in the reach, it is "
-                "the mean over 5 ms that counts, against six of its own deviations.")
+          .more("The noise of the force is measured in free air. If six standard deviations of "
+                "the noise exceed the threshold, the mean force over 5 ms is used. Contact then "
+                "requires that the mean exceeds both the threshold and six standard deviations of"
+                " the mean.")
           .field("slip", &S::slip,
-                 "{m} that the tool may be off its point, along the surface",
+                 "Largest distance that the tool may slide along the surface from its point [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .group("")
           .field("disturbances", &S::disturbances,
-                 "What the controller does not know. Or one word: none, sensors, mismatch, "
-                 "joint_friction; or\n`preset: word` and keys that differ from it.")
-          .in_code("what the controller does not know");
+                 "Disturbances that the controller does not know.\nOne word can replace all keys:"
+                 " none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of "
+                 "these words, only keys that differ from the preset are needed.")
+          .in_code("Disturbances that the controller does not know");
   return all;
 }
 
@@ -126,30 +134,31 @@ const Description& description_of(const Setting* /*of*/) {
   using S = Setting;
   static const Description all =
       Describe<S>("press_hold", "Setting",
-                  "A task with everything resolved: robot, start, surface, phases.")
-          .field("robot", &S::robot)
+                  "Task with all settings filled in: robot, start, surface, phases.")
+          .field("robot", &S::robot,
+                 "Robot of the task")
           .required()
           .field("q_start", &S::q_start,
-                 "nq, where the posture's reference begins")
+                 "Configuration at the start, nq; the posture's reference begins there")
           .required()
           .field("q_aside", &S::q_aside,
-                 "nq, where it ends")
+                 "Configuration when the arm is aside, nq; the posture's reference ends there")
           .required()
           .field("scene", &S::scene,
-                 "as the controller knows it")
+                 "Tip and surface as the controller assumes them")
           .required()
           .field("surface_axes", &S::surface_axes,
-                 "columns: two tangents and the normal, world")
+                 "Axes of the surface in the world; the columns are two tangents and the normal")
           .required()
           .field("p_hold", &S::p_hold,
-                 "of the tool in contact, m, world")
+                 "Position of the tool in contact, in the world [{m}]")
           .required()
           .field("touch", &S::touch,
-                 "{s} of the schedule")
+                 "Schedule time of the planned contact [{s}]")
           .field("ramp_end", &S::ramp_end,
-                 "{s} of the schedule")
+                 "Schedule time at the end of the ramp [{s}]")
           .field("hold_end", &S::hold_end,
-                 "{s} of the schedule");
+                 "Schedule time at the end of the hold [{s}]");
   return all;
 }
 
@@ -157,19 +166,20 @@ const Description& description_of(const RunSpec* /*of*/) {
   using S = RunSpec;
   static const Description all =
       Describe<S>("press_hold", "RunSpec",
-                  "A run of a task.")
+                  "Options of run_task().")
           .field("task", &S::task)
           .field("setting", &S::setting,
-                 "of the task, where there is one already")
+                 "Task with all settings filled in; none: computed by make_setting()")
           .field("plant", &S::plant,
-                 "MuJoCo where this build has it")
+                 "Plant to simulate; MuJoCo if this build has it")
           .field("check_reach", &S::check_reach,
-                 "before anything moves; a problem is then an Error")
+                 "Check the reach before the run, and throw Error if there is a problem")
           .field("plan_rate", &S::plan_rate,
-                 "{Hz}, at which plans are recorded; 0: none")
+                 "Recording rate of plans (0: no recording) [{Hz}]")
           .field("progress", &S::progress,
-                 "Called now and then with the simulated time and about when it will be over, s. "
-                 "Returning false stops the run.");
+                 "Callback that is called repeatedly with the simulated time and the run's "
+                 "expected end, in s")
+          .more("If the callback returns false, the run stops.");
   return all;
 }
 

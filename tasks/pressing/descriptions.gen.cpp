@@ -10,48 +10,54 @@ const Description& description_of(const AdmittanceGains* /*of*/) {
   using S = AdmittanceGains;
   static const Description all =
       Describe<S>("sim", "AdmittanceGains",
-                  "Of both loops. The inner one knows the robot's mass matrix and gravity.")
+                  "Gains of the admittance controller: an outer force loop and an inner joint "
+                  "position loop. The inner loop uses the robot's mass matrix and gravity.")
           .field("rate", &S::rate,
-                 "{Hz}, of the outer loop; rounded to ticks, one at least",
+                 "Rate of the outer loop [{Hz}]",
                  {.least = 0, .open = true})
+          .more("The period is rounded to whole ticks, at least one.")
           .field("delay", &S::delay,
-                 "{s}, from its measurement to the inner loop; rounded to ticks",
+                 "Delay between the outer loop and the inner loop [{s}]",
                  {.least = 0, .most = 1})
+          .more("The delay counts from the measurement of the outer loop and is rounded to ticks.")
           .field("force_cutoff", &S::force_cutoff,
-                 "{rad/s}, low-pass of the measured force in the outer loop",
+                 "Cutoff of the low-pass filter on the measured force in the outer loop [{rad/s}]",
                  {.least = 0, .open = true})
           .field("mass", &S::mass,
-                 "of the admittance, as a multiple of the tool's inertia along the normal",
+                 "Mass of the admittance, as a multiple of the tool's inertia along the normal",
                  {.least = 0})
           .field("damping", &S::damping,
-                 "{1/s}, of the admittance; times that inertia",
+                 "Damping of the admittance, as a multiple of the tool's inertia along the normal"
+                 " [{1/s}]",
                  {.least = 0, .open = true})
           .field("ki", &S::ki,
-                 "{1/s}, of the force error; 0: no integral of it",
+                 "Integral gain on the force error (0: no integral) [{1/s}]",
                  {.least = 0})
           .field("integral_limit", &S::integral_limit,
-                 "{N}, largest correction by that integral",
+                 "Largest correction by the integral of the force error [{N}]",
                  {.least = 0})
           .field("path_gain", &S::path_gain,
-                 "{1/s}, of the commanded tool's way to the path",
+                 "Gain from the position error along the surface to the tool's velocity [{1/s}]",
                  {.least = 0})
+          .more("The error is the distance between the path and the tip at the commanded joint "
+                "positions.")
           .field("ik_damping", &S::ik_damping,
-                 "of the inverse kinematics, m/rad",
+                 "Damping of the inverse kinematics (damped least squares) [{m/rad}]",
                  {.least = 0, .open = true})
           .field("posture_gain", &S::posture_gain,
-                 "{1/s}, of the commanded joints to the posture",
+                 "Gain from the posture error to the joint velocities in the null space [{1/s}]",
                  {.least = 0})
           .field("joint_kp", &S::joint_kp,
-                 "{1/s^2}, of the inner loop",
+                 "Proportional gain of the inner loop [{1/s^2}]",
                  {.least = 0})
           .field("joint_kd", &S::joint_kd,
-                 "{1/s}, of the inner loop",
+                 "Derivative gain of the inner loop [{1/s}]",
                  {.least = 0})
           .field("joint_ki", &S::joint_ki,
-                 "{1/s^3}, of the inner loop; 0: no integral",
+                 "Integral gain of the inner loop (0: no integral) [{1/s^3}]",
                  {.least = 0})
           .field("joint_integral_limit", &S::joint_integral_limit,
-                 "{rad/s^2}, largest correction by that integral",
+                 "Largest correction by the integral of the inner loop [{rad/s^2}]",
                  {.least = 0});
   return all;
 }
@@ -60,19 +66,22 @@ const Description& description_of(const AdmittanceSpec* /*of*/) {
   using S = AdmittanceSpec;
   static const Description all =
       Describe<S>("sim", "AdmittanceSpec",
-                  "A controller in two loops, as arms with a position interface are driven: an "
-                  "outer one that turns the force's error into a motion of the tool along the "
-                  "surface's normal, and that by inverse kinematics into joint positions, and an "
-                  "inner one that holds these. With f the force along the normal n behind a "
-                  "low-pass, q_c the commanded joints and p the tip's place there, l its inertia "
-                  "along n: l (mass dv_n/dt + damping v_n) = (f - f_path) + ki * integral of it; "
-                  "v_tool = v_n n and along the surface v_path + path_gain (p_path - p); dq_c/dt "
-                  "by damped least squares; and delay s later tau = M (joint_kp (q_c - q) + "
-                  "joint_kd (dq_c/dt - v) + joint_ki * integral of (q_c - q)) + b. Integrals are "
-                  "bounded, start anew where contact is made, and stand still while a torque is "
-                  "at its limit.")
-          .field("path", &S::path)
-          .field("gains", &S::gains);
+                  "Controller in two loops, as for arms with a position interface. The outer loop"
+                  " turns the force error into a motion of the tool along the surface's normal n."
+                  " Inverse kinematics turn this motion into joint positions q_c, which the inner"
+                  " loop tracks. Outer loop: l (mass dv_n/dt + damping v_n) = (f - f_path) + ki *"
+                  " integral of (f - f_path). f is the low-pass filtered force along n, v_n the "
+                  "commanded speed along n, and l the tool's inertia along n. The tool's velocity"
+                  " is v_n n along n, and v_path + path_gain (p_path - p) along the surface. Here"
+                  " p is the tip's position at q_c. Damped least squares compute dq_c/dt from the"
+                  " tool's velocity. Inner loop, `delay` later: tau = M (joint_kp (q_c - q) + "
+                  "joint_kd (dq_c/dt - v) + joint_ki * integral of (q_c - q)) + b. M is the mass "
+                  "matrix and b the bias torques. Both integrals are bounded, restart at contact,"
+                  " and pause while a torque is at its limit.")
+          .field("path", &S::path,
+                 "Approach, force and path of the tool")
+          .field("gains", &S::gains,
+                 "Gains of both loops");
   return all;
 }
 
@@ -83,24 +92,24 @@ const Description& description_of(const HomeSpec* /*of*/) {
                   "Posture at which a run begins. From there the robot moves to the start of its "
                   "task.")
           .field("posture", &S::posture,
-                 "of the robot, that a run begins at; none: the run begins at its task's start")
-          .in_code("posture of the robot that a run begins at; empty: the run begins at its "
-                   "task's start")
+                 "Named posture in which the run begins (none: the run begins at the start of the"
+                 " task)")
+          .in_code("Named posture in which the run begins (empty: the run begins at the start of "
+                   "the task)")
           .word("none")
           .field("joints", &S::joints,
-                 "{joint: rad (m), ...} in place of the posture's; without one the others are as "
-                 "at the start")
-          .in_code("rad (m) by joint, in place of the posture's; without a posture the others are"
-                   " as at the start")
+                 "Joint positions that differ from the posture: {joint: rad (m), ...}")
+          .in_code("Joint positions that differ from the posture, in rad (m)")
+          .more("Without a posture, all other joints are as at the start.")
           .field("speed_ratio", &S::speed_ratio,
-                 "of the joints' velocity limits, highest speed on the way",
+                 "Highest joint speed of the move, as a fraction of the velocity limits",
                  {.least = 0.01, .most = 1})
           .field("duration", &S::duration,
-                 "{s}; auto: the shortest that keeps speed_ratio and 0.8 of the effort limits, at"
-                 " least 1 s",
+                 "Duration of the move (auto: as short as the limits allow, at least 1 s) [{s}]",
                  {.least = 0, .open = true})
-          .in_code("s; none: the shortest that keeps speed_ratio and 0.8 of the effort limits, at"
-                   " least 1 s")
+          .in_code("Duration of the move (none: as short as the limits allow, at least 1 s) [s]")
+          .more("The limits are the fraction speed_ratio of the velocity limits and 0.8 of the "
+                "effort limits.")
           .word("auto");
   return all;
 }
@@ -109,19 +118,21 @@ const Description& description_of(const HomeMove* /*of*/) {
   using S = HomeMove;
   static const Description all =
       Describe<S>("pressing", "HomeMove",
-                  "Move in joint space from where a run begins to its task's start, straight from"
-                  " corner to corner and at rest at each.")
+                  "Move in joint space from home, where a run begins, to the start of the task. "
+                  "The move leads through configurations called corners. The joints move straight"
+                  " from each corner to the next and stop at each corner.")
           .field("corners", &S::corners,
-                 "nq each: home, the start lifted off the surface where the straight way would "
-                 "touch it, the start")
+                 "Configurations at the corners, nq each: home first, the start of the task last")
+          .more("If a straight move would touch the surface, there is a corner between them, "
+                "where the tool is lifted off the surface.")
           .field("durations", &S::durations,
-                 "{s}, from each corner to the next")
+                 "Durations of the moves from each corner to the next [{s}]")
           .field("settle", &S::settle,
-                 "{s} at rest after it, until the task begins")
+                 "Time at rest between the move and the task [{s}]")
           .field("farthest_joint", &S::farthest_joint,
-                 "entry of v that moves most")
+                 "Name of the joint that moves farthest (an entry of v)")
           .field("farthest", &S::farthest,
-                 "rad (m), how far");
+                 "Distance that `farthest_joint` moves [{rad (m)}]");
   return all;
 }
 
@@ -129,33 +140,35 @@ const Description& description_of(const ImpedanceGains* /*of*/) {
   using S = ImpedanceGains;
   static const Description all =
       Describe<S>("sim", "ImpedanceGains",
-                  "Of the impedance; with e the tool's position error along the surface.")
+                  "Gains of the impedance controller. They act on the tool's position error along"
+                  " the surface, on the force error along the normal, and on the posture error.")
           .field("kp", &S::kp,
-                 "{1/s^2}, along the surface",
+                 "Proportional gain on the position error along the surface [{1/s^2}]",
                  {.least = 0})
           .field("kd", &S::kd,
-                 "{1/s}, along the surface",
+                 "Derivative gain on the position error along the surface [{1/s}]",
                  {.least = 0})
           .field("ki_position", &S::ki_position,
-                 "{1/s^3}, of the position's error along the surface; 0: no integral",
+                 "Integral gain on the position error along the surface (0: no integral) "
+                 "[{1/s^3}]",
                  {.least = 0})
           .field("position_integral_limit", &S::position_integral_limit,
-                 "{m/s^2}, largest correction by that integral",
+                 "Largest correction by the integral of the position error [{m/s^2}]",
                  {.least = 0})
           .field("kd_normal", &S::kd_normal,
-                 "{1/s}, along the normal",
+                 "Damping of the tool's velocity along the normal [{1/s}]",
                  {.least = 0})
           .field("ki", &S::ki,
-                 "{1/s}, of the force error; 0: no force feedback",
+                 "Integral gain on the force error (0: no force feedback) [{1/s}]",
                  {.least = 0})
           .field("integral_limit", &S::integral_limit,
-                 "{N}, largest correction by that integral",
+                 "Largest correction by the integral of the force error [{N}]",
                  {.least = 0})
           .field("posture_kp", &S::posture_kp,
-                 "{1/s^2}",
+                 "Proportional gain of the posture in the null space [{1/s^2}]",
                  {.least = 0})
           .field("posture_kd", &S::posture_kd,
-                 "{1/s}",
+                 "Derivative gain of the posture in the null space [{1/s}]",
                  {.least = 0});
   return all;
 }
@@ -164,18 +177,22 @@ const Description& description_of(const ImpedanceSpec* /*of*/) {
   using S = ImpedanceSpec;
   static const Description all =
       Describe<S>("sim", "ImpedanceSpec",
-                  "The baseline without optimal control: an impedance of the tool in the world, "
-                  "the wanted force fed forward, the errors of force and place integrated, a "
-                  "posture in the null space. With e the tool's position error along the surface,"
-                  " v_n its velocity along the normal n and f the force along n: a = a_path + kp "
-                  "e + kd de/dt + ki_position * integral of e - kd_normal v_n n and f = f_path + "
-                  "ki * integral of (f_path - f_measured), by the tool's inertia and its Jacobian"
-                  " as torques. Both integrals are bounded, start anew where contact is made, and"
-                  " stand still while a torque is at its limit.")
-          .field("path", &S::path)
-          .field("gains", &S::gains)
+                  "Baseline controller without optimal control: an impedance of the tool in the "
+                  "world. It has feedforward of the target force, integrals of the force and "
+                  "position errors, and a posture in the null space. The controller computes the "
+                  "acceleration a = a_path + kp e + kd de/dt + ki_position * integral of e - "
+                  "kd_normal v_n n and the force f = f_path + ki * integral of (f_path - "
+                  "f_measured). The tool's inertia and Jacobian turn a and f into torques. Here n"
+                  " is the surface's normal, e the tool's position error along the surface, and "
+                  "v_n the tool's velocity along n. All forces are along n. Both integrals are "
+                  "bounded, restart at contact, and pause while a torque is at its limit.")
+          .field("path", &S::path,
+                 "Approach, force and path of the tool")
+          .field("gains", &S::gains,
+                 "Gains on position, force and posture")
           .field("friction", &S::friction,
-                 "of the surface, fed forward along the path's velocity",
+                 "Friction coefficient of the surface for a feedforward force along the path's "
+                 "velocity",
                  {.least = 0});
   return all;
 }
@@ -184,9 +201,9 @@ const Words& words_of(PlantKind /*of*/) {
   static const Words all{
       "pressing",
       "PlantKind",
-      "What is controlled in a run.",
-      {{"mujoco", "an engine that shares no code with this library"},
-       {"ideal", "the library's own contact dynamics, a rigid surface"}}};
+      "Kind of plant. A plant simulates the robot that a run controls, and its contacts.",
+      {{"mujoco", "MuJoCo, a physics engine that shares no code with this library"},
+       {"ideal", "contact dynamics of this library, with a rigid surface"}}};
   return all;
 }
 
@@ -194,18 +211,19 @@ const Description& description_of(const TaskPoint* /*of*/) {
   using S = TaskPoint;
   static const Description all =
       Describe<S>("sim", "TaskPoint",
-                  "Where the tip frame's origin shall be and how hard the surface shall push "
-                  "back.")
+                  "Target of the tip at one time: motion of the origin of the tip's frame, and "
+                  "force of the surface on the tip.")
           .field("p_world", &S::p_world,
-                 "{m}")
+                 "Position, world axes [{m}]")
           .field("v_world", &S::v_world,
-                 "{m/s}")
+                 "Velocity, world axes [{m/s}]")
           .field("a_world", &S::a_world,
-                 "{m/s^2}")
+                 "Acceleration, world axes [{m/s^2}]")
           .field("force", &S::force,
-                 "{N}, along the surface's normal")
+                 "Force along the surface's normal [{N}]")
           .field("normal_world", &S::normal_world,
-                 "of the surface there, of length one; zero: the controller's own");
+                 "Unit normal of the surface at this point; zero: the normal of the controller is"
+                 " used");
   return all;
 }
 
@@ -213,20 +231,20 @@ const Description& description_of(const CirclePath* /*of*/) {
   using S = CirclePath;
   static const Description all =
       Describe<S>("sim", "CirclePath",
-                  "A circle in a plane. It starts at the centre, at rest, and its radius grows "
-                  "smoothly.")
+                  "Circle in a plane. The path starts at the centre, at rest, and its radius "
+                  "grows smoothly.")
           .field("center_world", &S::center_world,
-                 "{m}")
+                 "Centre of the circle, world axes [{m}]")
           .field("normal_world", &S::normal_world,
-                 "of the plane, any length but zero")
+                 "Normal of the circle's plane, of any nonzero length")
           .field("radius", &S::radius,
-                 "{m}")
+                 "Final radius of the circle [{m}]")
           .field("rate", &S::rate,
-                 "{rad/s}, about the normal")
+                 "Angular rate about the normal [{rad/s}]")
           .field("start_up", &S::start_up,
-                 "{s} until the radius is reached; positive")
+                 "Time until the final radius is reached, positive [{s}]")
           .field("force", &S::force,
-                 "{N}");
+                 "Normal force to press with [{N}]");
   return all;
 }
 
@@ -234,32 +252,35 @@ const Description& description_of(const PressingPath* /*of*/) {
   using S = PressingPath;
   static const Description all =
       Describe<S>("sim", "PressingPath",
-                  "The task of a controller without a plan: down to the surface, until it is "
-                  "felt, up to the force, along the path. These are the phases Approach, Ramp and"
-                  " Track of Phase.")
+                  "Task of a controller without a plan, in three phases: approach the surface "
+                  "until contact, ramp up the force, then follow the path. The phases are "
+                  "Approach, Ramp and Track of Phase.")
           .field("tool", &S::tool,
-                 "frame whose origin follows the path")
+                 "Frame of the tool; its origin follows the path")
           .field("normal_world", &S::normal_world,
-                 "of the surface, towards the robot",
+                 "Normal of the surface, pointing towards the robot",
                  {.direction = true})
           .field("task", &S::task,
-                 "The task at t s after the ramp; before, it stays at its start. Must not throw.")
+                 "Target of the tip as a function of the time since the end of the ramp, in s")
+          .more("The function must not throw. During approach and ramp, the target is the start "
+                "of the path.")
           .field("posture", &S::posture,
-                 "nq, what the null space is drawn to")
+                 "Target posture of the null space, nq")
           .field("period", &S::period,
-                 "{s} between ticks",
+                 "Time between two ticks [{s}]",
                  {.least = 0, .open = true})
           .field("approach_speed", &S::approach_speed,
-                 "{m/s}, against the normal",
+                 "Speed of the approach, against the normal [{m/s}]",
                  {.least = 0})
           .field("contact_threshold", &S::contact_threshold,
-                 "{N} of measured normal force that end the approach; see PressingTask",
+                 "Measured normal force at which the approach ends [{N}]",
                  {.least = 0})
+          .more("PressingTask describes how contact is detected.")
           .field("touch_force", &S::touch_force,
-                 "{N}, asked for where contact is made; the ramp starts there",
+                 "Target force at contact, where the ramp starts [{N}]",
                  {.least = 0})
           .field("ramp", &S::ramp,
-                 "{s} from contact to the task's force",
+                 "Duration of the ramp from contact to the task's force [{s}]",
                  {.least = 0});
   return all;
 }
@@ -268,11 +289,11 @@ const Words& words_of(Touch /*of*/) {
   static const Words all{
       "pressing",
       "Touch",
-      "What the tool has to do with the surface in a phase.",
-      {{"free", "nothing touches: a force is a fault, and what is felt is the sensor's noise"},
-       {"due", "contact is to be made: SchedulePhase.until \"contact\""},
-       {"wanted", "pressed"},
-       {"leaving", "pressed at first; free once the tool has come off, or `release` s are over"}}};
+      "Contact between tool and surface that is expected in a phase.",
+      {{"free", "no contact: a large force is a fault, a smaller force is sensor noise"},
+       {"due", "contact is about to be made; the phase has SchedulePhase.until \"contact\""},
+       {"wanted", "the tool presses"},
+       {"leaving", "contact ends: the tool is free once it has come off, or after ToolLimits.release"}}};
   return all;
 }
 
@@ -280,40 +301,41 @@ const Description& description_of(const ToolLimits* /*of*/) {
   using S = ToolLimits;
   static const Description all =
       Describe<S>("pressing", "ToolLimits",
-                  "When a run is given up for what happens at the tool. Infinite: never.")
+                  "Limits on force and motion at the tool. A run is aborted if a limit is "
+                  "exceeded. Infinite: no limit.")
           .field("force", &S::force,
-                 "{N} at the tool, mean over force_window",
+                 "Largest mean force at the tool over force_window [{N}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("A rigid impact's force at a single instant is its impulse over the sampling time"
-                " and says little.")
+          .more("The force of a rigid impact at a single instant says little, because it is the "
+                "impulse divided by the sampling time.")
           .field("force_window", &S::force_window,
-                 "{s}",
+                 "Averaging time of the force [{s}]",
                  {.least = 0})
-          .more("rounded to ticks, one at least")
+          .more("The time is rounded to ticks, at least one.")
           .field("tool_speed", &S::tool_speed,
-                 "{m/s}",
+                 "Largest speed of the tool [{m/s}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("contact_lost", &S::contact_lost,
-                 "{s} without force while it is wanted",
+                 "Longest time without force in phases with contact [{s}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("late_contact_travel", &S::late_contact_travel,
-                 "{m} that the tool may go on after contact was due",
+                 "Largest travel along the normal after the planned time of contact [{m}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("Along the normal, from when the schedule's clock began to wait for it "
-                "(SchedulePhase::hold before it was due): how far the surface may lie behind "
-                "where it is thought to be.")
+          .more("The surface may lie this far behind its assumed position. The travel of the tool"
+                " counts from when the schedule's clock stopped to wait for contact. The clock "
+                "stops at SchedulePhase.hold before the planned contact.")
           .field("late_contact_time", &S::late_contact_time,
-                 "{s} that contact may come late",
+                 "Longest wait for contact after the planned time of contact [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("from the same moment")
+          .more("The wait counts from when the schedule's clock stopped to wait for contact.")
           .field("unexpected_force", &S::unexpected_force,
-                 "{N} while moving through free space",
+                 "Largest mean force in free space over force_window [{N}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("Mean over `force_window`, where nothing is to touch, and while leaving once the "
-                "tool has come off (its force fell below the threshold of contact) or `release` s"
-                " are over. More where noise reaches further: six deviations of that mean.")
+          .more("The limit applies to phases without contact. It also applies to a retreat after "
+                "the force fell below the contact threshold, or after the time `release`. If "
+                "noise is larger, the limit is six standard deviations of the mean.")
           .field("release", &S::release,
-                 "{s} into the retreat after which it is free space at the latest",
+                 "Longest time until a retreating tool counts as free [{s}]",
                  {.least = 0, .open = true, .infinite = true});
   return all;
 }
@@ -322,23 +344,25 @@ const Description& description_of(const PlanLimits* /*of*/) {
   using S = PlanLimits;
   static const Description all =
       Describe<S>("pressing", "PlanLimits",
-                  "What plans keep, as hard constraints. Infinite: not kept.")
+                  "Hard constraints of plans. Infinite: no constraint.")
           .field("joint_margin", &S::joint_margin,
-                 "{rad (m)} that joints keep from their limits",
+                 "Smallest distance of joints from their position limits [{rad (m)}]",
                  {.least = 0, .infinite = true})
           .field("joint_speed", &S::joint_speed,
-                 "of the robot's velocity limits",
+                 "Largest joint speed, as a fraction of the robot's velocity limits",
                  {.least = 0, .open = true, .infinite = true})
           .field("torque", &S::torque,
-                 "of the robot's effort limits; nor is more than that sent",
+                 "Largest torque, as a fraction of the effort limits",
                  {.least = 0, .open = true, .infinite = true})
+          .more("Torque commands obey this limit, too.")
           .field("force_band", &S::force_band,
-                 "{N} that the force may be off its target while pressing; it is never below zero",
+                 "Largest deviation of the force from its target while pressing [{N}]",
                  {.least = 0, .open = true, .infinite = true})
+          .more("The force itself is never negative, with or without this constraint.")
           .field("joint_torque_rate", &S::joint_torque_rate,
-                 "{1/s}, of the robot's effort limits: rate of change of torques, with a "
-                 "torque_cutoff",
-                 {.least = 0, .open = true, .infinite = true});
+                 "Largest rate of torques, as a fraction of the effort limits per second [{1/s}]",
+                 {.least = 0, .open = true, .infinite = true})
+          .more("The constraint requires a torque_cutoff.");
   return all;
 }
 
@@ -346,12 +370,13 @@ const Description& description_of(const TaskTarget* /*of*/) {
   using S = TaskTarget;
   static const Description all =
       Describe<S>("pressing", "TaskTarget",
-                  "What the task asks of the tool at a time of the schedule, for the record. What"
-                  " the controller aims at is what the costs of the problem say.")
+                  "Recorded target of the tool at one time of the schedule. The costs of the "
+                  "problem determine the motion, not this target.")
           .field("p_world", &S::p_world,
-                 "{m}; in the axes of MpcSpec::base where there is one")
+                 "Position of the tool in the world; if MpcSpec.base is set, in its axes [{m}]")
           .field("force", &S::force,
-                 "{N}, along the normal; 0: no contact wanted, and no friction is reckoned with");
+                 "Force along the normal (0: no contact) [{N}]")
+          .more("Without contact, plans assume no friction.");
   return all;
 }
 
@@ -359,17 +384,21 @@ const Description& description_of(const PressedSurface* /*of*/) {
   using S = PressedSurface;
   static const Description all =
       Describe<S>("pressing", "PressedSurface",
-                  "The surface that a round tip presses on, as the task believes it to be.")
-          .field("shape", &S::shape)
+                  "Surface that a round tip presses on, as the task assumes it before the surface"
+                  " is estimated.")
+          .field("shape", &S::shape,
+                 "Shape of the surface about its point")
           .field("point_world", &S::point_world,
-                 "{m}, of it")
+                 "Point on the surface [{m}]")
           .field("normal_world", &S::normal_world,
-                 "there, of any length",
+                 "Normal of the surface at its point",
                  {.direction = true})
+          .more("The normal need not have unit length.")
           .field("tip_radius", &S::tip_radius,
-                 "{m}",
+                 "Radius of the round tip [{m}]",
                  {.least = 0, .open = true})
-          .field("estimate", &S::estimate);
+          .field("estimate", &S::estimate,
+                 "Options of the surface estimate");
   return all;
 }
 
@@ -377,18 +406,21 @@ const Description& description_of(const PressingTask* /*of*/) {
   using S = PressingTask;
   static const Description all =
       Describe<S>("pressing", "PressingTask",
-                  "The task of an MpcSpec. Its event is \"contact\": a measured normal force "
-                  "above the threshold and the sensor's noise, which is found out while nothing "
-                  "touches.")
+                  "Task of an MpcSpec that presses with a tool. The task raises the event "
+                  "\"contact\" if the measured normal force exceeds the threshold and the noise "
+                  "of the sensor. The noise is estimated in free air.")
           .field("touch", &S::touch,
-                 "one for each phase of the schedule")
+                 "Expected contact in each phase of the schedule")
           .field("target", &S::target,
-                 "by time of the schedule, each tick; must be given")
-          .field("limits", &S::limits)
+                 "Target as a function of the time of the schedule, in s; required")
+          .more("The function is called at each tick.")
+          .field("limits", &S::limits,
+                 "Limits on force and motion at the tool")
           .field("surface", &S::surface,
-                 "What contacts that follow a surface follow, from the start as believed and "
-                 "while the tool slides as estimated. None: references and normal are the "
-                 "specification's.");
+                 "Surface that the references of contacts follow; none: references and normal "
+                 "stay constant")
+          .more("The assumed surface is used at first, and the estimated surface as soon as the "
+                "tool slides. The constant references and normal come from the specification.");
   return all;
 }
 
@@ -396,18 +428,19 @@ const Description& description_of(const ReachOptions* /*of*/) {
   using S = ReachOptions;
   static const Description all =
       Describe<S>("pressing", "ReachOptions",
-                  "How check_reach() looks, and how much room it asks for.")
+                  "Resolution and required margins of check_reach().")
           .field("spacing", &S::spacing,
-                 "{m} between two points that are looked at")
+                 "Distance between two checked points [{m}]")
           .field("tolerance", &S::tolerance,
-                 "{m} that the tool may be off")
+                 "Largest position error of the tool [{m}]")
           .field("joint_margin", &S::joint_margin,
-                 "{rad (m)} that joints keep from their limits")
+                 "Smallest distance of joints from their limits [{rad (m)}]")
           .field("torque_share", &S::torque_share,
-                 "Of the effort limits that statics may take: the rest is for motion and "
-                 "feedback.")
+                 "Largest static torque, as a fraction of the effort limits")
+          .more("Motion and feedback need the rest.")
           .field("link_radius", &S::link_radius,
-                 "{m}, how thick links are taken to be; see check_reach()");
+                 "Radius of the segments that represent the arm in the collision check [{m}]")
+          .more("See check_reach().");
   return all;
 }
 
@@ -415,12 +448,12 @@ const Words& words_of(ReachProblem /*of*/) {
   static const Words all{
       "pressing",
       "ReachProblem",
-      "What is in the way.",
+      "Kind of problem that check_reach() finds.",
       {{"none"},
-       {"position", "no posture puts the tool there, whatever the limits"},
-       {"joint", "the only postures found are beyond a joint's limit"},
-       {"torque", "holding the tool there takes more than a joint's effort limit"},
-       {"collision", "the arm itself would touch the surface"}}};
+       {"position", "no posture brings the tool to the point, even without joint limits"},
+       {"joint", "the tool reaches the point only with a joint beyond its limit"},
+       {"torque", "holding the tool at the point needs more torque than a joint may use"},
+       {"collision", "the arm or the tool would touch the surface where it must not"}}};
   return all;
 }
 
@@ -428,44 +461,55 @@ const Description& description_of(const ReachReport* /*of*/) {
   using S = ReachReport;
   static const Description all =
       Describe<S>("pressing", "ReachReport",
-                  "The first thing in the way of a task, and how much room there is elsewhere.")
-          .field("problem", &S::problem)
+                  "Result of a reach check: the first problem on the path of the tool, and the "
+                  "smallest margins over all checked points.")
+          .field("problem", &S::problem,
+                 "Kind of the first problem")
           .field("text", &S::text,
-                 "One sentence: where, which joint, what came and what is allowed; empty without "
-                 "a problem.")
+                 "Problem in one sentence, with place, joint, value and allowed value; empty "
+                 "without a problem")
           .field("s", &S::s,
-                 "{m} along the path in contact where the problem is; negative: so far before the"
-                 " path's start, on the way to it. A point that is held is a path without length.")
+                 "Distance along the path from its start to the problem [{m}]; negative on the "
+                 "way to the start")
+          .more("The path of a task that holds a point has length zero.")
           .field("p_world", &S::p_world,
-                 "of the tool there, m")
+                 "Position of the tool at the problem, in the world [{m}]")
           .field("joint", &S::joint,
-                 "empty for Position")
+                 "Joint that causes the problem")
+          .more("Empty if the problem is of kind Position, or if the tool's own link would touch "
+                "the surface.")
           .field("value", &S::value,
-                 "{m} that the tool is off, rad (m) of the joint, Nm (N), m of the joint's origin"
-                 " from the surface.")
+                 "Value that violates `limit`")
+          .more("Its unit depends on the kind of the problem. Position: position error of the "
+                "tool, m. Joint: position of the joint, rad (m). Torque: torque of the joint, Nm "
+                "(N). Collision: distance from the surface, m.")
           .field("limit", &S::limit,
-                 "what is allowed, in the same unit")
+                 "Allowed value, in the unit of `value`")
           .field("points", &S::points,
-                 "that were looked at")
+                 "Number of checked points")
           .field("path_length", &S::path_length,
-                 "{m}, once around where the path repeats itself")
+                 "Length of the path [{m}]")
+          .more("For a path that repeats itself, the length of one turn.")
           .field("joint_margin", &S::joint_margin,
-                 "{rad (m)}, smallest of all points")
-          .field("tightest_joint", &S::tightest_joint)
+                 "Smallest distance of a joint from its limit [{rad (m)}]")
+          .field("tightest_joint", &S::tightest_joint,
+                 "Joint with the smallest distance from its limit")
           .field("torque_share", &S::torque_share,
-                 "of the effort limit, largest of all points")
-          .field("tightest_torque", &S::tightest_torque)
+                 "Largest static torque, as a fraction of the joint's effort limit")
+          .field("tightest_torque", &S::tightest_torque,
+                 "Joint with the largest static torque, as a fraction of its effort limit")
           .field("force_per_torque", &S::force_per_torque,
-                 "{1/m}: N along the normal per Nm that every joint's torque is wrong by, "
-                 "independent of each other, as told without a force sensor; largest of all "
-                 "points on the surface")
+                 "Ratio of the standard deviations of estimated force and joint torques [{1/m}]")
+          .more("The force is estimated along the normal from joint torques with independent "
+                "errors, in N per Nm. The ratio is the largest over the points on the surface. It"
+                " matters for tasks without a force sensor.")
           .field("force_joint", &S::force_joint,
-                 "the joint that has most part in it there")
+                 "Joint that contributes most to force_per_torque")
           .field("clearance", &S::clearance,
-                 "{m} between the surface and the arm without its tool link, smallest of all "
-                 "points; infinite where nothing but the tool link moves.")
+                 "Smallest distance between the surface and the arm without its tool link [{m}]")
+          .more("Infinite if only the tool link moves.")
           .field("tightest_clearance", &S::tightest_clearance,
-                 "joint there");
+                 "Joint of the arm that comes closest to the surface");
   return all;
 }
 
@@ -473,17 +517,19 @@ const Description& description_of(const PostureLimits* /*of*/) {
   using S = PostureLimits;
   static const Description all =
       Describe<S>("pressing", "PostureLimits",
-                  "What a posture that is searched has to keep to; see find_posture().")
+                  "Conditions on a starting posture that find_posture() searches for.")
           .field("tilt", &S::tilt,
-                 "{rad} between the tool's axis and the normal",
+                 "Largest angle between tool axis and surface normal [{rad}]",
                  {.least = 0})
           .field("joint_margin", &S::joint_margin,
-                 "{rad} that joints keep from their limits at the start",
+                 "Smallest distance of joints from their limits at the start [{rad}]",
                  {.least = 0})
-          .more("m of prismatic joints")
+          .more("In m for prismatic joints.")
           .field("body_distance", &S::body_distance,
-                 "{m} between the last link and the robot's body; less where the arm is short",
-                 {.least = 0});
+                 "Smallest distance of the last link from the robot's body [{m}]",
+                 {.least = 0})
+          .more("For parts that are close to each other along the arm, a smaller distance is "
+                "enough.");
   return all;
 }
 
@@ -491,27 +537,36 @@ const Description& description_of(const PostureOptions* /*of*/) {
   using S = PostureOptions;
   static const Description all =
       Describe<S>("pressing", "PostureOptions",
-                  "How find_posture() searches.")
+                  "Options of find_posture(): start points of the search and conditions on its "
+                  "result.")
           .field("random_starts", &S::random_starts,
-                 "besides the robot's named postures and the middle of the limits")
+                 "Number of random start points")
+          .more("The robot's named postures and the middle of the joint limits are start points "
+                "too.")
           .field("seed", &S::seed,
-                 "of those")
+                 "Seed of the random start points")
           .field("tilt_limit", &S::tilt_limit,
-                 "{rad} between the pressing axis and the normal's opposite")
+                 "Largest angle between the tool's pressing direction and the direction into the "
+                 "surface [{rad}]")
           .field("joint_margin", &S::joint_margin,
-                 "{rad (m)} that joints keep from their limits at the start")
+                 "Smallest distance of joints from limits at the start [{rad (m)}]")
           .field("body_distance", &S::body_distance,
-                 "{m} between the last link, for which stand three points on the line from its "
-                 "joint to the tool, and the robot's body, for which stand the lines between the "
-                 "joints before that one and the origins of all links that neither the last two "
-                 "joints carry nor what hangs on them. Of parts of the arm that are near each "
-                 "other along it, as in a compact wrist, no more is wanted than `bend` times the "
-                 "arm's length between them. Coarse: no collision check.")
+                 "Smallest distance between the last link and the robot's body [{m}]")
+          .more("Three points between the last joint and the tool represent the last link. The "
+                "lines between the earlier joints of the arm represent the body, together with "
+                "the origins of all links that are not carried by the last two joints. For two "
+                "places on the arm, a distance of `bend` times the arm's length between them is "
+                "enough, as in a compact wrist. This test is coarse and does not replace a "
+                "collision check.")
           .field("bend", &S::bend,
-                 "see body_distance; of two equal links it lets 67 degrees between them")
+                 "Upper limit of body_distance for two places on the arm, as a fraction of the "
+                 "arm's length between them")
+          .more("With 0.55, two links of equal length may enclose an angle as small as 67 "
+                "degrees.")
           .field("checked", &S::checked,
-                 "best candidates whose whole path is looked at")
-          .field("reach", &S::reach);
+                 "Number of candidates whose whole path is checked, best first")
+          .field("reach", &S::reach,
+                 "Options of the reach check");
   return all;
 }
 
@@ -519,18 +574,19 @@ const Description& description_of(const FoundPosture* /*of*/) {
   using S = FoundPosture;
   static const Description all =
       Describe<S>("pressing", "FoundPosture",
-                  "What find_posture() found.")
+                  "Posture that find_posture() found.")
           .result()
           .field("q", &S::q,
-                 "nq")
+                 "Configuration, nq")
           .field("score", &S::score,
-                 "lower is better")
+                 "Score of the posture; lower is better")
           .field("tilt", &S::tilt,
-                 "{rad} between the pressing axis and the normal's opposite")
+                 "Angle between the tool's pressing direction and the direction into the surface "
+                 "[{rad}]")
           .field("reach", &S::reach,
-                 "of the task from there")
+                 "Reach check of the task from this posture")
           .field("candidates", &S::candidates,
-                 "postures that met all conditions at the start");
+                 "Number of postures that met all conditions at the start");
   return all;
 }
 
@@ -538,93 +594,102 @@ const Description& description_of(const Standing* /*of*/) {
   using S = Standing;
   static const Description all =
       Describe<S>("pressing", "Standing",
-                  "Feet on level ground, where they are in the starting posture. Plans hold them "
-                  "still within the friction and the pressure that these bear; the plant's ground"
-                  " can only push and rub.")
+                  "Feet on level ground. They stand at their positions in the starting posture. "
+                  "Plans keep the feet still and limit friction and pressure. The plant's ground "
+                  "can push a foot but not pull it, and has friction.")
           .field("feet", &S::feet,
-                 "frames of the feet; auto: found in the description, with their sizes; none: the"
-                 " base is fixed")
+                 "Frames of the feet; auto: found in the robot's description; none: the base is "
+                 "fixed")
+          .more("With auto, the sizes of the feet are found, too.")
           .word("auto")
           .field("half_x", &S::half_x,
-                 "{m}, half the length of a sole along x of its frame, about its origin; 0: point"
-                 " feet",
+                 "Half the length of a sole along x of its frame (0: point feet) [{m}]",
                  {.least = 0})
+          .more("The origin of the frame is the middle of the sole.")
           .field("half_y", &S::half_y,
-                 "{m}, half its width along y",
+                 "Half the width of a sole along y of its frame (0: point feet) [{m}]",
                  {.least = 0})
           .field("radius", &S::radius,
-                 "{m}, of a point foot",
+                 "Radius of a point foot [{m}]",
                  {.least = 0, .open = true})
           .field("friction", &S::friction,
-                 "Coulomb coefficient of the plant's ground",
+                 "Coulomb friction coefficient of the plant's ground",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
-                 "{N/m}, of the plant's ground under each foot; auto: it yields by 0.23 mm under "
-                 "the weight, under point feet by 0.245 mm",
+                 "Stiffness of the plant's ground under each foot (auto: from the robot's weight)"
+                 " [{N/m}]",
                  {.least = 0, .open = true})
-          .in_code("N/m, of the plant's ground under each foot; none: it yields by 0.23 mm under "
-                   "the weight, under point feet by 0.245 mm")
+          .in_code("Stiffness of the plant's ground under each foot (none: from the robot's "
+                   "weight) [N/m]")
+          .more("If not stated, the ground yields by 0.23 mm under the robot's weight (0.245 mm "
+                "with point feet).")
           .word("auto")
           .field("damping", &S::damping,
-                 "{Ns/m}, of the plant's ground under each foot; auto: 0.05 s times the "
-                 "stiffness, for point feet 0.02 s",
+                 "Damping of the plant's ground under each foot (auto: from the stiffness) "
+                 "[{Ns/m}]",
                  {.least = 0, .open = true})
-          .in_code("Ns/m, of the plant's ground under each foot; none: 0.05 s times the "
-                   "stiffness, for point feet 0.02 s")
+          .in_code("Damping of the plant's ground under each foot (none: from the stiffness) "
+                   "[Ns/m]")
+          .more("If not stated, the damping is the stiffness times 0.05 s (0.02 s with point "
+                "feet).")
           .word("auto")
           .field("plan_friction", &S::plan_friction,
-                 "friction coefficient that plans assume",
+                 "Friction coefficient of the ground that plans assume",
                  {.least = 0, .open = true})
           .field("plan_sole", &S::plan_sole,
-                 "fraction of a sole's half sides within which plans keep the centre of pressure",
+                 "Limit of the centre of pressure in plans, as a fraction of half the sides of a "
+                 "sole",
                  {.least = 0, .most = 1})
           .field("least_load", &S::least_load,
-                 "{N}, smallest load of each foot in plans; auto: 0.09 of the weight per foot",
+                 "Smallest load of each foot in plans (auto: 0.09 times the weight per foot) "
+                 "[{N}]",
                  {.least = 0})
-          .in_code("N, smallest load of each foot in plans; none: 0.09 of the weight per foot")
+          .in_code("Smallest load of each foot in plans (none: 0.09 times the weight per foot) "
+                   "[N]")
           .word("auto")
           .field("balance", &S::balance,
-                 "{1/m^2}: centre of mass to where it starts",
+                 "Weight on the distance of the centre of mass from its target [{1/m^2}]",
                  {.least = 0})
+          .more("The target is the position at the start, unless the task moves the target.")
           .field("base", &S::base,
-                 "{1/rad^2}: base to its orientation at the start",
+                 "Weight on the rotation of the base from its target [{1/rad^2}]",
                  {.least = 0})
+          .more("The target is the orientation at the start, unless the task moves the target.")
           .field("momentum", &S::momentum,
-                 "{per (kg m/s)^2 and (kg m^2/s)^2}: momentum about the centre of mass",
+                 "Weight on momentum about the centre of mass {per (kg m/s)^2 and (kg m^2/s)^2}",
                  {.least = 0})
           .field("rubbing", &S::rubbing,
-                 "{1/N^2}, on tangential forces and yaw moments of each foot",
+                 "Weight on tangential forces and yaw moments of each foot [{1/N^2}]",
                  {.least = 0})
-          .more("It discourages internal forces between the feet.")
+          .more("This weight discourages internal forces between the feet.")
           .field("contact_kd", &S::contact_kd,
-                 "{1/s}, damping of the feet's constraint (Baumgarte)",
+                 "Damping of the contact constraint of the feet (Baumgarte) [{1/s}]",
                  {.least = 0})
           .field("estimate", &S::estimate,
-                 "the base is estimated from an inertial unit, the joints and the feet; false: "
-                 "its state is known")
-          .in_code("the base is estimated from an inertial unit, the joints and the feet "
-                   "(BaseEstimator); false: its state is known")
+                 "Estimate the base from an inertial unit, joints and feet; false: measure it "
+                 "directly")
           .field("imu_frame", &S::imu_frame,
-                 "of that unit; empty: the base's body")
+                 "Frame of the inertial unit; empty: the body of the base")
           .field("fallback", &S::fallback,
-                 "hold at first and after a fault, in place of the task's; light feet on "
-                 "compliant ground need a soft one")
+                 "Gains that hold the robot at the start and after a fault")
+          .more("They replace the fallback gains of the task. Light feet on compliant ground need"
+                " low gains.")
           .field("hoist", &S::hoist,
-                 "{s} at first, within settle, in which a hoist hands the weight over to the feet",
+                 "Time at the start in which a hoist transfers the weight to the feet [{s}]",
                  {.least = 0})
+          .more("The time is at most `settle`.")
           .field("slip", &S::slip,
-                 "how plans treat a foot that slips")
+                 "Response of plans to a foot that slips")
           .field("settle", &S::settle,
-                 "time for which the posture is held at first, while the estimate of the base "
-                 "settles [{s}]",
+                 "Time for which the posture is held at the start [{s}]",
                  {.least = 0})
+          .more("The estimate of the base settles in this time.")
           .field("force_sensors", &S::force_sensors,
-                 "in the feet, of forces and moments")
+                 "Feet have sensors of force and moment")
           .field("after_fault", &S::after_fault,
-                 "time for which a run continues after a fault, to show whether the robot falls "
-                 "[{s}]",
+                 "Time for which a run continues after a fault [{s}]",
                  {.least = 0})
-          .more("The task's figures end at the fault.");
+          .more("This shows whether the robot falls. The figures of the task end at the fault.");
   return all;
 }
 

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "burnish/tasks/pressing/admittance_controller.hpp"
 #include "burnish/tasks/pressing/home.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"

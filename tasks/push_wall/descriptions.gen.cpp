@@ -12,38 +12,43 @@ const Description& description_of(const Weights* /*of*/) {
       Describe<S>("push_wall", "Weights",
                   "Cost weights, per second of horizon.")
           .field("force", &S::force,
-                 "{1/N^2}: of each hand along the normal to its target",
+                 "Weight on errors of the normal force of each hand [{1/N^2}]",
                  {.least = 0})
           .field("friction", &S::friction,
-                 "{1/N^2}: of each hand along the wall to none",
+                 "Weight on the tangential force of each hand [{1/N^2}]",
                  {.least = 0})
           .field("position", &S::position,
-                 "{1/m^2}: hands to their places along the wall, while they do not hold",
+                 "Weight on position errors of the hands while they are not in contact [{1/m^2}]",
                  {.least = 0})
+          .more("The weight applies to errors along the wall. Before the approach, it also "
+                "applies to errors along the wall's normal.")
           .field("approach", &S::approach,
-                 "{s^2/m^2}: speed along the normal to that of approach and retreat",
+                 "Weight on errors of the normal speed of the hands in approach and retreat "
+                 "[{s^2/m^2}]",
                  {.least = 0})
           .field("inclination", &S::inclination,
-                 "{1/rad^2}: hands to their axis along the normal at the start; what tilts costs "
-                 "torque of the wrists",
+                 "Weight on the change of each hand's angle to the wall since the start "
+                 "[{1/rad^2}]",
                  {.least = 0})
+          .more("A tilted hand needs more wrist torque.")
           .field("posture", &S::posture,
-                 "{1/rad^2}: joints to the start; more keeps the body from leaning",
+                 "Weight on joint angles relative to the start [{1/rad^2}]",
                  {.least = 0})
+          .more("A larger weight hinders leaning.")
           .field("range", &S::range,
-                 "{1/rad^2}: joints off their limits, within range_margin of these",
+                 "Weight on joint angles closer than range_margin to a position limit [{1/rad^2}]",
                  {.least = 0})
           .field("range_margin", &S::range_margin,
-                 "{rad (m)}",
+                 "Distance from position limits below which the weight `range` acts [{rad (m)}]",
                  {.least = 0})
           .field("velocity", &S::velocity,
-                 "{s^2/rad^2}: joint speeds",
+                 "Weight on joint velocities [{s^2/rad^2}]",
                  {.least = 0})
           .field("torque", &S::torque,
-                 "{1/Nm^2}: torques to those that hold the start",
+                 "Weight on torques relative to the torques that hold the start [{1/Nm^2}]",
                  {.least = 0})
           .field("terminal", &S::terminal,
-                 "{s}: what the end of the horizon costs, as a time at its running cost",
+                 "Duration by which the weights are multiplied for the terminal cost [{s}]",
                  {.least = 0});
   return all;
 }
@@ -52,27 +57,28 @@ const Description& description_of(const Wall* /*of*/) {
   using S = Wall;
   static const Description all =
       Describe<S>("push_wall", "Wall",
-                  "A plane before the hands, and what plans keep of it. It lies `clearance` from "
-                  "the nearer hand at the start.")
+                  "Plane wall in front of the hands, with its contact parameters in the plant and"
+                  " in plans. At the start the distance between the wall and the nearer hand is "
+                  "`clearance`.")
           .field("normal_world", &S::normal_world,
-                 "[x, y, z] out of the wall towards the robot, any length, world",
+                 "Normal of the wall [x, y, z] in world axes, towards the robot",
                  {.direction = true})
-          .in_code("out of the wall, any length")
+          .more("The normal points out of the wall. It need not have unit length.")
           .key("normal")
           .field("friction", &S::friction,
-                 "Coulomb coefficient of the plant",
+                 "Coulomb friction coefficient of the plant's wall",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
-                 "{N/m}, of the plant, under each hand",
+                 "Stiffness of the plant's wall at each hand [{N/m}]",
                  {.least = 0, .open = true})
           .field("damping", &S::damping,
-                 "{Ns/m}, of the plant, under each hand",
+                 "Damping of the plant's wall at each hand [{Ns/m}]",
                  {.least = 0, .open = true})
           .field("plan_friction", &S::plan_friction,
-                 "coefficient that plans keep within",
+                 "Friction coefficient that plans assume for the wall",
                  {.least = 0, .open = true})
           .field("contact_kd", &S::contact_kd,
-                 "{1/s}, damping of the hands' constraint (Baumgarte)",
+                 "Damping of the contact constraint of the hands (Baumgarte) [{1/s}]",
                  {.least = 0});
   return all;
 }
@@ -81,31 +87,33 @@ const Description& description_of(const Lean* /*of*/) {
   using S = Lean;
   static const Description all =
       Describe<S>("push_wall", "Lean",
-                  "How the largest force is looked for, and when the search is over: where the "
-                  "posture could not bear `reserve` more, where plans cannot keep their limits or"
-                  " give way, where a hand or a foot slips, and at `force_max`.")
+                  "Search for the largest force. The force of both hands rises until one of the "
+                  "conditions in Limit ends the search.")
           .field("rate", &S::rate,
-                 "{N/s}, of each hand",
+                 "Rate of increase of the force of each hand [{N/s}]",
                  {.least = 0, .open = true})
           .field("force_max", &S::force_max,
-                 "{N} of each hand, where it ends at the latest",
+                 "Upper limit of the force of each hand, where the search stops [{N}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("never: nine tenths of limits.force.")
+          .more("With the value never (infinite), the limit is nine tenths of limits.force.")
           .field("reserve", &S::reserve,
-                 "of the force, that the posture must be able to bear beyond it, at rest and "
-                 "within the limits that plans keep",
+                 "Additional force that the posture must be able to support, as a fraction of the"
+                 " force",
                  {.least = 0})
+          .more("The check is static. It uses the same constraints as plans.")
           .field("give", &S::give,
-                 "{N} that the mean of both hands over 0.1 s may be below the target",
+                 "Largest amount by which the force of the hands may fall below its target [{N}]",
                  {.least = 0, .open = true})
+          .more("The force is the mean of both hands over 0.1 s.")
           .field("slip", &S::slip,
-                 "{m} that a hand or foot may slide within a second; grounds creep",
+                 "Largest distance that a hand or foot may slide within about a second [{m}]",
                  {.least = 0, .open = true})
+          .more("Slow creep does not count, for example of feet on compliant ground.")
           .field("share", &S::share,
-                 "of the force then, that is held afterwards",
+                 "Force held after the search, as a fraction of the force where the search ended",
                  {.least = 0, .most = 1})
           .field("hold_duration", &S::hold_duration,
-                 "{s} that this is held",
+                 "Time for which the reduced force is held after the search [{s}]",
                  {.least = 0, .open = true});
   return all;
 }
@@ -114,12 +122,12 @@ const Words& words_of(Limit /*of*/) {
   static const Words all{
       "push_wall",
       "Limit",
-      "What ended the search for the largest force.",
-      {{"none", "nothing: the search did not end"},
-       {"most", "Lean.force_max was reached"},
-       {"bear", "the posture could not bear Lean.reserve more"},
-       {"give", "plans gave way: the hands fell behind the target"},
-       {"plan", "plans could not keep all their limits"},
+      "Condition that ended the search for the largest force.",
+      {{"none", "none: the search did not end"},
+       {"most", "the force reached Lean.force_max"},
+       {"bear", "the posture could not support the additional force of Lean.reserve"},
+       {"give", "the force of the hands fell behind its target"},
+       {"plan", "plans could not satisfy all their constraints"},
        {"hand", "a hand slipped"},
        {"foot", "a foot slipped"}}};
   return all;
@@ -129,116 +137,120 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("push_wall", "Task",
-                  "The task of pushing with both hands against a wall: all that a task file may "
-                  "say, with its defaults.")
+                  "Task of pushing with both hands against a wall: all keys of a task file, with "
+                  "their defaults.")
           .field("robot", &S::robot,
-                 "a robot's name, folder or settings file, with :variant")
+                 "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "where it starts, of the robot's settings")
-          .more("Empty: the robot's default.")
+                 "Starting posture, a name from the robot's settings")
+          .more("Empty: the robot's default posture.")
           .field("force", &S::force,
-                 "{N}, that each hand presses with",
+                 "Normal force that each hand presses with [{N}]",
                  {.least = 0, .open = true})
           .field("hands", &S::hands,
-                 "two frames, whose origins are the centres of balls")
+                 "Frames of the two hands; their origins are the centres of the round tips")
           .field("tip_radius", &S::tip_radius,
-                 "{m}, of those balls",
+                 "Radius of the round tips of both hands [{m}]",
                  {.least = 0, .open = true})
           .field("wall", &S::wall,
-                 "A plane, `clearance` before the nearer hand at the start. The controller knows "
-                 "its normal.")
+                 "Plane wall at the distance `clearance` from the nearer hand at the start. The "
+                 "controller knows its normal.")
           .field("standing", &S::standing,
-                 "What the robot stands on.")
-          .group("Stand, approach until both hands have contact, ramp the force, hold it, lean to the"
-             " largest,\nhold that, release, retreat.", "phases")
+                 "Feet and ground of a robot with a floating base.")
+          .group("Stand, approach until both hands have contact, ramp the force, hold it, search for "
+             "the largest force,\nhold a fraction of the largest force, release, retreat.", "phases")
           .field("clearance", &S::clearance,
-                 "{m} between hands and wall at the start",
+                 "Distance between the nearer hand and the wall at the start [{m}]",
                  {.least = 0, .open = true})
           .field("settle_duration", &S::settle_duration,
-                 "{s} of standing before",
+                 "Time to stand before the approach [{s}]",
                  {.least = 0, .open = true})
           .field("approach_speed", &S::approach_speed,
-                 "{m/s} towards the wall",
+                 "Speed towards the wall [{m/s}]",
                  {.least = 0, .open = true})
           .field("touch_force", &S::touch_force,
-                 "{N} of each hand, at once where both have contact",
+                 "Force that each hand presses with as soon as both hands have contact [{N}]",
                  {.least = 0, .open = true})
           .field("ramp_duration", &S::ramp_duration,
-                 "{s} from touch_force to force",
+                 "Duration of the ramp from touch_force to force [{s}]",
                  {.least = 0, .open = true})
           .field("hold_duration", &S::hold_duration,
-                 "{s} that the force is held",
+                 "Time for which `force` is held before the search [{s}]",
                  {.least = 0, .open = true})
           .field("release_duration", &S::release_duration,
-                 "{s} back to touch_force",
+                 "Duration of the release, a ramp of the force down to touch_force [{s}]",
                  {.least = 0, .open = true})
           .field("retreat_duration", &S::retreat_duration,
-                 "{s} off the wall, by the clearance",
+                 "Duration of the retreat from the wall to the distance `clearance` [{s}]",
                  {.least = 0, .open = true})
           .group("")
           .field("lean", &S::lean,
-                 "How the largest force is looked for, and when the search is over.")
+                 "Search for the largest force, and the conditions that end the search.")
           .group("", "controller")
           .field("tick_rate", &S::tick_rate,
-                 "{Hz}, of torque commands",
+                 "Rate of torque commands [{Hz}]",
                  {.least = 100, .most = 1e4})
           .field("update_rate", &S::update_rate,
-                 "{Hz}, of new plans; divides the tick rate",
+                 "Rate of new plans, tick_rate divided by an integer [{Hz}]",
                  {.least = 0, .open = true})
           .field("solver_delay", &S::solver_delay,
-                 "{s} from a measurement to the use of the plan made from it",
+                 "Time from a measurement to the use of the plan that starts from it [{s}]",
                  {.least = 0})
           .field("command_delay", &S::command_delay,
-                 "Delay from command to torque that the controller assumes [{s}]",
+                 "Assumed delay from a command to its torque [{s}]",
                  {.least = 0, .most = 0.1})
-          .more("Rounded to ticks. Plans and feedback begin in the state that the torques already"
-                " sent lead to.")
+          .more("The delay is rounded to ticks. Plans and feedback start from the state that the "
+                "torques already sent lead to.")
           .field("measurement_delay", &S::measurement_delay,
-                 "Delay from measurement to tick that the controller assumes [{s}]",
+                 "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
           .field("horizon", &S::horizon,
-                 "{s} that are planned ahead",
+                 "Duration that a plan covers [{s}]",
                  {.least = 0, .open = true})
           .field("step", &S::step,
-                 "{s} between the first two knots of the plan",
+                 "Time between the first two knots of the plan [{s}]",
                  {.least = 0, .open = true})
           .field("knots", &S::knots,
-                 "of the plan; the steps grow so that they fill the horizon",
+                 "Number of knots in the plan",
                  {.least = 2})
+          .more("The steps between knots grow to cover the horizon.")
           .group("")
           .field("weights", &S::weights,
-                 "Cost weights, per second of horizon.")
+                 "Cost weights, per second of horizon. Only their ratios matter.\nA larger weight"
+                 " reduces the error of its own term and increases the errors of the other terms.")
           .field("model_error", &S::model_error,
-                 "What is estimated of what the model gets wrong.")
+                 "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("constraints", &S::constraints,
-                 "What plans keep, whatever it costs. Each may be never.")
-          .group("Beyond these a run is given up: the robot is braked and held (fallback), and there "
-             "is a report.\nEach may be never.", "limits")
+                 "Hard constraints of plans; `never` switches a constraint off.")
+          .group("Exceeding a limit ends the run and is reported as a fault.\nThe fallback controller"
+             " then brakes and holds the robot. `never` switches a limit off.", "limits")
           .field("force_limit", &S::force_limit,
-                 "{N} of a hand, mean over 5 ms",
+                 "Largest mean force of a hand over 5 ms [{N}]",
                  {.least = 0, .open = true, .infinite = true})
           .key("force")
           .field("slip", &S::slip,
-                 "{m} that a hand or foot may have slid",
+                 "Largest distance that a hand or foot may slide [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("sink", &S::sink,
-                 "{m} that the centre of mass may be below where it starts",
+                 "Largest drop of the centre of mass below its height at the start [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("late_contact", &S::late_contact,
-                 "{s} that contact may come late",
+                 "Longest wait for contact after the planned time of contact [{s}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("contact_lost", &S::contact_lost,
-                 "{s} that a hand may be without force while it is to press",
+                 "Longest time without force at a hand that should press [{s}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("contact_threshold", &S::contact_threshold,
-                 "{N}, mean over 10 ms, that count as contact of a hand",
+                 "Mean force of a hand over 10 ms above which the hand counts as in contact [{N}]",
                  {.least = 0, .open = true})
+          .more("Contact counts as lost if the force falls below half of this threshold.")
           .field("limits", &S::limits)
           .group("")
           .field("disturbances", &S::disturbances,
-                 "What the controller does not know. Or one word: none, sensors, mismatch, "
-                 "joint_friction; or\n`preset: word` and keys that differ from it.")
-          .in_code("what the controller does not know");
+                 "Disturbances that the controller does not know.\nOne word can replace all keys:"
+                 " none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of "
+                 "these words, only keys that differ from the preset are needed.")
+          .in_code("Disturbances that the controller does not know");
   return all;
 }
 
@@ -246,44 +258,48 @@ const Description& description_of(const Setting* /*of*/) {
   using S = Setting;
   static const Description all =
       Describe<S>("push_wall", "Setting",
-                  "A task with everything resolved: robot, start, wall, feet, hands, phases.")
-          .field("robot", &S::robot)
+                  "Task with all settings filled in: robot, start, wall, feet, hands, phases.")
+          .field("robot", &S::robot,
+                 "Robot of the task, with a floating base")
           .required()
           .field("q_start", &S::q_start,
-                 "nq")
+                 "Configuration at the start, nq")
           .required()
           .field("scene", &S::scene,
-                 "as the controller knows it: feet and hands are its supports, in this order; its"
-                 " surface is the wall, and its tip a smaller ball that never touches it")
+                 "Scene as the controller assumes it: feet and hands are supports, the wall is "
+                 "the surface")
+          .more("The supports list the feet first. The tip is a ball in the second hand, too "
+                "small to touch the wall.")
           .required()
           .field("wall_axes", &S::wall_axes,
-                 "columns: two tangents and the normal, world")
+                 "Axes of the wall in the world; the columns are two tangents and the normal")
           .required()
           .field("p_hands", &S::p_hands,
-                 "of the hands in contact, m, world; columns")
+                 "Positions of the two hands in contact, in the world [{m}]; one column per hand")
           .required()
           .field("com", &S::com,
-                 "centre of mass at the start, m, world")
+                 "Centre of mass at the start, in the world [{m}]")
           .required()
           .field("com_per_force", &S::com_per_force,
-                 "m/N, world, level: how far the centre of mass goes per N of each hand so that "
-                 "the pressure under the feet stays where it is")
+                 "Horizontal displacement of the centre of mass per force of each hand, in the "
+                 "world [{m/N}]")
+          .more("With this displacement, the centre of pressure under the feet stays where it is.")
           .required()
           .field("room", &S::room,
-                 "{m} that the pressure lies before the middle of the feet at the start, on the "
-                 "side of the wall")
+                 "Distance from the middle of the feet to the centre of pressure at the start, "
+                 "towards the wall [{m}]")
           .field("touch", &S::touch,
-                 "{s} of the schedule")
+                 "Schedule time of the planned contact [{s}]")
           .field("ramp_end", &S::ramp_end,
-                 "{s} of the schedule")
+                 "Schedule time at the end of the ramp [{s}]")
           .field("hold_end", &S::hold_end,
-                 "{s} of the schedule")
+                 "Schedule time when the hold ends and the search begins [{s}]")
           .field("lean_end", &S::lean_end,
-                 "{s} of the schedule")
+                 "Schedule time at the end of the search for the largest force [{s}]")
           .field("top_end", &S::top_end,
-                 "{s} of the schedule")
+                 "Schedule time at the end of the hold after the search [{s}]")
           .field("release_end", &S::release_end,
-                 "{s} of the schedule");
+                 "Schedule time at the end of the release [{s}]");
   return all;
 }
 
@@ -291,19 +307,20 @@ const Description& description_of(const RunSpec* /*of*/) {
   using S = RunSpec;
   static const Description all =
       Describe<S>("push_wall", "RunSpec",
-                  "A run of a task.")
+                  "Options of run_task().")
           .field("task", &S::task)
           .field("setting", &S::setting,
-                 "of the task, where there is one already")
+                 "Task with all settings filled in; none: computed by make_setting()")
           .field("plant", &S::plant,
-                 "the ideal plant has no feet to stand on")
+                 "Plant to simulate; must not be ideal, because the ideal plant has no feet")
           .field("check_reach", &S::check_reach,
-                 "before anything moves; a problem is then an Error")
+                 "Check the reach before the run, and throw Error if there is a problem")
           .field("plan_rate", &S::plan_rate,
-                 "{Hz}, at which plans are recorded; 0: none")
+                 "Recording rate of plans (0: no recording) [{Hz}]")
           .field("progress", &S::progress,
-                 "Called now and then with the simulated time and about when it will be over, s. "
-                 "Returning false stops the run.");
+                 "Callback that is called repeatedly with the simulated time and the run's "
+                 "expected end, in s")
+          .more("If the callback returns false, the run stops.");
   return all;
 }
 

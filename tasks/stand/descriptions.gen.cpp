@@ -10,25 +10,27 @@ const Description& description_of(const Sway* /*of*/) {
   using S = Sway;
   static const Description all =
       Describe<S>("stand", "Sway",
-                  "How the trunk goes to and fro: a sine in each direction, begun and ended "
-                  "smoothly. Axes are x forwards as the base is turned at the start, y to its "
-                  "left, z up.")
+                  "Sway of the trunk: a sine in each direction that begins and ends smoothly. The"
+                  " axes of the sway are level: x forwards as the base points at the start, y to "
+                  "the left, z up.")
           .field("shift", &S::shift,
-                 "{m}, amplitudes of the centre of mass: x, y, z")
+                 "Amplitudes of the motion of the centre of mass along x, y and z [{m}]")
           .field("shift_rate", &S::shift_rate,
-                 "{Hz}",
+                 "Frequencies of the motion of the centre of mass along x, y and z [{Hz}]",
                  {.least = 0})
           .field("turn", &S::turn,
-                 "{rad}, amplitudes of the base: roll, pitch, yaw")
+                 "Amplitudes of the rotation of the base in roll, pitch and yaw [{rad}]")
           .field("turn_rate", &S::turn_rate,
-                 "{Hz}",
+                 "Frequencies of the rotation of the base in roll, pitch and yaw [{Hz}]",
                  {.least = 0})
           .field("rise", &S::rise,
-                 "{s} until it is that wide",
+                 "Time until the sway has its full amplitude [{s}]",
                  {.least = 0, .open = true})
+          .more("The sway fades out in the same time.")
           .field("fit", &S::fit,
-                 "directions that the feet or the joints do not allow are left out, or made "
-                 "smaller; false: a sway that cannot be followed is refused");
+                 "Reduce amplitudes that feet or joints do not allow; false: reject such a sway "
+                 "with an error")
+          .more("An amplitude is reduced to 0 if needed.");
   return all;
 }
 
@@ -38,16 +40,16 @@ const Description& description_of(const Weights* /*of*/) {
       Describe<S>("stand", "Weights",
                   "Cost weights, per second of horizon.")
           .field("posture", &S::posture,
-                 "{1/rad^2}: joints to the start",
+                 "Weight on joint angles relative to the start [{1/rad^2}]",
                  {.least = 0})
           .field("velocity", &S::velocity,
-                 "{s^2/rad^2}: joint speeds",
+                 "Weight on joint velocities [{s^2/rad^2}]",
                  {.least = 0})
           .field("torque", &S::torque,
-                 "{1/Nm^2}: torques to those that hold the start",
+                 "Weight on torques relative to the torques that hold the start [{1/Nm^2}]",
                  {.least = 0})
           .field("terminal", &S::terminal,
-                 "{s}: what the end of the horizon costs, as a time at its running cost",
+                 "Duration by which the weights are multiplied for the terminal cost [{s}]",
                  {.least = 0});
   return all;
 }
@@ -56,86 +58,90 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("stand", "Task",
-                  "The task of standing on feet and swaying: all that a task file may say, with "
-                  "its defaults.")
+                  "Task of standing on the feet while the trunk sways: all keys of a task file, "
+                  "with their defaults.")
           .field("robot", &S::robot,
-                 "a robot's name, folder or settings file, with :variant")
+                 "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "where it starts, of the robot's settings; search: found, on bent legs")
-          .more("Empty: the robot's default, or searched where it has none.")
+                 "Starting posture (search: find one with bent legs)")
+          .more("The value is a posture's name in the robot's settings, or search. If empty: the "
+                "robot's default posture, or a search if the robot has none.")
           .field("crouch", &S::crouch,
-                 "of the base's height above the feet with straight legs, that a searched posture"
-                 " is lower",
+                 "Drop of the base in a searched posture, as a fraction of the base's height",
                  {.least = 0, .most = 1, .below = true})
+          .more("The height is measured above the feet, with straight legs.")
           .field("standing", &S::standing,
-                 "What the robot stands on.")
+                 "Feet and ground of a robot with a floating base.")
           .field("sway", &S::sway,
-                 "How the trunk goes to and fro: a sine in each direction, begun and ended "
-                 "smoothly.\nAxes are x forwards as the base is turned at the start, y to its "
-                 "left, z up.")
-          .in_code("how the trunk goes to and fro")
-          .group("Stand, sway, come back and stand.", "phases")
+                 "Sway of the trunk: a sine in each direction that begins and ends smoothly.\nIts"
+                 " axes are level: x forwards as the base points at the start, y to the left, z "
+                 "up.")
+          .group("Stand, sway, then stand at the start again.", "phases")
           .field("settle_duration", &S::settle_duration,
-                 "{s} of standing before it sways",
+                 "Time to stand before the sway [{s}]",
                  {.least = 0, .open = true})
           .field("sway_duration", &S::sway_duration,
-                 "{s} that it sways",
+                 "Duration of the sway [{s}]",
                  {.least = 0, .open = true})
           .field("rest_duration", &S::rest_duration,
-                 "{s} of standing afterwards",
+                 "Time to stand after the sway [{s}]",
                  {.least = 0, .open = true})
           .group("", "controller")
           .field("tick_rate", &S::tick_rate,
-                 "{Hz}, of torque commands",
+                 "Rate of torque commands [{Hz}]",
                  {.least = 100, .most = 1e4})
           .field("update_rate", &S::update_rate,
-                 "{Hz}, of new plans; divides the tick rate",
+                 "Rate of new plans, tick_rate divided by an integer [{Hz}]",
                  {.least = 0, .open = true})
           .field("solver_delay", &S::solver_delay,
-                 "{s} from a measurement to the use of the plan made from it",
+                 "Time from a measurement to the use of the plan that starts from it [{s}]",
                  {.least = 0})
           .field("command_delay", &S::command_delay,
-                 "Delay from command to torque that the controller assumes [{s}]",
+                 "Assumed delay from a command to its torque [{s}]",
                  {.least = 0, .most = 0.1})
-          .more("Rounded to ticks. Plans and feedback begin in the state that the torques already"
-                " sent lead to.")
+          .more("The delay is rounded to ticks. Plans and feedback start from the state that the "
+                "torques already sent lead to.")
           .field("measurement_delay", &S::measurement_delay,
-                 "Delay from measurement to tick that the controller assumes [{s}]",
+                 "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
           .field("horizon", &S::horizon,
-                 "{s} that are planned ahead",
+                 "Duration that a plan covers [{s}]",
                  {.least = 0, .open = true})
           .field("step", &S::step,
-                 "{s} between the first two knots of the plan",
+                 "Time between the first two knots of the plan [{s}]",
                  {.least = 0, .open = true})
           .field("knots", &S::knots,
-                 "of the plan; the steps grow so that they fill the horizon",
+                 "Number of knots in the plan",
                  {.least = 2})
+          .more("The steps between knots grow to cover the horizon.")
           .group("")
           .field("weights", &S::weights,
-                 "Cost weights, per second of horizon.")
+                 "Cost weights, per second of horizon. Only their ratios matter.\nA larger weight"
+                 " reduces the error of its own term and increases the errors of the other terms.")
           .field("model_error", &S::model_error,
-                 "What is estimated of what the model gets wrong.")
+                 "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("constraints", &S::constraints,
-                 "What plans keep, whatever it costs. Each may be never.")
-          .group("Beyond these a run is given up: the robot is braked and held (fallback), and there "
-             "is a report.\nEach may be never.", "limits")
+                 "Hard constraints of plans; `never` switches a constraint off.")
+          .group("Exceeding a limit ends the run and is reported as a fault.\nThe fallback controller"
+             " then brakes and holds the robot. `never` switches a limit off.", "limits")
           .field("slip", &S::slip,
-                 "{m} that a foot may have slid; that a ball rolls is no sliding",
+                 "Largest distance that a foot may slide [{m}]",
                  {.least = 0, .open = true, .infinite = true})
+          .more("Rolling of point feet does not count.")
           .field("sink", &S::sink,
-                 "of the height of the centre of mass above the feet, that it may be below where "
-                 "it is to be",
+                 "Largest relative drop of the centre of mass below its target",
                  {.least = 0, .open = true, .infinite = true})
+          .more("The drop is divided by the height of the centre of mass above the feet.")
           .field("tilt", &S::tilt,
-                 "{rad} that the base may be turned off what it is to be",
+                 "Largest allowed angle between the base and its target [{rad}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("limits", &S::limits)
           .group("")
           .field("disturbances", &S::disturbances,
-                 "What the controller does not know. Or one word: none, sensors, mismatch, "
-                 "joint_friction; or\n`preset: word` and keys that differ from it.")
-          .in_code("what the controller does not know");
+                 "Disturbances that the controller does not know.\nOne word can replace all keys:"
+                 " none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of "
+                 "these words, only keys that differ from the preset are needed.")
+          .in_code("Disturbances that the controller does not know");
   return all;
 }
 
@@ -143,42 +149,45 @@ const Description& description_of(const Setting* /*of*/) {
   using S = Setting;
   static const Description all =
       Describe<S>("stand", "Setting",
-                  "A task with everything resolved: robot, start, feet, trunk, phases.")
-          .field("robot", &S::robot)
+                  "Task with all settings filled in: robot, start, feet, trunk, phases.")
+          .field("robot", &S::robot,
+                 "Robot of the task")
           .required()
           .field("standing", &S::standing,
-                 "the task's, with feet that were found where it states auto, or frames of which "
-                 "the robot has none")
+                 "Feet and ground that the robot stands on")
+          .more("Detected feet replace the feet of the task if the task states auto, or only "
+                "frames that the robot does not have.")
           .required()
           .field("q_start", &S::q_start,
-                 "nq")
+                 "Configuration at the start, nq")
           .required()
           .field("scene", &S::scene,
-                 "as the controller knows it: the feet are its supports; its surface is the "
-                 "ground, and its tip a small ball in the base that never touches it")
+                 "Scene as the controller assumes it: the feet are supports, the ground is the "
+                 "surface")
+          .more("The tip is a small ball in the base that never touches the ground.")
           .required()
           .field("base", &S::base,
-                 "a frame of the base's body")
+                 "Frame on the body of the floating base")
           .required()
           .field("heading", &S::heading,
-                 "axes that the sway is in, world: x forwards as the base is turned at the start,"
-                 " z up")
+                 "Axes of the sway in the world; the columns are forwards (as the base points at "
+                 "the start), left and up")
           .required()
           .field("R_base", &S::R_base,
-                 "axes of that frame at the start, world")
+                 "Axes of the frame `base` at the start, in the world")
           .required()
           .field("p_base", &S::p_base,
-                 "{m}, and its origin, world")
+                 "Origin of the frame `base` at the start, in the world [{m}]")
           .required()
           .field("com", &S::com,
-                 "{m}, centre of mass at the start, world")
+                 "Centre of mass at the start, in the world [{m}]")
           .required()
           .field("sway", &S::sway,
-                 "the task's, within what the feet allow where it is to fit")
+                 "Sway of the task, reduced to what feet and joints allow if `fit` is true")
           .field("notes", &S::notes,
-                 "sentences about what was found in place of what it says")
+                 "Settings of the task that were replaced for this robot, one sentence each")
           .field("sway_end", &S::sway_end,
-                 "{s} of the schedule");
+                 "Schedule time at the end of the sway [{s}]");
   return all;
 }
 
@@ -186,19 +195,20 @@ const Description& description_of(const RunSpec* /*of*/) {
   using S = RunSpec;
   static const Description all =
       Describe<S>("stand", "RunSpec",
-                  "A run of a task.")
+                  "Options of run_task().")
           .field("task", &S::task)
           .field("setting", &S::setting,
-                 "of the task, where there is one already")
+                 "Task with all settings filled in; none: computed by make_setting()")
           .field("plant", &S::plant,
-                 "the ideal plant has no feet to stand on")
+                 "Plant to simulate; must not be ideal, because the ideal plant has no feet")
           .field("check_reach", &S::check_reach,
-                 "before anything moves; a problem is then an Error")
+                 "Check the reach before the run, and throw Error if there is a problem")
           .field("plan_rate", &S::plan_rate,
-                 "{Hz}, at which plans are recorded; 0: none")
+                 "Recording rate of plans (0: no recording) [{Hz}]")
           .field("progress", &S::progress,
-                 "Called now and then with the simulated time and about when it will be over, s. "
-                 "Returning false stops the run.");
+                 "Callback that is called repeatedly with the simulated time and the run's "
+                 "expected end, in s")
+          .more("If the callback returns false, the run stops.");
   return all;
 }
 

@@ -1,4 +1,4 @@
-// What a bad input is answered with: one sentence that names what, what came and what was wanted.
+// Errors for bad input: one sentence that names the object, the value found and the value required.
 #pragma once
 
 #include <memory>
@@ -9,20 +9,22 @@
 
 namespace burnish {
 
-/// A specification, a file or an argument that cannot be used. Thrown while things are set up,
-/// never by a function that runs inside a control tick (those return a Status).
+/// Exception for a specification, a file or an argument that cannot be used. It is thrown during
+/// setup only. Functions that run inside a control tick return a Status instead.
 ///
-/// Whatever a file holds that is quoted in it, the sentence is one line of UTF-8: control
-/// characters become blanks, bytes that are no text question marks, and what is far too long is
-/// cut.
+/// Each sentence of the message is one line of valid UTF-8, even if the sentence quotes a file.
+/// Control characters are replaced by blanks, and invalid bytes by question marks. Text beyond 4000
+/// bytes is cut off.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& sentence);
-  /// All that is wrong with one thing: what() is "origin: problem", or where there are several
-  /// "origin: 3 problems: (1) problem (2) ...", without "origin: " if empty; of 50 at most.
+  /// Creates an Error that lists all problems of one object, at most 50. what() is "origin:
+  /// problem" for one problem and "origin: 3 problems: (1) problem (2) ..." for several. If
+  /// `origin` is empty, what() begins without "origin: ".
   Error(const std::string& origin, const std::vector<std::string>& problems);
 
-  /// One sentence for each problem, to be printed one a line; what() alone where there is one.
+  /// Returns one sentence per problem, to print one per line. For a single problem, the sentence is
+  /// what().
   const std::vector<std::string>& sentences() const noexcept { return *sentences_; }
 
  private:
@@ -30,10 +32,12 @@ class Error : public std::runtime_error {
   std::shared_ptr<const std::vector<std::string>> sentences_;
 };
 
-/// The known name closest to `name` by edit distance, or an empty string when none is close.
+/// Returns the entry of `known` that is closest to `name` by edit distance. Returns an empty string
+/// if no entry is within 1 + name.size() / 3 edits, or if `name` is longer than 200 bytes.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// "; did you mean 'x'?" for the nearest known name, or an empty string.
+/// Returns "; did you mean 'x'?", where x is the result of nearest_name(). Returns an empty string
+/// if that result is empty.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// A quantity over time, or constant: what a cost aims at, how a reference is turned.
+// A vector that is constant or a function of time, such as the target of a cost.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,30 +8,33 @@
 
 namespace burnish {
 
-/// A vector, or a function of time that gives one. Empty unless given: what that means is said
-/// where the signal is used.
+/// A vector that is constant or a function of time. By default, a Signal is empty. Each use of a
+/// Signal documents what an empty Signal means.
 class Signal {
  public:
   using Function = std::function<void(double time, Eigen::Ref<Eigen::VectorXd> out)>;
 
   Signal() = default;
-  /// Constant, of one entry.
+  /// Constant signal with one entry.
   Signal(double value) : constant_(Eigen::VectorXd::Constant(1, value)) {}
-  /// Constant.
+  /// Constant signal with the entries of `value`.
   template <class Vector>
   requires std::is_base_of_v<Eigen::MatrixBase<Vector>, Vector> Signal(const Vector& value) {
     hold(value);
   }
-  /// `function` writes `size` entries for a time in s. It is called when a knot is given its time,
-  /// and should not allocate where that happens in a control tick.
+  /// Returns a signal that is a function of time. `function` writes `size` entries for a time [s].
+  /// `function` is called when a knot of an optimal control problem is set to a time. If knots are
+  /// set in a control tick, `function` should not allocate memory. Throws Error if `size` is below
+  /// 1 or `function` is empty.
   static Signal over_time(int size, Function function);
 
   bool empty() const { return constant_.size() == 0 && !function_; }
   bool is_constant() const { return !function_; }
   int size() const { return function_ ? size_ : static_cast<int>(constant_.size()); }
-  /// What over_time() was given; empty if constant.
+  /// Returns the function that was passed to over_time(). Returns an empty function if the signal
+  /// is constant.
   const Function& function() const { return function_; }
-  /// Writes size() entries.
+  /// Writes the value at `time` [s] to `out`, which must have size() entries.
   void at(double time, Eigen::Ref<Eigen::VectorXd> out) const;
 
  private:

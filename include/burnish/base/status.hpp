@@ -1,4 +1,4 @@
-// What a numerical evaluation answers instead of a NaN or an exception.
+// Status codes that numerical evaluations return instead of a NaN or an exception.
 #pragma once
 
 #include <cstdint>
@@ -6,26 +6,28 @@
 
 namespace burnish {
 
-/// One that nobody looks at is a warning of the compiler.
+/// Result of an evaluation. Ignoring a returned Status causes a compiler warning.
 enum class [[nodiscard]] Status : std::uint8_t;
 
-/// Outcome of an evaluation, ordered by severity: of two that apply the larger is reported.
+/// Outcome of an evaluation, ordered by severity. If several values apply, the most severe one is
+/// returned.
+/// @described base
 enum class Status : std::uint8_t {
   Ok = 0,
-  NotConverged,      ///< proximal iterations stopped at their limit above the tolerance
-  SingularContacts,  ///< contact rows are redundant or not controllable, and mu = 0
-  SingularMass,      ///< the mass matrix is not positive definite at this posture
-  NotNormalized,     ///< a quaternion or a (cos, sin) pair is not of unit length to 1e-6
-  NotPhysical,       ///< a mass distribution that no solid has
-  NotFinite,         ///< an input holds a NaN or an infinity, or is so large that the result does
-  WrongSize,         ///< an argument has the wrong number of entries
-  NotEvaluated,      ///< derivatives of an evaluation that was not the last one made
+  NotConverged,      ///< Proximal iterations reached their maximum number above the tolerance
+  SingularContacts,  ///< Contact rows are redundant or not controllable, and the compliance mu is 0
+  SingularMass,      ///< Mass matrix is not positive definite at this posture
+  NotNormalized,     ///< Length of a quaternion or (cos, sin) pair differs from 1 by over 1e-6
+  NotPhysical,       ///< Mass distribution that no solid can have
+  NotFinite,         ///< Input has a NaN or an infinity, or is so large that the result overflows
+  WrongSize,         ///< Argument has the wrong number of entries
+  NotEvaluated,      ///< Requested derivatives do not belong to the last evaluation
 };
 
-/// One sentence that says what the status means and what to do about it.
+/// Returns one sentence with the meaning of the status and what to do about it.
 std::string_view describe(Status status);
 
-/// The more severe of the two.
+/// Returns the more severe of two statuses.
 constexpr Status worst(Status a, Status b) { return a < b ? b : a; }
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// A record of a run: named columns with units, one row per sample, preallocated.
+// A record of a run: named columns with units, one row per sample, in memory allocated up front.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,21 +13,22 @@
 
 namespace burnish {
 
-/// What a column holds. Names say frame and axis: `tool_force_z_world`.
+/// Name and unit of a column. The name states quantity, axis and frame, as in `tool_force_z_world`.
 struct TraceColumn {
   std::string name;
-  std::string unit;  ///< SI, such as "N" or "rad/s"; "-" for counts and flags
+  std::string unit;  ///< SI unit such as "N" or "rad/s"; "-" for counts and flags
 };
 
-/// Rows are added without allocation until the capacity is reached; what comes after is counted in
-/// dropped() and not kept.
+/// Table with named columns and a fixed capacity of rows. Rows are added without memory allocation.
+/// If the table is full, further rows are counted in dropped() but not stored.
 class Trace {
  public:
   using Column = Eigen::Map<const Eigen::VectorXd, Eigen::Unaligned, Eigen::InnerStride<>>;
 
   Trace() = default;
-  /// Throws Error for a negative capacity and for names that are empty, used twice or hold a comma,
-  /// a quote, a bracket or a line break.
+  /// Creates an empty table with room for `capacity` rows. Throws Error if the capacity is
+  /// negative, or if the name of a column is empty, used twice, or contains a comma, a quote, a
+  /// bracket or a line break.
   Trace(std::vector<TraceColumn> columns, int capacity);
 
   const std::vector<TraceColumn>& columns() const { return columns_; }
@@ -35,23 +36,25 @@ class Trace {
   int capacity() const { return capacity_; }
   long dropped() const { return dropped_; }
 
-  /// Number of a column. Throws Error with the nearest known name.
+  /// Returns the index of a column. Throws Error with the nearest known name if there is no
+  /// such column.
   int index(std::string_view name) const;
   bool has(std::string_view name) const;
 
-  /// The entries of a new row, one per column, zero at first; nullptr when the trace is full.
+  /// Appends a row of zeros and returns a pointer to the row, one entry per column. Returns nullptr
+  /// if the table is full.
   double* add_row() noexcept;
   void clear() noexcept;
 
   double at(int row, int column) const { return values_[offset(row) + column]; }
-  /// One column from first to last row; valid while the trace is neither changed nor destroyed.
+  /// Returns all rows of one column. The view is valid until the trace is changed or destroyed.
   Column column(int index) const;
   Column column(std::string_view name) const { return column(index(name)); }
 
-  /// First line `name [unit],...`, then one line per row with every digit that counts, decimal
-  /// points whatever the locale. What is NaN is an empty cell.
+  /// Writes CSV text: a header line `name [unit],...`, then one line per row. Numbers read back
+  /// exactly and have a decimal point in every locale. A NaN is written as an empty cell.
   void write_csv(std::ostream& out) const;
-  /// The same into a file. Throws Error if it cannot be written.
+  /// Writes the CSV text to a file. Throws Error if the file cannot be written.
   void write_csv(const std::filesystem::path& file) const;
 
  private:
@@ -60,7 +63,7 @@ class Trace {
   }
 
   std::vector<TraceColumn> columns_;
-  Eigen::VectorXd values_;  ///< row by row
+  Eigen::VectorXd values_;  ///< Entries of the table, row by row
   int rows_ = 0, capacity_ = 0;
   long dropped_ = 0;
 };

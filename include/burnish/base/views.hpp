@@ -1,12 +1,12 @@
-// Vectors and matrices as they pass through the doors of the library.
+// Vector and matrix types of the public API.
 #pragma once
 
 #include <Eigen/Core>
 
-// What crosses the library's boundary is the same for every target: Eigen's alignment depends on
-// -march unless it is pinned, and memory allocated under one rule must not be freed under another.
-// The alignment of types is one thing, the allocator another: whether Eigen's memory comes from
-// malloc or from its own aligned allocator hangs on -march too, unless it is told.
+// Eigen types are passed across the library's boundary, so all targets must use the same alignment
+// and allocator for them. By default, both depend on -march. Memory from malloc must not be freed
+// by Eigen's aligned allocator, and memory from Eigen's aligned allocator must not be freed by
+// free().
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16 &&
                   EIGEN_MALLOC_ALREADY_ALIGNED == 0,
               "burnish is built with EIGEN_MAX_ALIGN_BYTES=16, EIGEN_MAX_STATIC_ALIGN_BYTES=16 and "
@@ -16,12 +16,13 @@ static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16 
 
 namespace burnish {
 
-/// A motion or a wrench, linear part first.
+/// A motion (velocity or acceleration) or a wrench, linear part first.
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// Results read in place: valid while the object that gave them lives.
+/// Read-only view of a result, without a copy. The view is valid as long as the object that
+/// returned it.
 using VectorView = Eigen::Map<const Eigen::VectorXd>;
 using MatrixView = Eigen::Map<const RowMatrix>;
 

@@ -1,4 +1,4 @@
-// A contact as a user states it: a tool frame tied to a base frame along some directions.
+// Contact as a user specifies it: a tool frame that is constrained relative to a base frame.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,70 +16,84 @@
 
 namespace burnish {
 
-/// Which acceleration of the tool a contact prescribes.
+/// Kind of tool acceleration that a contact prescribes.
 /// @described contact
-/// They differ by w x v; all agree where the contact velocity is zero. See docs/frames.md.
+/// The kinds differ by cross products of angular and linear velocity. They agree where the contact
+/// velocity is zero. See docs/frames.md.
 enum class Acceleration {
-  TimeDerivative,  ///< the true derivative of the constraint velocity @note d(nu)/dt
-  Spatial,         ///< the tool's local spatial acceleration carried into the axes (Proposition 3)
-  Classical,       ///< of the material point, written in the axes
+  TimeDerivative,  ///< True time derivative of the contact velocity @note d(nu)/dt
+
+  /// Spatial acceleration of the tool in tool axes, transformed to contact axes @note Proposition 3
+  /// of Kleff et al. (docs/frames.md).
+  Spatial,
+  Classical,  ///< Acceleration of the tool's material point, in contact axes
 };
 
-/// Position-level error that the proportional gain acts on.
+/// Kind of pose error that the proportional gain of a contact multiplies.
 /// @described contact
 enum class PoseError {
-  Split,  ///< position error, and the logarithm of the rotation error
-  Log6,   ///< the SE(3) logarithm in tool axes, carried into the contact's axes
+  Split,  ///< Position error and logarithm of the rotation error
+  Log6,   ///< SE(3) logarithm of the pose error, transformed from tool axes to contact axes
 };
 
 std::string name_of(Acceleration acceleration);
 std::string name_of(PoseError error);
-/// Read the names that name_of writes. Throw Error with the nearest known name.
+/// Returns the enumerator whose name_of() is `name`. For an unknown name, throws Error with the
+/// nearest known name.
 Acceleration parse_acceleration(const std::string& name);
 PoseError parse_pose_error(const std::string& name);
 
-/// Coulomb's, of a tool that slides: beside lambda along the held normal, on the tool acts
-/// -coefficient lambda v_t / sqrt(|v_t|^2 + speed^2), v_t being the velocity across the normal,
-/// seen from the base, of the tool's point where it acts.
+/// Smoothed Coulomb friction on a sliding tool. The friction force on the tool is -coefficient
+/// lambda v_t / sqrt(|v_t|^2 + speed^2). Here lambda is the normal force, and v_t is the tangential
+/// velocity of the tool relative to the base, at the point where friction acts.
 /// @described contact
-/// Contacts that hold one direction of translation, their normal. Impacts are without friction.
+/// The contact must constrain exactly one direction of translation: the normal. Impacts ignore
+/// friction.
 struct SlidingFriction {
-  double coefficient = 0.3;  ///< 0: none, until it is set, >= 0
-  /// [m/s], below which it fades, so that it has a derivative at rest; none: in a problem what its
-  /// steps tolerate, elsewhere 0.01, > 0 @word none
+  /// Coefficient of friction, >= 0 @more With 0, there is no friction until another coefficient is
+  /// set.
+  double coefficient = 0.3;
+  /// Speed below which friction fades out (none: chosen from a problem's time steps) [m/s], > 0
+  /// @word none @more The fade-out makes friction differentiable at rest. The speed chosen from the
+  /// time steps is at least 0.01 m/s. Outside a problem, none stands for 0.01 m/s.
   std::optional<double> speed = {};
-  /// [m] from the tool's origin against the normal to where it acts: of a round tip, >= 0
+  /// Radius of a round tool tip [m], >= 0 @more Friction acts at the tool's origin shifted by this
+  /// distance, opposite to the normal.
   double radius = 0.0;
 
-  /// Returns `speed`, or 0.01 where none is stated [m/s].
+  /// Returns `speed`, or 0.01 m/s if `speed` is empty.
   double fade_speed() const { return speed.value_or(0.01); }
 };
 
-/// A tool frame tied to a base frame along some directions: alpha + kd nu + kp e = 0, nu and alpha
-/// being velocity and acceleration of the tool relative to the base, in the reference.
+/// Contact that constrains a tool frame relative to a base frame in some directions: alpha + kd nu
+/// + kp e = 0. The symbols e, nu and alpha are the pose error, velocity and acceleration of the
+/// tool relative to the base. They are written in the axes of the reference.
 /// @described contact
 struct ContactSpec {
-  std::string name = {};       ///< unique; the tool's name if left empty
-  std::string tool = {};       ///< frame C2
-  std::string base = "world";  ///< frame C1; "world" is always known
+  std::string name = {};       ///< Unique name (empty: the name of the tool frame)
+  std::string tool = {};       ///< Name of the tool frame C2
+  std::string base = "world";  ///< Name of the base frame C1; "world" always exists
   Reference reference = Reference::centered();
-  /// "all", "linear", "angular", "pad_x|y|z", or names separated by commas such as "z,rx,ry"
+  /// Constrained directions: "all", "linear", "angular", "pad_x", "pad_y", "pad_z" (a flat
+  /// pad with its normal along that axis), or a list ("z,rx,ry")
   Directions directions = Directions::all();
   Acceleration acceleration = Acceleration::TimeDerivative;
   PoseError error = PoseError::Split;
-  /// [1/s^2], by direction; only entries of held directions are used
+  /// Gains on the pose error, one per direction [1/s^2] @more Gains of free directions have no
+  /// effect.
   Vector6 kp = Vector6::Zero();
-  Vector6 kd = Vector6::Zero();  ///< [1/s]
-  /// Placement of C2 in C1 that the error is measured from.
-  Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
-  std::optional<SlidingFriction> friction = {};  ///< none: the tool slides freely
+  Vector6 kd = Vector6::Zero();  ///< Gains on the velocity, one per direction [1/s]
 
-  /// The same gains in every direction. `kp` in 1/s^2, `kd` in 1/s.
+  /// Desired pose of the tool frame C2 in the base frame C1 @more The pose error is zero there.
+  Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
+  std::optional<SlidingFriction> friction = {};  ///< Friction on the tool (none: frictionless)
+
+  /// Sets kp to `kp_all` [1/s^2] and kd to `kd_all` [1/s] in all directions. Returns this contact.
   ContactSpec& with_gains(double kp_all, double kd_all);
 };
 
-/// The contacts with their references as they are at a time, s. Throws Error where one has no
-/// rotation there.
+/// Returns `contacts` with each time-varying reference replaced by its value at `time` [s]. Throws
+/// Error if a reference has no rotation at `time`.
 std::vector<ContactSpec> contacts_at(std::vector<ContactSpec> contacts, double time);
 
 }  // namespace burnish

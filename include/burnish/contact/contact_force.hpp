@@ -1,4 +1,4 @@
-// A contact force that says what it is: on which body, by which, at which point, in which axes.
+// Contact force, together with its two bodies and the reference in which it is written.
 #pragma once
 
 #include <string>
@@ -7,32 +7,41 @@
 
 namespace burnish {
 
-/// The wrench that the base exerts on the tool, at one state.
+/// Wrench that the base of a contact exerts on the tool, at one state of the robot.
 /// @described contact @result
 struct ContactForce {
-  std::string contact;  ///< name of the contact
-  std::string on;       ///< tool frame C2: the body acted on
-  std::string by;       ///< base frame C1: the body that acts, "world" for the environment
-  Reference reference;  ///< in which `value` is written
-  Vector6 value;        ///< force (N), then moment about the reference's origin (Nm)
-  /// world axes, at that state @note With these poses the force converts itself. `frame` is the
-  /// one that `reference` names: rotation of its axes' frame, position of its origin's.
+  std::string contact;  ///< Name of the contact
+  std::string on;       ///< Name of the tool frame C2; the force acts on the tool's body
+
+  /// Name of the base frame C1; the base's body exerts the force ("world": the environment)
+  std::string by;
+  Reference reference;  ///< Origin and axes in which `value` is written
+  Vector6 value;        ///< Force (N), then moment about the origin of the reference (Nm)
+
+  /// Rotation matrix from tool axes to world axes @note The rotations and positions belong to the
+  /// robot state of the force. With them, in() converts the force without the robot.
   Eigen::Matrix3d tool_rotation;
-  Eigen::Matrix3d base_rotation;
-  Eigen::Vector3d tool_position;  ///< [m]
+  Eigen::Matrix3d base_rotation;  ///< Rotation matrix from base axes to world axes
+  Eigen::Vector3d tool_position;  ///< Position of the tool frame in the world [m]
+
+  /// Position of the base frame in the world [m]
   Eigen::Vector3d base_position = Eigen::Vector3d::Zero();
+  /// Orientation of the frame in which the reference's axes are fixed, in world axes
   Eigen::Matrix3d frame_rotation = Eigen::Matrix3d::Identity();
+  /// Position of the reference's origin in the world [m]
   Eigen::Vector3d frame_position = Eigen::Vector3d::Zero();
 
-  /// The same wrench written in another reference. Throws Error where that names a frame: ask
-  /// ContactDynamics::force(contact, reference), which knows where frames are.
+  /// Returns this wrench, written in the reference `other`. Throws Error if `other` names a frame
+  /// whose pose is not stored here. Then use ContactDynamics::force(contact, reference), which
+  /// knows all frames of the robot.
   ContactForce in(const Reference& other) const;
 
-  /// Rotation of the reference's axes to the world, and its origin in the world.
+  /// Returns the rotation matrix from the axes of the reference to world axes.
   Eigen::Matrix3d axes() const;
-  Eigen::Vector3d origin() const;
+  Eigen::Vector3d origin() const;  ///< Returns the reference's origin in the world [m]
 
-  /// A sentence: "30.0 N along +z of the world, on tool, by the world, at the tool's origin".
+  /// Returns the force as text, such as "30.0 N along +z of the world, on tool, by the world, at
+  /// the tool's origin".
   std::string text() const;
 };
 

@@ -1,4 +1,4 @@
-// Contacts compiled against a model, and how their system is solved.
+// Contacts compiled for a model, and options for computing contact forces.
 #pragma once
 
 #include <memory>
@@ -10,51 +10,61 @@
 
 namespace burnish {
 
-/// A row of a contact counts as held where more than this part of what could have been moves along
-/// it that the rows before it do not hold: angles of a file with six decimals are right to 5e-7.
+/// Tolerance for the linear independence of contact rows (rows of the contact Jacobian). A row is
+/// independent if more than this fraction of it is orthogonal to all rows before it. The fraction
+/// is relative to the largest motion along the row that the joints could produce at any posture.
+/// The tolerance exceeds the rounding of robot files: angles with six decimals have errors of 5e-7.
 inline constexpr double independence_tolerance = 1e-6;
 
-/// The KKT system of eq. (3) and its relaxation.
+/// Options for computing contact forces from the KKT system: compliance and proximal iterations.
 /// @described contact
+/// The system is eq. (3) of Kleff et al. (docs/frames.md).
 struct ContactSolver {
-  /// Compliance, the lower right block -mu 1 of the KKT matrix. 0: the exact system, which needs
-  /// independent rows. Positive: any rows, m/s^2 per unit force. >= 0
+  /// Compliance of the contact rows (0: rigid contacts), >= 0 @more Rigid contacts need independent
+  /// rows; compliant contacts do not. The compliance mu is in m/s^2 per unit force. The lower right
+  /// block of the KKT matrix is -mu times the identity.
   double mu = 0.0;
-  /// With mu > 0: refinements lambda <- G^-1 (rho + mu lambda), at most; they remove the compliance
-  /// while it lasts. 0 keeps the compliant solution. >= 0
+  /// Maximum number of proximal iterations (0: none), >= 0 @more Proximal iterations remove the
+  /// effect of the compliance mu on the solution. Each one computes lambda <- G^-1 (rho + mu
+  /// lambda), where G lambda = rho is the compliant system.
   int max_proximal_iterations = 0;
-  /// The iterations stop when every |mu (lambda - previous)| <= this, m/s^2: what is left of the
-  /// contact acceleration. >= 0
+  /// Contact acceleration error at which proximal iterations stop [m/s^2], >= 0 @more They stop
+  /// once |mu (lambda - previous lambda)| is at most this number in every row.
   double proximal_tolerance = 1e-9;
 
-  /// Throws Error with a sentence naming the option that is negative or not finite.
+  /// Throws Error if an option is negative or not finite. The message names the option.
   void check() const;
 };
 
-/// Constants of one contact, as the kernels read them.
+/// Constants of one contact, in the form that numerical kernels read.
 struct CompiledContact;
 
-/// Of one model: memory and time grow with the square and the cube of their rows.
+/// Maximum number of contacts in a set. Memory grows with the square of the number of contact rows,
+/// and computing time with its cube.
 inline constexpr std::size_t max_contacts = 100;
 
-/// Contacts of a model, in the order given. Immutable; rows of contact i start at first_row(i) when
-/// every contact is active.
+/// Immutable set of contacts, compiled for one model. Contacts keep the order in which they were
+/// given. If all are active, their rows are stacked in this order.
 class ContactSet {
  public:
-  ContactSet();  ///< without contacts
-  /// Throws Error with one sentence naming the contact, what came and what was wanted (unknown
-  /// frame: the nearest known one).
+  ContactSet();  ///< Set without contacts
+
+  /// Compiles `specs` for `model`. Throws Error if a contact is not valid. The message names the
+  /// contact, the value and the requirement. For an unknown frame, it also names the nearest known
+  /// frame.
   ContactSet(const Model& model, const std::vector<ContactSpec>& specs);
 
   int size() const { return size_; }
   int rows() const { return rows_; }
-  /// As they were given, all named.
+  /// Returns the specifications of the contacts. Each empty name is replaced by the name of the
+  /// tool frame.
   std::vector<ContactSpec> specs() const;
-  /// Index by name. Throws Error with the nearest known name.
+  /// Returns the index of the contact `name`. For an unknown name, throws Error with the nearest
+  /// known name.
   int index(const std::string& name) const;
-  /// Name of each row, such as "pad/z".
+  /// Returns the name of each row, such as "pad/z".
   std::vector<std::string> row_names() const;
-  /// For kernels.
+  /// Compiled contacts, for the numerical kernels.
   const std::vector<CompiledContact>& contacts() const { return *contacts_; }
 
  private:

@@ -1,5 +1,5 @@
-// Loops of a robot (Model::loops): the contacts that hold them, which of their rows are
-// independent, and postures and velocities that they allow.
+// Kinematic loops of a robot (Model::loops): contacts that close the loops, redundant directions of
+// loops, and projection of postures and velocities onto closed loops.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,116 +12,147 @@
 
 namespace burnish {
 
-/// How a loop that has drifted comes back: alpha + kd nu + kp e = 0.
+/// Baumgarte gains, which correct the drift of a kinematic loop: alpha + kd nu + kp e = 0. The
+/// symbols e, nu and alpha are the position error, velocity and acceleration between the loop's two
+/// frames.
 /// @described contact
 /// Source: Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems",
-/// 1972. The defaults damp critically.
+/// 1972. The default gains give critical damping.
 struct LoopGains {
-  double kp = 1e4;    ///< [1/s^2], >= 0
-  double kd = 200.0;  ///< [1/s], >= 0
+  double kp = 1e4;    ///< Gain on the position error [1/s^2], >= 0
+  double kd = 200.0;  ///< Gain on the velocity [1/s], >= 0
 
-  /// For semi-implicit Euler steps of that length, s: kd = 1 / step, kp = 1 / step^2, so that a
-  /// step takes away what the loop misses at its start; of steps below 1 ms as for these.
+  /// Returns gains for semi-implicit Euler integration with the time step `step` [s]: kd = 1 / step
+  /// and kp = 1 / step^2. With these gains, one time step removes the position error of a loop. For
+  /// steps below 1 ms, returns the gains for 1 ms.
   static LoopGains for_step(double step);
 };
 
-/// One contact per loop, called as it: tool is its second frame, base its first, in the axes of the
-/// base. Of directions that others imply at all postures (z of a planar mechanism) the contacts
-/// leave out as many as are needed for independent rows, so that they can be held without
-/// compliance; with `all_directions` they have those of the description.
+/// Returns one contact per loop. The contact has the loop's name and keeps the loop closed. The
+/// tool is the loop's second frame, and the base is the loop's first frame. The contact uses the
+/// base's axes.
+///
+/// By default, directions that are redundant at all postures are left out, such as z of a planar
+/// mechanism. The remaining rows are independent and need no compliance. A loop without remaining
+/// directions gets no contact. If `all_directions` is true, each contact constrains all directions
+/// that the model states for the loop.
 std::vector<ContactSpec> loop_contacts(const Model& model, const LoopGains& gains = {},
                                        bool all_directions = false);
 
-/// The contacts, and behind them those of loops that are not among them. Throws Error where a
-/// contact has the name of a loop and ties other frames.
+/// Returns `contacts`, followed by loop_contacts() of all loops whose names do not occur in
+/// `contacts`. Throws Error if a contact has the name of a loop but connects other frames.
 std::vector<ContactSpec> with_loops(const Model& model, std::vector<ContactSpec> contacts,
                                     const LoopGains& gains = {});
 
-/// Whether a contact is that of a loop of the model.
+/// Returns true if `contact` is a loop of the model: same name and same two frames.
 bool is_loop(const Model& model, const ContactSpec& contact);
 
-/// Rows of a loop that those of its other directions, or of other loops, imply.
+/// Redundant directions of a loop. Other constraints of the loops already imply them.
 /// @described contact @result
 struct RedundantLoop {
   std::string loop;
   Directions directions = Directions::linear();
 };
 
-/// What loops leave of the freedom of a robot.
+/// Degrees of freedom of a robot whose loops are closed.
 /// @described contact @result
 struct LoopFreedom {
-  int rows = 0;                          ///< of all loops as described
-  int rank = 0;                          ///< of their Jacobian
-  int freedom = 0;                       ///< nv - rank
-  std::vector<RedundantLoop> redundant;  ///< loops that have some
-  /// "four_bar: z, rx, ry redundant", one line per loop.
+  int rows = 0;                          ///< Number of constraint rows of all loops
+  int rank = 0;                          ///< Rank of the Jacobian of all loops
+  int freedom = 0;                       ///< Remaining degrees of freedom: nv - rank
+  std::vector<RedundantLoop> redundant;  ///< Loops with redundant directions
+
+  /// Returns one line per loop with redundant directions: "four_bar: z, rx, ry redundant".
   std::string text() const;
 };
-/// At the configuration q (nq). Throws Error for a bad q.
+/// Returns the number of loop rows, their rank and the remaining degrees of freedom at the
+/// configuration `q` (nq). Throws Error for an invalid q.
 LoopFreedom loop_freedom(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
-/// How a posture is moved onto the loops.
+/// Options for projecting a configuration onto closed loops.
 /// @described contact
 struct LoopProjectionOptions {
-  std::vector<std::string> keep = {};  ///< Joints that stay where they are.
-  /// How dear a change of each entry of v is, nv positive numbers, or empty: all alike.
+  std::vector<std::string> keep = {};  ///< Names of joints that must not move
+
+  /// Cost of motion for each entry of v: nv positive numbers (empty: equal costs)
   Eigen::VectorXd weights = {};
-  double tolerance = 1e-9;   ///< m and rad, of every row, > 0
-  int max_iterations = 200;  ///< of all attempts, >= 1
-  /// Revolute and prismatic joints stay within their limits, or where they start beyond them.
+  /// Largest error of a row at which a loop counts as closed, m or rad, > 0
+  double tolerance = 1e-9;
+  int max_iterations = 200;  ///< Maximum number of iterations, summed over all restarts, >= 1
+
+  /// Whether revolute and prismatic joints must stay within their position limits @more A joint
+  /// that starts beyond a limit does not move further out.
   bool within_limits = true;
 };
 
-/// How far a loop is from closed.
+/// Closure error of a loop.
 /// @described contact @result
 struct LoopMiss {
   std::string loop;
-  double translation = 0.0;  ///< [m], along the held directions
-  double rotation = 0.0;     ///< [rad], about the held directions
+  /// Length of the position error, in the constrained directions only [m]
+  double translation = 0.0;
+  /// Size of the rotation error, about the constrained directions only [rad]
+  double rotation = 0.0;
 };
 
-/// A posture that closes the loops, or the nearest to one that was found.
+/// Result of a projection onto the loops. If no posture was found that closes the loops, the result
+/// is the posture with the smallest error.
 /// @described contact @result
 struct LoopProjection {
-  Eigen::VectorXd q;             ///< nq
-  std::vector<LoopMiss> misses;  ///< what is left, per loop
+  Eigen::VectorXd q;             ///< Configuration, nq entries
+  std::vector<LoopMiss> misses;  ///< Remaining closure error of each loop
   int iterations = 0;
-  Status status = Status::Ok;  ///< NotConverged: some loop is not closed
+  Status status = Status::Ok;  ///< NotConverged if a loop is still open
 
-  /// "loop 'four_bar' cannot be closed from there: 12 mm are left"; empty where all are closed.
+  /// Returns a sentence about the loop with the largest error, such as "loop 'four_bar' cannot be
+  /// closed from there: 12 mm are left". Returns an empty text if all loops are closed.
   std::string explanation() const;
 };
 
-/// Moves q (nq) onto the loops: damped Gauss-Newton steps on the configuration's manifold, of which
-/// each is the least one in the metric of the weights (eq. (11.5) of docs/theory.md),
+/// Finds a configuration near `q` (nq) that closes the loops, by damped Gauss-Newton steps on the
+/// configuration manifold (eq. (11.5) of docs/theory.md):
 ///   dq = -W^-1 J^T (J W^-1 J^T + damping)^-1 e.
-/// Where that comes to rest with loops open, as at a dead point, it starts again from postures a
-/// little beside q, always the same ones. Throws Error for a bad q and options out of range.
+/// J is the Jacobian of all loop rows, e is the vector of their errors, and W is the diagonal
+/// matrix of options.weights. Without damping, dq is the step that removes the linearized error
+/// with the smallest dq^T W dq.
+///
+/// If the steps no longer reduce the error, for example at a dead point, the search restarts from
+/// another posture near q. These postures are the same in every call. Throws Error for an invalid
+/// q, options out of range, and unknown joints in `options.keep`.
 LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                                   const LoopProjectionOptions& options = {});
 
-/// What is left of each loop at the configuration q (nq). Throws Error for a bad q.
+/// Returns the closure error of each loop at the configuration `q` (nq). Throws Error for an
+/// invalid q.
 std::vector<LoopMiss> loop_misses(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
-/// What a change of velocity is measured by.
+/// Norm that a projection of a velocity onto the loops minimizes. The symbol dv is the change of
+/// velocity.
 /// @described contact
 enum class LoopMetric {
-  Plain,  ///< |dv|^2, rad/s and m/s alike
-  Mass,   ///< dv^T M dv: what impulses in the loops do
+  Plain,  ///< |dv|^2, with equal weights of rad/s and m/s
+  Mass,   ///< dv^T M dv, with the mass matrix M; dv is then the effect of impulses in the loops
 };
-/// The velocity (nv) nearest to v that the loops allow at q: J v = 0 (eq. (11.6)). Joints of `keep`
-/// keep theirs as far as the others can follow (plain metric alone). Throws Error for a bad q or v,
-/// unknown joints, and a mass matrix that is singular.
+/// Projects the velocity `v` (nv) onto the loops at `q`: returns the velocity w nearest to `v` with
+/// J w = 0 (eq. (11.6) of docs/theory.md). J is the Jacobian of all loop rows.
+///
+/// Joints named in `keep` keep their velocity if the other joints alone can satisfy J w = 0.
+/// Otherwise all joints correct the remaining error. `keep` requires the plain metric. Throws Error
+/// for an invalid q or v, unknown joints, `keep` with the mass metric, and a singular mass matrix
+/// in the mass metric.
 Eigen::VectorXd project_velocity_onto_loops(const Model& model,
                                             const Eigen::Ref<const Eigen::VectorXd>& q,
                                             const Eigen::Ref<const Eigen::VectorXd>& v,
                                             LoopMetric metric = LoopMetric::Plain,
                                             const std::vector<std::string>& keep = {});
 
-/// configuration() of the posture, moved onto the loops of the model: joints that the posture names
-/// stay where it says if the others can close the loops, and move too otherwise, as rounded values
-/// need. `keep`: joints to try to keep in place of those that the posture names. Throws Error as
-/// configuration() does, and where the loops cannot be closed, with what is left.
+/// Returns the configuration of `posture`, corrected so that all loops of the model are closed.
+///
+/// Joints named in `keep` stay at the posture's values if the other joints can close the loops.
+/// Otherwise all joints may move; rounded values in a posture often make this necessary. The
+/// overload without `keep` keeps all joints that the posture names. Throws Error if configuration()
+/// rejects the posture, and if the loops cannot be closed. The message then names the remaining
+/// error.
 Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture);
 Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture,
                                      const std::vector<std::string>& keep);

@@ -1,5 +1,5 @@
-// Are the derivatives right on this robot? Every block of ContactDynamics against differences of
-// the values alone.
+// Check of the analytic derivatives for a given robot. It compares every derivative block of
+// ContactDynamics with finite differences.
 #pragma once
 
 #include <cstdint>
@@ -13,116 +13,136 @@
 
 namespace burnish {
 
-/// Gains that a check tries, and the error that they act on.
+/// Contact gains to check, and the kind of pose error that kp multiplies.
 /// @described derivatives
 struct CheckGains {
-  Vector6 kp = Vector6::Zero();  ///< [1/s^2]
-  Vector6 kd = Vector6::Zero();  ///< [1/s]
+  Vector6 kp = Vector6::Zero();  ///< Gains on the pose error, one per direction [1/s^2]
+  Vector6 kd = Vector6::Zero();  ///< Gains on the velocity, one per direction [1/s]
   PoseError error = PoseError::Split;
 };
 
-/// The frame named "tool" if it moves, or else the last frame of the model that is fixed to a body
-/// without children and is not a loop's. Throws Error if no frame moves.
+/// Returns "tool" if the model has a frame of this name and the frame moves. Otherwise returns the
+/// last frame that is on a body without children and is not part of a loop. Throws Error if there
+/// is no such frame.
 std::string default_tool(const Model& model);
 
-/// What the sweep tries unless told otherwise.
-std::vector<Reference> default_check_references();   ///< all four, the surface tilted
-std::vector<Directions> default_check_directions();  ///< x; y; z; x,y; linear; pad_z; five; all
-std::vector<CheckGains> default_check_gains();       ///< none; Split; Log6, unequal by direction
-std::vector<SurfaceShape> default_check_surfaces();  ///< a saddle
+/// Returns the default references of a check: local, centered, a tilted surface, and world.
+std::vector<Reference> default_check_references();
+/// Returns the default sets of directions of a check: x; y; z; x and y; linear; pad_z; all but rz;
+/// all.
+std::vector<Directions> default_check_directions();
+/// Returns the default gains of a check: no gains; gains with PoseError::Split; gains with
+/// PoseError::Log6. The gains differ between directions.
+std::vector<CheckGains> default_check_gains();
+/// Returns the default surface shapes of a check: one saddle.
+std::vector<SurfaceShape> default_check_surfaces();
 
-/// What to check: one tool in every combination of references or surfaces, directions,
-/// accelerations and gains, or the contacts given.
+/// Options of check_derivatives(), which checks either a sweep of contacts of one tool or a list of
+/// contacts. The sweep combines each reference and surface with all directions, accelerations and
+/// gains.
 struct CheckOptions {
-  /// Frame C2. Empty: default_tool().
+  /// Name of the tool frame C2. Empty: default_tool().
   std::string tool;
-  /// Frame C1. On a moving body, every row is a contact between two bodies.
+  /// Name of the base frame C1. The base may be on a moving body.
   std::string base = "world";
   std::vector<Reference> references = default_check_references();
-  /// Curved surfaces of the base, which the axes of further contacts follow. At each state one of
-  /// that shape is within 2 cm of the tool, its normal up to a radian from where the axes start,
-  /// and the contact has what osculates it there.
+  /// Shapes of curved surfaces on the base. Each shape adds contacts to the sweep; their axes
+  /// follow the surface. At each state, a surface of this shape is placed at random near the tool:
+  /// at most 2 cm away in each direction if the robot is about 1 m long, and in proportion for
+  /// other robots. The surface is also tilted at random: a vector with entries of at most 0.6 is
+  /// added to the initial unit normal. The contact uses the quadric that osculates the surface.
   std::vector<SurfaceShape> surfaces = default_check_surfaces();
   std::vector<Directions> directions = default_check_directions();
   std::vector<Acceleration> accelerations{Acceleration::TimeDerivative};
   std::vector<CheckGains> gains = default_check_gains();
 
-  /// When not empty: these contacts, all at once, in one row instead of the sweep.
+  /// Contacts to check together in one row of the report. Empty: check the sweep.
   std::vector<ContactSpec> contacts;
 
-  int states = 20;          ///< random states per row, at least 1
-  std::uint64_t seed = 1;   ///< the same seed gives the same states on every machine
-  double tolerance = 1e-6;  ///< on |derivative - difference| over the block's largest entry
-  /// Called after each row with the number of rows done and the number of all rows.
+  int states = 20;          ///< Number of random states per row of the report, at least 1
+  std::uint64_t seed = 1;   ///< Random seed; the same seed gives the same states on every machine
+  double tolerance = 1e-6;  ///< Largest accepted error, as a fraction of the block's largest entry
+
+  /// Function that is called after each row, with the numbers of finished rows and of all rows.
   std::function<void(int done, int total)> progress;
 };
 
-/// One entry of one block: a derivative, and what differences say.
+/// Entry of a derivative block, computed analytically and by finite differences.
 /// @described derivatives
 struct CheckEntry {
-  std::string block;      ///< such as "da_dq"
-  std::string row;        ///< entry of v, or contact and direction such as "tool/z"
-  std::string column;     ///< what it is differentiated by: an entry of v, or of lambda
-  double value = 0.0;     ///< computed analytically
-  double expected = 0.0;  ///< from differences
-  int state = -1;         ///< which of the random states, from 0
+  std::string block;      ///< Name of the block, such as "da_dq"
+  std::string row;        ///< Name of the row: an entry of v, or a contact row such as "tool/z"
+  std::string column;     ///< Name of the column (the variable): an entry of v or of lambda
+  double value = 0.0;     ///< Analytic derivative
+  double expected = 0.0;  ///< Derivative from finite differences
+  int state = -1;         ///< Index of the random state, from 0
 };
 
-/// One set of contacts at all states. Words that differ between contacts are joined by " + ".
+/// Result of the check for one set of contacts, over all random states. If the contacts have
+/// different texts, the texts are joined by " + ".
 /// @described derivatives
 struct CheckRow {
   std::string reference;
   std::string directions;
-  std::string bodies;  ///< "tool on base"
+  std::string bodies;  ///< Tool frame and base frame, as "tool on base"
   std::string acceleration;
-  std::string error;  ///< "split" or "log6"; "-" without a proportional gain
-  std::string gains;  ///< "none", or such as "kp 7..12, kd 2..7"
+  std::string error;  ///< Kind of pose error, "split" or "log6" ("-": no proportional gain)
+
+  /// Range of gains in constrained directions, such as "kp 7..12, kd 2..7", or "none"
+  std::string gains;
   int states = 0;
-  /// Compliance that the row was checked with, m/s^2 per N: zero, or positive where the joints
-  /// cannot hold the contact rigidly at most postures (too few joints, redundant rows).
+  /// Compliance of the contacts (zero: rigid), m/s^2 per N @more The compliance is positive if the
+  /// contacts cannot be rigid in the majority of postures. In that case the robot has too few
+  /// joints, or rows are redundant.
   double mu = 0.0;
-  /// Relative to the block's largest entry, or to what makes its rounding 1e-6 where that is more;
-  /// infinite after a NaN.
+  /// Largest error, as a fraction of the largest entry of its block @more Infinite if a value is
+  /// NaN. The divisor is at least 1e6 times the rounding error of the finite differences.
   double worst_error = 0.0;
   CheckEntry worst;
-  bool pass = false;  ///< worst_error <= tolerance
+  bool pass = false;  ///< Whether worst_error <= tolerance
 };
 
-/// What check_derivatives() found.
+/// Result of check_derivatives().
 /// @described derivatives
 struct CheckReport {
   std::string robot;
   std::vector<CheckRow> rows;
   double tolerance = 0.0;
-  /// Why there is no forward dynamics to check, naming the joints that move no mass: rows then are
-  /// of inverse dynamics and contact accelerations alone. Empty: there is.
+  /// Sentence that names the joints that move no mass (empty: there are none) @more Such joints
+  /// make the mass matrix singular. The check then covers inverse dynamics and contact
+  /// accelerations only.
   std::string singular_mass = {};
-  bool pass = false;  ///< there are rows, all of them pass, and the mass matrix is not singular
+  bool pass = false;  ///< True if all rows pass and the mass matrix is not singular
 
-  /// A table of all rows, the worst entries of those that fail, and the verdict.
+  /// Returns a table of all rows, the worst entry of each failed row, and the verdict.
   std::string text() const;
 };
 
-/// Compares, at random states within the position limits,
-///  - forward_derivatives: da and dlambda by q, v and tau,
-///  - inverse_derivatives: dtau by q, v, a and lambda,
-///  - acceleration_derivatives: dalpha by q, v and a
-/// with differences of the values in the tangent space. By q, central differences at three steps
-/// are extrapolated (Richardson), again at smaller steps where the three disagree. By v the values
-/// are quadratic and by tau, a and lambda linear, so that one central difference is exact.
+/// Compares the analytic derivatives of ContactDynamics with finite differences, at random states
+/// within the position limits:
+///  - forward_derivatives(): derivatives of a and lambda with respect to q, v and tau,
+///  - inverse_derivatives(): derivatives of tau with respect to q, v, a and lambda,
+///  - acceleration_derivatives(): derivatives of alpha with respect to q, v and a.
+/// Differences with respect to q are taken in the tangent space, as central differences at three
+/// steps with Richardson extrapolation. If the three disagree, they are repeated at smaller steps.
+/// The values are quadratic in v and linear in tau, a and lambda. For these variables, one central
+/// difference is exact.
 ///
-/// The loops of the robot hold in every row.
+/// Every row includes the loops of the robot as contacts.
 ///
-/// What the rounding of large sums can do to a difference of their values is no error: with torques
-/// that cancel, or where the values are zero.
+/// The check tolerates differences that the rounding of large sums explains. Such rounding occurs
+/// if large torques cancel, or if values are zero.
 ///
-/// States are passed over where the contact is close to singular (condition of J M^-1 J^T above
-/// 1e5, rows that the joints hardly move counting as the short ones that they are) or, with a
-/// proportional gain on rotations, within 0.1 rad of half a turn from the target, where the
-/// logarithm jumps, or where a surface that a given contact follows has no normal or one about half
-/// a turn from where its axes start. Targets of the sweep are at the neutral configuration.
+/// The check skips states
+///  - with nearly singular contacts: the condition number of J M^-1 J^T exceeds 1e5. Rows are
+///    scaled to unit length first; rows that the joints hardly move stay shorter.
+///  - within 0.1 rad of half a turn from the target if a proportional gain acts on rotations. The
+///    logarithm jumps there.
+///  - where the surface of a given contact has no normal, or a normal nearly opposite to the
+///    initial normal of the contact's axes.
 ///
-/// Throws Error with one sentence for options that cannot be used.
+/// In the sweep, the target of a contact is the tool's placement at the neutral configuration.
+/// Throws Error with one sentence if an option is not valid.
 CheckReport check_derivatives(const Model& model, const CheckOptions& options = {});
 
 }  // namespace burnish

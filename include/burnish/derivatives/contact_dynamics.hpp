@@ -1,4 +1,4 @@
-// The door to contact dynamics: one state at a time, Eigen in, Eigen out, nothing allocated after
+// Contact dynamics of one state at a time, with Eigen types. Evaluations allocate nothing after
 // construction.
 #pragma once
 
@@ -16,39 +16,47 @@
 
 namespace burnish {
 
-/// Derivatives of a wrench in a reference: (6, nv) each, force rows first.
+/// Derivatives of a wrench that is written in a reference. Each matrix is 6 x nv, with the force
+/// rows first.
 /// @described derivatives @result
 struct WrenchDerivatives {
-  RowMatrix dq;  ///< N/rad (N/m), Nm/rad (Nm/m), by the right tangent increment of q
+  /// Derivative with respect to a right tangent increment of q @more Units are N/rad and Nm/rad for
+  /// revolute joints, N/m and Nm/m for prismatic joints.
+  RowMatrix dq;
   RowMatrix dv;
-  RowMatrix dtau;  ///< [1/m] (force per torque), dimensionless (moment per torque)
+  /// Derivative with respect to joint torques @more For revolute joints, force rows are in 1/m and
+  /// moment rows have no unit.
+  RowMatrix dtau;
 };
 
-/// Derivatives by the mass distributions of chosen bodies: ten columns per body, in the order of
-/// the bodies and of inertia_parameter_names.
+/// Derivatives with respect to the inertia parameters of selected bodies. Each matrix has ten
+/// columns per body. Bodies are in the order of the request, and parameters in the order of
+/// inertia_parameter_names.
 struct InertiaDerivatives {
-  RowMatrix a;       ///< nv rows
-  RowMatrix lambda;  ///< rows()
+  RowMatrix a;       ///< Derivatives of the joint accelerations, nv rows
+  RowMatrix lambda;  ///< Derivatives of the contact forces, rows() rows
 };
 
-/// Dynamics of a robot in contact, with all derivatives (eqs. 1 to 6 and 30 to 32 of the paper).
+/// Dynamics of a robot in contact, with all derivatives (eqs. 1 to 6 and 30 to 32 of Kleff et al.,
+/// see docs/frames.md).
 ///
-/// Conventions: M a + b = tau + J^T lambda; linear part of motions and forces first; d/dq is with
-/// respect to the right increment q (+) dq of nv entries; rows of lambda, alpha and J are those of
-/// the active contacts, in the order of the set. Views stay valid while the object lives and hold
-/// the result of the last call that fills them.
+/// Conventions: M a + b = tau + J^T lambda. Motions and forces have the linear part first. d/dq is
+/// the derivative with respect to a right increment dq with nv entries: q (+) dq. The rows of
+/// lambda, alpha and J belong to the active contacts, in the order of the set. Views are valid
+/// while the object exists and show the result of the last call that filled them.
 ///
-/// Results belong to the last evaluation: forward(), inverse() or acceleration(). Views that it
-/// does not fill keep older results, which may belong to another state and to other rows: lambda()
-/// after acceleration(), tau() and dtau_dq() after forward(), and derivatives until they are
-/// computed again. Functions reject older results: derivatives return NotEvaluated,
-/// wrench_derivatives() throws Error, and forces are zero. Python rejects all of them.
+/// The functions forward(), inverse() and acceleration() evaluate a state. Each of them fills some
+/// views only. The other views then show outdated results, perhaps of another state and with other
+/// rows. Examples of outdated results are lambda() after acceleration(), tau() and dtau_dq() after
+/// forward(), and derivatives until they are computed again. Functions reject outdated results:
+/// derivative functions return NotEvaluated, wrench_derivatives() throws Error, and forces are
+/// zero. Python rejects all outdated results.
 ///
-/// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero,
-/// except for WrongSize and NotEvaluated, which leave them as they were.
+/// Evaluations return a Status and throw nothing. WrongSize and NotEvaluated leave all results
+/// unchanged. Any other status above NotConverged sets all results to zero.
 class ContactDynamics {
  public:
-  /// Compiles the contacts against the model; throws Error as ContactSet does.
+  /// Compiles `contacts` for `model`. Throws Error for contacts that ContactSet rejects.
   explicit ContactDynamics(const Model& model, const std::vector<ContactSpec>& contacts = {},
                            const ContactSolver& solver = {});
   ~ContactDynamics();
@@ -57,64 +65,77 @@ class ContactDynamics {
 
   const ContactSet& contacts() const;
   int nv() const;
-  int rows() const;  ///< of the active contacts
-  /// Makes or breaks a contact. Does not allocate. Throws Error for an unknown index.
+  int rows() const;  ///< Number of rows of the active contacts
+
+  /// Activates or deactivates a contact. Does not allocate. Throws Error for an unknown index.
   void set_active(int contact, bool active);
   bool is_active(int contact) const;
-  /// Another rotation in the place of that of a contact's reference, for states evaluated from then
-  /// on. Does not allocate. Returns Ok, or NotNormalized for what is no rotation matrix to 1e-6,
-  /// which changes nothing. Throws Error for an unknown index.
+  /// Replaces the rotation of a contact's reference; later evaluations use the new rotation. Does
+  /// not allocate. Returns Ok. If `rotation` differs from a rotation matrix by more than 1e-6,
+  /// returns NotNormalized and changes nothing. Throws Error for an unknown index.
   Status set_reference_rotation(int contact, const Eigen::Matrix3d& rotation);
-  /// Another surface, in the axes of the base, in the place of the one that a contact's reference
-  /// follows (Reference::on), likewise: NotFinite for one that holds a NaN or an infinity, which
-  /// changes nothing. Throws Error for an unknown index and a reference that follows none.
+  /// Replaces the surface that a contact's reference follows (Reference::on); later evaluations use
+  /// the new surface. `surface` is written in the base's axes. Does not allocate. Returns Ok. If
+  /// `surface` contains a NaN or an infinity, returns NotFinite and changes nothing. Throws Error
+  /// for an unknown index and for a reference without a surface.
   Status set_surface(int contact, const Quadric& surface);
-  /// Another coefficient of a contact's friction, likewise: NotFinite for one that is no number of
-  /// at least zero. Throws Error for an unknown index and a contact without friction.
+  /// Replaces the friction coefficient of a contact; later evaluations use the new coefficient.
+  /// Does not allocate. Returns Ok. If `coefficient` is negative or not finite, returns NotFinite
+  /// and changes nothing. Throws Error for an unknown index and for a contact without friction.
   Status set_friction(int contact, double coefficient);
-  /// What the robot carries at a frame from now on, in the frame's axes: its body's mass
-  /// distribution is the model's and this one, in the place of what that body carried before; a
-  /// mass of 0 puts it down. For states evaluated from then on. Does not allocate. Returns Ok, or
-  /// NotFinite or NotPhysical as check_inertia() does, which changes nothing. Throws Error with the
-  /// nearest known name for a frame that there is not, and for one that is fixed to the world.
+  /// Sets the payload that the robot carries at a frame; later evaluations include the payload. It
+  /// is written in the axes of this frame. It is added to the body's mass distribution in the model
+  /// and replaces any earlier payload of the same body. A mass of 0 removes the payload. Does not
+  /// allocate.
+  ///
+  /// Returns Ok. If check_inertia() finds the payload NotFinite or NotPhysical, returns this status
+  /// and changes nothing. Throws Error with the nearest known name for an unknown frame or a frame
+  /// fixed to the world.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
-  /// Names of the active rows, such as "pad/z".
+  /// Returns the names of the active rows, such as "pad/z".
   std::vector<std::string> row_names() const;
 
-  /// Fills a, lambda, mass_matrix, bias, jacobian. q: nq, v: nv, tau: nv (Nm, N).
+  /// Computes joint accelerations and contact forces from `q` (nq), `v` (nv) and the joint torques
+  /// `tau` (nv) [Nm or N]. Fills a(), lambda(), mass_matrix(), bias() and jacobian().
   Status forward(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau);
-  /// Fills the six derivative blocks of a and lambda, at the last forward().
+  /// Computes the six derivatives of a and lambda with respect to q, v and tau, at the last
+  /// forward().
   Status forward_derivatives();
 
-  /// Fills tau = M a + b - J^T lambda. a: nv, lambda: rows().
+  /// Computes the joint torques tau = M a + b - J^T lambda from joint accelerations `a` (nv) and
+  /// contact forces `lambda` (rows()).
   Status inverse(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& a,
                  const ConstVectorRef& lambda);
-  /// Fills dtau_dq and dtau_dv at the last inverse(); dtau/da is mass_matrix(), dtau/dlambda is
-  /// -jacobian()^T (Proposition 4).
+  /// Computes dtau_dq() and dtau_dv() at the last inverse(). The other two derivatives are dtau/da
+  /// = mass_matrix() and dtau/dlambda = -jacobian()^T (Proposition 4 of Kleff et al.).
   Status inverse_derivatives();
 
-  /// Fills alpha, the contact acceleration J a + alpha_0 plus kd nu + kp e. a: nv.
+  /// Computes alpha = J a + alpha_0 + kd nu + kp e at the joint accelerations `a` (nv). J a +
+  /// alpha_0 is the contact acceleration; kd nu + kp e is the stabilization.
   Status acceleration(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& a);
-  /// Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian()
-  /// (Proposition 3).
+  /// Computes dalpha_dq() and dalpha_dv() at the last acceleration(). The derivative dalpha/da is
+  /// jacobian() (Proposition 3 of Kleff et al.).
   Status acceleration_derivatives();
 
-  /// The regressor of inverse dynamics at the last forward() or inverse(): with the parameters
-  /// theta of all bodies (inertia_parameters), M a + b = Y theta + diag(armature) a. Y is nv x 10
-  /// per body, `bodies` being numbers of joints of the model; `out` is resized on first use. Throws
-  /// Error for a body that there is not.
+  /// Computes columns of the regressor Y of inverse dynamics, at the last forward() or inverse():
+  ///   M a + b = Y theta + diag(armature) a.
+  /// The vector theta holds the inertia parameters of all bodies (inertia_parameters). `bodies`
+  /// selects bodies by the indices of their joints in the model. `out` has nv rows and ten columns
+  /// per selected body, and is resized on first use. Throws Error for an unknown body.
   Status regressor(std::span<const int> bodies, RowMatrix& out);
-  /// Derivatives of a and lambda by those parameters at the torques of the last forward(), whose
-  /// forward_derivatives() were made: d(a, lambda)/dtheta = -d(a, lambda)/dtau Y.
+  /// Computes the derivatives of a and lambda with respect to the inertia parameters theta of
+  /// `bodies`: d(a, lambda)/dtheta = -d(a, lambda)/dtau Y, with the regressor Y. The joint torques
+  /// of the last forward() stay constant. Returns NotEvaluated unless forward_derivatives() was
+  /// called after that forward().
   Status inertia_derivatives(std::span<const int> bodies, InertiaDerivatives& out);
 
-  VectorView a() const;            ///< nv, rad/s^2 or m/s^2
-  VectorView lambda() const;       ///< rows, N or Nm
-  VectorView tau() const;          ///< nv, Nm or N
-  VectorView alpha() const;        ///< rows, m/s^2 or rad/s^2
-  VectorView bias() const;         ///< nv, b(q, v)
-  MatrixView mass_matrix() const;  ///< nv x nv, armature included
-  MatrixView jacobian() const;     ///< rows x nv
+  VectorView a() const;            ///< Joint accelerations, nv [rad/s^2 or m/s^2]
+  VectorView lambda() const;       ///< Contact forces, one per active row [N or Nm]
+  VectorView tau() const;          ///< Joint torques, nv [Nm or N]
+  VectorView alpha() const;        ///< Contact acceleration per active row [m/s^2 or rad/s^2]
+  VectorView bias() const;         ///< Bias torques b(q, v), nv [Nm or N]
+  MatrixView mass_matrix() const;  ///< Mass matrix with the armature, nv x nv
+  MatrixView jacobian() const;     ///< Contact Jacobian, rows x nv
 
   MatrixView da_dq() const;         ///< nv x nv
   MatrixView da_dv() const;         ///< nv x nv
@@ -127,35 +148,41 @@ class ContactDynamics {
   MatrixView dalpha_dq() const;     ///< rows x nv
   MatrixView dalpha_dv() const;     ///< rows x nv
 
-  /// Velocity nu and pose error e of the active rows at the last state.
+  /// Contact velocity nu, one entry per active row, at the last state
   VectorView contact_velocity() const;
-  VectorView contact_error() const;
+  VectorView contact_error() const;  ///< Pose error e, one entry per active row, at the last state
 
-  /// The status of the last evaluation in one sentence that names what is to blame: the joints that
-  /// move no mass, the contact rows that cannot be held. Allocates.
+  /// Returns a sentence about the status of the last evaluation. It names the cause, such as joints
+  /// that move no mass or contact rows that cannot be held. Allocates.
   std::string explanation() const;
 
-  /// Proximal iterations of the last forward() and the contact acceleration they left, m/s^2.
-  int proximal_iterations() const;
+  int proximal_iterations() const;  ///< Number of proximal iterations of the last forward()
+
+  /// Contact acceleration error after proximal iterations [m/s^2]
   double proximal_residual() const;
-  /// Contact acceleration of the active rows that no force can meet at the last forward(), m/s^2 or
-  /// rad/s^2: redundant rows that contradict each other, found by proximal iterations. The status
-  /// is then NotConverged, lambda() the least-squares forces, of least norm, and all derivatives
-  /// are theirs. Zeros otherwise.
+
+  /// Part of the contact acceleration that no contact force can cancel, per active row, at the last
+  /// forward() [m/s^2 or rad/s^2]. It is not zero if redundant rows contradict each other; only
+  /// proximal iterations detect this. In that case the status is NotConverged, and lambda() is the
+  /// least-squares solution of smallest norm. All derivatives are derivatives of this solution.
   VectorView unmet() const;
 
-  /// The force of an active contact at the last forward(), or of the lambda that the last inverse()
-  /// was given, in the contact's own reference. After anything else there is none: zero, which
-  /// Python refuses. Allocates strings; inside a tick use wrench().
+  /// Returns the force of an active contact, written in the contact's own reference. The force is
+  /// the result of the last forward(), or the lambda that was passed to the last inverse(). After
+  /// any other evaluation, the force is zero, and Python rejects the call. Allocates strings; in
+  /// control loops, use wrench().
   ContactForce force(int contact) const;
   ContactForce force(const std::string& contact) const;
-  /// In any other. Throws Error with the nearest known name where that names no frame of the robot,
-  /// as the two below do.
+  /// Returns the force of an active contact, written in `reference`. Throws Error with the nearest
+  /// known name if `reference` names a frame that the robot does not have.
   ContactForce force(int contact, const Reference& reference) const;
-  /// The same as numbers: force, then moment.
+  /// Returns the wrench of an active contact, force before moment, written in `reference` [N, Nm].
+  /// Throws Error with the nearest known name if `reference` names a frame that the robot does not
+  /// have.
   Vector6 wrench(int contact, const Reference& reference) const;
-  /// Its derivatives at the last forward_derivatives(); `out` is resized on first use. Throws Error
-  /// unless those are of the last evaluation.
+  /// Computes the derivatives of wrench() from the result of forward_derivatives(). `out` is
+  /// resized on first use. Throws Error unless forward_derivatives() was called after the last
+  /// evaluation. Also throws Error if `reference` names a frame that the robot does not have.
   void wrench_derivatives(int contact, const Reference& reference, WrenchDerivatives& out) const;
 
  private:

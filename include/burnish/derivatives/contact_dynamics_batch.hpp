@@ -1,4 +1,4 @@
-// Contact dynamics of many states at once, packed: one state per SIMD lane.
+// Contact dynamics of many states in one call; each SIMD lane computes one state.
 #pragma once
 
 #include <memory>
@@ -9,18 +9,24 @@
 
 namespace burnish {
 
-/// States that one register of the processor this library was built for holds.
+/// Returns the number of states that fit into one SIMD register of the processor that this library
+/// was built for.
 int pack_width();
 
-/// Evaluates a batch of states with the same contacts. Results equal those of ContactDynamics state
-/// by state, to rounding, and depend neither on how a batch is cut nor on the number of threads.
-/// One call at a time; nothing is allocated after construction.
+/// Evaluates the contact dynamics of a batch of states with the same contacts. Up to rounding,
+/// results equal the results of ContactDynamics. They do not depend on the number of threads or on
+/// how states are split into batches. Only one call may run at a time. Allocates nothing after
+/// construction.
 class ContactDynamicsBatch {
  public:
-  /// Room for `capacity` states, shared out among `threads`, the calling one included. Pinned,
-  /// thread i of the others stays on the i-th core that the calling thread may run on. Throws Error
-  /// as ContactDynamics does, for no room and no threads, and for pinning to fewer cores than
-  /// threads or on a system that cannot pin (other than Linux).
+  /// Prepares batches of up to `capacity` states, computed by `threads` threads including the
+  /// calling thread. If `pin_threads` is true, each additional thread is bound to its own core.
+  /// These are cores on which the calling thread may run; the first of them is left to the calling
+  /// thread.
+  ///
+  /// Throws Error for contacts that ContactDynamics rejects, and if `capacity` or `threads` is
+  /// below 1. With pinning, also throws Error on systems other than Linux and for more threads than
+  /// cores.
   ContactDynamicsBatch(const Model& model, const std::vector<ContactSpec>& contacts, int capacity,
                        const ContactSolver& solver = {}, int threads = 1, bool pin_threads = false);
   ~ContactDynamicsBatch();
@@ -28,28 +34,32 @@ class ContactDynamicsBatch {
   ContactDynamicsBatch& operator=(ContactDynamicsBatch&&) noexcept;
 
   void set_active(int contact, bool active);
-  /// As ContactDynamics::set_payload, of all states.
+  /// Sets the payload of the robot in all states; see ContactDynamics::set_payload().
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   int rows() const;
   int capacity() const;
   int threads() const;
 
   using ConstMatrixRef = Eigen::Ref<const Eigen::MatrixXd>;
-  /// One state per column: q is nq x n, v and tau nv x n, n at most capacity. Fills a and lambda.
-  /// Returns the most severe status; see status(i).
+  /// Computes a and lambda of n states, one state per column: `q` is nq x n, `v` and `tau` are nv x
+  /// n. At most capacity() states are allowed. Returns the most severe status of all states;
+  /// status(i) returns the status of state i.
   Status forward(const ConstMatrixRef& q, const ConstMatrixRef& v, const ConstMatrixRef& tau);
-  /// The same, and the six derivative blocks.
+  /// Computes a, lambda and their six derivatives of n states, one state per column as in
+  /// forward(). Returns the most severe status of all states.
   Status forward_with_derivatives(const ConstMatrixRef& q, const ConstMatrixRef& v,
                                   const ConstMatrixRef& tau);
 
-  /// Returns the status of one state of the last call: NotEvaluated if the call had no such state,
-  /// and for every state after set_active() or set_payload(). The views below hold no result of
-  /// such a state. Derivatives are those of the last forward_with_derivatives().
+  /// Returns the status of one state of the last call. Returns NotEvaluated if the last call had
+  /// fewer states, or if set_active() or set_payload() was called since. The views a() to
+  /// dlambda_dtau() then hold no valid result of this state. Derivatives come from the last
+  /// forward_with_derivatives().
   Status status(int state) const;
-  /// The same in one sentence that names what is to blame, as ContactDynamics::explanation does.
+  /// Returns a sentence about the status of one state that names the cause; see
+  /// ContactDynamics::explanation().
   std::string explanation(int state) const;
-  VectorView a(int state) const;       ///< nv
-  VectorView lambda(int state) const;  ///< rows
+  VectorView a(int state) const;       ///< Joint accelerations of a state, nv
+  VectorView lambda(int state) const;  ///< Contact forces of a state, one per active row
   MatrixView da_dq(int state) const;   ///< nv x nv
   MatrixView da_dv(int state) const;
   MatrixView da_dtau(int state) const;

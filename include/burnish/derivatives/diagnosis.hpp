@@ -1,4 +1,4 @@
-// Which contact rows cannot be held independently, by name.
+// Diagnosis of contacts: names the rows that cannot be held independently of other rows.
 #pragma once
 
 #include <string>
@@ -8,32 +8,40 @@
 
 namespace burnish {
 
-/// A row of the contact Jacobian that depends on rows before it.
+/// Row of the contact Jacobian that depends linearly on the rows before it, or that no joint moves.
 /// @described derivatives @result
 struct RedundantRow {
-  std::string contact;                  ///< name of the contact
-  std::string direction;                ///< "x" ... "rz" in its reference
-  int row;                              ///< index among all rows of the set
-  bool immovable;                       ///< no joint moves it at this posture, but for rounding
-  std::vector<std::string> implied_by;  ///< "contact/direction" of the rows that already hold it
-  /// "contact 'pad_b', direction z: already held by pad_a/z", or that no joint moves it.
+  std::string contact;    ///< Name of the contact
+  std::string direction;  ///< Direction in the contact's reference, "x" ... "rz"
+  int row;                ///< Index among all rows of the contact set
+  bool immovable;         ///< True if no joint moves the contact in this direction, up to rounding
+
+  /// Rows that already imply this row, as "contact/direction"
+  std::vector<std::string> implied_by;
+
+  /// Returns a sentence such as "contact 'pad_b', direction z: already held by pad_a/z". For an
+  /// immovable row, the sentence says that no joint moves it.
   std::string text() const;
 };
 
-/// What diagnose() found: no redundant rows means that the contacts are independent.
+/// Result of diagnose(). The contacts are independent if no row is redundant.
 /// @described derivatives @result
 struct ContactDiagnosis {
   std::vector<RedundantRow> redundant;
-  double condition;          ///< of J M^-1 J^T scaled to a unit diagonal; infinite when redundant
-  std::string text() const;  ///< one line per row
+  /// Condition number of J M^-1 J^T, scaled to a unit diagonal; infinite if a row is redundant
+  double condition;
+  std::string text() const;  ///< Returns one line per redundant row
 };
 
-/// Examines the contacts of `set` that `active` names (all if empty) at the configuration q (nq).
-/// A row counts as redundant when no more than `tolerance` of it is left beside the rows before it:
-/// of its own length in the metric M^-1, or of what the joints could move along it, the lengths of
-/// the robot being what they are (row_size.hpp). With the default tolerance the contacts are
-/// independent exactly where rigid ones (mu = 0) are no Status::SingularContacts. Throws Error for
-/// a bad q.
+/// Finds redundant contact rows at the configuration `q` (nq). `active` holds the indices of
+/// contacts of `set` to examine; empty: all contacts.
+///
+/// A row is redundant if at most the fraction `tolerance` of it is independent of the rows before
+/// it. Lengths are measured in the metric M^-1. The fraction is relative to the row's own length
+/// and to the largest motion that the joints could produce along the row at any posture
+/// (src/contact/row_size.hpp). With the default tolerance, the result agrees with ContactDynamics:
+/// rows are redundant exactly if rigid contacts (mu = 0) give Status::SingularContacts. Throws
+/// Error for an invalid q or a singular mass matrix.
 ContactDiagnosis diagnose(const Model& model, const ContactSet& set,
                           const Eigen::Ref<const Eigen::VectorXd>& q,
                           const std::vector<int>& active = {},

@@ -1,9 +1,9 @@
-// The door to what a robot's state alone says, without torques and contacts: frames, centre of
-// mass, momentum, energy, gravity and friction torques, with their derivatives. One state at a
-// time, Eigen in, Eigen out, nothing allocated after construction.
+// Quantities that depend on a robot's state alone, without torques and contacts: frames, centre of
+// mass, momentum, energy, gravity and passive torques, with derivatives. One state is evaluated at
+// a time, with Eigen types. Evaluations allocate nothing after construction.
 //
-// What relates torques and accelerations (mass matrix, bias, forward and inverse dynamics) is in
-// contact_dynamics.hpp: ContactDynamics without contacts is the free robot.
+// Relations between torques and accelerations (mass matrix, bias, forward and inverse dynamics) are
+// in contact_dynamics.hpp. There, ContactDynamics without contacts is the free robot.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,36 +19,45 @@
 
 namespace burnish {
 
-/// Derivatives of a frame's motion, (6, nv) each, linear rows first, in the axes that were asked
-/// for.
+/// Derivatives of a frame's velocity and acceleration, in the axes of the requested reference. Each
+/// matrix is 6 x nv, with the linear rows first.
 /// @described derivatives @result
 struct FrameDerivatives {
-  RowMatrix jacobian;         ///< d(velocity)/dv, and d(acceleration)/da
+  RowMatrix jacobian;         ///< d(velocity)/dv, which equals d(acceleration)/da
   RowMatrix velocity_dq;      ///< d(velocity)/dq
-  RowMatrix acceleration_dq;  ///< d(acceleration)/dq, v and a held
-  RowMatrix acceleration_dv;  ///< d(acceleration)/dv, q and a held
+  RowMatrix acceleration_dq;  ///< d(acceleration)/dq at constant v and a
+  RowMatrix acceleration_dv;  ///< d(acceleration)/dv at constant q and a
 };
 
-/// Derivatives of a frame's placement, nv columns each.
+/// Derivatives of a frame's placement with respect to q. Each matrix has nv columns.
 /// @described derivatives @result
 struct PlacementDerivatives {
-  RowMatrix position;         ///< 3 x nv, world axes, m/rad (m/m)
-  RowMatrix rotation;         ///< 3 x nv, R^T dR/dq_k = [column k x], the frame's own axes
-  RowMatrix rotation_error;   ///< 3 x nv, of log(R_target^T R)
-  RowMatrix placement_error;  ///< 6 x nv, of the SE(3) logarithm of the frame in the target
+  RowMatrix position;  ///< Derivative of the position in world axes: 3 x nv, m/rad (m/m)
+
+  /// Derivative of the rotation R in the frame's own axes: 3 x nv @more Column k is the vector w
+  /// with R^T dR/dq_k = [w x].
+  RowMatrix rotation;
+  RowMatrix rotation_error;  ///< Derivative of log(R_target^T R): 3 x nv
+
+  /// Derivative of the SE(3) logarithm of the frame's placement in the target: 6 x nv
+  RowMatrix placement_error;
 };
 
-/// Conventions: linear part of motions and momenta first; d/dq is with respect to the right
-/// increment q (+) dq of nv entries; views stay valid while the object lives and hold the result of
-/// the last call that fills them.
+/// Quantities of a robot at one state, such as frame motions, momentum and energy, and their
+/// derivatives.
 ///
-/// A state that update() refuses changes nothing: all results stay those of the state before it, at
-/// first the neutral configuration at rest. Functions that take a `FrameDerivatives` or
-/// `PlacementDerivatives` resize it on first use.
+/// Conventions: motions and momenta have the linear part first. d/dq is the derivative with respect
+/// to a right increment dq with nv entries: q (+) dq. Views are valid while the object exists and
+/// show the result of the last call that filled them.
+///
+/// If update() rejects a state, all results still belong to the last accepted state. Before the
+/// first accepted state, results belong to the neutral configuration at rest. Functions that fill a
+/// FrameDerivatives or PlacementDerivatives resize it on first use.
 class RigidBody {
  public:
-  /// `slip_velocity` is the rate at which smoothed Coulomb friction reaches 76 %, rad/s or m/s: see
-  /// dynamics/passive.hpp. Throws Error unless it is positive.
+  /// Prepares computations for `model`. Smoothed Coulomb friction of a joint reaches 76 % of its
+  /// full value at the joint velocity `slip_velocity` [rad/s or m/s]; see src/dynamics/passive.hpp.
+  /// Throws Error unless `slip_velocity` is positive.
   explicit RigidBody(const Model& model, double slip_velocity = 0.01);
   ~RigidBody();
   RigidBody(RigidBody&&) noexcept;
@@ -56,64 +65,70 @@ class RigidBody {
 
   int nq() const;
   int nv() const;
-  /// Number of a frame of the model, for the functions below; "world" is always known. Throws Error
-  /// with the nearest known name.
+  /// Returns the index of a frame of the model. Other functions take this index as `frame`. The
+  /// name "world" always exists. For an unknown name, throws Error with the nearest known name.
   int frame(const std::string& name) const;
 
-  /// What the robot carries at a frame (any of the model's) from now on, in the frame's axes, in
-  /// the place of what that frame's body carried before; results of the last accepted state are
-  /// made anew, derivatives by update_derivatives(). Allocates nothing. Returns Ok, or NotFinite or
-  /// NotPhysical as check_inertia() does, which changes nothing. Throws Error with the nearest
-  /// known name for a frame that there is not, and for one that is fixed to the world.
+  /// Sets the payload that the robot carries at a frame of the model, written in the axes of this
+  /// frame. It replaces any earlier payload of the same body. Results are recomputed at the last
+  /// accepted state, except derivatives; call update_derivatives() for these. Allocates nothing.
+  ///
+  /// Returns Ok. If check_inertia() finds the payload NotFinite or NotPhysical, returns this status
+  /// and changes nothing. Throws Error with the nearest known name for an unknown frame or a frame
+  /// fixed to the world.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
-  /// Evaluates the state: q has nq entries, v and a nv (rad/s, m/s; rad/s^2, m/s^2). Without `a`
-  /// the joint accelerations are zero. Returns WrongSize, NotFinite, NotNormalized or Ok; throws
-  /// nothing.
+  /// Evaluates a state: `q` with nq entries, `v` [rad/s, m/s] and `a` [rad/s^2, m/s^2] with nv
+  /// entries. Without `a`, the joint accelerations are zero. Returns Ok, WrongSize, NotFinite or
+  /// NotNormalized; throws nothing.
   [[nodiscard]] Status update(const ConstVectorRef& q, const ConstVectorRef& v);
   [[nodiscard]] Status update(const ConstVectorRef& q, const ConstVectorRef& v,
                               const ConstVectorRef& a);
 
-  /// Of a frame in the world. `frame` is a number from frame().
+  /// Returns the placement of a frame in the world. `frame` is an index from frame().
   Eigen::Isometry3d placement(int frame) const;
-  /// Motion of a frame in the world, written in a reference whose tool is the frame and whose base
-  /// is the world: Reference::local(), centered(), world(), or in the axes of any frame. Throws
-  /// Error with the nearest known name where that names no frame of the robot.
-  Vector6 velocity(int frame, const Reference& reference) const;  ///< m/s, rad/s
-  Vector6 acceleration(int frame,
-                       const Reference& reference) const;  ///< d(velocity)/dt: m/s^2, rad/s^2
+  /// Returns the velocity of a frame relative to the world [m/s, rad/s], linear part first. The
+  /// result is written in `reference`, where the tool is this frame and the base is the world.
+  /// `reference` may be Reference::local(), centered(), world(), or have the axes of any frame.
+  /// Throws Error with the nearest known name if `reference` names a frame that the robot does not
+  /// have.
+  Vector6 velocity(int frame, const Reference& reference) const;
+  /// Returns the time derivative of velocity() [m/s^2, rad/s^2].
+  Vector6 acceleration(int frame, const Reference& reference) const;
   void frame_derivatives(int frame, const Reference& reference, FrameDerivatives& out) const;
-  /// SE(3) logarithm of the frame in the target: m, rad, target axes.
+  /// Returns the SE(3) logarithm of the frame's placement in `target` [m, rad], in target axes.
   Vector6 placement_error(int frame, const Eigen::Isometry3d& target) const;
   void placement_derivatives(int frame, const Eigen::Isometry3d& target,
                              PlacementDerivatives& out) const;
 
-  double mass() const;                   ///< of all moving bodies, kg
-  Eigen::Vector3d com() const;           ///< centre of mass, world, m
-  Eigen::Vector3d com_velocity() const;  ///< m/s
-  Vector6 momentum() const;              ///< about the world's origin: kg m/s, kg m^2/s
-  Vector6 centroidal_momentum() const;   ///< about the centre of mass, world axes
-  double kinetic_energy() const;         ///< v^T M v / 2, armature included, J
-  double potential_energy() const;       ///< of gravity, zero at the world's origin, J
-  VectorView gravity_torque() const;     ///< nv, holds the robot at rest: b(q, 0), Nm (N)
-  /// Springs and tendons at q, damping and smoothed friction at v: nv, Nm (N).
-  VectorView passive_torque() const;
-  double spring_energy() const;  ///< in springs of joints and tendons, J
+  double mass() const;                   ///< Mass of all moving bodies [kg]
+  Eigen::Vector3d com() const;           ///< Position of the centre of mass in the world [m]
+  Eigen::Vector3d com_velocity() const;  ///< Velocity of the centre of mass, world axes [m/s]
+  Vector6 momentum() const;              ///< Momentum about the world's origin [kg m/s, kg m^2/s]
+  Vector6 centroidal_momentum() const;   ///< Momentum about the centre of mass, world axes
+  double kinetic_energy() const;         ///< v^T M v / 2, with the armature [J]
+  double potential_energy() const;  ///< Potential energy of gravity, zero at the world's origin [J]
+  VectorView gravity_torque() const;  ///< Torque b(q, 0) that holds the robot at rest [Nm or N]
 
-  /// Fills the views below, at the last accepted state. They stay what they are when update() or
-  /// set_payload() changes it, until this is called again; Python refuses them.
+  /// Torques (nv) of springs and tendons at q, and of damping and smoothed friction at v [Nm or N].
+  VectorView passive_torque() const;
+  double spring_energy() const;  ///< Energy stored in springs of joints and tendons [J]
+
+  /// Computes all derivatives, from com_dq() to passive_torque_dv(), at the last accepted state.
+  /// After update() or set_payload(), these views are outdated until update_derivatives() is called
+  /// again. Python rejects outdated views.
   void update_derivatives();
-  MatrixView com_dq() const;                  ///< 3 x nv; d(com_velocity)/dv too
+  MatrixView com_dq() const;                  ///< 3 x nv; equals d(com_velocity)/dv
   MatrixView com_velocity_dq() const;         ///< 3 x nv
   MatrixView momentum_dq() const;             ///< 6 x nv
   MatrixView momentum_dv() const;             ///< 6 x nv
   MatrixView centroidal_momentum_dq() const;  ///< 6 x nv
-  MatrixView centroidal_momentum_dv() const;  ///< 6 x nv, the centroidal momentum matrix
-  VectorView kinetic_energy_dq() const;       ///< nv
-  VectorView kinetic_energy_dv() const;       ///< nv, M v
-  VectorView potential_energy_dq() const;     ///< nv, the gravity torque
+  MatrixView centroidal_momentum_dv() const;  ///< Centroidal momentum matrix, 6 x nv
+  VectorView kinetic_energy_dq() const;       ///< nv entries
+  VectorView kinetic_energy_dv() const;       ///< nv entries; equals M v
+  VectorView potential_energy_dq() const;     ///< nv entries; equals the gravity torque
   MatrixView passive_torque_dq() const;       ///< nv x nv
-  MatrixView passive_torque_dv() const;       ///< nv x nv, diagonal unless tendons have dampers
+  MatrixView passive_torque_dv() const;       ///< nv x nv; diagonal unless tendons have dampers
 
  private:
   struct Impl;

@@ -1,4 +1,4 @@
-// Where the frames of a robot are.
+// Placements of a robot's frames in the world.
 #pragma once
 
 #include <string_view>
@@ -8,12 +8,13 @@
 
 namespace burnish {
 
-/// Placements in the world of all frames of the model, in their order, at the configuration q (nq
-/// entries). Throws Error for a bad q.
+/// Returns the placements of all frames in the world at the configuration q (nq entries), in the
+/// order of Model::frames. Throws Error for an invalid q.
 std::vector<Eigen::Isometry3d> frame_placements(const Model& model,
                                                 const Eigen::Ref<const Eigen::VectorXd>& q);
 
-/// Of one frame by name; "world" is always known. Throws Error with the nearest known name.
+/// Returns the placement of one frame in the world at the configuration q (nq entries). The frame
+/// "world" always exists. Throws Error with the nearest known name if there is no such frame.
 Eigen::Isometry3d frame_placement(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                                   std::string_view frame);
 

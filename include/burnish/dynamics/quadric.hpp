@@ -1,4 +1,5 @@
-// Curved surfaces that references follow: the zeros of a quadratic function, as data.
+// Curved surfaces as zeros of a quadratic function. The axes of a Reference can follow such a
+// surface.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,49 +7,65 @@
 
 namespace burnish {
 
-/// A curved surface, where phi(x) = x^T Q x / 2 + b^T x + c is zero, phi growing out of the
-/// material; x is a point in the axes of the frame that the surface is fixed in, m. References
-/// follow its normals.
+/// A curved surface: all points x with phi(x) = 0, where phi(x) = x^T Q x / 2 + b^T x + c. phi is
+/// positive outside the material. x is a point [m] in the frame to which the surface is fixed. The
+/// axes of a Reference can follow the normal of the surface.
 /// @described contact
-/// Spheres, cylinders and cones are such functions, and so is every smooth surface to second order
-/// near a point of it. A reference asks for the directions of phi alone: the normal n = grad phi /
-/// |grad phi| and how it turns, at the tool's point. The centre of a round tip sees the normal of
-/// the surface that is its radius away; for planes, spheres, cylinders and cones that is the same
-/// function's.
+/// Planes, spheres, cylinders and cones are represented exactly. Every other smooth surface can be
+/// approximated to second order near a point. A Reference uses the normal n = grad phi / |grad phi|
+/// at the tool's point and the derivatives of n, but not the value of phi.
+///
+/// For a round tip, the tool's point is the centre of the tip. While the tip touches the surface,
+/// the centre moves on a parallel surface, one radius outside the material. For planes, spheres and
+/// cylinders, both surfaces have the same normal at the centre, so phi of either surface can be
+/// used.
 struct Quadric {
-  Eigen::Matrix3d Q = Eigen::Matrix3d::Zero();  ///< symmetric
-  Eigen::Vector3d b = Eigen::Vector3d::UnitZ();
-  double c = 0.0;
+  Eigen::Matrix3d Q = Eigen::Matrix3d::Zero();   ///< Matrix of the quadratic term, symmetric
+  Eigen::Vector3d b = Eigen::Vector3d::UnitZ();  ///< Vector of the linear term
+  double c = 0.0;                                ///< Constant term
 
-  // Makers throw Error for what is no such shape: a NaN, a length that is not positive, a direction
-  // of none, axes that are no rotation. Points and axes are in the frame's axes, m.
+  // Functions that create a Quadric from a shape. Points [m] and axes are in the frame to which the
+  // surface is fixed. The functions throw Error for a NaN, a length that is not positive, a
+  // direction of length zero, and axes that are not a rotation matrix.
 
-  /// Through a point, with a normal of any length out of the material.
+  /// Returns the plane through `point`. `normal` points out of the material and need not have unit
+  /// length.
   static Quadric plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
-  /// Material inside, or outside of a hollow one: then the normal is towards the centre.
+  /// Returns a sphere with the material inside. If hollow, the material is outside, and the normal
+  /// points to the centre.
   static Quadric sphere(const Eigen::Vector3d& center, double radius, bool hollow = false);
+  /// Returns a cylinder with the material inside. The axis is the line through `point` in the
+  /// direction `axis`. If hollow, the material is outside.
   static Quadric cylinder(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double radius,
                           bool hollow = false);
-  /// Material about the axis, on both sides of the apex; half_angle between axis and surface, rad.
+  /// Returns a double cone about `axis`, with the material inside on both sides of the apex. If
+  /// hollow, the material is outside. `half_angle` is the angle between the axis and the surface
+  /// [rad], above 0 and below 1.57.
   static Quadric cone(const Eigen::Vector3d& apex, const Eigen::Vector3d& axis, double half_angle,
                       bool hollow = false);
-  /// semi_axes along the columns of `axes`, m.
+  /// Returns an ellipsoid with the material inside. The semi-axes have the directions of the
+  /// columns of `axes` and the lengths `semi_axes` [m]. If hollow, the material is outside.
   static Quadric ellipsoid(const Eigen::Vector3d& center, const Eigen::Matrix3d& axes,
                            const Eigen::Vector3d& semi_axes, bool hollow = false);
-  /// What a surface is to second order at one of its points: its height along the normal, the third
-  /// column of `axes`, is (k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2 over the first two. 1/m; -1/R for
-  /// a ball of radius R, above zero where it is a bowl, of both signs for a saddle.
+  /// Returns a Quadric that approximates a surface to second order at `point`. The height of this
+  /// surface along the normal is (k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2. x and y are coordinates
+  /// along the first two columns of `axes`; the third column is the normal. The curvatures k_xx,
+  /// k_xy, k_yy are in 1/m: -1/R for a ball of radius R, positive for a bowl, of both signs for a
+  /// saddle.
   static Quadric osculating(const Eigen::Vector3d& point, const Eigen::Matrix3d& axes, double k_xx,
                             double k_xy, double k_yy);
 
-  /// phi in its own unit; to first order the distance, m, beside the surface of what the makers
-  /// above make, but for cones and ellipsoids.
+  /// Returns phi(x). For results of plane(), sphere(), cylinder() and osculating(), phi(x) is the
+  /// distance of x from the surface to first order [m]. For results of cone() and ellipsoid(), it
+  /// is not a distance.
   double value(const Eigen::Vector3d& x) const;
   Eigen::Vector3d gradient(const Eigen::Vector3d& x) const { return Q * x + b; }
-  /// Unit length. Throws Error where the gradient is zero, as on the axis of a cylinder.
+  /// Returns the unit normal at x. Throws Error if the gradient is zero, for example on the axis of
+  /// a cylinder.
   Eigen::Vector3d normal(const Eigen::Vector3d& x) const;
   bool is_finite() const;
-  /// Throws Error("<who>: ...") unless all is finite and Q symmetric, and not everything is zero.
+  /// Throws Error("<who>: ...") if an entry is not finite, if Q is not symmetric, or if both Q and
+  /// b are zero.
   void check(const std::string& who) const;
 };
 

@@ -1,6 +1,5 @@
-// A reference is data: an origin, axes, and a rotation between the two. Motions, forces, their set
-// points and their directions are written in it: those of contacts, of frames and of costs alike.
-// See docs/frames.md.
+// References: origin and axes in which motions, forces, set points and directions are written.
+// Contacts, frames and costs use them. See docs/frames.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,79 +12,97 @@
 
 namespace burnish {
 
-/// What an origin or axes are fixed in. Of a frame that is looked at by itself, the tool is that
-/// frame and the base is the world.
+/// Frame to which the origin or the axes of a Reference are fixed. Some References are used without
+/// a contact, for example for the velocity of a frame. Tool then means this frame, and Base means
+/// the world.
 struct Anchor {
   enum Of {
-    Tool,   ///< frame C2 of the contact
-    Base,   ///< its frame C1
-    World,  ///< stands still
-    Frame,  ///< any frame of the robot, by name
+    Tool,   ///< Tool frame C2 of the contact
+    Base,   ///< Base frame C1 of the contact
+    World,  ///< World, which does not move
+    Frame,  ///< Frame of the robot, selected by name
   };
   Of of = World;
-  std::string frame = {};  ///< of Frame only
+  std::string frame = {};  ///< Name of the frame; used only if `of` is Frame
 
   Anchor() = default;
   Anchor(Of what) : of(what) {}                                    // NOLINT: Reference{Tool, Base}
-  Anchor(std::string name) : of(Frame), frame(std::move(name)) {}  // NOLINT: the same, by name
+  Anchor(std::string name) : of(Frame), frame(std::move(name)) {}  // NOLINT: by name
   Anchor(const char* name) : of(Frame), frame(name) {}             // NOLINT
   bool operator==(const Anchor&) const = default;
 
-  /// Reads "tool", "base" and "world", and any other text as the name of a frame; a frame that is
-  /// called so itself is "frame tool".
+  /// Parses "tool", "base", "world" or the name of a frame. A frame that is itself called "tool" is
+  /// written "frame tool".
   static Anchor parse(const std::string& text);
-  std::string text() const;  ///< as parse() reads it
+  std::string text() const;  ///< Returns the text from which parse() creates this Anchor
 };
 
+/// Origin and axes in which a motion or a force is written.
 struct Reference {
   using Origin = Anchor;
   using Axes = Anchor;
 
   Anchor origin = Anchor::Tool;
-  Anchor axes = Anchor::World;  ///< what `rotation` is fixed in
-  /// Rotation from the reference's axes to the axes that it is fixed in.
+  Anchor axes = Anchor::World;  ///< Frame in which the axes are fixed
+
+  /// Rotation matrix that maps coordinates in this Reference to coordinates in the frame `axes`.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  /// The same over time, as quaternions x, y, z, w of unit length, of which q and -q are one
-  /// rotation. For the knots of a problem, each of which holds the rotation of its time; empty:
-  /// `rotation`, which is the identity otherwise.
+  /// Rotation as a function of time, for the knots of an optimal control problem. The values are
+  /// unit quaternions x, y, z, w; q and -q are the same rotation. If this signal is set, `rotation`
+  /// must be the identity. If it is empty, `rotation` is used.
   Signal rotation_over_time = {};
-  /// A surface in the frame that the axes are fixed in, which they follow as the tool moves over
-  /// it: at a normal n they are `rotation` turned by the least rotation that takes its third column
-  /// to n. Those of contacts are at the tool, with axes fixed in the base; others may have any
-  /// origin, and axes fixed in all but the tool.
+  /// Curved surface whose normal the axes follow as the tool moves. The surface is given in the
+  /// frame `axes`. At a point with normal n, the axes are the columns of S * `rotation`. S is the
+  /// smallest rotation that maps the third column of `rotation` to n. In contacts, `origin` must be
+  /// Tool and `axes` must be Base. In other uses, `origin` is arbitrary and `axes` must not be
+  /// Tool.
   std::optional<Quadric> quadric = {};
 
-  /// The tool's own axes at the tool's origin (the paper's LOCAL), turned by `rotation` if given.
+  /// Returns a Reference at the tool's origin. Its axes are the tool's axes, turned by `rotation`.
+  /// The paper cited in docs/frames.md calls it LOCAL.
   static Reference local(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
-  /// World axes at the tool's origin (the paper's heart frame), or the columns of `rotation`.
+  /// Returns a Reference at the tool's origin. Its axes are the columns of `rotation`, by default
+  /// the world axes. The paper cited in docs/frames.md calls it the heart frame.
   static Reference centered(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
-  /// Axes fixed in the base frame C1, at the tool's origin; the columns of `rotation` are the axes
-  /// of the surface in C1. They move with C1.
+  /// Returns a Reference at the tool's origin, with axes fixed in the base frame C1. The axes are
+  /// the columns of `rotation`, written in C1, and move with C1.
   static Reference surface(const Eigen::Matrix3d& rotation);
-  /// A surface with the given normal as its z axis; x is the horizontal-most tangent.
+  /// Returns a Reference at the tool's origin, with axes fixed in the base frame C1. The z axis is
+  /// along `normal`, which is written in C1. The x axis is horizontal in C1, that is, perpendicular
+  /// to the z axis of C1. Throws Error for a normal of zero length.
   static Reference surface_with_normal(const Eigen::Vector3d& normal);
-  /// Axes that follow a curved surface of the base: those of surface_with_normal() at `near`, a
-  /// point in the axes of the base where the tool is to be, and turned with the normal elsewhere.
-  /// Within half a turn of there.
+  /// Returns a Reference whose axes follow a curved surface of the base. At the point `near`, the
+  /// axes are those of surface_with_normal(). Choose `near` where the tool will touch, in the axes
+  /// of the base. At other points, the axes turn with the surface normal, which must be less than
+  /// half a turn from the normal at `near`.
   static Reference on(const Quadric& surface, const Eigen::Vector3d& near);
-  /// The same with the tangent that leads along a direction, such as that of travel, as the first
-  /// axis at `near`. Throws Error for the direction of the normal.
+  /// Returns a Reference whose axes follow a curved surface of the base. At the point `near`, the x
+  /// axis is the tangent in the direction `along`, such as the direction of travel. Throws Error if
+  /// `along` is parallel to the normal.
   static Reference on(const Quadric& surface, const Eigen::Vector3d& near,
                       const Eigen::Vector3d& along);
-  /// The same at the world's origin: the true WORLD twist and wrench.
+  /// Returns a Reference at the world's origin. Its axes are the columns of `rotation`, by default
+  /// the world axes. Motions and wrenches are then the true WORLD twist and wrench.
   static Reference world(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
 
-  /// "local", "centered", "surface" or "world"; of others such as "axes of torso at the tool".
+  /// Returns "local", "centered", "surface" or "world". For other combinations of origin and axes,
+  /// returns a text such as "axes of torso at the tool".
   std::string name() const;
-  /// Reads those four ("surface" gets the identity). Throws Error with the nearest known name.
+  /// Parses "local", "centered", "surface" (with the identity as rotation) or "world". Throws Error
+  /// with the nearest known name.
   static Reference parse(const std::string& name);
-  /// As it is at a time, s, with that rotation. Throws Error where it has none there, to 1e-6.
+  /// Returns this Reference with a constant rotation: the value of `rotation_over_time` at `time`
+  /// [s]. Throws Error if the value is not a quaternion of unit length to 1e-6.
   Reference at(double time) const;
-  /// As it is with the tool at a point of the frame that the axes are fixed in, m: axes that follow
-  /// no surface. Throws Error where that has no normal, or one half a turn away.
+  /// Returns a copy of this Reference with constant axes. They are the axes at `point` and do not
+  /// follow the surface. `point` [m] is in the frame `axes`. Throws Error if the surface has no
+  /// normal at `point`, or if the normal is opposite to the third column of `rotation`.
   Reference at(const Eigen::Vector3d& point) const;
-  /// Throws Error("<who>: ...") unless `rotation` is a rotation matrix, to 1e-6, and the one that
-  /// is stated.
+  /// Throws Error("<who>: ...") if
+  ///  - `rotation` is not a rotation matrix to 1e-6;
+  ///  - `rotation_over_time` is set, and `rotation` is not the identity or `quadric` is set;
+  ///  - `rotation_over_time` does not have 4 entries;
+  ///  - the surface is invalid or fixed in the tool.
   void check(const std::string& who) const;
 };
 

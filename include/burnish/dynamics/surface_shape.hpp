@@ -1,4 +1,5 @@
-// Surfaces of exact shapes, through a point: how far others are from them, and how they bend there.
+// Surfaces of exact shapes (sphere, cone, torus, ...) through a given point: distances, normals and
+// curvatures.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,93 +10,118 @@
 
 namespace burnish {
 
-/// The signed distance of a point to a surface, and its first two derivatives by the point, in the
-/// axes that the point is given in.
+/// Signed distance of a point from a surface, with first and second derivatives with respect to the
+/// point. Vectors and matrices are in the axes in which the point is given.
 struct SurfaceDistance {
-  double distance = 0.0;                              ///< m, above zero outside of the material
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of length one
-  /// of the distance by the point twice, 1/m, in the point's axes; symmetric, zero along the normal
+  double distance = 0.0;  ///< Distance, positive outside the material [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Gradient of the distance, a unit vector
+
+  /// Second derivative of the distance [1/m]; symmetric, zero along the normal
   Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
 
-  /// The surface that is `offset` m outside, to second order at x: of which the centre of a round
-  /// tip of that radius is a point while the tip touches.
+  /// Returns the parallel surface at a distance of `offset` [m] outside, exact to second order at
+  /// x. x must be the point for which this SurfaceDistance was computed. If a round tip of radius
+  /// `offset` touches the surface, the centre of the tip lies on the parallel surface.
   Quadric quadric(const Eigen::Vector3d& x, double offset) const;
 };
 
-/// What a surface is beyond a point of it and its normal there: the lengths and angles of a shape
-/// that touches the tangent plane at that point.
+/// Shape of a surface near a given point: kind, lengths and angles. The two axes of the tangent
+/// plane at this point are called first and second tangent.
 /// @described contact
 struct SurfaceShape {
-  /// What a surface is beyond a point of it and its normal there.
+  /// Kinds of surface shapes. The tangents are the two axes of the tangent plane at a given point.
   /// @described contact.SurfaceKind
   enum class Kind {
     Plane,
     Sphere,
-    Cylinder,   ///< its axis along the first tangent
-    Cone,       ///< opening along the first tangent
-    Torus,      ///< the outside of a ring that runs along the first tangent
-    Ellipsoid,  ///< at the end of its third semi-axis
-    Saddle,     ///< of any two curvatures along the tangents
-    Ridge,      ///< two planes that meet in an edge across the first tangent
+    Cylinder,   ///< Cylinder with its axis along the first tangent
+    Cone,       ///< Cone that opens along the first tangent
+    Torus,      ///< Outside of a torus; the ring runs along the first tangent
+    Ellipsoid,  ///< Ellipsoid, touched at the end of its third semi-axis
+    Saddle,     ///< Surface with a given curvature along each tangent
+    Ridge,      ///< Two planes that meet in an edge perpendicular to the first tangent
   };
-  Kind kind = Kind::Plane;  ///< plane, sphere, cylinder, cone, torus, ellipsoid, saddle or ridge
-  /// [m]: of a sphere; of a cylinder; of a cone, from the point to its axis along the normal; of
-  /// the tube of a torus, > 0
+  /// Kind of shape: plane, sphere, cylinder, cone, torus, ellipsoid, saddle or ridge
+  Kind kind = Kind::Plane;
+  /// Radius of a sphere, cylinder, torus tube, or cone at the given point [m], > 0 @more For a
+  /// cone, the radius is the distance from the point to the axis, along the normal.
   double radius = 0.3;
-  double ring = 0.5;        ///< [m], of the circle that the tube of a torus runs along, > 0
-  double half_angle = 0.3;  ///< [rad], of a cone, > 0
-  /// [m], of an ellipsoid, along the tangents and the normal
+  double ring = 0.5;  ///< Radius of a torus from its centre to the middle of the tube [m], > 0
+  double half_angle = 0.3;  ///< Angle between the axis and the surface of a cone [rad], > 0
+
+  /// Semi-axes of an ellipsoid, along the two tangents and the normal [m]
   Eigen::Vector3d semi_axes = {0.4, 0.3, 0.3};
-  /// [1/m], of a saddle: its height over the tangents is (k_0 x^2 + k_1 y^2) / 2
+  /// Curvatures of a saddle along the tangents [1/m] @more The height of the saddle is (k_0 x^2 +
+  /// k_1 y^2) / 2, with the curvatures k_0 and k_1 and distances x and y along the tangents.
   Eigen::Vector2d curvature = {1.0, -1.0};
-  double edge = 0.03;   ///< [m], of a ridge: from the point to its edge along the first tangent
-  double slope = 0.1;   ///< [rad], of a ridge: by which its second plane falls off behind the edge
-  bool hollow = false;  ///< the material is outside: the tool works in it, as in a bowl
-  double turn_deg = 0.0;  ///< by which the shape is turned about the normal, degrees
+  /// Distance from the point to the edge of a ridge, along the first tangent [m]
+  double edge = 0.03;
+  /// Downward slope of a ridge's second plane, behind the edge [rad]
+  double slope = 0.1;
+  /// Whether the material is outside the shape, so that the tool works inside, as in a bowl
+  bool hollow = false;
+  double turn_deg = 0.0;  ///< Rotation of the shape about the normal [degrees]
 
   bool is_flat() const { return kind == Kind::Plane; }
-  /// Throws Error("<who>: ...") for a length or an angle that makes no such shape.
+  /// Throws Error("<who>: ...") if a length or an angle is invalid for this kind of shape.
   void check(const std::string& who) const;
-  /// Such as "sphere of radius 0.3 m".
+  /// Returns a text such as "sphere of radius 0.3 m".
   std::string text() const;
-  /// Reads "sphere:0.3" or "torus:0.1:0.5:hollow": a kind, its numbers or none of them (of a sphere
-  /// or cylinder its radius; of a cone radius and half angle; of a torus radius and ring; of an
-  /// ellipsoid three semi-axes; of a saddle two curvatures), and whether it is hollow. Throws Error
-  /// with the nearest known kind, and as check() does.
+  /// Parses a kind, followed by all numbers of this kind or none, and optionally "hollow". Examples
+  /// are "sphere", "sphere:0.3" and "torus:0.1:0.5:hollow". The numbers are
+  ///  - sphere, cylinder: radius;
+  ///  - cone: radius, half angle;
+  ///  - torus: radius, ring;
+  ///  - ellipsoid: three semi-axes;
+  ///  - saddle: two curvatures;
+  ///  - ridge: edge, slope.
+  /// Throws Error for an unknown kind, with the nearest known kind, and for numbers that check()
+  /// rejects.
   static SurfaceShape parse(const std::string& text);
 };
 
 std::string name_of(SurfaceShape::Kind kind);
-std::vector<std::string> surface_kinds();  ///< names of all, in their order
+std::vector<std::string> surface_kinds();  ///< Names of all kinds, in the order of the enumeration
 
-/// A shape in its place. No call allocates. A ridge has an edge: its normal turns at once where its
-/// planes meet, and outside around the edge itself; hollow, as a valley, its second plane rises.
+/// A SurfaceShape placed in space, by a point of the surface and the normal at that point. No
+/// member function allocates memory.
+///
+/// The normal of a ridge jumps at the edge, from one plane to the other. At a point outside, the
+/// nearest point of the surface can be on the edge. The normal then points from the edge to the
+/// outside point. A hollow ridge is a valley: the second plane rises.
 class Surface {
  public:
   Surface() : Surface(SurfaceShape{}, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()) {}
-  /// Through `point` with this normal there, of any length, out of the material; tangents are those
-  /// of Reference::surface_with_normal(). Throws Error as SurfaceShape::check() does.
+  /// Places `shape` so that the surface passes through `point` with the normal `normal`. `normal`
+  /// points out of the material and need not have unit length. The tangents are the x and y axes of
+  /// Reference::surface_with_normal(), turned about the normal by turn_deg. Throws Error if
+  /// SurfaceShape::check() rejects the shape, or for a normal of zero length.
   Surface(const SurfaceShape& shape, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
   const SurfaceShape& shape() const { return shape_; }
-  /// Where it is itself: the middle of a sphere, an ellipsoid or a torus, a point of a cylinder's
-  /// axis, a cone's apex, the point else; and its axes there, of which the third is that of a
-  /// cylinder, a cone or a torus. m.
+  /// Returns the centre of the shape [m]. For a cylinder, this is a point on the axis; for a cone,
+  /// the apex. For a plane, saddle or ridge, it is the point passed to the constructor.
   const Eigen::Vector3d& center() const { return center_; }
+  /// Returns the axes of the shape as columns. The third column is the axis of a cylinder, cone or
+  /// torus.
   const Eigen::Matrix3d& axes() const { return axes_; }
-  /// Of what is nearest to a point. Of ellipsoids and saddles by Newton's method, which finds the
-  /// nearest for points about as near as the least radius of curvature.
+  /// Returns the signed distance of x from the surface, with derivatives. For an ellipsoid or a
+  /// saddle, the nearest point of the surface is computed by Newton's method. Newton's method
+  /// converges if x is closer to the surface than about the smallest radius of curvature.
   SurfaceDistance at(const Eigen::Vector3d& x) const noexcept;
-  /// The point of the surface that stands over x along the normal at its point, or under it: the
-  /// nearest along that line.
+  /// Returns the intersection of the surface with the line through x along the normal that was
+  /// passed to the constructor. If there are several intersections, returns the one nearest to the
+  /// tangent plane.
   Eigen::Vector3d along_normal(const Eigen::Vector3d& x) const noexcept;
-  /// Largest curvature towards the tip, 1/m: a tip of a larger radius than 1 / that does not fit.
+  /// Returns the largest concave curvature of the surface, as seen from the tip [1/m]. Returns 0 if
+  /// the surface is nowhere concave. The radius of a round tip must not exceed the inverse of this
+  /// curvature. For a solid torus, the inner side around the hole does not count.
   double most_concave() const;
 
  private:
   SurfaceShape shape_;
-  Eigen::Vector3d center_;  ///< of what the shape is about
-  Eigen::Matrix3d axes_;    ///< its own: columns
+  Eigen::Vector3d center_;  ///< Centre of the shape
+  Eigen::Matrix3d axes_;    ///< Axes of the shape, as columns
   Eigen::Vector3d point_, normal_;
 };
 

@@ -1,5 +1,6 @@
-// Where a robot on its feet is and how it moves: its floating base from a gyroscope, an
-// accelerometer, encoders and which feet stand. See docs/state_estimation.md.
+// Estimate of pose and velocity of the floating base of a robot on its feet. Inputs are a
+// gyroscope, an accelerometer, joint encoders and the set of standing feet. See
+// docs/state_estimation.md.
 #pragma once
 
 #include <cstdint>
@@ -14,142 +15,190 @@
 
 namespace burnish {
 
-/// What of a foot stays where it is while the foot stands.
+/// Kind of foot. It defines which motion is zero while the foot stands.
 /// @described estimate
 enum class FootKind {
-  Ball,  ///< the frame's origin
-  Sole,  ///< the frame: it neither moves nor turns
+  Ball,  ///< Point foot: the origin of its frame does not move
+  Sole,  ///< Planar foot: its frame neither moves nor rotates
 };
 
-/// A foot that may stand.
+/// Foot that may stand on the ground.
 /// @described estimate
 struct FootSpec {
-  std::string frame;               ///< of a ball its middle, where it rolls little @required
-  FootKind kind = FootKind::Ball;  ///< ball, whose origin stays, or sole, which does not turn
+  /// Name of the foot's frame @more For a ball, the frame is at the centre of the ball, and the
+  /// ball should roll only a little. @required
+  std::string frame;
+  /// Kind of foot: ball (frame origin does not move) or sole (frame neither moves nor rotates)
+  FootKind kind = FootKind::Ball;
 };
 
-/// Thresholds by which a faulty inertial measurement unit is found while feet stand.
+/// Thresholds for detecting a faulty inertial measurement unit (IMU) while feet stand.
 /// @described estimate
-/// GuardedBase uses them; BaseEstimator does not.
+/// GuardedBase uses these options; BaseEstimator does not.
 struct UnitWatchOptions {
-  bool enabled = true;  ///< compare the unit with the feet; else find only a unit that is silent
-  double window = 0.1;  ///< [s] over which the unit and the feet are compared, > 0
-  double turn = 2e-3;   ///< [rad] that they may differ by in it, beside noise and biases, > 0
-  double place = 2e-3;  ///< [m], likewise, > 0
-  /// Turn rate in excess of the feet's that is not used until it is clear which of both is wrong
-  /// [rad/s], > 0
+  /// Whether to compare the IMU with the feet @more If not, the only detected fault is an IMU
+  /// without readings.
+  bool enabled = true;
+  /// Time window in which IMU and feet are compared [s], > 0 @more Older differences fade
+  /// exponentially.
+  double window = 0.1;
+
+  /// Largest accepted difference in rotation between IMU and feet in the window [rad], > 0 @more
+  /// Expected effects of noise and biases are added to this threshold.
+  double turn = 2e-3;
+  /// Largest accepted difference in displacement between IMU and feet in the window [m], > 0 @more
+  /// Expected effects of noise and biases are added to this threshold.
+  double place = 2e-3;
+  /// Largest accepted difference in angular velocity between IMU and feet [rad/s], > 0 @more
+  /// Readings beyond this threshold are withheld from the filter until it is clear whether the IMU
+  /// or the feet are wrong.
   double rate = 0.1;
-  double feet_turn = 2e-3;     ///< [rad] that a sole may turn against the others and stand, > 0
-  double feet_place = 1e-3;    ///< [m] that a foot may move against the others and stand, > 0
-  double silent_after = 3e-3;  ///< [s] without a reading, after which there is none, >= 0
-  /// [s] that a unit has to agree with the feet before it counts again, > 0
+  /// Largest accepted rotation of a standing sole relative to the other feet [rad], > 0
+  double feet_turn = 2e-3;
+  /// Largest accepted displacement of a standing foot relative to the other feet [m], > 0
+  double feet_place = 1e-3;
+  /// Time without readings after which the IMU counts as silent [s], >= 0
+  double silent_after = 3e-3;
+  /// Time of agreement with the feet after which a faulty IMU is used again [s], > 0
   double back_after = 0.5;
-  double fading = 0.03;  ///< [s] in which the difference is made up when the feet take over, > 0
+  /// Decay time of the jump that occurs when the feet take over [s], > 0 @more The jump is the
+  /// difference between the last estimate and the estimate from the feet.
+  double fading = 0.03;
 };
 
-/// How the floating base is estimated. Noise is white where it is a density, a deviation per square
-/// root of Hz: a reading every dt s has the density times 1/sqrt(dt).
+/// Options for estimating the floating base. Noise densities describe white noise: with one reading
+/// every dt s, the standard deviation of a reading is density / sqrt(dt).
 /// @described estimate
 struct BaseEstimatorOptions {
-  /// frame of the measurement unit, whose axes its readings have; empty: the floating base's body
+  /// Frame of the inertial measurement unit (empty: the floating base's body) @more Readings are in
+  /// the axes of this frame.
   std::string imu_frame = {};
-  std::vector<FootSpec> feet = {};  ///< that may stand, up to 32
+  std::vector<FootSpec> feet = {};  ///< Feet that may stand, 1 to 32 of them
 
   // @group Noise.
-  double gyro_noise = 1e-3;               ///< [rad/s/sqrt(Hz)], >= 0
-  double accelerometer_noise = 1e-2;      ///< [m/s^2/sqrt(Hz)], >= 0
-  double gyro_bias_walk = 1e-5;           ///< [rad/s^2/sqrt(Hz)] that the bias walks with, >= 0
-  double accelerometer_bias_walk = 1e-4;  ///< [m/s^3/sqrt(Hz)] that the bias walks with, >= 0
-  double encoder_noise = 1e-4;            ///< [rad (m)], deviation of a reading, >= 0
-  /// [m], deviation per reading of a foot's place, beside encoders, > 0
+  double gyro_noise = 1e-3;           ///< Noise density of the gyroscope [rad/s/sqrt(Hz)], >= 0
+  double accelerometer_noise = 1e-2;  ///< Noise density of the accelerometer [m/s^2/sqrt(Hz)], >= 0
+
+  /// Random-walk density of the gyroscope's bias [rad/s^2/sqrt(Hz)], >= 0
+  double gyro_bias_walk = 1e-5;
+  /// Random-walk density of the accelerometer's bias [m/s^3/sqrt(Hz)], >= 0
+  double accelerometer_bias_walk = 1e-4;
+  double encoder_noise = 1e-4;  ///< Standard deviation of an encoder reading [rad (m)], >= 0
+
+  /// Standard deviation of a foot's measured position, in addition to encoder noise [m], > 0
   double place_noise = 1e-4;
-  double turn_noise = 1e-4;  ///< [rad], deviation per reading of a sole's rotation, likewise, > 0
-  double slip_noise = 1e-3;  ///< [m/s/sqrt(Hz)] that a foot creeps with, >= 0
-  double sole_turn_noise = 1e-3;  ///< [rad/s/sqrt(Hz)] that a sole creeps with, >= 0
+  /// Standard deviation of a sole's measured rotation, in addition to encoder noise [rad], > 0
+  double turn_noise = 1e-4;
+  /// Random-walk density of a standing foot's position, for slow slip [m/s/sqrt(Hz)], >= 0
+  double slip_noise = 1e-3;
+  /// Random-walk density of a standing sole's rotation, for slow slip [rad/s/sqrt(Hz)], >= 0
+  double sole_turn_noise = 1e-3;
 
   // @group Feet that slip.
-  /// share of a foot's readings that pass while it stands still, between 0 and 1
+  /// Fraction of the readings of a resting foot that pass the outlier gate, between 0 and 1
   double gate = 0.99999;
-  /// [s] that a foot which slipped has to rest before it counts again, >= 0
+  /// Rest time after which a foot that slipped is used again [s], >= 0
   double rejoin_after = 0.05;
-  double rejoin_speed = 0.03;  ///< [m/s] below which it rests, > 0
-  /// Time for which feet stand and all of them seem to slip [s], after which the base's velocity is
-  /// taken to be wrong instead, >= 0
+  /// Speed below which a foot that slipped counts as at rest [m/s], > 0
+  double rejoin_speed = 0.03;
+
+  /// Longest time in which all standing feet may seem to slip [s], >= 0 @more After this time, the
+  /// filter assumes that its velocity is wrong instead.
   double lost_after = 0.15;
 
-  // @group Of what reset() is told.
-  double tilt_deviation = 0.02;  ///< [rad], of what reset() is told, about horizontal axes, >= 0
-  double yaw_deviation = 1e-3;   ///< [rad], likewise about the vertical, >= 0
-  double velocity_deviation = 0.05;           ///< [m/s], likewise, >= 0
-  double position_deviation = 1e-3;           ///< [m], likewise, >= 0
-  double gyro_bias_deviation = 0.01;          ///< [rad/s], likewise, >= 0
-  double accelerometer_bias_deviation = 0.1;  ///< [m/s^2], likewise, >= 0
+  // @group Standard deviations of the initial state.
+  /// Standard deviation of the initial rotation about horizontal axes (tilt) [rad], >= 0
+  double tilt_deviation = 0.02;
+  /// Standard deviation of the initial rotation about the vertical (yaw) [rad], >= 0
+  double yaw_deviation = 1e-3;
+  double velocity_deviation = 0.05;  ///< Standard deviation of the initial velocity [m/s], >= 0
+  double position_deviation = 1e-3;  ///< Standard deviation of the initial position [m], >= 0
 
-  // @group A unit that goes wrong.
-  UnitWatchOptions watch = {};  ///< of the unit, by the feet
+  /// Standard deviation of the gyroscope's initial bias [rad/s], >= 0
+  double gyro_bias_deviation = 0.01;
+  /// Standard deviation of the accelerometer's initial bias [m/s^2], >= 0
+  double accelerometer_bias_deviation = 0.1;
+
+  // @group Faults of the inertial measurement unit.
+  UnitWatchOptions watch = {};  ///< Monitor that compares the IMU with the feet
 };
 
-/// Of the readings of feet at the last update, against what was expected.
+/// Innovation r of the last update: measured minus predicted positions and rotations of the feet.
 /// @described estimate @result
 struct EstimatorInnovation {
-  /// r^T S^-1 r, as a chi-square of `rows` degrees where the filter is right
+  /// Normalized square r^T S^-1 r, with the covariance S of r @more If the filter is consistent,
+  /// this square has a chi-square distribution with `rows` degrees of freedom.
   double squared = 0.0;
-  int rows = 0;  ///< that were used
+  int rows = 0;  ///< Number of entries of r that the update used
 };
 
-/// A right-invariant extended Kalman filter (Hartley, Ghaffari, Eustice, Grizzle, "Contact-aided
-/// invariant extended Kalman filtering for robot state estimation", 2020), with soles beside
-/// points. Position and yaw are those of reset(), and drift: nothing that it measures knows them.
+/// Right-invariant extended Kalman filter for the floating base (Hartley, Ghaffari, Eustice,
+/// Grizzle, "Contact-aided invariant extended Kalman filtering for robot state estimation", 2020).
+/// This version handles point feet and also planar feet (soles). Position and yaw drift from their
+/// values at reset(), since no sensor measures them.
 ///
-/// A foot counts from the update on in which it stands, until it is lifted. A foot that stands but
-/// reads beyond its gate slips: it is left out until it has rested, and put down anew where it then
-/// is.
+/// The filter uses a foot while the foot stands. If a reading of a standing foot fails the outlier
+/// gate, the filter assumes that the foot slips and ignores it. Once the foot has rested, the
+/// filter uses it again, at its new position.
 ///
-/// Ticks allocate nothing and throw nothing. What a status above Ok is answered to changes nothing.
+/// Updates allocate nothing and throw nothing. A call that returns a Status other than Ok changes
+/// nothing.
 class BaseEstimator {
  public:
-  using Feet = std::uint32_t;  ///< bit k: foot k of the options
+  using Feet = std::uint32_t;  ///< Set of feet: bit k is foot k of the options
 
-  /// Throws Error for a robot without a floating base, unknown frames and options out of range.
+  /// Creates the filter. Throws Error for a robot without a floating base, unknown frames, and
+  /// options out of range.
   BaseEstimator(const Model& model, const BaseEstimatorOptions& options);
   ~BaseEstimator();
   BaseEstimator(BaseEstimator&&) noexcept;
   BaseEstimator& operator=(BaseEstimator&&) noexcept;
 
-  /// Starts at q (nq) and v (nv) of the whole robot, with the options' deviations, biases zero and
-  /// no foot on the ground. With `covariance` (15 x 15), of the unit, world axes: rotation vector
-  /// (rad), velocity (m/s), position (m), gyroscope's (rad/s) and accelerometer's (m/s^2) bias.
-  /// WrongSize, NotFinite, NotNormalized; NotPhysical for a covariance that is none.
+  /// Starts the filter at `q` (nq) and `v` (nv) of the whole robot, with zero biases and no
+  /// standing foot. Without `covariance`, the initial covariance comes from the standard deviations
+  /// in the options.
+  ///
+  /// `covariance` (15 x 15) is the initial covariance of the IMU's state in world axes. Its rows
+  /// are rotation vector (rad), velocity (m/s), position (m), gyroscope bias (rad/s) and
+  /// accelerometer bias (m/s^2). Returns Ok, WrongSize, NotFinite or NotNormalized. Returns
+  /// NotPhysical if `covariance` is not a covariance matrix.
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v,
                const Eigen::Ref<const Eigen::MatrixXd>& covariance) noexcept;
 
-  /// Starts again at q and v of the whole robot, after a time in which something else told the
-  /// base. The deviations are those before and the options' together; biases (rad/s, m/s^2) are
-  /// what it is told. No foot is on the ground. WrongSize, NotFinite, NotNormalized, which change
-  /// nothing, or Ok.
+  /// Restarts the filter at `q` (nq) and `v` (nv) of the whole robot, after another source
+  /// estimated the base for a while. The new covariance is the sum of the old covariance and the
+  /// initial covariance of the options. Biases are set to `gyro_bias` [rad/s] and
+  /// `accelerometer_bias` [m/s^2]. No foot counts as standing until the next update(). Returns Ok.
+  /// If the call returns WrongSize, NotFinite or NotNormalized, nothing has changed.
   Status resume(const ConstVectorRef& q, const ConstVectorRef& v, const Eigen::Vector3d& gyro_bias,
                 const Eigen::Vector3d& accelerometer_bias) noexcept;
 
-  /// What was read `dt` s after the last update: the unit's means over that time, and the joints'
-  /// entries of q (nq) and v (nv) now; entries of the base are passed over. `standing`: feet on the
-  /// ground. WrongSize, NotFinite (also for a dt that is not positive), NotNormalized; Ok
-  /// otherwise.
+  /// Updates the estimate with the readings of the last `dt` [s]. `imu` holds mean values over this
+  /// time. `q` (nq) and `v` (nv) hold the current joint readings; their entries for the base are
+  /// ignored. `standing` is the set of feet on the ground. Returns Ok. If the call returns
+  /// WrongSize, NotFinite (also if dt is not positive) or NotNormalized, nothing has changed.
   Status update(const ImuReading& imu, const ConstVectorRef& q, const ConstVectorRef& v,
                 Feet standing, double dt) noexcept;
 
-  const Eigen::VectorXd& q() const;  ///< nq, with the joints as they were read
-  const Eigen::VectorXd& v() const;  ///< nv, likewise
-  /// 15 x 15, as reset() takes it.
+  const Eigen::VectorXd& q() const;  ///< Estimated base and measured joint positions, nq
+  const Eigen::VectorXd& v() const;  ///< Estimated base and measured joint velocities, nv
+
+  /// Covariance of the estimate (15 x 15) in world axes. Its rows are rotation vector (rad),
+  /// velocity (m/s), position (m), gyroscope bias (rad/s) and accelerometer bias (m/s^2).
   const Eigen::MatrixXd& covariance() const;
-  const Eigen::Vector3d& gyro_bias() const;           ///< rad/s
-  const Eigen::Vector3d& accelerometer_bias() const;  ///< m/s^2
-  /// Of a foot that counts, where it stands: world, m.
+  const Eigen::Vector3d& gyro_bias() const;  ///< Estimated bias of the gyroscope [rad/s]
+
+  /// Estimated bias of the accelerometer [m/s^2].
+  const Eigen::Vector3d& accelerometer_bias() const;
+  /// Returns the filter's estimate of a foot's position, in world coordinates [m]. The foot must be
+  /// one that the filter uses (feet_that_count()).
   Eigen::Vector3d foot_position(int foot) const;
-  /// Of any foot, as the base and the joints were last told: foot -> world.
+  /// Returns the rotation matrix from a foot's axes to world axes, at the last update. Any foot is
+  /// allowed.
   Eigen::Matrix3d foot_rotation(int foot) const;
   Feet feet_that_count() const;
-  Feet feet_that_slip() const;  ///< that stand and are left out
+  Feet feet_that_slip() const;  ///< Standing feet that the filter ignores because they slip
   const EstimatorInnovation& innovation() const;
 
   int feet() const;

@@ -1,4 +1,4 @@
-// Which feet stand, by the force on each.
+// Detection of standing feet from the force on each foot.
 #pragma once
 
 #include <cstdint>
@@ -10,39 +10,48 @@
 
 namespace burnish {
 
-/// Which feet stand, by the force on each. Shares are of the robot's weight.
+/// Options for detecting standing feet from the force on each foot. Force thresholds are fractions
+/// of the robot's weight.
 /// @described estimate
 struct FootContactOptions {
-  double touch = 0.12;  ///< share of the weight on a foot above which it stands, > 0
-  double lift = 0.05;  ///< share below which it is in the air; between them it stays as it was, > 0
-  double smoothing = 5e-3;  ///< [s], of a first-order low-pass on forces; 0: none, >= 0
-  /// [N/sqrt(Hz)], of the force sensors; behind the low-pass it is to be a quarter of what lies
-  /// between `touch` and `lift` at most, >= 0
+  /// Force above which a foot counts as standing, as a fraction of the weight, > 0
+  double touch = 0.12;
+  /// Force below which a foot counts as in the air, as a fraction of the weight, > 0 @more Between
+  /// `lift` and `touch`, the state of the foot does not change.
+  double lift = 0.05;
+  /// Time constant of the low-pass filter on the forces (0: no filter) [s], >= 0 @more The filter
+  /// is of first order.
+  double smoothing = 5e-3;
+  /// Noise density of the force sensors [N/sqrt(Hz)], >= 0 @more The standard deviation of the
+  /// filtered noise must be at most a quarter of the gap between the forces of `lift` and `touch`.
   double force_noise = 0.5;
-  /// [rad/s], low-pass of forces that are told from torques (FootForces), > 0
+  /// Bandwidth of the observer that estimates foot forces from joint torques [rad/s], > 0 @note The
+  /// observer is FootForces.
   double bandwidth = 150.0;
 };
 
-/// A foot's normal force with hysteresis. Ticks allocate nothing and throw nothing.
+/// Detector of standing feet. It compares the normal force on each foot with an upper and a lower
+/// threshold (hysteresis). Updates allocate nothing and throw nothing.
 class FootContacts {
  public:
-  using Feet = std::uint32_t;  ///< bit k: foot k
+  using Feet = std::uint32_t;  ///< Set of feet: bit k is foot k
 
-  /// Throws Error for options out of range, for no or more than 32 feet, and for noise that would
-  /// reach across the hysteresis.
+  /// Creates a detector for `feet` feet, 1 to 32. Throws Error for another number, for options out
+  /// of range, and if the force noise is too large for the gap between the thresholds.
   FootContacts(const Model& model, int feet, const FootContactOptions& options = {});
 
-  /// Forgets all forces; these feet stand.
+  /// Discards all forces and sets the standing feet to `standing`.
   void reset(Feet standing = 0) noexcept;
-  /// Normal forces, N, one per foot, dt s after the last ones. WrongSize or NotFinite (also for a
-  /// dt that is not positive), which change nothing, or Ok.
+  /// Updates the standing feet from the normal force on each foot [N]. `dt` is the time since the
+  /// last update [s]. Returns Ok. If the call returns WrongSize or NotFinite (also if dt is not
+  /// positive), nothing has changed.
   Status update(const ConstVectorRef& normal_forces, double dt) noexcept;
 
   Feet standing() const { return standing_; }
-  const Eigen::VectorXd& forces() const { return forces_; }  ///< N, behind the low-pass
+  const Eigen::VectorXd& forces() const { return forces_; }  ///< Low-pass filtered forces [N]
 
  private:
-  double touch_, lift_, smoothing_;  ///< N, N, s
+  double touch_, lift_, smoothing_;  ///< Thresholds [N], and the time constant [s]
   bool started_ = false;
   Feet standing_ = 0;
   Eigen::VectorXd forces_;

@@ -1,4 +1,5 @@
-// The force on each foot where no sensor measures it: from joint torques through the dynamics.
+// Estimate of the force on each foot from joint torques and the robot's dynamics, without force
+// sensors.
 #pragma once
 
 #include <memory>
@@ -11,32 +12,41 @@
 
 namespace burnish {
 
-/// What the motion asks for beyond the joints' torques is the feet's:
+/// Observer that estimates the ground forces f on the feet from the joint torques tau. The motion
+/// needs the torques M dv/dt + b. The observer attributes the difference from tau to the feet:
 ///   J^T f = M dv/dt + b - tau.
-/// Behind a first-order low-pass at the bandwidth w it is the observer of generalized momentum (De
-/// Luca, Mattone, "Actuator failure detection and isolation using generalized momenta", 2003),
-///   dr/dt = w (M dv/dt + b - tau - r),
-/// whose dv/dt is that of two ticks. The feet's forces, and the moments of soles, are what fits r
-/// best, joints that no foot moves by and the base included: min |J^T f - r|.
+/// A first-order low-pass filter of bandwidth w smooths the right-hand side. Its output is r:
+///   dr/dt = w (M dv/dt + b - tau - r).
+/// This is a generalized-momentum observer (De Luca, Mattone, "Actuator failure detection and
+/// isolation using generalized momenta", 2003). It computes dv/dt from the velocities of two
+/// updates.
+///
+/// The estimate f minimizes |J^T f - r| and includes moments for planar feet (soles). The norm is
+/// over all entries of v, including the base and joints that move no foot.
 class FootForces {
  public:
-  /// bandwidth: rad/s. Throws Error for feet that are unknown or fixed to the world, and for a
-  /// bandwidth that is not positive.
+  /// Creates the observer with the low-pass `bandwidth` [rad/s]. Throws Error if a foot is unknown
+  /// or fixed to the world, or if the bandwidth is not positive.
   FootForces(const Model& model, const std::vector<FootSpec>& feet, double bandwidth);
   ~FootForces();
   FootForces(FootForces&&) noexcept;
   FootForces& operator=(FootForces&&) noexcept;
 
   void reset() noexcept;
-  /// The state and the torques (nv, Nm or N; none in the base's entries) that acted in the dt s
-  /// since the last one. The first update after reset() takes the robot to be at rest or in steady
-  /// motion, dv/dt = 0. WrongSize, NotFinite (also for a dt that is not positive), NotNormalized,
-  /// SingularContacts where the posture does not tell feet apart; unless Ok nothing changes.
+  /// Updates the forces from the current state `q` (nq), `v` (nv) and the torques `tau` (nv) [Nm or
+  /// N] of the last `dt` [s]. Entries of `tau` for the base must be zero. The first update after
+  /// reset() assumes dv/dt = 0, as for a robot at rest or in steady motion.
+  ///
+  /// Returns Ok. Otherwise changes nothing and returns WrongSize, NotFinite (also if dt is not
+  /// positive), NotNormalized, or SingularContacts. SingularContacts means that the posture does
+  /// not determine the force of each foot.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
                 double dt) noexcept;
 
-  const Eigen::Matrix3Xd& forces_world() const;  ///< of the ground on each foot, N, world axes
-  const Eigen::VectorXd& normal_forces() const;  ///< against gravity, N, one per foot
+  const Eigen::Matrix3Xd& forces_world()
+      const;  ///< Force of the ground on each foot, world axes [N]
+  const Eigen::VectorXd& normal_forces()
+      const;  ///< Upward component of the ground force on each foot [N]
 
  private:
   struct Impl;

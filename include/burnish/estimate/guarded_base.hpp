@@ -1,5 +1,6 @@
-// The floating base of a robot on its feet although its inertial unit goes wrong or falls silent:
-// then the feet alone tell it. See docs/state_estimation.md.
+// Estimate of the floating base of a robot on its feet that tolerates faults of the inertial
+// measurement unit (IMU). After a fault, the feet alone determine the base. See
+// docs/state_estimation.md.
 #pragma once
 
 #include <memory>
@@ -8,52 +9,62 @@
 
 namespace burnish {
 
-/// What tells where the base is.
+/// Source of the current estimate of the floating base.
 enum class BaseSource {
-  Filter,  ///< the unit and the feet: BaseEstimator
-  Feet,    ///< the feet alone: the unit is silent or wrong
-  None,    ///< nothing: too few feet stand, and the unit does not count
+  Filter,  ///< BaseEstimator, which uses the IMU and the feet
+  Feet,    ///< Feet alone, because the IMU is silent or faulty
+  None,    ///< No source: the IMU is not used, and too few feet stand
 };
 
-/// A BaseEstimator whose unit is watched. While feet stand that say more than where the unit is
-/// (two soles, three balls), and stand to each other as they did, they tell how the unit turned and
-/// where it went. What differs from the unit's own readings by more than UnitWatchOptions is the
-/// unit's fault, unless gyroscope and accelerometer agree that the robot tips over its feet.
+/// BaseEstimator with a monitor for faults of the inertial measurement unit (IMU).
 ///
-/// From then on the feet alone tell the base (one sole, or three balls that do not lie on a line):
-/// they stay where they stood before the fault, from up to half a second ago. A unit that has
-/// agreed with them for `back_after` counts again. With too few feet the base stays where it was.
+/// The monitor works while the standing feet overdetermine the pose of the IMU: with two planar
+/// feet (soles) or three point feet (balls). While these feet do not move relative to each other,
+/// their kinematics give the rotation and displacement of the IMU. The IMU is declared faulty if
+/// its readings differ from this motion by more than UnitWatchOptions allow. It is not declared
+/// faulty if gyroscope and accelerometer agree that the robot tips over its feet.
 ///
-/// Ticks allocate nothing and throw nothing.
+/// After a fault, the feet alone determine the base. This needs one sole, or three balls that are
+/// not on a line. The feet are assumed to stand where they stood shortly before the fault (up to
+/// half a second). Once the IMU has agreed with the feet for `back_after`, it is used again. With
+/// too few feet, the base stays at its last estimate.
+///
+/// Updates allocate nothing and throw nothing.
 class GuardedBase {
  public:
   using Feet = BaseEstimator::Feet;
 
-  /// Throws Error as BaseEstimator does.
+  /// Creates the estimator. Throws Error for arguments that BaseEstimator rejects.
   GuardedBase(const Model& model, const BaseEstimatorOptions& options);
   ~GuardedBase();
   GuardedBase(GuardedBase&&) noexcept;
   GuardedBase& operator=(GuardedBase&&) noexcept;
 
-  /// As BaseEstimator::reset(); the unit counts.
+  /// Starts the estimate at `q` (nq) and `v` (nv) of the whole robot; see BaseEstimator::reset().
+  /// The IMU is used again, even after a fault.
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
 
-  /// As BaseEstimator::update(); without a reading `imu` is null, one that is not finite is none.
-  /// `loads`: N, one per foot, or empty where they are not known; of two feet that contradict each
-  /// other the one with less is taken to slip. A gap of up to `silent_after` is answered with
-  /// WrongSize (no reading) or NotFinite (one that is not finite), changes nothing and is bridged
-  /// by the reading after it, whose dt has the gap in it.
+  /// Updates the estimate; see BaseEstimator::update(). `imu` is null if there is no reading. A
+  /// reading that is not finite counts as missing. `loads` holds the load of each foot [N], or is
+  /// empty if loads are unknown. If two feet contradict each other, the foot with less load is
+  /// assumed to slip.
+  ///
+  /// If readings are missing for at most `silent_after`, the call changes nothing. It returns
+  /// WrongSize (no reading) or NotFinite (reading not finite). The `dt` of the next call must
+  /// include the gap.
   Status update(const ImuReading* imu, const ConstVectorRef& q, const ConstVectorRef& v,
                 Feet standing, const ConstVectorRef& loads, double dt) noexcept;
 
-  const Eigen::VectorXd& q() const;  ///< nq, with the joints as they were read
-  const Eigen::VectorXd& v() const;  ///< nv, likewise
-  /// As the base and the joints were last told: foot -> world.
+  const Eigen::VectorXd& q() const;  ///< Estimated base and measured joint positions, nq
+  const Eigen::VectorXd& v() const;  ///< Estimated base and measured joint velocities, nv
+
+  /// Returns the rotation matrix from a foot's axes to world axes, at the latest estimate.
   Eigen::Matrix3d foot_rotation(int foot) const;
   BaseSource source() const;
-  double lost_for() const;  ///< s since the source is None; else 0
-  int takeovers() const;    ///< how often the unit was given up since reset()
-  /// Of the filter's own; while it is not the source it stands still.
+  double lost_for() const;  ///< Time since the source became None [s]; 0 with another source
+  int takeovers() const;    ///< Number of times that the feet replaced a faulty IMU since reset()
+
+  /// Returns the underlying filter. It is updated only while it is the source.
   const BaseEstimator& filter() const;
 
  private:

@@ -1,16 +1,17 @@
-// What an inertial measurement unit says.
+// Reading of an inertial measurement unit (IMU).
 #pragma once
 
 #include <Eigen/Core>
 
 namespace burnish {
 
-/// What an inertial measurement unit says, in the axes of the frame that it stands for: means over
-/// the time since the reading before.
+/// Reading of an inertial measurement unit (IMU): mean values since the previous reading, in the
+/// axes of the IMU frame.
 /// @described estimate
 struct ImuReading {
-  Eigen::Vector3d gyro = Eigen::Vector3d::Zero();  ///< [rad/s]
-  /// [m/s^2], specific force: acceleration minus gravity, so that at rest it points up
+  Eigen::Vector3d gyro = Eigen::Vector3d::Zero();  ///< Angular velocity [rad/s]
+
+  /// Specific force: acceleration minus gravity [m/s^2] @more At rest, it points up.
   Eigen::Vector3d accelerometer = Eigen::Vector3d::Zero();
 };
 

@@ -1,4 +1,4 @@
-// An optimal control problem in a YAML file: what docs/optimal_control.md describes.
+// Reader of optimal control problems in YAML files. docs/optimal_control.md describes the format.
 #pragma once
 
 #include <filesystem>
@@ -10,45 +10,50 @@
 
 namespace burnish {
 
-/// Where the solver starts from.
+/// Trajectory that the solver starts from (warm start).
 /// @described files
 struct WarmStart {
-  /// Where the solver starts from.
+  /// Kind of warm start.
   /// @described files.WarmStartKind
   enum class Kind {
-    Hold,   ///< the initial state at every knot, with the controls that hold it in the knot's stage
-    Still,  ///< the initial state at every knot, zero controls
-    File,   ///< a trajectory.csv of an earlier solve
+    /// Initial state at every knot; controls hold the robot still in the contacts of the stage
+    Hold,
+    Still,  ///< Initial state at every knot, with zero controls
+    File,   ///< Trajectory from a file trajectory.csv of an earlier solve
   };
   Kind kind = Kind::Hold;
-  std::filesystem::path file = {};  ///< File: where it is
+  std::filesystem::path file = {};  ///< Path of the trajectory file, if `kind` is file
 };
 
-/// What a problem file says.
+/// Content of a problem file.
 /// @described files
 struct ProblemFile {
   std::string description = {};  ///< @required
   Robot robot;                   ///< @required
-  /// as load_robot() takes it; with :variant where one is stated @undescribed
+
+  /// Name of the robot for load_robot(), followed by :variant if a variant is stated @undescribed
   std::string robot_name = {};
-  ProblemSpec spec;  ///< compiles: it has been tried @required
+
+  /// Specification of the problem; read_problem_file() has checked that it compiles @required
+  ProblemSpec spec;
   DdpOptions solver = {};
   WarmStart guess = {};
 };
 
-/// Reads a problem file. Relative names in it are looked up in its folder. Throws Error with one
-/// sentence that names the file, the line, the keys that lead to the place, and what was wanted.
+/// Reads a problem file. Relative paths in the file are relative to the folder of the file. Throws
+/// Error if the file is not valid. The message is one sentence that names the file, the line, the
+/// path of keys, and the requirement.
 ProblemFile read_problem_file(const std::filesystem::path& file);
 
-/// States and controls to start from.
+/// Trajectory of states and controls that the solver starts from.
 /// @described files @result
 struct TrajectoryGuess {
-  RowMatrix xs;  ///< (N + 1) x nx
-  RowMatrix us;  ///< N x max_controls
+  RowMatrix xs;  ///< States, (N + 1) x nx for N knots
+  RowMatrix us;  ///< Controls, N x max_controls for N knots
 };
 
-/// Throws Error where a file cannot be read, has not the problem's columns, or not its number of
-/// knots.
+/// Returns the trajectory that `start` describes. Throws Error if the trajectory file cannot be
+/// read, lacks a column, or has another number of knots than the problem.
 TrajectoryGuess make_guess(const Problem& problem, const WarmStart& start);
 
 }  // namespace burnish

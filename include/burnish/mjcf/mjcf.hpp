@@ -1,4 +1,4 @@
-// Reading MJCF, the description format of MuJoCo.
+// Reader of MJCF files, the description format of MuJoCo.
 #pragma once
 
 #include <filesystem>
@@ -9,25 +9,30 @@
 
 namespace burnish {
 
-/// Reads an MJCF file with what it includes, and the meshes that masses are computed from; both are
-/// looked for beside the file. Throws Error when it is missing, malformed or describes no tree: it
-/// lists all problems, each with its line and its element.
+/// Reads an MJCF file, the files that it includes, and the meshes from which masses are computed.
+/// Relative file names start at the folder of the MJCF file. Throws Error if the file or an
+/// included file is missing or malformed, or if the file does not describe a tree. The Error lists
+/// all problems, each with the line and the element.
 ///
-/// Joints are in the order of the file, which is that of MuJoCo's qpos. Positions are MuJoCo's: q
-/// of a joint is its qpos, `ref` included; of a free joint and a ball the quaternion is x, y, z, w
-/// here. JointOrder::mujoco() maps whole vectors. The root link is "world". A body with several
-/// joints is a chain of massless links; where a joint lies off its body's origin, a fixed joint
-/// leads back to it, so that the body's link is where MuJoCo has the body. What a TreeSpec has no
-/// place for is in `warnings`: one sentence for each kind, with their number and an example; where
-/// that changes no dynamics, in `notes`. docs/robots.md has the table.
+/// Joints are in the order of the file, as in MuJoCo's qpos. Joint positions have the values of
+/// qpos, including `ref`. Quaternions of free and ball joints are x, y, z, w here, and w, x, y, z
+/// in MuJoCo. JointOrder::mujoco() converts whole vectors.
 ///
-/// Postures are the keyframes, and "qpos0", how the file draws the robot, where that is not at
-/// zero.
+/// The root link is "world". A body with several joints becomes a chain with massless links. If a
+/// joint is not at the origin of the body, a fixed joint is added after this joint. The link of the
+/// body then has the placement that the body has in MuJoCo.
+///
+/// Content that a TreeSpec cannot represent is reported in `warnings`: one sentence per kind of
+/// content, with the number of elements and an example. Content that does not affect dynamics is
+/// reported in `notes` instead. docs/robots.md lists both.
+///
+/// Keyframes of the file become postures. The configuration in which the file draws the robot
+/// becomes the posture "qpos0" if it differs from zero.
 TreeSpec read_mjcf(const std::filesystem::path& file);
 
-/// The same from a string, which opens no file: <include> is refused, and meshes count as absent.
-/// `source` stands for the file's name in error sentences, and its stem for the name of a model
-/// that has none.
+/// Reads MJCF from the text `xml` without opening other files: <include> is an Error, and meshes
+/// are treated as missing. Error messages refer to the text by the name `source`. A model without a
+/// name gets the stem of `source` as its name.
 TreeSpec parse_mjcf(const std::string& xml, const std::string& source = "<string>");
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Some of the six directions of a relative motion: what a contact or a loop holds.
+// Subsets of the six directions of a relative motion. A contact or a loop constrains such a subset.
 #pragma once
 
 #include <array>
@@ -10,10 +10,11 @@
 
 namespace burnish {
 
-/// Names of the six directions, translations first.
+/// Names of the six directions of a relative motion: three translations, then three rotations.
 inline constexpr std::array<std::string_view, 6> direction_names{"x", "y", "z", "rx", "ry", "rz"};
 
-/// A subset of {x, y, z, rx, ry, rz}. Rows of a contact are in this order.
+/// A subset of the six directions of a relative motion. The rows of a contact are in the order x,
+/// y, z, rx, ry, rz.
 struct Directions {
   std::uint8_t bits = 0;
 
@@ -23,16 +24,19 @@ struct Directions {
   static constexpr Directions x() { return {0b000001}; }
   static constexpr Directions y() { return {0b000010}; }
   static constexpr Directions z() { return {0b000100}; }
-  /// A flat pad on a plane whose normal is z: normal translation and the two tilts.
+  /// Directions constrained by a flat pad on a plane with normal z: z, rx, ry.
   static constexpr Directions pad_z() { return {0b011100}; }
-  /// The same for a plane whose normal is y or x.
+  /// Directions constrained by a flat pad on a plane with normal y: y, rx, rz.
   static constexpr Directions pad_y() { return {0b101010}; }
+  /// Directions constrained by a flat pad on a plane with normal x: x, ry, rz.
   static constexpr Directions pad_x() { return {0b110001}; }
 
-  /// Reads "all", "linear", "angular", "pad_x|y|z", or names in any order separated by commas, such
-  /// as "z,rx,ry". Throws Error naming the unknown word and the nearest known one.
+  /// Parses direction names separated by commas, in any order, such as "z,rx,ry". The names "all",
+  /// "linear", "angular", "pad_x", "pad_y" and "pad_z" stand for several directions. Throws Error
+  /// for an unknown name, with the nearest known name, and for a text without any name.
   static Directions parse(std::string_view text);
-  /// Names in order, separated by commas: "z,rx,ry".
+  /// Returns the direction names separated by commas, in the order x, y, z, rx, ry, rz. Example:
+  /// "z,rx,ry".
   std::string text() const;
 
   constexpr bool has(int direction) const { return ((bits >> direction) & 1) != 0; }

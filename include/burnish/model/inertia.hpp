@@ -1,5 +1,5 @@
-// Mass distributions: seen from other axes, put together, checked, and as the ten numbers that
-// inverse dynamics is linear in.
+// Mass distributions: change of axes, sum and checks. Inertial parameters: ten numbers per body, in
+// which inverse dynamics is linear.
 #pragma once
 
 #include <array>
@@ -13,58 +13,70 @@ namespace burnish {
 
 using Vector10 = Eigen::Matrix<double, 10, 1>;
 
-/// Of a body in the axes and about the origin of its joint frame: mass (kg), mass times centre
-/// (kg m), and moments of inertia about the origin (kg m^2).
+/// Names of the ten inertial parameters of a body: mass [kg], mass times centre of mass [kg m], and
+/// moments of inertia [kg m^2]. The parameters are in the axes of the body's joint frame. Moments
+/// of inertia are about the origin of that frame.
 inline constexpr std::array<std::string_view, 10> inertia_parameter_names{
     "m", "mcx", "mcy", "mcz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz"};
 
-/// The ten parameters of a mass distribution, as inertia_parameter_names has them.
+/// Returns the ten inertial parameters of a mass distribution, in the order of
+/// inertia_parameter_names.
 Vector10 inertia_parameters(const InertiaSpec& inertia);
-/// The mass distribution that has these parameters. Without a mass its centre is the origin.
+/// Returns the mass distribution with these ten inertial parameters. If the mass is zero, the
+/// centre of mass is set to the origin.
 InertiaSpec inertia_of(const Vector10& parameters);
 
-/// [S, h; h^T, m] of the parameters, S being the second moments about the origin (the inertia is
-/// tr(S) 1 - S): a solid has them exactly if this is positive semidefinite (P. Wensing, S. Kim,
-/// J.-J. Slotine, "Linear Matrix Inequalities for Physically Consistent Inertial Parameter
-/// Identification", 2018).
+/// Returns the pseudo-inertia matrix [S, h; h^T, m] of ten inertial parameters. m is the mass, h is
+/// the mass times the centre of mass, and S is the 3 x 3 matrix of second moments about the origin.
+/// The inertia about the origin is trace(S) I - S, with the identity matrix I. A solid with these
+/// parameters exists if and only if the pseudo-inertia matrix is positive semidefinite. Source: P.
+/// Wensing, S. Kim, J.-J. Slotine, "Linear Matrix Inequalities for Physically Consistent Inertial
+/// Parameter Identification", 2018.
 Eigen::Matrix4d pseudo_inertia(const Vector10& parameters);
-/// And back.
+/// Returns the ten inertial parameters of a pseudo-inertia matrix: the inverse of pseudo_inertia().
 Vector10 parameters_of_pseudo_inertia(const Eigen::Matrix4d& pseudo_inertia);
-/// Takes parameters in a frame's axes to those in the axes that `placement` is given in.
+/// Returns the matrix that maps the ten inertial parameters in a frame to the parameters in the
+/// parent frame. `placement` is the pose of the frame in the parent frame.
 Eigen::Matrix<double, 10, 10> inertia_transform(const Eigen::Isometry3d& placement);
 
-/// The same masses written in the axes that `placement` is given in.
+/// Converts a mass distribution from a frame to the parent frame. `inertia` is in the axes of the
+/// frame. `placement` is the pose of the frame in the parent frame.
 InertiaSpec placed(const InertiaSpec& inertia, const Eigen::Isometry3d& placement);
-/// Both, rigidly joined, in the axes that both are written in.
+/// Returns the sum of two mass distributions that are rigidly joined. `a`, `b` and the result are
+/// in the same axes.
 InertiaSpec together(const InertiaSpec& a, const InertiaSpec& b);
 
-/// Whether a solid can have it: NotFinite for a NaN, an infinity, a negative mass; NotPhysical for
-/// moments of inertia about the centre that are not symmetric or belong to no solid (a negative one
-/// or one above the sum of the two others, by more than 5 % of the largest: published figures are
-/// rounded), and for moments without a mass. Allocates nothing.
+/// Checks whether a solid can have this mass distribution. Allocates no memory. Returns
+///  - NotFinite if an entry is a NaN or an infinity, or if the mass is negative;
+///  - NotPhysical if the inertia is not symmetric;
+///  - NotPhysical if a principal moment about the centre of mass is negative or exceeds the sum of
+///    the other two moments;
+///  - NotPhysical if there are moments of inertia without a mass.
+/// A violation by up to 5 % of the largest moment is accepted, since published values are rounded.
 Status check_inertia(const InertiaSpec& inertia) noexcept;
-/// The same as a sentence, such as "the mass is -1; wanted a number of at least 0"; empty where
-/// check_inertia is Ok.
+/// Returns the problem that check_inertia() finds, as a sentence such as "the mass is -1; wanted a
+/// number of at least 0". Returns an empty string if check_inertia() returns Ok.
 std::string inertia_problem(const InertiaSpec& inertia);
 
-/// Of the body that joint `body` carries.
+/// Returns the mass distribution of one body, in the axes of its joint frame. `body` is the index
+/// of the joint that carries the body.
 InertiaSpec inertia_of_body(const Model& model, int body);
 void set_inertia_of_body(Model& model, int body, const InertiaSpec& inertia);
 
-/// What a robot carries at one of its frames, in that frame's axes.
+/// A load that a robot carries at a named frame. The inertia is in the axes of that frame.
 struct Payload {
   std::string frame = "tool";
   InertiaSpec inertia;
 };
 
-/// The body that a frame is fixed to, for who wants to load it. Throws Error("<call>: ...") with
-/// the nearest known name for a frame that there is not, and for one that is fixed to the world,
-/// which nothing moves. Allocates nothing otherwise.
+/// Returns the frame with this name. Throws Error("<call>: ...") if the frame is fixed to the world
+/// and cannot carry a load, or if no frame has this name. The message for an unknown name suggests
+/// the nearest known name. Allocates no memory unless it throws.
 const Frame& frame_on_body(std::string_view call, const Model& model, std::string_view frame);
 
-/// The model with the payload in addition to what it carries already. Throws Error with one
-/// sentence for a frame that there is not or that is fixed to the world, and for a mass
-/// distribution that no solid has.
+/// Returns the model with the payload added to the inertia of the body that carries the frame.
+/// Throws Error if the frame does not exist, if the frame is fixed to the world, or if no solid can
+/// have the payload's mass distribution.
 Model with_payload(Model model, const Payload& payload);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Vectors over joints as another program orders and writes them.
+// Conversion of joint vectors (q, v, tau) between a model and another program.
 #pragma once
 
 #include <string>
@@ -8,78 +8,91 @@
 
 namespace burnish {
 
-/// How vectors of another program write the joints.
+/// Coordinates in which another program writes joint positions and velocities.
 /// @described model
 enum class JointConvention {
-  Angles,  ///< one angle of a continuous joint; else as in q, v and tau here
-  Same,    ///< as in q, v and tau here, (cos, sin) of a continuous joint included
-  /// one angle of a continuous joint; quaternions w x y z; the linear velocity of a floating joint
-  /// along the axes of its parent
+  /// As in q, v, tau of a Model, but with one angle for the rotation of a continuous or planar
+  /// joint
+  Angles,
+  /// As in q, v, tau of a Model, with (cos, sin) for the rotation of a continuous or planar joint
+  Same,
+  /// As in MuJoCo: one angle for the rotation of a continuous or planar joint, quaternions w x y z,
+  /// and the linear velocity of a floating or planar joint in the axes of its parent
   Mujoco,
 };
 
-/// Largest distance of a follower or a held joint from where the model has it that q_from() accepts
-/// [rad or m]. Simulators hold such joints by soft constraints.
+/// Default tolerance of JointOrder::q_from() [rad or m]. It limits how far a follower or held joint
+/// of the other program may be from its position in the model. Simulators hold such joints by soft
+/// constraints, so the two positions differ a little.
 inline constexpr double coupling_tolerance = 0.01;
 
-/// Maps vectors between a list of joint names and a model: q, v and tau of another program to those
-/// of the model, and back. Followers and held joints may be in the list; the model has no entries
-/// for them.
+/// Converts the vectors q, v and tau between a model and another program. A list of names states
+/// the order of joints in the other program. The list may include followers (joints coupled to a
+/// leader) and held joints. The vectors of the model have no entries for these joints.
 class JointOrder {
  public:
-  /// Order of `names`. Throws Error with the nearest known name for a joint that the model does not
-  /// have, and for a name that is empty or listed twice.
+  /// Creates the conversion for joints in the order of `names`. Throws Error if a name is empty or
+  /// listed twice, or if it is not a joint of the model (with the nearest known name).
   JointOrder(Model model, std::vector<std::string> names,
              JointConvention convention = JointConvention::Angles);
 
-  /// Order and values of MuJoCo's qpos, qvel and qfrc for a model that was read from MJCF.
+  /// Returns the conversion to MuJoCo's qpos, qvel and qfrc, for a model that was read from MJCF.
   static JointOrder mujoco(const Model& model);
 
   const std::vector<std::string>& names() const { return names_; }
-  int nq() const { return nq_; }  ///< entries of a vector of positions
-  int nv() const { return nv_; }  ///< entries of a vector of velocities or torques
+  int nq() const { return nq_; }  ///< Size of a position vector of the other program
+  int nv() const { return nv_; }  ///< Size of a velocity or torque vector of that program
 
-  /// q of the model (nq). Throws Error for a wrong size, a number that is not finite, a quaternion
-  /// or pair without unit length (to 1e-3), a joint of the model that the names leave out, and a
-  /// follower or held joint that is further than `tolerance` from where the model has it.
+  /// Converts positions of the other program (nq() entries) to q of the model. Throws Error if
+  ///  - the size is wrong or a number is not finite;
+  ///  - the length of a quaternion or (cos, sin) pair differs from 1 by more than 1e-3;
+  ///  - the list of names lacks a moving joint of the model;
+  ///  - a follower or held joint is farther than `tolerance` from its position in the model.
   Eigen::VectorXd q_from(const Eigen::Ref<const Eigen::VectorXd>& positions,
                          double tolerance = coupling_tolerance) const;
-  /// Positions in this order; of followers and held joints where the model has them. Throws Error
-  /// for a q that is no configuration.
+  /// Converts q of the model to positions of the other program (nq() entries). Followers and held
+  /// joints get their positions in the model. Throws Error if q is not a valid configuration.
   Eigen::VectorXd q_to(const Eigen::Ref<const Eigen::VectorXd>& q) const;
 
-  /// v of the model (nv) at its configuration q. Velocities of followers and held joints are passed
-  /// over. Throws Error for a wrong size, a number that is not finite, and a joint left out.
+  /// Converts velocities of the other program (nv() entries) to v of the model. q is the model's
+  /// configuration. Velocities of followers and held joints are ignored. Throws Error for a wrong
+  /// size, a number that is not finite, or a moving joint that the list of names lacks.
   Eigen::VectorXd v_from(const Eigen::Ref<const Eigen::VectorXd>& velocities,
                          const Eigen::Ref<const Eigen::VectorXd>& q) const;
-  /// Velocities in this order: of held joints zero, of followers as their leaders move them.
+  /// Converts v of the model to velocities of the other program (nv() entries). q is the model's
+  /// configuration. Held joints get zero. A follower gets its leader's velocity times the
+  /// multiplier.
   Eigen::VectorXd v_to(const Eigen::Ref<const Eigen::VectorXd>& v,
                        const Eigen::Ref<const Eigen::VectorXd>& q) const;
 
-  /// tau of the model (nv) at its configuration q: zero for joints that the names leave out. The
-  /// torque of a follower, times its multiplier, is added to its leader's; what holds held joints
-  /// is passed over. Throws Error for a wrong size and a number that is not finite.
+  /// Converts torques of the other program (nv() entries) to tau of the model. q is the model's
+  /// configuration. The torque of a follower is multiplied by the follower's multiplier and added
+  /// to the leader's entry. Torques of held joints are ignored. Joints that are not in the list of
+  /// names get zero. Throws Error for a wrong size or a number that is not finite.
   Eigen::VectorXd tau_from(const Eigen::Ref<const Eigen::VectorXd>& torques,
                            const Eigen::Ref<const Eigen::VectorXd>& q) const;
-  /// Torques in this order: of followers and held joints zero.
+  /// Converts tau of the model to torques of the other program (nv() entries). q is the model's
+  /// configuration. Followers and held joints get zero.
   Eigen::VectorXd tau_to(const Eigen::Ref<const Eigen::VectorXd>& tau,
                          const Eigen::Ref<const Eigen::VectorXd>& q) const;
 
  private:
-  /// A name of the list: where its entries begin there, and the joint that it is.
+  /// A joint in the list of names. q and v are the indices of the joint's first position and first
+  /// velocity in the vectors of the other program.
   struct Place {
     StatedJoint stated;
     int q = 0, v = 0;
   };
 
   void add(const StatedJoint& stated);
-  const Joint* moving(const Place& place) const;  ///< nullptr: held
+  const Joint* moving(const Place& place) const;  ///< nullptr if the joint is held
   bool is_continuous(int joint) const;
   void require_all_joints() const;
   void check(const Eigen::Ref<const Eigen::VectorXd>& entries, int size, const char* what) const;
   Eigen::VectorXd stated_position(const Place& place,
                                   const Eigen::Ref<const Eigen::VectorXd>& q) const;
-  /// Axes of the linear velocity of a floating or planar joint in its own axes.
+  /// Returns the rotation matrix that maps the linear velocity of a floating or planar joint from
+  /// joint axes to the axes of the other program.
   Eigen::Matrix3d linear_axes(const Place& place, const Eigen::Ref<const Eigen::VectorXd>& q) const;
   Eigen::VectorXd from(const Eigen::Ref<const Eigen::VectorXd>& entries,
                        const Eigen::Ref<const Eigen::VectorXd>& q, bool adds_followers) const;

@@ -1,4 +1,4 @@
-// A robot compiled for evaluation: joints in depth-first order, bodies, frames, limits.
+// A robot prepared for computation: joints in depth-first order, bodies, frames and limits.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,80 +16,95 @@ namespace burnish {
 
 /// Kinds of moving joints.
 /// @described model
-/// Every joint frame is turned so that its axis is z (one without an axis stays as it is); frames
-/// by name keep the axes of the file.
+/// The z axis of a joint frame is the joint axis. Floating and ball joints have no axis: their
+/// joint frame has the axes of the description file. A named Frame always has the axes of the file.
 enum class JointKind {
   Revolute,    ///< q = angle, v = rate @note nq = 1, nv = 1
   Continuous,  ///< q = (cos, sin), v = rate @note nq = 2, nv = 1
   Prismatic,   ///< q = displacement, v = rate @note nq = 1, nv = 1
   Planar,      ///< q = (x, y, cos, sin), v = (v_x, v_y, w_z) in body axes @note nq = 4, nv = 3
-  FreeFlyer,   ///< q = (p, quaternion x y z w), v = (v, w) in body axes @note nq = 7, nv = 6
-  Ball,        ///< q = quaternion x y z w, v = w in body axes @note nq = 4, nv = 3
+
+  /// q = (position, quaternion x y z w), v = (linear, angular velocity) in body axes @note nq = 7,
+  /// nv = 6
+  FreeFlyer,
+  Ball,  ///< q = quaternion x y z w, v = angular velocity in body axes @note nq = 4, nv = 3
 };
 
-/// Number of entries of a joint in q and in v.
+/// Returns the number of entries in q of a joint of this kind.
 int joint_nq(JointKind kind);
+/// Returns the number of entries in v of a joint of this kind.
 int joint_nv(JointKind kind);
 std::string_view name_of(JointKind kind);
 
-/// How a joint moves with another one: multiplier * value of the leader + offset, rad or m.
+/// Coupling of a follower joint to its leader joint: follower position = multiplier * leader
+/// position + offset, in rad or m.
 /// @described model
 struct Following {
-  int leader = 0;  ///< index of a joint that follows no other
+  int leader = 0;  ///< Index of the leader, which is not a follower itself
   double multiplier = 1.0;
   double offset = 0.0;
 };
 
-/// A moving joint of a Model and the rigid body that it carries. One that follows another has no
-/// entries of its own in q and v: its leader's move both.
+/// A moving joint of a Model, and the rigid body that the joint moves. A follower is a joint whose
+/// position is computed from another joint, the leader. A follower has no entries in q and v.
 /// @described model @result
-/// Links that are fixed to each other are one body.
+/// Links that are fixed to each other form one body.
 struct Joint {
   std::string name;
   JointKind kind = JointKind::Revolute;
-  int parent = -1;  ///< index of the joint that carries this one, -1 for the world
-  int q_index = 0;  ///< first entry in q; of a follower that of its leader
-  int v_index = 0;  ///< first entry in v; of a follower that of its leader
-  int nq = 0;       ///< entries in q, 0 of a follower
-  int nv = 0;       ///< entries in v, 0 of a follower
-  std::optional<Following> follows = {};  ///< @after inertia_at_com
-  /// joint frame at zero in the parent body's frame
+  int parent = -1;  ///< Index of the parent joint; -1: the world
+  int q_index = 0;  ///< Index of the first entry in q; a follower has the leader's index
+  int v_index = 0;  ///< Index of the first entry in v; a follower has the leader's index
+  int nq = 0;       ///< Number of entries in q; 0 for a follower
+  int nv = 0;       ///< Number of entries in v; 0 for a follower
+
+  /// Coupling to a leader, for followers only @after inertia_at_com
+  std::optional<Following> follows = {};
+  /// Placement of the joint frame in the parent body's frame, at joint position zero
   Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
-  double mass = 0.0;                              ///< of the body, kg
-  Eigen::Vector3d com = Eigen::Vector3d::Zero();  ///< of the body, in the joint frame, m
-  /// of the body, about com, joint axes, kg m^2
+  double mass = 0.0;  ///< Mass of the body [kg]
+
+  /// Centre of mass of the body in the joint frame [m]
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();
+  /// Inertia of the body about its centre of mass, in the axes of the joint frame [kg m^2]
   Eigen::Matrix3d inertia_at_com = Eigen::Matrix3d::Zero();
 };
 
-/// A joint that has a position in the description: it moves in the model too, or is held.
+/// A joint that has a position in the description. In the model, the joint either moves or is held
+/// at a constant position.
 /// @described model @result
 struct StatedJoint {
   std::string name;
   JointKind kind = JointKind::Revolute;
-  int joint = -1;            ///< index in the model's joints, -1: held
-  std::vector<double> held;  ///< where it is held, in the coordinates of a Posture
+  int joint = -1;  ///< Index in the model's joints; -1: the joint is held
+
+  /// Position of a held joint, as in a Posture; empty if the joint moves
+  std::vector<double> held;
 };
 
-/// Joints of a Model coupled by the length of a tendon, which has a spring, a damper or both. What
-/// locked joints add is taken off `rest`, and what followers add stands at their leaders.
+/// A tendon of a Model: a spring, a damper or both act on a length, which is a weighted sum of
+/// joint positions. Contributions of locked joints are included in `rest`. Contributions of
+/// followers are included in the coefficients of their leaders.
 /// @described model @result
-/// The length is the sum of coefficient times position over its parts.
+/// The length is the sum of coefficient * position over `parts`.
 struct Tendon {
-  /// A joint that a tendon of a Model goes along.
+  /// A joint along a tendon of a Model.
   /// @described model.TendonEntry @result
   struct Entry {
-    int q = 0;                 ///< the joint's entry of q, if its kind has one alone
-    int v = 0;                 ///< the joint's entry of v
-    double coefficient = 1.0;  ///< [m/rad] or 1
+    int q = 0;  ///< Index of the joint's position in q (of its cosine for a continuous joint)
+    int v = 0;  ///< Index of the joint's entry in v
+
+    /// Tendon length per joint position [m/rad]; dimensionless for a prismatic joint
+    double coefficient = 1.0;
   };
   std::string name;
-  std::vector<Entry> parts;  ///< ascending in v
-  double rest = 0.0;         ///< [m]
-  double stiffness = 0.0;    ///< [N/m]
-  double damping = 0.0;      ///< {Ns/m}
+  std::vector<Entry> parts;  ///< Joints along the tendon, in ascending order of v
+  double rest = 0.0;         ///< Length at which the spring is at rest [m]
+  double stiffness = 0.0;    ///< Stiffness of the spring [N/m]
+  double damping = 0.0;      ///< Damping of the length [Ns/m]
 };
 
-/// What a named frame belongs to.
+/// Kinds of named frames: frame of a link, frame of a joint, or additional frame.
 /// @described model
 enum class FrameKind {
   Link,
@@ -102,11 +117,13 @@ enum class FrameKind {
 struct Frame {
   std::string name;
   FrameKind kind = FrameKind::Link;
-  int body = -1;                ///< index of the joint whose body carries it, -1 for the world
-  Eigen::Isometry3d placement;  ///< in the body's frame (in the world if body is -1) @required
+  int body = -1;  ///< Index of the joint that moves the frame; -1: fixed to the world
+
+  /// Placement in the body's frame, or in the world if body is -1 @required
+  Eigen::Isometry3d placement;
 };
 
-/// A solid to draw, fixed to a body of a Model.
+/// A solid shape to draw, fixed to a body of a Model.
 /// @described model @result
 struct Visual {
   std::string link;
@@ -116,145 +133,187 @@ struct Visual {
   Eigen::Vector4d rgba;
 };
 
-/// Two frames of a Model tied to each other along some directions: motion of the second seen from
-/// the first, in the first one's axes.
+/// A constraint between two frames of a Model that closes a kinematic chain. The constraint
+/// prevents relative motion of the frames along `directions`, in the axes of the first frame.
 /// @described model @result
-/// Loops close chains (LoopSpec); contact/loops.hpp makes contacts of them.
+/// loop_contacts() in contact/loops.hpp converts loops to contacts. A LoopSpec is the loop of a
+/// description.
 struct Loop {
   std::string name;
-  std::string first;   ///< frame of the model, NAME/first
-  std::string second;  ///< frame of the model, NAME/second
+  std::string first;   ///< Name of the first frame: name of the loop followed by "/first"
+  std::string second;  ///< Name of the second frame: name of the loop followed by "/second"
   Directions directions = Directions::linear();
 };
 
-/// How the root link stands in the world.
+/// Attachment of the root link to the world.
 /// @described model
 enum class Base {
   Fixed,
   FreeFlyer,
 };
 
-/// How a TreeSpec becomes a Model.
+/// Options for building a Model from a TreeSpec.
 /// @described model
 struct ModelOptions {
   Base base = Base::Fixed;
-  /// Placement of the root link in the world; with a free-flyer only the neutral posture uses it.
+  /// Placement of the root link in the world @more For a free-flying base, the placement sets only
+  /// the neutral configuration.
   Eigen::Isometry3d base_placement = Eigen::Isometry3d::Identity();
-  /// Joints to lock. A locked joint is fixed at its value in `posture`, or at zero, and those that
-  /// follow it where it puts them.
+  /// Joints to lock, together with their followers @more A joint is locked at its value in
+  /// `posture`, or at zero if `posture` has no value for the joint.
   std::vector<std::string> locked;
-  /// When not empty: every joint that is not listed here is locked (a free-flying base stays free),
-  /// but for those that follow a listed one.
+  /// Joints that stay free; empty: all joints @more If the list is not empty, all other joints are
+  /// locked, except followers of listed joints and a free-flying base.
   std::vector<std::string> free;
-  Posture posture;  ///< Where locked joints are held; values of joints that move are passed over.
-  std::vector<FrameSpec> frames;  ///< added in this order; a parent may be an earlier one
-  Eigen::Vector3d gravity = Eigen::Vector3d(0.0, 0.0, -9.81);  ///< [m/s^2]
-  bool strict = false;                                         ///< refuse what would be a warning
+  Posture posture;  ///< Positions of locked joints; values of moving joints are ignored
+
+  /// Frames to add, in order @more The parent of a frame may be a frame earlier in the list.
+  std::vector<FrameSpec> frames;
+  Eigen::Vector3d gravity = Eigen::Vector3d(0.0, 0.0, -9.81);  ///< Gravity [m/s^2]
+  bool strict = false;  ///< Treat warnings about the robot's description as errors
 };
 
-/// An immutable robot. Cheap to move, safe to share between threads.
-/// The vectors over q have nq entries, those over v nv; infinite where the file states no limit.
+/// An immutable robot, prepared for computation. A Model is cheap to move and safe to share between
+/// threads. Vectors of position quantities have nq entries; vectors of velocity and torque
+/// quantities have nv. Limits that the description does not state are infinite.
 struct Model {
   std::string name;
-  /// Depth-first. Joints of one parent link are in the order of their names, or as the description
-  /// lists them (TreeSpec::sibling_order): as in MuJoCo of an MJCF file.
+  /// Moving joints in depth-first order. TreeSpec::sibling_order states the order of joints with
+  /// the same parent link: by name, or as in the description. For MJCF, the joints are in MuJoCo's
+  /// order.
   std::vector<Joint> joints;
   std::vector<Frame> frames;
   std::vector<Visual> visuals;
-  std::vector<Loop> loops;  ///< that the description closes, in its order
+  std::vector<Loop> loops;  ///< Loops that close kinematic chains, in the description's order
   int nq = 0;
   int nv = 0;
   Eigen::Vector3d gravity;
-  Eigen::VectorXd q_neutral;  ///< zero angles, unit quaternions, base at base_placement
+
+  /// Neutral configuration: zero positions, unit quaternions, base at base_placement
+  Eigen::VectorXd q_neutral;
   Eigen::VectorXd q_lower, q_upper;
   Eigen::VectorXd velocity_limit, effort_limit;
   Eigen::VectorXd damping, friction, armature;
-  /// Of the springs in joints, Nm/rad (N/m), and where they are at rest, rad (m): 0 of a ball.
+  /// Stiffness [Nm/rad or N/m] and rest position [rad or m] of the springs in joints, nv entries
+  /// each. The rest position of a ball joint's spring is 0.
   Eigen::VectorXd stiffness, spring_rest;
-  std::vector<Tendon> tendons;  ///< those with a spring or a damper on a joint that moves
+  std::vector<Tendon> tendons;  ///< Tendons with a spring or damper that act on a moving joint
 
-  /// Joint that owns entry k of v, and the previous entry on the way to the root (-1 at the root).
-  /// Entries of one joint are chained: the second hangs on the first. With followers an entry moves
-  /// bodies on several branches; the ways are then such that any two entries which move a common
-  /// body are on one of them.
+  /// For each entry of v, the index of the joint that has this entry.
   std::vector<int> joint_of_v;
+  /// Parent of each entry of v: the previous entry on the path to the root; -1 at the root. Entries
+  /// of one joint form a chain. With followers, one entry can move bodies on several branches. The
+  /// paths are then chosen so that any two entries that move a common body lie on one path.
   std::vector<int> parent_of_v;
 
-  /// Entries of v that move body `body`, ascending; empty for the world (-1).
+  /// Returns the indices of the entries of v that move body `body`, in ascending order. Returns an
+  /// empty span for the world (-1).
   std::span<const int> support(int body) const;
-  /// Name of entry k of v: the joint's name, with ".vx" ... ".wz" for joints of several entries.
+  /// Returns the name of entry k of v: the name of its joint, followed by ".vx" ... ".wz" if the
+  /// joint has several entries.
   std::string v_name(int k) const;
+  /// Returns the name of entry k of q: the name of its joint, followed by ".x" ... ".qw", ".cos" or
+  /// ".sin" if the joint has several entries.
   std::string q_name(int k) const;
 
-  /// Index by name. Throws Error with the nearest known name. Where a link and a joint share a
-  /// name, the frame is the link's.
+  /// Returns the index of a frame. If a link and a joint both have this name, returns the frame of
+  /// the link. Throws Error with the nearest known name if there is no such frame.
   int frame_index(std::string_view frame_name) const;
+  /// Returns the index of a moving joint. Throws Error if the joint is locked, or if it does not
+  /// exist (with the nearest known name).
   int joint_index(std::string_view joint_name) const;
   bool has_frame(std::string_view frame_name) const;
 
-  /// Of all moving bodies, kg; links fixed to the world do not count.
+  /// Returns the total mass of all moving bodies [kg], without links that are fixed to the world.
   double total_mass() const;
 
-  std::vector<std::string> locked_joints;  ///< moving joints of the description that were locked
-  /// All joints with a position in the description, followers and held ones too, in the order of
-  /// `joints`; JointOrder maps vectors over them.
-  std::vector<StatedJoint> stated_joints;
-  /// What is odd about the description but computes, one sentence each: that of the TreeSpec, then
-  /// inertias that no solid has and joints that move no mass.
-  std::vector<std::string> warnings;
-  std::vector<std::string> notes;  ///< those of the TreeSpec
+  /// Names of the locked joints, which can move in the description but not in the model
+  std::vector<std::string> locked_joints;
 
-  /// Storage of support(): entries begin[body] to begin[body + 1].
+  /// All joints that have a position in the description, in the order of `joints`. Followers and
+  /// held joints are included. JointOrder converts vectors that have entries for all these joints.
+  std::vector<StatedJoint> stated_joints;
+  /// Warnings about odd but usable content of the description, one sentence each. Warnings of the
+  /// TreeSpec come first. Further warnings report inertias that no solid has, joints that move no
+  /// mass, and implausible values.
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;  ///< Notes of the TreeSpec on content without effect on dynamics
+
+  /// Storage of support(). The entries of body b begin at index support_begin[b] of support_entries
+  /// and end before index support_begin[b + 1].
   std::vector<int> support_entries, support_begin;
 };
 
-/// Compiles a tree. Throws Error naming the source, the element and the reason, and all problems of
-/// the tree at once.
+/// Builds a Model from a description. Throws Error with the source, the element and the reason. All
+/// problems of the tree are listed in one Error.
 ///
-/// Refused are: no links, more than 2000 links, a tree deeper than 500 links; names that are empty,
-/// used twice or unknown; two roots, a link with two parents, a cycle; numbers that are not finite;
-/// negative masses, moments of inertia, limits, damping, friction, armature or stiffness; inertias
-/// that are not symmetric; zero axes (others are normalised); lower limits above upper ones.
+/// Problems of the tree are
+///  - no links, more than 2000 links, or a depth of more than 500 links;
+///  - names that are empty, used twice or unknown;
+///  - two roots, a link with two parents, or a cycle;
+///  - numbers that are not finite;
+///  - negative masses, moments of inertia, velocity or effort limits, damping, friction, armature
+///    or stiffness;
+///  - inertias that are not symmetric;
+///  - axes of zero length (other axes are normalized);
+///  - lower limits above upper limits.
 ///
-/// Warnings, which ModelOptions::strict turns into refusals, are: figures that no robot has, as
-/// those of a wrong unit (docs/robots.md); inertias that belong to no solid (principal moments may
-/// break the triangle inequality by 5 % of the largest, since published figures are rounded);
-/// joints that move no mass at any posture and have no armature: Status::SingularMass; position
-/// limits of a ball and springs in planar and floating joints, which are passed over.
+/// Warnings, which ModelOptions::strict turns into errors, are
+///  - implausible values, such as values in a wrong unit (docs/robots.md);
+///  - inertias that no solid has: the largest principal moment exceeds the sum of the other two by
+///    more than 5 % of the largest (published values are rounded);
+///  - joints that move no mass at any posture and have no armature (Status::SingularMass);
+///  - position limits of ball joints, and springs in planar and floating joints; both are ignored.
 ///
-/// A loop adds two frames, NAME/first and NAME/second, that hang on its links or stand in the
-/// world. Refused are loops without a name, directions or known links, two of one name, and one of
-/// a link with itself. Where a loop's links are one body, because joints are fixed or locked, it is
-/// dropped if they meet there to 1 mm and 0.1 degrees along its directions, and refused otherwise.
+/// A loop NAME adds two frames, NAME/first and NAME/second. Each frame is fixed to a link or to the
+/// world. A loop is an error if it has no name, no directions or an unknown link, if another loop
+/// has the same name, or if both links are the same. If no joint between the two links moves, the
+/// links are one body. The loop is then removed if it is closed to 1 mm and 0.1 degrees along its
+/// directions; otherwise the loop is an error.
 ///
-/// Position limits count for revolute and prismatic joints only; the other limits, damping,
-/// friction and armature of a planar, floating or ball joint hold for each of its entries.
+/// Position limits apply to revolute and prismatic joints only. The other limits, damping, friction
+/// and armature of a planar, floating or ball joint apply to each entry of v.
 ///
-/// A joint that mimics another one, directly or through others, follows it: Joint::follows. Both
-/// have one coordinate; where one of them is continuous the multiplier is a whole number, since an
-/// angle on the circle has no other multiples. A follower has no motor: its effort limit and its
-/// friction, times |multiplier|, are added to the leader's, its damping and its armature times
-/// multiplier^2. The leader's limits of position and velocity are those that hold for both, and an
-/// empty range is refused; a follower of a continuous leader has no position limits. A follower
-/// whose leader is locked or fixed is held where it puts it. A follower that is listed as locked is
-/// held at its value in the posture, or else at the one that its locked leader gives.
+/// A mimic joint becomes a follower (Joint::follows). If the leader is a mimic joint too, the
+/// follower is coupled to the leader of that joint instead. Follower and leader must have one
+/// coordinate each. If the follower or the leader is continuous, the multiplier must be a whole
+/// number, since an angle on the circle has no other multiples. A prismatic joint cannot follow a
+/// continuous joint.
 ///
-/// Springs in joints (torque -k (q - rest); the angle from rest, the short way, on the circle; -k
-/// log(q) of a ball) and springs and dampers of tendons are in no dynamics unless the caller adds
-/// them, as damping and friction: RigidBody::passive_torque. The spring of a follower stands at its
-/// leader, stiffness times multiplier^2; where the leader is continuous that is refused unless the
-/// multiplier is 1 or -1 and both rest at one angle. A spring in a locked joint does nothing.
+/// A follower has no motor. The effort limit and friction of a follower are multiplied by
+/// |multiplier| and added to the values of the leader. Damping and armature are multiplied by
+/// multiplier^2 and added. The position and velocity limits of the leader are narrowed to satisfy
+/// the limits of both joints. It is an error if no position remains. Position limits of a follower
+/// are ignored if the follower or the leader is continuous.
 ///
-/// A tendon that is held couples two joints of one coordinate, of which one then follows the other:
-/// the second the first, unless that one alone can follow. Refused are held tendons of one joint,
-/// and of more than two that are not locked; tendons of joints that are unknown or have not one
-/// coordinate; springs of tendons along continuous joints, whose angle has no length.
+/// If the leader is locked or fixed, the follower is held at the position that the coupling
+/// requires. A follower that is itself listed as locked is held at its value in the posture. If the
+/// posture has no value for this follower, the leader must be locked too, and the coupling
+/// determines the position.
+///
+/// The dynamics exclude damping, friction, springs in joints, and springs and dampers of tendons.
+/// Their torques are RigidBody::passive_torque, which the caller adds. A spring of stiffness k in a
+/// joint has the torque -k (q - rest). For a continuous joint, q - rest is the shorter angle. For a
+/// ball joint, the torque is -k log(q). The spring of a follower acts at the leader, with stiffness
+/// times multiplier^2. If this leader is continuous, the multiplier must be 1 or -1, and the
+/// springs in both joints must rest at the same angle. A spring in a locked joint has no effect.
+///
+/// A held tendon couples two joints: the second joint becomes a follower of the first. If only the
+/// first joint can follow, it becomes a follower of the second. A held tendon is an error if it
+/// couples only one joint, or more than two joints that are not locked.
+///
+/// A tendon is an error if one of its joints is unknown or has several coordinates. A tendon with a
+/// spring is also an error if one of its joints is continuous, since an angle on the circle has no
+/// length.
 Model build_model(const TreeSpec& tree, const ModelOptions& options = {});
 
-/// The posture as a configuration: joints it doesn't name stay neutral. Names of locked joints are
-/// passed over, and so is "root_joint" on a fixed base; unknown names and wrong sizes throw Error.
-/// The value of a follower stands for that of a leader which has none in the posture; to 1e-3
-/// (files are rounded) it must be the one that the leader's gives.
+/// Returns a posture as a configuration (nq entries). Joints without a value stay at their neutral
+/// position. Values of locked joints, and of "root_joint" on a fixed base, are ignored. Throws
+/// Error for an unknown name or a wrong number of values.
+///
+/// If a follower has a value but the leader has none, the leader's value is computed from the
+/// follower's value. A continuous leader stays at its neutral position instead. Throws Error if the
+/// values of follower and leader then disagree by more than 1e-3 (files are rounded).
 Eigen::VectorXd configuration(const Model& model, const Posture& posture);
 
 }  // namespace burnish

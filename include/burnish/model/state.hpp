@@ -1,4 +1,4 @@
-// Arithmetic on configurations: q (+) dq, q1 (-) q0, random states, checks.
+// Operations on configurations: q (+) dq, q1 (-) q0, random configurations, checks.
 #pragma once
 
 #include <random>
@@ -9,47 +9,60 @@
 
 namespace burnish {
 
-/// q (+) dq: moves every joint along its own twist dq for unit time. q: nq, dq: nv (body axes of
-/// each joint, as v). Throws Error on wrong sizes.
+/// Returns q (+) dq: the configuration that is reached from q if each joint moves for unit time
+/// with constant velocity dq. q has nq entries. dq has nv entries, in the same body axes as v.
+/// Throws Error for a wrong size.
 Eigen::VectorXd integrate(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                           const Eigen::Ref<const Eigen::VectorXd>& dq);
 
-/// The dq with q0 (+) dq = q1 (shortest for rotations).
+/// Returns the vector dq (nv entries) with q0 (+) dq = q1. Rotations take the shortest path. Throws
+/// Error for a wrong size.
 Eigen::VectorXd difference(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q0,
                            const Eigen::Ref<const Eigen::VectorXd>& q1);
 
-/// d(q (+) dq)/d(dq) at dq = 0: nq x nv.
+/// Returns the derivative of q (+) dq with respect to dq at dq = 0, an nq x nv matrix.
 Eigen::MatrixXd tangent_map(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
-/// Scales quaternions and (cos, sin) pairs to unit length.
+/// Returns q with all quaternions and (cos, sin) pairs scaled to unit length. Throws Error if a
+/// quaternion or pair has zero length.
 Eigen::VectorXd normalized(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
-/// A random configuration: uniform within position limits (within +-pi or +-1 m where there are
-/// none, or limits beyond 1e4 rad or m, which no joint reaches), uniform rotations.
+/// Returns a random configuration. Rotations are uniform. Positions are uniform within their
+/// limits, or within +-pi rad or +-1 m if there are no limits. Limits beyond 1e4 rad or m count as
+/// none, since no joint reaches them.
 Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& generator);
 
-/// Throws Error with a sentence naming the argument and the entry if q or v has the wrong size,
-/// holds a NaN or infinity, an entry beyond 1e9 rad or m (or per s), of which too few digits are
-/// left, or q holds a quaternion or (cos, sin) pair that is not of unit length.
+/// Checks a configuration. Throws Error if
+///  - q has the wrong size;
+///  - an entry is a NaN, an infinity or beyond 1e9 rad or m (where too few digits remain);
+///  - the length of a quaternion or (cos, sin) pair differs from 1 by more than 1e-6.
+/// The message names the entry and calls the vector by the name `argument`.
 void check_configuration(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                          std::string_view argument = "q");
+/// Checks a velocity. Throws Error if v has the wrong size, or if an entry is a NaN, an infinity or
+/// beyond 1e9 rad/s or m/s. The message names the entry and calls the vector by the name
+/// `argument`.
 void check_tangent(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& v,
                    std::string_view argument = "v");
 
-/// Sentences about a state that the robot cannot be in, such as angles in degrees; empty where
-/// there are none. They name positions beyond the limits by more than their range (and a turn), or
-/// beyond 1e4 rad or m where there are none (1e6 m of a base), velocities and torques above ten
-/// times their limits, and velocities above 1e4 rad/s or m/s where there are none. q: nq, v and
-/// tau: nv.
+/// Returns a sentence about each implausible value of a state, such as an angle in degrees. q has
+/// nq entries, v and tau have nv. Implausible are
+///  - positions that exceed a limit by more than the range between both limits (rotations: by more
+///    than the larger of this range and one turn);
+///  - positions beyond 1e4 rad or m of joints without limits;
+///  - positions beyond 1e6 m of floating and planar joints;
+///  - velocities above ten times their limit, or above 1e4 rad/s or m/s without a limit;
+///  - torques above ten times their limit.
 std::vector<std::string> odd_state(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                                    const Eigen::Ref<const Eigen::VectorXd>& v,
                                    const Eigen::Ref<const Eigen::VectorXd>& tau);
 
-/// Rounding of positions in files of postures [rad, m].
+/// Rounding error of positions in posture files [rad or m].
 inline constexpr double posture_rounding = 1e-4;
-/// Sentence about the joint that is farthest beyond its position limits, such as "joint 'a' is at
-/// 1.2 rad; its limits are -1 and 1 rad". Empty if no joint is beyond by more than `slack` [rad,
-/// m]. Joints with more than one entry have no limits. q: nq.
+/// Returns a sentence about the joint that is farthest outside its position limits, such as "joint
+/// 'a' is at 1.2 rad; its limits are -1 and 1 rad". Returns an empty string if no joint exceeds its
+/// limits by more than `slack` [rad or m]. Joints with several entries have no limits. q has nq
+/// entries.
 std::string beyond_limits(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                           double slack = posture_rounding);
 

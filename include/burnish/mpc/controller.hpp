@@ -1,4 +1,4 @@
-// What a controller is to the simulation: measurements in, a torque out.
+// Interface between controllers and plants: a measurement goes in, a command comes out.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,70 +10,92 @@
 
 namespace burnish {
 
-/// What the sensors say at a tick.
+/// Sensor values at one tick.
 /// @described mpc
 struct Measurement {
-  double time = 0.0;  ///< [s]
-  Eigen::VectorXd q;  ///< nq
-  Eigen::VectorXd v;  ///< nv
-  /// of the robot's inertial measurement unit, if it has one @after tool_force_world
+  /// Time of the measurement [s]
+  double time = 0.0;
+  /// Measured configuration, nq entries
+  Eigen::VectorXd q;
+  /// Measured velocity, nv entries
+  Eigen::VectorXd v;
+  /// Reading of the inertial measurement unit; empty if the robot has none
+  /// @after tool_force_world
   std::optional<ImuReading> imu = {};
-  Eigen::VectorXd tau;  ///< nv, of the torque sensors between motor and link, Nm or N
-  /// Of the force sensor: the surface's force on the tool, N, world axes.
+  /// Joint torques measured between motor and link, nv entries [Nm (N)]
+  Eigen::VectorXd tau;
+  /// Force of the surface on the tool, from the force sensor, in world axes [N]
   Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();
-  /// of the sensors in what the robot stands on: force and moment of the ground on each support, N
-  /// and Nm, at the origin of its frame, in the frame's axes; 6 x supports, or empty: not measured
+  /// Measured wrench of the ground on each support, one column per support: force (N), then moment
+  /// (Nm)
+  /// @more Moments are about the origin of the support's frame, and both parts are in the axes of
+  /// that frame. Empty if wrenches are not measured
   Eigen::Matrix<double, 6, Eigen::Dynamic> support_wrenches = {};
-  /// [s] since nothing tells where a floating base is, whose entries of q and v are old; 0: it is
-  /// told
+  /// Time since the last position estimate of a floating base [s]
+  /// @more The value 0 means that the estimate is current. While the value is positive, the base's
+  /// entries of q and v are outdated
   double base_lost_for = 0.0;
-  /// by an EstimatedBase, which knows nothing of payloads @undescribed
+  /// True if the base's entries come from an EstimatedBase, which does not account for payloads
+  /// @undescribed
   bool base_is_estimated = false;
 };
 
-/// What a controller sends. Only `tau` reaches the plant; the rest says what the controller aims at
-/// and how it fares, for the record.
+/// Output of a controller. Only `tau` reaches the plant. The other entries record targets,
+/// estimates and solver results.
 /// @described mpc
 struct Command {
-  Eigen::VectorXd tau;  ///< nv, Nm or N; zero for a floating base
-  int phase = 0;        ///< where the task stands: of an MpcController, its place in the schedule
-  double target_force = 0.0;  ///< [N], how hard the surface shall push back along its normal
-  /// [m], of the tip frame's origin; where a task presses, on the surface as it is known
+  /// Joint torques to apply, nv entries, zero for a floating base [Nm (N)]
+  Eigen::VectorXd tau;
+  /// Current phase of the task
+  /// @more For an MpcController, this is the index of the phase in the schedule
+  int phase = 0;
+  /// Target of the normal force of the surface on the tool [N]
+  double target_force = 0.0;
+  /// Target position of the tip frame's origin, in world axes [m]
+  /// @more While the tool presses, the target lies on the estimated surface
   Eigen::Vector3d p_target_world = Eigen::Vector3d::Zero();
-  /// What the controller believes the surface's normal at the tool to be, world axes.
+  /// Estimated surface normal at the tool, a unit vector in world axes
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
-  /// What the controller believes the surface's force on the tool to be, N, world axes.
+  /// Estimated force of the surface on the tool, in world axes [N]
   Eigen::Vector3d force_estimate_world = Eigen::Vector3d::Zero();
-  /// What it believes the coefficient of friction between tool and surface to be.
+  /// Estimated coefficient of friction between tool and surface
   double friction = 0.0;
   Status status = Status::Ok;
-  double solve_time = 0.0;       ///< [s] of wall clock, where an optimal control problem was solved
-  int iterations = 0;            ///< of its solver
-  bool missed_deadline = false;  ///< its solution came later than it was due
-  /// Of the last plan of a controller that keeps limits: the largest violation of a hard one along
-  /// it, and what was left open when its budget was spent, as shares of a limit's scale.
+  /// Wall-clock time of the solve that finished at this tick [s]; 0: no solve finished
+  double solve_time = 0.0;
+  /// Number of iterations of the solve that finished at this tick; 0: no solve finished
+  int iterations = 0;
+  /// True if the solve that finished at this tick took longer than its deadline
+  bool missed_deadline = false;
+  /// Largest violation of a hard constraint along the last plan, as a fraction of the constraint's
+  /// scale
   double limits_outside = 0.0;
+  /// Constraint residual that remained when the last solve used up its budget, as a fraction of the
+  /// constraint's scale
   double limits_open = 0.0;
-  int limits_pushing = 0;          ///< limits that push, over all knots
-  bool limits_infeasible = false;  ///< they cannot all be kept from here on
-  int clipped_torques = 0;  ///< joints whose torque was cut to what may be sent, at this tick
+  /// Number of active constraints in the last plan, summed over all knots
+  int limits_pushing = 0;
+  /// True if the last solve found that the hard constraints cannot all be satisfied
+  bool limits_infeasible = false;
+  int clipped_torques = 0;  ///< Number of joints whose torque was clipped to its limit at this tick
 };
 
-/// Runs at a fixed period. Ticks allocate nothing and throw nothing.
+/// Interface of controllers that run at a fixed period. tick() does not allocate and does not
+/// throw.
 class Controller {
  public:
   virtual ~Controller() = default;
   virtual int nv() const = 0;
-  /// Forgets all ticks before.
+  /// Forgets all previous ticks.
   virtual void reset() noexcept = 0;
-  /// The command that follows a measurement, at once; valid until the next call. Numerical trouble
-  /// shows in its status, and its torque is then one that can be applied.
+  /// Returns the command for a measurement; the reference is valid until the next call. After a
+  /// numerical failure, Command::status is not Ok, and Command::tau can still be applied.
   virtual const Command& tick(const Measurement& measurement) noexcept = 0;
 
-  /// Whether the controller was given a payload that its model does not have.
+  /// Returns true if a payload was set that the controller's model does not contain.
   virtual bool carries_payload() const noexcept { return false; }
-  /// Declares that an EstimatedBase makes the measurements. The controller rejects payloads from
-  /// then on.
+  /// Declares that an EstimatedBase makes the measurements. From then on the controller rejects
+  /// payloads.
   virtual void expect_estimated_base() noexcept {}
 
  protected:

@@ -1,5 +1,5 @@
-// What stands between sensing and the controller of a robot on its feet: a measurement whose base
-// is estimated rather than known.
+// Estimation of the floating base of a robot on its feet. The estimator runs between the sensors
+// and the controller.
 #pragma once
 
 #include <memory>
@@ -11,40 +11,48 @@
 
 namespace burnish {
 
-/// Which feet stand is told by their sensors, where a measurement has any
-/// (Measurement::support_wrenches, a column for each of the estimator's feet, in their order, and
-/// behind them those of what else the robot leans on), and by joint torques through the dynamics
-/// (FootForces) where not; the base then by GuardedBase: by a BaseEstimator, and by the feet alone
-/// where the unit is silent or wrong. Ticks throw nothing, and allocate nothing but what the first
-/// of such further columns takes.
+/// Estimates the floating base of a robot on its feet. The estimate replaces the base's entries in
+/// the measurements that the controller receives.
 ///
-/// A payload that a controller is given later (MpcController::set_payload) does not reach the foot
-/// forces that are computed here, so each of the two rejects the other. Put a payload that is known
-/// from the start into the model: with_payload().
+/// Measurement::support_wrenches shows which feet are on the ground. If a measurement has no
+/// wrenches, FootForces computes the forces on the feet from the joint torques. The first columns
+/// of support_wrenches must belong to the feet, in the order of BaseEstimatorOptions::feet. Columns
+/// of other supports may follow.
+///
+/// GuardedBase estimates the base with a BaseEstimator. While the inertial measurement unit is
+/// silent or wrong, the base is estimated from the feet alone. update() does not throw. It
+/// allocates only when columns of other supports first appear.
+///
+/// The foot forces computed here do not include a payload set with MpcController::set_payload(). A
+/// controller therefore accepts either such a payload or the measurements of this class, not both.
+/// Put the payload into the model instead, with with_payload().
 class EstimatedBase {
  public:
-  /// Throws Error as BaseEstimator and FootContacts do.
+  /// Throws Error in the same cases as the constructors of BaseEstimator and FootContacts.
   EstimatedBase(const Model& model, const BaseEstimatorOptions& estimator,
                 const FootContactOptions& contacts = {});
   ~EstimatedBase();
   EstimatedBase(EstimatedBase&&) noexcept;
   EstimatedBase& operator=(EstimatedBase&&) noexcept;
 
-  /// Starts at a state of the whole robot, q (nq) and v (nv), on these feet: all of them unless
-  /// said. WrongSize, NotFinite or NotNormalized, which change nothing.
+  /// Restarts the estimate at the configuration q (nq entries) and velocity v (nv entries) of the
+  /// whole robot. `standing`: feet on the ground, by default all feet. If the state is invalid,
+  /// returns WrongSize, NotFinite or NotNormalized and changes nothing; otherwise returns Ok.
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v,
                BaseEstimator::Feet standing = ~BaseEstimator::Feet{0}) noexcept;
 
-  /// The measurement with the base's entries of q and v replaced by their estimates. The first one
-  /// after reset() only starts the clock. What cannot be used (no reading of the unit for a moment,
-  /// a time that stands still, see status()) leaves the base where it was.
+  /// Returns the measurement with the base's entries of q and v replaced by estimates. The first
+  /// call after reset() only starts the clock. If a measurement cannot be used, the estimate of the
+  /// base stays unchanged and status() returns the reason.
   const Measurement& update(const Measurement& measured) noexcept;
 
-  /// Of the last update: WrongSize without a reading of the unit for a moment or with fewer
-  /// supports than feet, NotFinite for numbers that are none and a time that does not go on.
+  /// Returns the status of the last update(). WrongSize: a vector has the wrong size, there are
+  /// fewer support wrenches than feet, or the inertial measurement unit is silent for a short time.
+  /// NotFinite: an entry is not finite, or the time does not increase.
   Status status() const;
   const GuardedBase& base() const;
-  const BaseEstimator& estimator() const;  ///< of the base; it stands still while the feet tell it
+  /// Returns the base filter. It is not updated while the base is estimated from the feet alone.
+  const BaseEstimator& estimator() const;
   const FootContacts& contacts() const;
 
  private:

@@ -1,4 +1,4 @@
-// What can go wrong in a control loop, and the record of it.
+// Faults of a control loop and their reports.
 #pragma once
 
 #include <string>
@@ -8,51 +8,62 @@
 
 namespace burnish {
 
-/// What can go wrong in a control loop.
+/// Kinds of faults that can occur in a control loop.
 /// @described mpc
 enum class FaultKind {
   None,
-  StaleMeasurement,   ///< time does not go on
-  BadMeasurement,     ///< NaN, infinite or of the wrong size, for too long
-  OutOfRange,         ///< a joint is beyond its position limit
-  SolverFailed,       ///< no usable plan for too many updates in a row, or at the first
-  SolverLate,         ///< too many updates in a row took longer than their deadline
-  ContactLost,        ///< no force for too long while it is wanted
-  NoContact,          ///< the tool went on too far where the surface was expected
-  ContactLate,        ///< the tool took too long to get to the surface
-  UnexpectedContact,  ///< a force while the tool moves through free space
-  ForceLimit,         ///< the tool is pushed harder than allowed
-  SpeedLimit,         ///< a joint or the tool is faster than allowed
-  SupportSlipped,     ///< what the robot stands on came away too far
-  MotorLost,          ///< a joint's torque is not what was sent
-  Watched,            ///< a quantity of the task, FaultReport.quantity, is beyond its limit
-  BaseLost,           ///< nothing tells where a floating base is, for too long
+  StaleMeasurement,  ///< No new measurement arrived for too long
+  BadMeasurement,    ///< Measurements had NaN, infinity or a wrong size for too long
+  OutOfRange,        ///< A joint exceeds its position limit by more than the margin
+  SolverFailed,      ///< Too many solves in a row, or the first solve, gave no usable plan
+  SolverLate,        ///< Too many solves in a row took longer than the deadline
+  ContactLost,  ///< The contact force was missing for too long in a phase that requires contact
+  NoContact,    ///< The tool moved too far without contact after contact was due
+  ContactLate,  ///< Contact did not occur within the allowed time after it was due
+  UnexpectedContact,  ///< A contact force acts while the tool should move in free space
+  ForceLimit,         ///< The contact force at the tool is larger than allowed
+  SpeedLimit,         ///< A joint or the tool moves faster than allowed
+  SupportSlipped,     ///< A support of the robot, such as a foot, moved too far
+  MotorLost,          ///< The measured torque of a joint deviates too much from the command
+  Watched,   ///< A quantity that the task monitors (FaultReport.quantity) exceeds its limit
+  BaseLost,  ///< A floating base had no position estimate for too long
 };
 
-/// Such as "contact lost".
+/// Returns the name of a fault kind, such as "contact lost".
 std::string_view name_of(FaultKind kind);
 
-/// The first fault of a run, and the ticks that led to it.
+/// Report of the first fault of a run, with the ticks before the fault.
 /// @described mpc
 struct FaultReport {
   FaultKind kind = FaultKind::None;
-  double time = 0.0;  ///< [s], of the measurement, or when it was due if there was none
-  int joint = -1;     ///< entry of v that it is about, or -1
-  /// What was measured: s, updates, N, m, m/s, or of a joint rad (m), rad/s and Nm (N).
+  /// Time of the measurement that shows the fault [s]
+  /// @more If a measurement is missing, the time at which it was due
+  double time = 0.0;
+  /// Index in v of the joint with the fault; -1: the fault concerns no joint
+  int joint = -1;
+  /// Measured value that violates the limit
+  /// @more The unit depends on the kind of fault: s, number of updates, N, m or m/s. For a joint it
+  /// is rad, rad/s or Nm (prismatic joint: m, m/s or N)
   double value = 0.0;
-  double limit = 0.0;  ///< what was allowed, in the same unit
-  /// of FaultKind::Watched: its name and unit; of SupportSlipped: the support; else the part that
-  /// it is about, such as "hand 'left'"; or empty
+  /// Limit that `value` violates, in the same unit
+  double limit = 0.0;
+  /// Subject of the fault: a monitored quantity, a support, or a part of the robot; empty if there
+  /// is none
+  /// @more A quantity is given by name and unit (FaultKind::Watched), a support by name
+  /// (FaultKind::SupportSlipped), a part by words such as "hand 'left'"
   std::string quantity = {};
-  std::string joint_name = {};  ///< of that entry of v; empty: none
-  std::string unit = {};        ///< of value and limit of a joint; empty: the kind has one
-  /// What led to it, as far as measurements tell: clauses, such as "the force came to 1.4 N at
-  /// most; 2 N count as contact"; or empty.
+  /// Name of the joint with the fault; empty: the fault concerns no joint
+  std::string joint_name = {};
+  /// Unit of `value` and `limit` if the fault concerns a joint; empty: `kind` determines the unit
+  std::string unit = {};
+  /// Cause of the fault as far as measurements show it, such as "the force came to 1.4 N at most; 2
+  /// N count as contact"; empty if unknown
   std::string cause = {};
-  Trace last_second;  ///< oldest row first, the fault's tick last; empty while there is no fault
+  /// Record of all ticks in the second before the fault, oldest first; empty without a fault
+  Trace last_second;
 
-  /// One sentence, such as "speed limit at 3.2140 s: joint 'wrist_3': 3.9 rad/s, allowed 3.6
-  /// rad/s". Allocates.
+  /// Returns the fault as one sentence, such as "speed limit at 3.2140 s: joint 'wrist_3': 3.9
+  /// rad/s, allowed 3.6 rad/s". Allocates.
   std::string text() const;
 };
 

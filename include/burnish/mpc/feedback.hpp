@@ -1,4 +1,5 @@
-// The plan of a solve as a controller between two solves: a policy along the horizon.
+// Feedback policy over the horizon, copied from a solution. A controller applies it between two
+// solves.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,51 +15,59 @@ namespace burnish {
 
 class DdpSolver;
 
-/// u = feedforward + gain (x (-) state): the triple that linear feedback controllers take.
+/// Linear feedback law u = feedforward + gain (x (-) state), where (-) is the difference of two
+/// states on their manifold.
 /// @described mpc @result
-/// As in ros2_control.
+/// Linear feedback controllers of ros2_control use the same three quantities.
 struct LinearFeedback {
-  Eigen::VectorXd feedforward;  ///< nu, Nm (N)
-  Eigen::MatrixXd gain;   ///< nu x ndx: by position, velocity and, with a torque model, torque
-  Eigen::VectorXd state;  ///< nx, (q, v) or (q, v, tau)
+  /// Feedforward torques, nu entries [Nm (N)]
+  Eigen::VectorXd feedforward;
+  /// Feedback gains, nu x ndx. Columns: position, velocity and, with a torque model, torque
+  Eigen::MatrixXd gain;
+  /// State at which the law is linearized, nx entries: (q, v), or (q, v, tau) with a torque model
+  Eigen::VectorXd state;
 };
 
-/// A copy of the first knots of a solution. Allocates when made, never afterwards. Not for several
-/// threads at once, not even its const functions.
+/// Feedback policy over time, copied from the first knots of a solution. Only the constructors
+/// allocate. Not thread-safe: even const functions must not run in several threads at once.
 class FeedbackPlan {
  public:
-  /// Room for `knots` knots of the problem's horizon, all of them if there are no more; step: s
-  /// between them. The problem must outlive the plan. Throws Error for fewer than one knot and for
-  /// a step that is not positive.
+  /// Allocates space for the first `knots` knots of the problem's horizon, or for the whole horizon
+  /// if it has fewer knots. `step`: time between knots [s]. The problem must outlive the plan.
+  /// Throws Error if `knots` is less than 1 or `step` is not positive.
   FeedbackPlan(const ShootingProblem& problem, int knots, double step);
-  /// Room for a knot per step, s, whose lengths may differ; all of the horizon's if there are no
-  /// more. Throws Error for no steps and for one that is not positive.
+  /// Allocates space for one knot per entry of `steps`. Each entry is the time from that knot to
+  /// the next one [s]. Entries beyond the problem's horizon are ignored. The problem must outlive
+  /// the plan. Throws Error if `steps` is empty or an entry is not positive.
   FeedbackPlan(const ShootingProblem& problem, std::span<const double> steps);
 
-  /// Copies the solver's trajectory and gains, to hold from `time` on. The solver must be one of
-  /// the plan's problem. Rows of controls that a knot does not have are zero.
+  /// Copies the trajectory and gains of `solver`. The plan then starts at `time` [s]. `solver` must
+  /// solve the problem that was passed to the constructor. If a knot has fewer controls than
+  /// others, its missing controls and gain rows are set to zero.
   void load(const DdpSolver& solver, double time) noexcept;
-  /// The same, with knots at other times than before; `times` has at least the plan's knots.
+  /// Copies the trajectory and gains of `solver`, and the knot times in `times`. The plan then
+  /// starts at `time` [s]. `times` must have at least knots() knots; further ones are ignored.
   void load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept;
-  /// Of what was loaded, from another time on.
+  /// Shifts the loaded plan in time so that it starts at `time` [s].
   void begin_at(double time) noexcept { start_ = time; }
-  /// What another plan of the same problem and knots holds, which a second thread may ask
-  /// meanwhile.
+  /// Copies the content of `other`, which must have the same problem and number of knots. Another
+  /// thread may evaluate `other` at the same time.
   void follow(const FeedbackPlan& other) noexcept;
   void clear() noexcept { loaded_ = false; }
   bool empty() const { return !loaded_; }
   int knots() const { return knots_; }
-  /// s, of a knot, 0 to knots(); the last is the end.
+  /// Returns the time of `knot` [s]. `knot` is 0 to knots(), where knots() means the end of the
+  /// plan.
   double time_of(int knot) const { return start_ + times_.after(knot); }
-  double start() const { return start_; }  ///< s
+  double start() const { return start_; }  ///< Time at which the plan starts [s]
 
-  /// The policy at a time: the controls and gains of the knot that it falls into, about a state
-  /// between that knot's and the next one's. Before the start it is the policy there; after the
-  /// last knot, the last controls and gains about the last state. `out` has its sizes from
-  /// make_feedback(), and stays as it is while the plan is empty.
+  /// Writes the policy at `time` [s] into `out`. Controls and gains come from the knot whose step
+  /// contains `time`. The state is interpolated between this knot and the next one. A time outside
+  /// the plan is replaced by the start or the end of the plan. `out` must have the sizes of
+  /// make_feedback(). An empty plan does not change `out`.
   void at(double time, LinearFeedback& out) const noexcept;
   LinearFeedback make_feedback() const;
-  /// u = feedforward + gain (x (-) state); u: nu, x: nx.
+  /// Computes u = feedforward + gain (x (-) state). `x` has nx entries and `u` has nu entries.
   void control(const LinearFeedback& feedback, const Eigen::VectorXd& x,
                Eigen::VectorXd& u) const noexcept;
 

@@ -1,40 +1,51 @@
-// The coefficient of friction between a tool and the surface that it slides on, estimated from the
-// force across the surface's normal.
+// Online estimate of the coefficient of friction between a tool and the surface that it slides on.
+// It is computed from the tangential force.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace burnish {
 
-/// How the coefficient of friction between a tool and the surface that it slides on is estimated:
-/// deviations of what is believed at first, and of what is measured.
+/// Settings of the Kalman filter that estimates the coefficient of friction between tool and
+/// surface: uncertainty of the initial coefficient, and noise.
 /// @described mpc
 struct FrictionEstimateOptions {
-  bool enabled = true;  ///< estimate it; else what is believed is what is known
-  /// believed at first; plans know friction if that is above 0, or estimated, >= 0
+  /// Estimate the coefficient; if false, `coefficient` is used unchanged
+  bool enabled = true;
+  /// Initial coefficient of friction, >= 0
+  /// @more Plans include friction if this value is positive or `enabled` is true
   double coefficient = 0.0;
-  double deviation = 0.3;  ///< of that, > 0
-  double wander = 0.3;     ///< per square root of a metre of way, by which it changes, >= 0
-  /// [N], of the force along the surface, independent every `noise_time`, > 0
+  /// Standard deviation of the initial coefficient, > 0
+  double deviation = 0.3;
+  /// Random-walk intensity of the coefficient over the sliding distance [1/sqrt(m)], >= 0
+  double wander = 0.3;
+  /// Standard deviation of the measured force along the surface [N], > 0
+  /// @more Forces measured more than `noise_time` apart have independent noise
   double force_noise = 0.3;
-  double noise_time = 0.01;  ///< [s], >= 0
-  double speed = 0.01;  ///< [m/s], below which what is felt may be stiction and tells little, > 0
+  /// Correlation time of the force noise [s], >= 0
+  double noise_time = 0.01;
+  /// Sliding speed below which forces get little weight, since they may be stiction [m/s], > 0
+  double speed = 0.01;
 };
 
-/// v / sqrt(|v|^2 + speed^2), how SlidingFriction has the direction of sliding.
+/// Returns the smoothed sliding direction v_across / sqrt(|v_across|^2 + speed^2), as in
+/// SlidingFriction. `v_across`: velocity of the tool along the surface [m/s]. `speed`: width of the
+/// smoothing [m/s].
 Eigen::Vector3d sliding_direction(const Eigen::Vector3d& v_across, double speed) noexcept;
 
-/// A Kalman filter over the way that the tool slides. With f the normal force and s the direction
-/// of sliding, that part of the force along the surface which is against s is Coulomb's mu f |s|.
-/// A tool that does not slide tells nothing.
+/// Kalman filter of the friction coefficient mu, which varies with the sliding distance of the
+/// tool. The measurement model is Coulomb friction: -f_t . s = mu f |s|. Here f is the normal
+/// force, f_t the tangential force and s the smoothed sliding direction. A tool at rest gives no
+/// information.
 class FrictionEstimator {
  public:
-  /// Throws Error for options that are out of range.
+  /// Throws Error if an option is out of range.
   explicit FrictionEstimator(const FrictionEstimateOptions& options);
 
   void reset() noexcept;
-  /// A tick of dt s in which the tool slides at `v_across` (m/s) with this force of the surface on
-  /// it, N: along the normal, and across it. No allocation.
+  /// Updates the estimate after a tick of length `dt` [s]. `normal_force` and `force_across` are
+  /// the normal and tangential parts of the surface's force on the tool [N]. `v_across` is the
+  /// sliding velocity [m/s]. Does not allocate.
   void update(double normal_force, const Eigen::Vector3d& force_across,
               const Eigen::Vector3d& v_across, double dt) noexcept;
 

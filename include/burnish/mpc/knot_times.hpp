@@ -1,4 +1,4 @@
-// When the knots of a horizon are, seen from its first one.
+// Times of the knots of a horizon, relative to the first knot.
 #pragma once
 
 #include <span>
@@ -6,27 +6,31 @@
 
 namespace burnish {
 
-/// Allocates when made, never afterwards.
+/// Times of the knots of a horizon, relative to the first knot. Only the constructor allocates.
 class KnotTimes {
  public:
-  /// One step per knot, s; the time after the last one is the end. Throws Error for no steps and
-  /// for one that is not positive.
+  /// `steps`: time from each knot to the next one [s]; the last step ends the horizon. Throws Error
+  /// if `steps` is empty or an entry is not positive.
   explicit KnotTimes(std::span<const double> steps);
 
   int knots() const { return static_cast<int>(after_.size()) - 1; }
-  /// All steps are alike: knot k is k steps after the first one.
+  /// Returns true if all steps have the same length. Knot k is then k steps after the first knot.
   bool is_even() const { return is_even_; }
-  /// s after the first knot; of 0 to knots().
+  /// Returns the time from the first knot to `knot` [s]. `knot` is 0 to knots(), where knots()
+  /// means the end of the horizon.
   double after(int knot) const { return after_[static_cast<std::size_t>(knot)]; }
-  double step(int knot) const { return is_even_ ? step_ : after(knot + 1) - after(knot); }  ///< s
+  /// Returns the length of the step that begins at `knot` [s].
+  double step(int knot) const { return is_even_ ? step_ : after(knot + 1) - after(knot); }
 
-  /// Moves a knot that is neither the first one nor the end; between its neighbours.
+  /// Sets the time of `knot`, counted from the first knot, to `after` [s]. `after` must lie between
+  /// the times of the neighbouring knots. The first knot and the end of the horizon cannot be
+  /// moved.
   void move(int knot, double after) noexcept;
-  /// Those of as many first knots of others, which has at least as many.
+  /// Copies the first knots() steps of `others`, which must have at least knots() steps.
   void copy_first(const KnotTimes& others) noexcept;
 
-  /// Where a time after the first knot falls, as a knot and the share of its step that is over:
-  /// 2.25 is a quarter of the step after knot 2. Within 0 and knots().
+  /// Converts a time counted from the first knot [s] to a fractional knot index, 0 to knots(). For
+  /// example, 2.25 means a quarter of the step that begins at knot 2.
   double place(double after) const noexcept;
 
  private:

@@ -1,6 +1,6 @@
-// Stability margins of a controller: the extra command delay and the error of one joint's torque
-// that it tolerates. They come from the sampled loop around an arm, linearised at rest, before a
-// run.
+// Stability margins of an arm's controller: the largest extra command delay, and the range by which
+// one joint's torque may be scaled. They are computed before a run, from the closed loop
+// linearized at rest.
 #pragma once
 
 #include <memory>
@@ -11,67 +11,74 @@
 
 namespace burnish {
 
-/// What lies between a controller and the joints, and what its tool presses on. A zero switches the
-/// delay, lag or filter off.
+/// Delay, lag and filters between a controller and the joints, and stiffness and damping of the
+/// surface. The value 0 switches a delay, lag or filter off.
 struct LoopChain {
-  double command_delay = 0.0;       ///< From the controller to the motors [s].
-  double torque_cutoff = 0.0;       ///< First-order lag of the motors [rad/s].
-  bool difference_velocity = true;  ///< Velocities are differences of measured positions.
-  double velocity_cutoff = 0.0;     ///< Low-pass of those differences [rad/s].
-  double force_cutoff = 0.0;        ///< Low-pass of the measured force [rad/s].
-  double stiffness = 1e5;           ///< Of the surface, along its normal [N/m].
-  double damping = 500.0;           ///< Of the surface, along its normal [Ns/m].
+  double command_delay = 0.0;       ///< Delay from the controller to the motors [s].
+  double torque_cutoff = 0.0;       ///< Cutoff of the motors' first-order lag [rad/s].
+  bool difference_velocity = true;  ///< True if velocities are differences of measured positions.
+  double velocity_cutoff = 0.0;  ///< Cutoff of the low-pass filter of velocity differences [rad/s].
+  double force_cutoff = 0.0;     ///< Cutoff of the low-pass filter of the measured force [rad/s].
+  double stiffness = 1e5;        ///< Stiffness of the surface along its normal [N/m].
+  double damping = 500.0;        ///< Damping of the surface along its normal [Ns/m].
 };
 
-/// Factors by which the torque of one joint may be wrong while the others are right: 0.1 to 10 were
-/// tried.
+/// Range of factors on the torque of one joint within which the loop is stable. The torques of all
+/// other joints are exact. Factors from 0.1 to 10 are tried.
 /// @described mpc @result
 struct GainRange {
   std::string joint;
-  double below = 0.0;  ///< smallest factor
-  double above = 0.0;  ///< largest factor
+  double below = 0.0;  ///< Smallest factor at which the loop is stable
+  double above = 0.0;  ///< Largest factor at which the loop is stable
 };
 
-/// Stability margins of a controller's loop around an arm.
+/// Stability margins of the closed loop of a controller and an arm.
 /// @described mpc @result
 struct LoopMargins {
-  /// [s], largest extra command delay at which the loop is stable, up to 0.01; 0: it is unstable
-  /// without any
+  /// Largest extra command delay at which the loop is stable [s]
+  /// @more Delays up to 0.01 s are tried. The value 0 means that the loop is unstable even without
+  /// extra delay
   double delay = 0.0;
-  double bandwidth = 0.0;  ///< [rad/s] of the model-error observer for which that delay is smallest
-  std::vector<GainRange> gains = {};  ///< one range per entry of v
+  /// Bandwidth of the model-error observer at which the delay margin is smallest [rad/s]
+  double bandwidth = 0.0;
+  std::vector<GainRange> gains = {};  ///< Ranges of torque factors, one per entry of v
 };
 
-/// The linearised loop of one phase of a schedule, at rest in the specification's initial state.
-/// It contains mass matrix, gravity, surface, motors, filters, delays as shift registers, the first
-/// gains of the plan, the model-error observer of kind torque and its force gain. It leaves out
-/// friction, noise, limits and all other estimators. Margins are the worst over three observer
-/// bandwidths: the lowest (calm), the nominal one, and halfway from there to the boosted one. A
-/// loop counts as stable while growth() is below 8/s.
+/// Closed loop of a controller and an arm in one phase of a schedule. The loop is linearized at
+/// rest in the specification's initial state. It contains the mass matrix, gravity, surface,
+/// motors, filters, delays (as shift registers) and the first gains of the plan. It also contains
+/// the observer of torque errors and the force gain (ModelErrorOptions). Friction, noise, limits
+/// and other estimators are left out.
+///
+/// Each margin is the smallest over up to three bandwidths of the observer. These are the nominal
+/// bandwidth, the bandwidth reduced by `calm`, and the midpoint between the nominal and the boosted
+/// one. The loop counts as stable while growth() is below 8/s.
 class LoopAnalysis {
  public:
-  static constexpr double longest_delay = 0.01;  ///< [s]
+  static constexpr double longest_delay = 0.01;  ///< Largest extra delay that is tried [s]
   static constexpr double largest_gain = 10.0;
   static constexpr double smallest_gain = 0.1;
 
-  /// Solves the problem of `phase`, an index of `spec.schedule`, and differentiates its first
-  /// control. Throws Error for a base that floats, a robot with loops, supports, and as
-  /// MpcController does.
+  /// Solves the optimal control problem at the start of a phase. `phase`: index in `spec.schedule`.
+  /// Then computes how the first control depends on the initial state and on the torque error.
+  /// Throws Error if without_margins() returns a reason (such as a floating base, loops or
+  /// supports), and in the cases in which MpcController throws.
   LoopAnalysis(const MpcSpec& spec, const LoopChain& chain, int phase);
   ~LoopAnalysis();
   LoopAnalysis(LoopAnalysis&&) noexcept;
   LoopAnalysis& operator=(LoopAnalysis&&) noexcept;
 
-  /// Rate at which the fastest disturbance grows [1/s], with the observer at `bandwidth` [rad/s]
-  /// and commands `extra_delay` later [s].
+  /// Returns the growth rate of the fastest-growing disturbance [1/s]. `bandwidth`: bandwidth of
+  /// the observer [rad/s]. `extra_delay`: additional delay of commands [s].
   double growth(double bandwidth, double extra_delay) const;
-  /// Whether the loop is stable with an extra delay [s] and, tested separately, with the torque of
-  /// any one joint scaled by `factor` or 1 / `factor`. `options` take the place of the
-  /// specification's model_error.
+  /// Returns true if the loop is stable in two separate tests. In the first one, commands have the
+  /// extra delay `delay` [s]. In the second one, the torque of any one joint is multiplied by
+  /// `factor` or by 1 / `factor`. `options` replace the specification's model_error.
   bool tolerates(const ModelErrorOptions& options, double delay, double factor) const;
-  /// Margins without the ranges of gains, which take longest.
+  /// Returns the delay margin only. The ranges of torque factors, which take longest to compute,
+  /// stay empty.
   LoopMargins delay_margin(const ModelErrorOptions& options) const;
-  /// Delay and ranges of gains.
+  /// Returns the delay margin and the ranges of torque factors.
   LoopMargins margins(const ModelErrorOptions& options) const;
 
  private:
@@ -79,12 +86,13 @@ class LoopAnalysis {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Reason why margins cannot be computed for a specification, one sentence; empty if they can.
+/// Returns the reason why margins cannot be computed for `spec`, as one sentence; empty if they can
+/// be computed.
 std::string without_margins(const MpcSpec& spec);
 
-/// Index of the first phase in which the tool has no contact (free_phase) and of the last phase in
-/// which it has one (pressing_phase); -1 if there is no such phase.
+/// Returns the index of the first phase without contact at the tool; -1: every phase has contact.
 int free_phase(const MpcSpec& spec);
+/// Returns the index of the last phase with contact at the tool; -1: no phase has contact.
 int pressing_phase(const MpcSpec& spec);
 
 }  // namespace burnish

@@ -1,7 +1,7 @@
-// The constant part of what the model gets wrong, estimated from measurements and given back to the
-// model, so that wrong masses, friction and torque offsets leave no lasting error (offset-free
-// model predictive control; for contact tasks: Jordana et al., "Force Feedback Model-Predictive
-// Control via Online Estimation", 2024).
+// Online estimate of the constant part of the model error. Adding the estimate to the model removes
+// lasting errors due to wrong masses, friction and torque offsets (offset-free model predictive
+// control). For contact tasks see Jordana et al., "Force Feedback Model-Predictive Control via
+// Online Estimation", 2024.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,89 +18,108 @@
 
 namespace burnish {
 
-/// What an MpcController estimates of what its model gets wrong. Both are relative to the torque
-/// that was commanded, so that what actuators get wrong is part of them.
+/// Model error that an MpcController estimates. The estimate is relative to the commanded torque,
+/// so it includes errors of the actuators.
 /// @described mpc
-/// The command counts behind the torque model's filter, where the problem has one.
+/// If the problem has a torque model, the commanded torque means the output of that model's filter.
 enum class ModelErrorKind {
-  None,  ///< nothing: the paper's controller
-  /// d in M a + b = tau + J^T f + d, a torque per joint @note in an MpcController also the ratio of
-  /// friction along the surface to the normal force
+  /// No estimate, as in the controller of Kleff et al. (docs/frames.md)
+  None,
+  /// Torque error d of each joint, defined by M a + b = tau + J^T f + d
+  /// @note An MpcController also estimates the ratio of friction along the surface to the normal
+  /// force.
   Torque,
-  Force,  ///< what the measured normal force is above the one that the model predicts
+  Force,  ///< Measured normal force minus the normal force that the model predicts
 };
 
-/// The constant part of what the model gets wrong, estimated from measurements and given back to
-/// the model (offset-free model predictive control).
+/// Settings of the online estimate of the constant model error. The estimate is added to the model
+/// (offset-free model predictive control).
 /// @described mpc
 struct ModelErrorOptions {
-  /// none, torque (per joint) or force (along the normal)
+  /// Estimated error: none, torque (per joint) or force (along the normal)
   ModelErrorKind kind = ModelErrorKind::Torque;
-  /// [rad/s] of the observer; a higher one follows friction sooner and tolerates less delay; auto:
-  /// fitted to the arm where a task does that, else 30, > 0 @code rad/s of the observer; a higher
-  /// one follows friction sooner and tolerates less delay; none: fitted to the arm where a task
-  /// does that, else 30 @more With kind force the observer closes a loop through the controller,
-  /// whose delays bound its bandwidth: behind a force sensor filtered at 50 Hz, 50 rad/s work and
-  /// 100 rad/s oscillate. @word auto
+  /// Bandwidth of the observer (auto: fitted to the arm in polishing, else 30) [rad/s], > 0
+  /// @code Bandwidth of the observer (none: fitted to the arm in polishing, else 30) [rad/s]
+  /// @more A higher bandwidth corrects friction sooner and tolerates less delay. With kind force,
+  /// the observer closes a loop through the controller, and the delays of that loop limit the
+  /// bandwidth. Example: with a force sensor that is filtered at 50 Hz, 50 rad/s work and 100 rad/s
+  /// oscillate.
+  /// @word auto
   std::optional<double> bandwidth = {};
-  /// factor on the bandwidth while a torque error changes faster than its noise: after a push or an
-  /// impact, or where a joint reverses; 1: no boost; auto: fitted to the arm where a task does
-  /// that, else 3, > 0 @code factor on the bandwidth while a torque error changes faster than its
-  /// noise: after a push or an impact, or where a joint reverses; 1: no boost; none: fitted to the
-  /// arm where a task does that, else 3 @word auto
+  /// Largest factor on the bandwidth (auto: fitted to the arm in polishing, else 3), > 0
+  /// @code Largest factor on the bandwidth (none: fitted to the arm in polishing, else 3)
+  /// @more The factor rises while a torque error changes faster than its noise: after a push or an
+  /// impact, or where a joint reverses. The value 1 means no boost
+  /// @word auto
   std::optional<double> boost = {};
-  /// factor on the bandwidth while noise alone, such as encoder steps, changes the torque error: a
-  /// slower observer passes less of it on; 1: never, 0.01 to 1
+  /// Factor on the bandwidth while the torque error has only noise (1: no reduction), 0.01 to 1
+  /// @more A smaller factor lets less noise pass, such as encoder steps
   double calm = 1.0;
-  /// [s] by which measured velocities follow torques later than known delays say, behind filters
-  /// and motors; auto: fitted to the arm where a task does that, else 0, >= 0 @code s by which
-  /// measured velocities follow torques later than known delays say, behind filters and motors;
-  /// none: fitted to the arm where a task does that, else 0 @word auto
+  /// Lag of velocities behind torques (auto: fitted to the arm in polishing, else 0) [s], >= 0
+  /// @code Lag of velocities behind torques (none: fitted to the arm in polishing, else 0) [s]
+  /// @more Motors and the filters of measured velocities cause this lag. The stated command and
+  /// measurement delays are not part of the lag
+  /// @word auto
   std::optional<double> lag = {};
-  /// [N] pushed back at once for each N that the measured normal force is off in contact, of kind
-  /// torque with a force sensor; auto: fitted to the arm where a task does that, else 0, >= 0 @code
-  /// N pushed back at once for each N that the measured normal force is off in contact, of kind
-  /// torque with a force sensor; none: fitted to the arm where a task does that, else 0 @word auto
+  /// Gain on the normal force error (auto: fitted to the arm in polishing, else 0) [N/N], >= 0
+  /// @code Gain on the normal force error (none: fitted to the arm in polishing, else 0) [N/N]
+  /// @more Force error times gain is a commanded force on the tool. Used in contact, with kind
+  /// torque and a force sensor
+  /// @word auto
   std::optional<double> force_gain = {};
-  /// [rad/s] of the estimate of friction along the surface, with kind torque; 0: the bandwidth, >=
-  /// 0
+  /// Bandwidth of the estimate of friction along the surface (0: as `bandwidth`) [rad/s], >= 0
+  /// @more Used with kind torque
   double sliding_bandwidth = 0.0;
-  /// [s], decay time that plans assume for a torque error that has just appeared, as after a push,
-  /// > 0 or infinite @more Errors that have lasted for some seconds do not decay; infinite: none
-  /// does.
+  /// Decay time that plans assume for a new torque error, as after a push [s], > 0 or infinite
+  /// @more Errors that have lasted for some seconds do not decay. With an infinite decay time, no
+  /// error decays.
   double fading = std::numeric_limits<double>::infinity();
-  /// [Nm (N)], largest magnitude of an estimate; for a floating base at least 6 % of its weight, >
-  /// 0
+  /// Largest magnitude of an estimate [Nm (N)], > 0
+  /// @more For a floating base, at least 6 % of the robot's weight
   double limit = 30.0;
-  /// with kind torque: joint friction is estimated separately and fed forward, so that it changes
-  /// sign as soon as a joint reverses
+  /// Estimate joint friction separately and feed it forward
+  /// @more The compensation changes sign as soon as a joint reverses. Used with kind torque
   bool joint_friction = true;
-  double friction_speed = 0.001;  ///< [rad/s] (m/s) over which that friction changes its sign, > 0
+  /// Joint speed below which the compensation of joint friction fades to zero [rad/s (m/s)], > 0
+  double friction_speed = 0.001;
 
-  double usual_bandwidth() const { return bandwidth.value_or(30.0); }  ///< rad/s
+  /// Returns `bandwidth`, or 30 if unset [rad/s].
+  double usual_bandwidth() const { return bandwidth.value_or(30.0); }
+  /// Returns `boost`, or 3 if unset.
   double usual_boost() const { return boost.value_or(3.0); }
-  double usual_lag() const { return lag.value_or(0.0); }                ///< s
-  double usual_force_gain() const { return force_gain.value_or(0.0); }  ///< N/N
+  /// Returns `lag`, or 0 if unset [s].
+  double usual_lag() const { return lag.value_or(0.0); }
+  /// Returns `force_gain`, or 0 if unset [N/N].
+  double usual_force_gain() const { return force_gain.value_or(0.0); }
 };
 
-/// An observer of the joint velocity with the torque error as its disturbance state: with e = v -
-/// v^, critically damped at the bandwidth w,
-///   d(v^)/dt = M^-1 (tau + J^T f + d - b) + 2 w e,   d(d)/dt = w^2 M e,
-/// sampled so that both poles are at exp(-w dt) whatever dt is: after 4.8 / w s a constant error is
-/// known to 5 %. Forces that are not given to it are part of d: given the normal force alone, so is
-/// friction along the surface. Where d changes faster than its noise has it, w is up to `boost`
-/// times the bandwidth, and comes back within some 0.3 s. Where d has but noise in every joint
-/// during a second, w is `calm` times the bandwidth. What tau is beyond gravity is taken behind a
-/// first-order filter of time constant `lag`: compared with velocities that come behind filters, a
-/// command that has just been given would be an error, and answered by another command.
+/// Observer of the joint velocity, with the torque error d of each joint as disturbance state. Let
+/// v be the measured velocity, v^ its estimate, e = v - v^ and w the bandwidth. The observer is
+/// critically damped:
+///   d/dt v^ = M^-1 (tau + J^T f + d - b) + 2 w e,   d/dt d = w^2 M e.
+/// In discrete time, both poles are at exp(-w dt) for any time step dt. The estimate of a constant
+/// error is within 5 % of that error after 4.8 / w seconds.
+///
+/// The joint torques due to forces that are not passed to update() become part of d. For example,
+/// if only the normal force is passed, d contains friction along the surface.
+///
+/// The bandwidth w varies. While d changes faster than its noise, w rises up to `boost` times the
+/// nominal bandwidth. Afterwards w returns to the nominal bandwidth within about 0.3 s. When all
+/// joints have shown only noise in d for a second, w is `calm` times the nominal bandwidth.
+///
+/// Measured velocities are filtered, so they show the effect of a new command late. The observer
+/// delays the commanded torque too: tau minus the gravity torque passes a first-order low-pass
+/// filter with the time constant `lag`. Without this filter, a new command would look like a torque
+/// error and be compensated by another command.
 class TorqueErrorObserver {
  public:
-  /// `tool`: frame that the force acts at. `supports`: contacts that always hold, such as the feet
-  /// that a robot stands on; of the torque error the part that loops carry moves nothing and is not
-  /// known, nor is what supports carry unless their wrenches are measured. `measured`: frames that
-  /// update() is given wrenches at, of supports and of what else the robot leans on. `base`: frame
-  /// of the robot that the force pushes back at, where the tool is; empty: the world bears it.
-  /// Throws Error for an unknown frame and options out of range.
+  /// `tool`: frame at which the force on the tool acts. `supports`: contacts that always hold, such
+  /// as feet. `measured`: frames of the supports and other contacts whose wrenches are passed to
+  /// update(). `base`: robot frame that receives the opposite force; empty: the world receives it.
+  ///
+  /// Torque errors that are balanced within kinematic loops do not move the robot and are not
+  /// estimated. Torque errors that are balanced by supports are estimated only if the wrenches of
+  /// the supports are measured. Throws Error for an unknown frame and for options out of range.
   TorqueErrorObserver(const Model& model, const std::string& tool, const ModelErrorOptions& options,
                       const std::vector<ContactSpec>& supports = {},
                       const std::vector<std::string>& measured = {}, const std::string& base = {});
@@ -109,24 +128,28 @@ class TorqueErrorObserver {
   TorqueErrorObserver& operator=(TorqueErrorObserver&&) noexcept;
 
   void reset() noexcept;
-  /// A measurement, dt s after the last one: q (nq), v (nv), and what has acted since: joint
-  /// torques tau (nv) and the force on the tool (N, world axes). The first one after reset() only
-  /// sets the velocity. A measurement that cannot be evaluated changes nothing, nor does a dt that
-  /// is not positive after the first: WrongSize, NotFinite, NotNormalized or SingularMass. No
-  /// allocation.
+  /// Updates the estimate with the measured configuration q (nq entries) and velocity v (nv
+  /// entries), `dt` [s] after the previous call. `tau`: joint torques since the previous call, nv
+  /// entries [Nm (N)]. `force_world`: force on the tool since the previous call, in world axes [N].
+  /// The first call after reset() only initializes the velocity.
+  ///
+  /// Returns Ok or NotConverged. If the measurement cannot be evaluated, returns WrongSize,
+  /// NotFinite, NotNormalized, SingularMass or SingularContacts and leaves the estimate unchanged.
+  /// If `dt` is not positive, the estimate stays unchanged too. Does not allocate.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
                 const Eigen::Vector3d& force_world, double dt) noexcept {
     return update(q, v, tau, force_world, dt, Wrenches(6, 0));
   }
-  /// The same with what acts at the measured frames, in their order:
-  /// Measurement::support_wrenches.
+  /// Wrenches at the frames `measured` of the constructor, one column per frame. A column has the
+  /// format of Measurement::support_wrenches.
   using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
                 const Eigen::Vector3d& force_world, double dt, const Wrenches& supports) noexcept;
-  /// As ContactDynamics::set_payload.
+  /// Sets the payload that the robot carries at `frame`. Status and exceptions are described at
+  /// ContactDynamics::set_payload().
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
-  const Eigen::VectorXd& torque_error() const;  ///< d, nv, Nm (N)
-  double bandwidth() const;                     ///< w of the last update, rad/s
+  const Eigen::VectorXd& torque_error() const;  ///< Estimated torque error d, nv entries [Nm, or N]
+  double bandwidth() const;                     ///< Bandwidth w at the last update [rad/s]
 
  private:
   struct Impl;

@@ -1,5 +1,5 @@
-// Model predictive control of a task: a horizon that moves with time, solved again and again from
-// the measured state, and its policy in between. What the task is, it gives: mpc/task.hpp.
+// Model predictive control of a task: an optimal control problem over a moving horizon is solved
+// repeatedly from the measured state. Tasks are defined by mpc/task.hpp.
 #pragma once
 
 #include <exception>
@@ -22,197 +22,260 @@ namespace burnish {
 
 class DdpSolver;
 
-/// When a run is given up, whatever the task; the task's own limits are its. Infinite: never.
+/// Limits beyond which a controller raises a fault, in every task. A task may have further limits.
+/// An infinite limit is never exceeded.
 /// @described mpc
 struct SafetyLimits {
-  double joint_speed_ratio = 1.2;  ///< of the robot's velocity limits, > 0 or infinite
-  /// [rad] that a joint may be beyond its limit, >= 0 @more m of prismatic joints
+  /// Largest joint speed, as a multiple of the robot's velocity limit, > 0 or infinite
+  double joint_speed_ratio = 1.2;
+  /// Largest distance of a joint beyond its position limit [rad], >= 0
+  /// @more For prismatic joints the unit is m
   double joint_margin = 0.05;
-  double stale = 0.02;  ///< [s] without a new measurement, > 0 or infinite @more longer than a tick
-  /// [s] of measurements that are no state, > 0 or infinite @more which the last good one bridges
+  /// Longest time without a new measurement [s], > 0 or infinite
+  /// @more Must be longer than the tick period
+  double stale = 0.02;
+  /// Longest time with invalid measurements [s], > 0 or infinite
+  /// @more During that time the policy continues from the last valid measurement
   double bad = 0.01;
-  int failed_solves = 5;  ///< in a row, >= 1 @more the first solve may not fail
-  /// [s] of computing time per plan, >= 0 or infinite @more of wall clock; the first one, made at
-  /// rest, may take longer
+  /// Number of failed solves in a row that raises a fault, >= 1
+  /// @more A failed first solve raises a fault at once
+  int failed_solves = 5;
+  /// Longest computing time of a plan, as wall-clock time [s], >= 0 or infinite
+  /// @more The first plan, which is computed at rest, may take longer
   double deadline = std::numeric_limits<double>::infinity();
-  int late_solves = 5;  ///< in a row, >= 1
-  /// [s] without anything that tells where a floating base is, > 0 or infinite
+  /// Number of late plans in a row that raises a fault, >= 1
+  /// @more A plan is late if its computing time exceeds `deadline`
+  int late_solves = 5;
+  /// Longest time without a position estimate of a floating base [s], > 0 or infinite
   double base_lost = 0.05;
-  /// [m] along the ground that a foot may have slid within the last second, about, > 0 or infinite
+  /// Largest sliding distance of a foot along the ground within about a second [m], > 0 or infinite
   double support_way = 0.2;
-  /// of a joint's effort limit, that the measured torque may be off the commanded one, mean over 30
-  /// ms: a motor that fails, > 0 or infinite @code of a joint's effort limit, that the measured
-  /// torque may be off the commanded one, mean over 30 ms: a motor that fails; 0.6 of that where it
-  /// gives less than a fifth of what it is told. For measurements that have torques.
+  /// Largest torque gap of a motor, as a fraction of the effort limit, > 0 or infinite
+  /// @more The gap is the difference between measured and commanded torque, as a mean over 30 ms.
+  /// Beyond the limit, the motor counts as failed. The limit is multiplied by 0.6 while a motor
+  /// delivers less than a fifth of its command. Torques must be measured
   double torque_gap = std::numeric_limits<double>::infinity();
 };
 
-/// What plans make of a support that holds always and slips all the same: they keep its forces
-/// within what it was felt to bear while it did, or, where that is not measured, within the least.
-/// It slips while it bears `load`, has slid by `way` along the ground within the last second and
-/// goes on faster than `speed`.
+/// Reaction of plans to a support that slips, such as a foot: plans use a smaller coefficient of
+/// friction for that support. The coefficient is `share` times the measured ratio of tangential to
+/// normal force, or `least` if forces are not measured. A support counts as slipping if three
+/// values exceed their thresholds: its load (if measured), its sliding distance within about a
+/// second, and its speed.
 /// @described mpc
-/// What they reckon with is the friction of its FrictionCone and CenterOfPressure, among the
-/// constraints; supports without a cone are left alone.
+/// The smaller coefficient applies to the residuals FrictionCone and CenterOfPressure of supports
+/// that are in contact in every stage. Supports without a FrictionCone are not affected.
 struct SlipOptions {
-  bool enabled = true;  ///< plans are told of feet that slip
-  double way = 2.5e-3;  ///< [m], >= 0
-  double speed = 0.02;  ///< [m/s], mean over 5 ms, >= 0
-  double load = 30.0;   ///< [N], >= 0
-  double share = 0.7;   ///< of what was felt, that plans keep within, 0 to 1
-  double least = 0.02;  ///< coefficient of friction that plans are always left, > 0
-  /// [s] in which they are told, twice that where it is not measured: what changes at once has no
-  /// good plan, >= 0
+  /// Reduce the friction coefficient of supports that slip
+  bool enabled = true;
+  /// Sliding distance above which a support can count as slipping [m], >= 0
+  double way = 2.5e-3;
+  /// Sliding speed (mean over 5 ms) above which a support can count as slipping [m/s], >= 0
+  double speed = 0.02;
+  /// Load above which a support can count as slipping [N], >= 0
+  double load = 30.0;
+  /// Friction coefficient for a support that slips, as a fraction of the measured ratio of
+  /// tangential to normal force, 0 to 1
+  double share = 0.7;
+  /// Lower limit of the reduced friction coefficient, > 0
+  double least = 0.02;
+  /// Time constant with which the coefficient is reduced [s], >= 0
+  /// @more The time constant is doubled if forces are not measured. After an abrupt change, the
+  /// solver would not find a good plan
   double easing = 0.05;
-  double recovery = 0.1;  ///< [1/s], coefficient by which they trust it again while it rests, >= 0
-  double radius = 0.0;    ///< [m], of supports that are balls: that they roll is no slip, >= 0
+  /// Rate at which the coefficient recovers while the support does not slip [1/s], >= 0
+  double recovery = 0.1;
+  /// Radius of spherical feet (0: feet are not spherical) [m], >= 0
+  /// @more Rolling of a spherical foot does not count as slipping
+  double radius = 0.0;
 };
 
-/// How the robot is brought to rest after a fault, and held there: tau = b(q, 0) - M (stiffness e +
-/// damping v) on the actuated joints, e = q (-) q_hold, within the torque limits. q_hold is where
-/// the robot was at the fault, and slips where the spring would use more than `give` of a joint's
-/// effort limit.
+/// Spring and damper in the joints that stop the robot after a fault and hold it there. The torque
+/// of the actuated joints is tau = b(q, 0) - M (stiffness e + damping v), clipped to the effort
+/// limits. M is the mass matrix, b(q, 0) the gravity torque, v the joint velocity and e = q (-)
+/// q_hold the spring deflection. q_hold is the configuration at the fault. Where the spring torque
+/// would exceed the fraction `give` of a joint's effort limit, q_hold follows the robot.
 /// @described mpc
-/// The law holds for the rows and columns a of the actuated joints: tau_a = b_a(q, 0) - M_aa
-/// (stiffness e_a + damping v_a). No contact force is asked for. A motor that was found to fail
-/// (FaultKind::MotorLost) is left out: the others hold the robot as one whose joint is free there.
-/// A robot on supports (MpcSpec::supports) is held as one that they carry, and, where their sensors
-/// say that they do not, as one that hangs. q_hold slips: where the spring's torque M_aa stiffness
-/// e would exceed `give` times a joint's effort limit, q_hold follows q so that it does not. A fast
-/// robot is thereby braked and held where it comes to rest, a hand can push it aside, and a wrong
-/// model (torques off by d) lets it sink by (stiffness M_aa)^-1 d and no further. Joints without an
-/// effort limit do not slip. A floating base is not held. Without a good measurement for more than
-/// 10 ms (or SafetyLimits::bad, if that is shorter) there is no spring, and v dies away from its
-/// last value as the damping would have it: that bears a gap, but blind for good the robot is not
-/// held, and its brakes are to be used. When measurements come back, q_hold is where the robot is
-/// then.
+/// The index a stands for rows and columns of the actuated joints: tau_a = b_a(q, 0) - M_aa
+/// (stiffness e_a + damping v_a). This law requests no contact force. A motor that has failed
+/// (FaultKind::MotorLost) gets no torque. On a robot with loops or supports, the other motors then
+/// hold the robot as if that joint were free.
+///
+/// For a robot on supports (MpcSpec::supports), M and b are computed with the supports in contact.
+/// If the sensor of a support measures no load, the support is left out, and its leg is held like a
+/// hanging leg.
+///
+/// If the spring torque M_aa stiffness e_a exceeds `give` times the effort limit of a joint, q_hold
+/// moves towards q until no joint exceeds that torque. A fast robot is therefore braked and held
+/// where it stops, and a person can push it aside. A constant torque error d of the model moves the
+/// robot by (stiffness M_aa)^-1 d and no further. Joints without an effort limit do not move
+/// q_hold. A floating base is not held.
+///
+/// Without a valid measurement, v in the damping term decays from the last measured value at the
+/// rate `damping`. The spring is switched off after 10 ms, or after SafetyLimits::bad if that is
+/// shorter. This bridges short gaps only: a robot that stays without measurements is not held and
+/// needs its brakes. When measurements return after the spring was off, q_hold is set to the
+/// configuration at that time.
 struct Fallback {
-  /// [1/s^2], times the mass matrix; 0: nothing holds, the arm is braked only, >= 0
+  /// Spring stiffness, multiplied by the mass matrix (0: braked, not held) [1/s^2], >= 0
   double stiffness = 900.0;
-  double damping = 40.0;  ///< [1/s], times the mass matrix, >= 0
-  double give = 0.15;     ///< of the torque limits, where the spring slips; 0 to 1, 0 to 1
+  /// Damping, multiplied by the mass matrix [1/s], >= 0
+  double damping = 40.0;
+  /// Largest spring torque, as a fraction of a joint's effort limit, 0 to 1
+  double give = 0.15;
 };
 
-/// When a plan is used, that takes time to be made.
+/// Time at which a newly computed plan replaces the previous one.
 /// @described mpc
 enum class PlanTiming {
-  Fixed,  ///< solver_delay after the measurement that it starts from
-  /// when it would be done: the time that it took passes, as measured, while the plan before goes
-  /// on; for simulations @note The next plan begins no earlier.
+  /// A plan is used a fixed time, solver_delay, after the measurement from which it was computed
+  Fixed,
+  /// A plan is used once its measured computing time has passed; for simulations
+  /// @note Until then the previous plan stays in use, and the next solve does not begin.
   Measured,
-  /// when it is done: plans are made in a thread of their own @note A tick takes no longer for
-  /// them. The functions of the specification are called in that thread.
+  /// A plan is used as soon as a background thread has computed it
+  /// @note Ticks do not wait for the thread. The thread calls functions of the specification.
   Thread,
 };
 
-/// Model predictive control of a task: a horizon that moves with time, solved again and again from
-/// the measured state, and its policy in between.
+/// Specification of a model predictive controller. The controller repeatedly solves an optimal
+/// control problem over a moving horizon from the measured state. Between solves, the controller
+/// applies the feedback policy of the last solution.
 /// @described mpc
 struct MpcSpec {
-  /// Horizon, stages, costs. The schedule replaces the horizon's stages, so its segments matter for
-  /// the number of knots and their steps alone. @required @note All stages have the same step
-  /// unless the segments state theirs. Where steps differ, the knot nearest to a change of phase
-  /// begins there; else a knot is of the phase that it begins in.
+  /// Optimal control problem: model, stages, costs and horizon
+  /// @more The schedule selects the stage of each knot. The segments of the horizon define only the
+  /// number of knots and their steps
+  /// @required
+  /// @note All stages must have the same step unless the horizon's segments state steps. A knot
+  /// belongs to the phase that contains the knot's time. If steps differ, the knot nearest to a
+  /// change of phase is moved to that change.
   ProblemSpec problem;
   std::vector<SchedulePhase> schedule = {};
-  MakeTask task = {};         ///< events of the schedule, what is watched; none: neither
-  std::string tool = "tool";  ///< frame that Measurement::tool_force_world acts at
-  /// frame that the surface moves with, which the force on the tool pushes back at: of the robot,
-  /// as a plate in its other hand; empty: the world
+  /// Function that creates the task, which defines events and monitored quantities; none: no task
+  MakeTask task = {};
+  /// Frame at which Measurement::tool_force_world acts
+  std::string tool = "tool";
+  /// Robot frame that carries the surface, such as a plate in the other hand; empty: the world
+  /// @more The reaction to the force on the tool acts on this frame
   std::string base = {};
-  /// That the tool presses along: of the surface, towards the robot. Friction is across it. In the
-  /// axes of `base`, with which it turns.
+  /// Normal of the surface that the tool presses on, in the axes of `base` (world axes if `base` is
+  /// empty)
+  /// @more The normal points towards the robot. Friction acts perpendicular to the normal
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
-  /// [N] along the normal that count as contact @after force_sensor
+  /// Normal force above which the tool counts as in contact [N]
+  /// @after force_sensor
   double contact_threshold = 2.0;
-  /// Contacts of the problem that the robot stands on or leans against, by their names. Those of
-  /// every stage are what the fallback and the estimates take to hold always: a base that floats
-  /// free wants some. Those of some stages, such as hands on a wall, want support_sensors.
+  /// Names of the contacts that the robot stands on or leans against
+  /// @more The fallback and the estimators use the supports that are in contact in every stage. A
+  /// robot with a floating base needs at least one such support. Supports that are in contact only
+  /// in some stages, such as hands on a wall, require support_sensors
   std::vector<std::string> supports = {};
-  /// Measurement.support_wrenches are measured, in the order of `supports`: then the torque error
-  /// is known of all joints, of those on supports too
+  /// Measurement.support_wrenches is measured, one column per entry of `supports`
+  /// @more Torque errors are then estimated in all joints, including the joints of supporting legs
   bool support_sensors = false;
-  /// Measurement.tool_force_world is measured; else the force at the tool is what torques,
-  /// positions and velocities say beyond what they said in the air just before, which wants
-  /// model_error.kind torque
+  /// Measurement.tool_force_world is measured; if false, the force at the tool is estimated
+  /// @more The estimate is the force that explains how the torque error changes at contact. It uses
+  /// torques, positions and velocities and requires model_error.kind torque
   bool force_sensor = true;
-  double tick_period = 5e-4;    ///< [s]
-  double update_period = 0.01;  ///< [s] between solves, a multiple of the tick
-  /// [s] before the first plan in which the fallback holds the robot where it is, so that what
-  /// estimates comes to rest; the schedule begins after it, >= 0
+  /// Time between ticks [s]
+  double tick_period = 5e-4;
+  /// Time between solves, a multiple of the tick period [s]
+  double update_period = 0.01;
+  /// Time before the first plan during which the fallback holds the robot in place [s], >= 0
+  /// @more The estimators settle in that time. The schedule begins afterwards
   double settle = 0.0;
-  PlanTiming timing = PlanTiming::Fixed;  ///< fixed, measured or thread
-  /// [s] from a measurement to the use of the plan that starts from it, at most the update period.
-  /// The plan is made for the state that the policy in use leads to by then.
+  /// When a new plan comes into use: fixed, measured or thread
+  PlanTiming timing = PlanTiming::Fixed;
+  /// Time from a measurement to the use of the plan computed from that measurement [s]
+  /// @more With timing fixed, at most the update period. The plan begins at the state that the
+  /// current policy is predicted to reach after this time
   double solver_delay = 0.0;
-  /// [s] from a command to the torque that it makes, as far as it is known; rounded to ticks. Plans
-  /// begin in the state that the torques already sent lead to, feedback acts on that state at every
-  /// tick, and the model error is told from the torque that acted when it was measured.
+  /// Assumed delay from a command to its torque, rounded to ticks [s]
+  /// @more Plans and feedback start from the state predicted from the torques already sent. The
+  /// model error is estimated from the torque that acted at the time of the measurement
   double command_delay = 0.0;
-  /// [s] from what is measured to the tick that has it, all but its time, as far as it is known;
-  /// see command_delay
+  /// Assumed delay from a measurement to the tick that receives it [s]
+  /// @more The controller predicts the state over this delay, as for command_delay.
+  /// Measurement.time must be the time of the receiving tick
   double measurement_delay = 0.0;
-  double slowdown = 1.0;  ///< of measured timing: a machine by this factor slower
+  /// Factor on measured computing times, to simulate a slower computer
+  /// @more Used with timing measured
+  double slowdown = 1.0;
   DdpOptions solver = {
       .update = StepUpdate::MultipleShooting, .max_iterations = 1, .limits = {.tolerance = 1e-6}};
-  int first_iterations = 100;  ///< of the first solve
-  int jump_iterations = 3;     ///< of one after the schedule's clock jumped or stood still
-  /// recursions per iteration where the problem has limits, and at most as many sweeps with kept
-  /// factors; those of solver.limits, and its largest_price, mean nothing here
+  /// Maximum number of iterations of the first solve
+  int first_iterations = 100;
+  /// Maximum number of iterations of a solve after a jump or pause of the schedule's clock
+  int jump_iterations = 3;
+  /// Maximum number of Riccati recursions per iteration if the problem has constraints
+  /// @more Sweeps that reuse a factorization have the same maximum. The entries max_factors,
+  /// max_sweeps and largest_price of solver.limits are ignored
   int max_factors = 8;
-  int first_factors = 50;  ///< likewise of the first solve, and of one after a jump
-  /// [Nm] (N), nv: what is sent stays within, and within the robot's effort limits; empty: those
+  /// Maximum number of Riccati recursions per iteration in the first solve
+  /// @more Also used in a solve after a jump or pause of the schedule's clock
+  int first_factors = 50;
+  /// Additional limits on the commanded torques, nv entries [Nm (N)]; empty: no additional limits
+  /// @more The robot's effort limits always apply. The fallback uses only the effort limits
   Eigen::VectorXd torque_limit = {};
   ModelErrorOptions model_error = {};
-  /// Of the tool's contacts with friction (ContactSpec.friction): their coefficient.
+  /// Estimate of the friction coefficient for contacts of the tool that have friction
+  /// (ContactSpec.friction)
   FrictionEstimateOptions friction_estimate = {};
-  SlipOptions slip = {};  ///< of what the robot stands on
+  SlipOptions slip = {};  ///< Reaction of plans to slipping supports
   SafetyLimits limits = {};
   Fallback fallback = {};
-  bool feedback = true;  ///< the Riccati policy between solves; without, the planned torque is held
+  /// Apply the Riccati feedback policy between solves; if false, the planned torque is held
+  bool feedback = true;
 };
 
-/// The controller of the paper's section IV and more.
+/// Model predictive controller after section IV of Kleff et al. (see docs/frames.md), with
+/// extensions.
 ///
-/// A new controller is ready; reset() makes it so again, and the same measurements then give the
-/// same torques to the last bit. tick() is to be called once per `tick_period` with what was
-/// measured then; the first call that plans solves the problem to its end and may take its time,
-/// unless a thread does (PlanTiming::Thread): then the fallback holds the robot where it is, and
-/// the schedule's clock stands still, until that plan is there. Times of measurements may start
-/// anywhere: the schedule's clock starts at the first one.
+/// Call tick() once per `tick_period` with the current measurement. reset() restores the state of a
+/// new controller, except for payloads. With PlanTiming::Fixed, the same measurements after a
+/// reset() give bitwise the same torques. The first measurement may have any time. The schedule's
+/// clock starts at that time.
 ///
-/// Updates that are due before the plan before is done wait for it, where timing is not fixed.
+/// The first solve runs until it converges or reaches `first_iterations`, which may take long. With
+/// PlanTiming::Thread, the fallback holds the robot during the first solve, and the schedule's
+/// clock stands still. With PlanTiming::Measured and PlanTiming::Thread, an update that is due
+/// waits until the previous plan is finished.
 ///
-/// Each tick: (1) the measurement is checked; (2) the model error is estimated, from the torque
-/// commanded at the tick before, and the force at the tool from torques, positions and velocities
-/// by forward dynamics; (3) the schedule's clock goes on, with the events that the task found; (4)
-/// limits are checked, the controller's and then the task's; (5) when an update is due,
-/// the horizon is given its stages and targets, warm-started from the last solution, and solved
-/// from the measured state, or from the one that the policy is predicted to lead to after
-/// `solver_delay`; (6) the policy gives the torque, within the effort limits. With known delays the
-/// measured state of (5) and (6) is the predicted one in which the torque will act.
+/// Steps of a tick:
+///  1. The measurement is checked.
+///  2. The model error is estimated, with the torque commanded at the previous tick. The force at
+///     the tool is estimated from torques, positions and velocities by forward dynamics.
+///  3. The schedule's clock advances, with the events that the task detected.
+///  4. The limits of the controller are checked, then the limits of the task.
+///  5. When an update is due, the stages and targets of the horizon are set, and the problem is
+///     solved from the measured state, with the last solution as warm start. With a `solver_delay`,
+///     the problem is solved from the state predicted for the end of that delay.
+///  6. The policy computes the torque, which is clipped to the torque limits.
+/// With delays of commands or measurements, steps 5 and 6 use the predicted state in which the
+/// torque will act.
 ///
-/// Constraints of the problem are kept by every plan, with as many recursions as `max_factors` says
-/// and no more: what that leaves open, and what the plan breaks, is in Command::limits_open and
-/// limits_outside, and the torque that is sent is cut to `torque_limit`. Where hard ones cannot all
-/// be kept from the measured state on, each gives way at the price of `solver.limits.price`: the
-/// plan is the one that breaks them least by that measure, it is followed, and
-/// Command::limits_infeasible says so.
+/// Plans satisfy the constraints of the problem as far as `max_factors` recursions suffice.
+/// Command::limits_open is the remaining residual, and Command::limits_outside is the violation
+/// along the plan. Torques are clipped to `torque_limit` before they are sent. If the hard
+/// constraints cannot all be satisfied from the measured state on, their violation is penalized
+/// with the L1 penalty weight `solver.limits.price`. The controller follows the resulting
+/// plan and sets Command::limits_infeasible.
 ///
-/// Measurements that are no state (NaN, wrong sizes, time that stands still) are bridged: the
-/// policy goes on from the last good one until the limits' `bad` or `stale` is over. An update that
-/// fails is bridged by the plan before it. The first fault latches the fallback and fault(), with
-/// the last second of ticks, until reset(); before the first good measurement the torque is the
-/// fallback's too. Whatever comes in, the torque is finite.
+/// After an invalid measurement (NaN, wrong size, or a time that does not increase), the policy
+/// continues from the last valid one until SafetyLimits::bad or SafetyLimits::stale has passed. If
+/// an update fails, the previous plan stays in use. The first fault activates the fallback until
+/// reset(). fault() then returns the fault with a record of the last second. The fallback also
+/// computes the torque before the first plan. The torque is always finite.
 ///
-/// Ticks allocate nothing and throw nothing, as long as the functions that the specification holds
-/// (targets, residuals, the solver's callback) allocate nothing. What targets and residuals throw,
-/// in whatever thread of the solver, is caught: the update then counts as failed, and
-/// take_exception() has it. With a torque model in the problem the command is its filter's input,
-/// and the actuators must have that lag.
+/// Ticks do not throw. They allocate only if functions in the specification (targets, residuals,
+/// the solver's callback) allocate. Exceptions of targets and residuals are caught, in any thread
+/// of the solver. The update then counts as failed, and take_exception() returns the exception. If
+/// the problem has a torque model, the command is the input of that model's filter, and the
+/// actuators must have the same lag.
 class MpcController final : public Controller {
  public:
-  /// Throws Error with one sentence for a specification that does not fit together.
+  /// Throws Error with one sentence if the specification is inconsistent.
   explicit MpcController(MpcSpec spec);
   ~MpcController() override;
 
@@ -220,44 +283,57 @@ class MpcController final : public Controller {
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 
-  /// What the robot carries at a frame from the next tick on, in the frame's axes, in the place of
-  /// what that frame's body carried before: plans, estimates and the fallback all have it, and
-  /// reset() keeps it. Between ticks; allocates nothing; waits for a plan that a thread makes.
-  /// Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes nothing. Throws
-  /// Error with the nearest known name for a frame that there is not, for one that is fixed to the
-  /// world, and where the base is estimated (EstimatedBase), which a payload does not reach: put it
-  /// into the model with with_payload() instead. Where such a measurement comes first after a
-  /// payload, the command's status is NotPhysical and the fallback holds the robot.
+  /// Sets the payload that the robot carries from the next tick on. `payload`: inertia in the axes
+  /// of `frame`. A previous payload of the same body is replaced. Plans, estimators and the
+  /// fallback use the payload, and reset() does not remove it. Call this function between ticks. It
+  /// does not allocate, and it waits for a plan that a thread is computing.
+  ///
+  /// If check_inertia() reports NotFinite or NotPhysical, returns that status and changes nothing;
+  /// otherwise returns Ok. Throws Error for an unknown frame, with the nearest name, and for a
+  /// frame that is fixed to the world.
+  ///
+  /// Also throws Error if measurements come from an EstimatedBase, which does not account for
+  /// payloads. Put the payload into the model with with_payload() instead. If such measurements
+  /// begin only after the payload was set, Command::status is NotPhysical and the fallback holds
+  /// the robot.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   bool carries_payload() const noexcept override;
   void expect_estimated_base() noexcept override;
 
-  /// Its kind is None until there is one. reset() clears it.
+  /// Returns the first fault since reset(). FaultReport::kind is None if there was no fault.
   const FaultReport& fault() const;
-  /// The first exception that a function of the specification threw since reset() or since this was
-  /// asked last; null if there was none.
+  /// Returns and clears the first exception that a function of the specification threw since
+  /// reset() or the previous call; null if there was none.
   std::exception_ptr take_exception() noexcept;
-  /// The policy of the last tick: feedforward torque, gains, linearisation state.
+  /// Returns the policy of the last tick: feedforward torque, gains, and the state at which the
+  /// policy is linearized.
   const LinearFeedback& feedback() const;
-  /// nv, estimated, Nm (N): the observer's, and that of friction along the surface in proportion to
-  /// the force that is asked for.
+  /// Returns the estimated torque error, nv entries [Nm, or N]. It is the observer's estimate plus
+  /// the joint torques of the estimated friction along the surface. The friction is scaled to the
+  /// target force.
   const Eigen::VectorXd& torque_error() const;
-  double force_error() const;  ///< N, estimated (ModelErrorKind::Force)
-  /// Of supports that hold always, in their order: the coefficient of friction that plans reckon
-  /// with, SlipOptions; infinite where they have no cone.
+  /// Returns the estimated force error [N], with ModelErrorKind::Force.
+  double force_error() const;
+  /// Returns the coefficients of friction that plans use for supports (see SlipOptions). Only
+  /// supports in contact in every stage have an entry, in the order of ProblemSpec::contacts. The
+  /// entry is infinite for a support without a friction cone.
   const Eigen::VectorXd& support_friction() const;
   const Schedule& schedule() const;
-  /// s from the measurement that the plan in use was made from to the last good one; infinite while
-  /// there is none.
+  /// Returns the time since the measurement from which the plan in use was computed [s]; infinite
+  /// if there is no plan.
   double plan_age() const;
   const Problem& problem() const;
-  /// States of the plan, (N + 1) x nx, as solved last; with a solver delay not in use yet. This and
-  /// what follows is not to be asked while a thread makes the next plan (PlanTiming::Thread).
+  /// Returns the states of the most recent plan, (N + 1) x nx for N knots. With a solver delay,
+  /// this plan may not be in use yet. Do not call this function while a thread computes a plan
+  /// (PlanTiming::Thread).
   MatrixView plan() const;
-  /// What solved that plan last: its trajectory, gains and value function.
+  /// Returns the solver, which contains the trajectory, gains and value function of the most recent
+  /// plan. Do not call this function while a thread computes a plan (PlanTiming::Thread).
   const DdpSolver& solver() const;
-  /// Cost of each term at a knot of that plan, as problem().term_names(knot) names them; the knots'
-  /// steps are in it. For the record: allocates, and is not for ticks.
+  /// Returns the cost of each term at `knot` of the most recent plan, in the order of
+  /// problem().term_names(knot). Costs are multiplied by the knot's step. Throws Error for a knot
+  /// out of range. Allocates, so do not call this function in ticks or while a thread computes a
+  /// plan.
   std::vector<double> plan_costs(int knot);
 
  private:

@@ -1,4 +1,4 @@
-// Checks before a run whether the steps of a controller's plans are short enough.
+// Check before a run whether the time steps of a controller's plans are short enough.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace burnish {
 
-/// Solves the first plan of a controller, at rest at the problem's initial state, and returns a
-/// sentence for each step that is too long: those of step_complaints(Problem), and the warning of
-/// check_steps() for that plan. Empty if there is none. Throws Error for a specification that no
-/// controller can be made from, and what its functions throw.
+/// Solves the first plan of a controller, at rest in the problem's initial state, and checks the
+/// time steps. Returns one sentence for each step that is too long, as found by
+/// step_complaints(Problem) and check_steps(); empty if all steps are short enough. Throws Error if
+/// `spec` is not valid for a controller. Exceptions of functions in `spec` are not caught.
 std::vector<std::string> step_complaints(const MpcSpec& spec);
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// The surface under a sliding tool, estimated from the tool's own path: what is known of it stays
-// as believed where the tool has not been.
+// Online estimate of the surface under a sliding tool, from the path of the tool. The estimate
+// starts from an initial surface.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,57 +8,75 @@
 
 namespace burnish {
 
-/// How the surface under a sliding tool is estimated from the tool's own path: deviations of what
-/// is believed at first, and of what is measured.
+/// Settings of the Kalman filter that estimates the surface under a sliding tool from the path of
+/// the tool: uncertainty of the initial surface, and noise.
 /// @described pressing
 struct SurfaceEstimateOptions {
-  bool enabled = true;     ///< estimate it; else what is believed is what is known
-  double height = 0.02;    ///< [m], of the surface, > 0
-  double tilt = 0.1;       ///< [rad], of the normal about each tangent, > 0
-  double curvature = 0.3;  ///< [1/m], and a quarter of what the surface is believed to bend by, > 0
-  /// [1/m] per square root of a metre of way, by which curvatures wander, > 0
+  /// Estimate the surface; if false, the initial surface is used unchanged
+  bool enabled = true;
+  /// Standard deviation of the initial surface's height [m], > 0
+  double height = 0.02;
+  /// Standard deviation of the initial normal's angle about each tangent [rad], > 0
+  double tilt = 0.1;
+  /// Standard deviation of the initial curvatures [1/m], > 0
+  /// @more A quarter of the magnitude of the initial curvatures is added to this value
+  double curvature = 0.3;
+  /// Random-walk intensity of the curvatures over the travelled distance [1/m/sqrt(m)], > 0
   double bend_change = 0.5;
-  /// [m], of the tip's position along the normal, beside what differs from tick to tick, which is
-  /// found out, > 0
+  /// Standard deviation of position noise that is correlated along the path [m], > 0
+  /// @more The noise is along the surface normal. Noise that is independent from tick to tick is
+  /// estimated online and added to this noise
   double position_noise = 3e-5;
-  /// [m] of way after which that noise is another: an encoder's step seen from the tip, > 0
+  /// Correlation length of position noise, such as the tip motion per encoder step [m], > 0
   double noise_length = 1e-4;
-  double force_noise = 0.3;  ///< [N], of the force along the normal, > 0
-  double compliance = 1e-3;  ///< [m/N], of the surface under the tip, > 0
-  /// [m/s], of the surface along its normal; 0: it stands. What may move is told from a slope only
-  /// once the tip has turned, >= 0
+  /// Standard deviation of the force along the normal [N], > 0
+  double force_noise = 0.3;
+  /// Standard deviation of the initial compliance of the surface under the tip [m/N], > 0
+  /// @more The initial compliance is 0
+  double compliance = 1e-3;
+  /// Standard deviation of the surface's velocity along its normal (0: surface at rest) [m/s], >= 0
+  /// @more A moving surface can be distinguished from a slope only after the tip has changed
+  /// direction
   double rate = 0.0;
 };
 
-/// A Kalman filter over the way of the tip. With phi the distance to the surface as believed (that
-/// of the tip's centre: `tip_radius` outside of it), t the way along its tangents and f the force
-/// along the normal, the tip is at
+/// Kalman filter that corrects an initial surface from the path of a tip that touches the surface.
+/// States are the errors h, s and K of the initial surface's height, slope and curvature, and the
+/// compliance c. The measurement equation is
 ///   phi = h + s . t + t . K t / 2 - c f,
-/// h, s and K being what height, slope and curvature of the surface differ by from what is believed
-/// and c its compliance; h changes by the rate r where the surface may move. Slope and curvature of
-/// places to come follow from those here.
+/// where phi is the distance from the initial surface to the tip's centre minus `tip_radius`. t is
+/// the tip's displacement along the tangents and f the force along the normal. If the surface may
+/// move, h changes at the rate r. State and covariance change with the distance that the tip
+/// travels. Slope and curvature at the tip are extrapolated ahead of the tip.
 class SurfaceEstimator {
  public:
-  /// Throws Error for deviations that are not positive numbers.
+  /// `believed`: initial surface. `tip_radius`: radius of the tip [m]. `tick_period`: time between
+  /// updates [s]. Throws Error if an option is out of range.
   SurfaceEstimator(Surface believed, double tip_radius, const SurfaceEstimateOptions& options,
                    double tick_period);
 
   void reset() noexcept;
-  /// A tick: the tip's centre, m, and the surface's force on it, N, along its normal. Where it does
-  /// not touch nothing is learnt, but the surface is known for where the tip is. No allocation.
+  /// Processes one tick. `p`: position of the tip's centre [m]. `force`: normal force of the
+  /// surface on the tip [N]. If `touches` is false, the estimate is not updated, only evaluated at
+  /// `p`. Does not allocate.
   void update(const Eigen::Vector3d& p, double force, bool touches) noexcept;
 
-  /// Of the tip's centre, near the last tick's: zero on the surface that the tip slides on,
-  /// unloaded.
+  /// Returns the estimated surface as a quadratic function of the position of the tip's centre. The
+  /// function is zero where the tip touches without load. The function is valid near the position
+  /// at the last tick.
   const Quadric& surface() const { return surface_; }
-  const Eigen::Vector3d& normal() const { return normal_; }  ///< at the tip, of length one
-  /// Deviation of the normal's angle, rad, about the tangent that is known worst.
+  /// Returns the estimated surface normal at the tip, a unit vector.
+  const Eigen::Vector3d& normal() const { return normal_; }
+  /// Returns the standard deviation of the normal's angle [rad], about the tangent for which it is
+  /// largest.
   double normal_deviation() const;
-  double compliance() const { return x_[c_]; }  ///< m/N
-  double rate() const { return x_[r_]; }        ///< m/s, of the surface along its normal
+  /// Returns the estimated compliance [m/N].
+  double compliance() const { return x_[c_]; }
+  /// Returns the estimated velocity of the surface along its normal [m/s].
+  double rate() const { return x_[r_]; }
 
  private:
-  static constexpr int n_ = 8;  ///< h, s (2), K (uu, uw, ww), c, r
+  static constexpr int n_ = 8;  ///< States: h, s (2), K (uu, uw, ww), c, r
   static constexpr int h_ = 0, s_ = 1, k_ = 3, c_ = 6, r_ = 7;
   using State = Eigen::Matrix<double, n_, 1>;
   using Covariance = Eigen::Matrix<double, n_, n_>;
@@ -77,24 +95,34 @@ class SurfaceEstimator {
   Surface believed_;
   double radius_;
   SurfaceEstimateOptions options_;
-  int window_;           ///< ticks that are averaged into a measurement, at least
-  double tick_period_;   ///< s
-  double time_ = 0.0;    ///< s since the last measurement
-  double noise_share_;   ///< of a tick, in the mean of white_
-  double white_ = 0.0;   ///< m^2, variance of places along the normal from tick to tick
-  double spread_ = 0.0;  ///< m^2, in all directions
-  int seen_ = 0;         ///< ticks, up to a million
-  Eigen::Vector3d before_, before_that_;  ///< m, the last two ticks' places
-  Eigen::Matrix3d tangents_;              ///< columns: t_u, t_w and the believed normal, at place_
+  /// Number of ticks averaged into one measurement
+  int window_;
+  /// Time between ticks [s]
+  double tick_period_;
+  /// Time since the last measurement [s]
+  double time_ = 0.0;
+  /// Weight of one tick in the running means white_ and spread_
+  double noise_share_;
+  /// Variance of tick-to-tick position noise along the normal [m^2]
+  double white_ = 0.0;
+  /// Variance of tick-to-tick position noise, sum of all directions [m^2]
+  double spread_ = 0.0;
+  /// Number of ticks so far, at most 2^20
+  int seen_ = 0;
+  /// Tip positions at the last two ticks [m]
+  Eigen::Vector3d before_, before_that_;
+  /// Columns: tangents t_u and t_w and the normal of the initial surface, at place_
+  Eigen::Matrix3d tangents_;
   State x_;
   Covariance P_;
-  /// m, of the state; of the last window; of the ticks of this one
+  /// Tip positions [m]: place_ is the position to which the state x_ refers, last_ is the mean of
+  /// the last window, and sum_p_ is the sum over the current window
   Eigen::Vector3d place_, last_, sum_p_;
   double sum_f_ = 0.0;
   int ticks_ = 0;
   bool placed_ = false;
-  double trust_ = 1.0;  ///< share of the deviations of slope and curvature that may be
-  double bend_ = 0.0;   ///< 1/m, deviation of curvatures where the tip touched first
+  double trust_ = 1.0;  ///< Factor on the initial deviations of slope and curvature, at most 1
+  double bend_ = 0.0;   ///< Standard deviation of the curvatures at the first contact [1/m]
   Quadric surface_;
   Eigen::Vector3d normal_;
 };

@@ -1,6 +1,6 @@
-// What a task is to an MpcController beside the stages of its problem: phases that follow each
-// other in time, events that end some of them, quantities that are watched, and what is aimed at,
-// for the record. mpc itself knows no task.
+// Interface between an MpcController and its task. A task adds to the stages of the problem: phases
+// in time, events that end phases, monitored quantities, and recorded targets. The mpc layer
+// contains no task.
 #pragma once
 
 #include <functional>
@@ -16,122 +16,141 @@
 
 namespace burnish {
 
-/// One of the phases that follow each other in a schedule.
+/// Phase of a task. A schedule is a sequence of phases.
 /// @described mpc
-/// What a controller does for a while; some phases end when something happens, such as contact,
-/// rather than when planned.
+/// During a phase, a controller uses one stage of its problem. Some phases end at an event, such as
+/// contact, instead of after a planned time.
 struct SchedulePhase {
-  std::string name = {};   ///< such as "approach"
-  std::string stage = {};  ///< of the optimal control problem
-  /// [s]; infinite for the last one only
+  /// Name of the phase, such as "approach"
+  std::string name = {};
+  /// Name of the stage of the optimal control problem that is used in the phase
+  std::string stage = {};
+  /// Duration of the phase [s]
+  /// @more Only the last phase may have an infinite duration
   double duration = std::numeric_limits<double>::infinity();
-  /// Event, such as "contact", that ends it, and not before; empty: its duration does. When the
-  /// event is early, the clock jumps to the end; when it is late, the clock stands still `hold` s
-  /// before it, so that the horizon goes on with the phase and plans the next one soon. Of the last
-  /// phase it means nothing.
+  /// Event that ends the phase, such as "contact"; empty: the phase ends after its duration
+  /// @more If the event is early, the clock jumps to the end of the phase. If the event is late,
+  /// the clock waits at the time `hold` before the end. Plans made while the clock waits contain
+  /// the rest of this phase and then the next phase. The event is ignored in the last phase
   std::string until = {};
-  double hold = 0.05;  ///< [s]; longer than the phase: the clock stands still at its start
+  /// Time before the end of the phase at which the clock waits for a late event [s]
+  /// @more If `hold` is longer than the phase, the clock waits at the start of the phase
+  double hold = 0.05;
 };
 
-/// A clock that runs along the phases. Its time is the time of a task's targets.
+/// Clock that runs through the phases of a task. Targets of the task are functions of the clock's
+/// time.
 class Schedule {
  public:
-  /// Throws Error for no phases, durations that are not positive, an infinite one before the last,
-  /// a hold that is not a positive time where an event is waited for, and an event that is not
-  /// among `events`.
+  /// Throws Error if `phases` is empty, if there are more than 32 events, or if a phase waits for
+  /// an event that is not in `events`. Also throws if a duration is not positive, or is infinite
+  /// before the last phase. The hold of a phase with an event must be positive and finite.
   Schedule(std::vector<SchedulePhase> phases, std::vector<std::string> events);
-  /// The events are those that the phases name, in their order.
+  /// Uses the events that the phases name, in the order in which they first appear.
   explicit Schedule(std::vector<SchedulePhase> phases);
 
   const std::vector<SchedulePhase>& phases() const { return phases_; }
   const std::vector<std::string>& events() const { return events_; }
-  double start_of(int phase) const { return starts_[static_cast<std::size_t>(phase)]; }  ///< s
+  /// Returns the time at which `phase` starts [s].
+  double start_of(int phase) const { return starts_[static_cast<std::size_t>(phase)]; }
 
   void reset() noexcept;
-  /// Lets dt s pass. happened: bit e for entry e of events(), as if it were now. True if the clock
-  /// jumped or stood still: plans made before are then off. An event in phases that do not wait for
-  /// it means nothing, and that it is over again neither.
+  /// Advances the clock by `dt` [s]. Bit e of `happened` is set while event e of events() is
+  /// present. Only the event that ends the current phase matters. A phase that has ended does not
+  /// return when its event is no longer present. Returns true if the clock jumped or waited; times
+  /// in earlier plans are then wrong.
   bool advance(double dt, unsigned happened) noexcept;
-  /// Goes to the start of a phase, such as the retreat; past the last one, to the last one.
+  /// Sets the clock to the start of `phase`. An index beyond the last phase means the last phase.
   void jump_to(int phase) noexcept;
 
-  double time() const { return time_; }  ///< s
-  /// An event is due and did not come: the last advance() found the clock standing still for it.
+  /// Returns the time of the clock [s].
+  double time() const { return time_; }
+  /// Returns true if the last advance() stopped the clock to wait for a late event.
   bool waits() const { return waits_; }
   int phase() const { return phase_at(time_); }
-  /// Index of the phase at a time of the clock; the last one after the end.
+  /// Returns the index of the phase at the clock time `time` [s]. After the end of the schedule,
+  /// this is the last phase.
   int phase_at(double time) const noexcept;
-  /// All phases of finite duration are over.
+  /// Returns true after the end of the last phase; always false if that phase is infinite.
   bool finished() const noexcept;
 
  private:
   std::vector<SchedulePhase> phases_;
   std::vector<std::string> events_;
-  std::vector<unsigned> until_;  ///< per phase: the bit that it waits for, 0: none
+  std::vector<unsigned> until_;  ///< Per phase, the bit of the event that ends it; 0: no event
   std::vector<double> starts_;
   double time_ = 0.0;
   bool waits_ = false;
-  int current_ = 0;  ///< a phase that waits for an event is left by it alone
+  int current_ = 0;  ///< Current phase; if it waits for an event, only that event ends it
 };
 
-/// A tick whose measurement is a state, as a task sees it.
+/// Inputs of a task at a tick with a valid measurement.
 struct TaskView {
   const Measurement& measurement;
-  const RigidBody& body;  ///< at that q and v
+  const RigidBody& body;  ///< Kinematics of the robot at the measured q and v
   const Schedule& schedule;
-  const Command& command;  ///< of the tick before: what was aimed at then
-  double dt;               ///< s since the measurement before; 0 at the first
+  const Command& command;  ///< Command of the previous tick, with its targets
+  double dt;               ///< Time since the previous valid measurement [s]; 0 at the first one
 };
 
-/// A quantity that a task watches.
+/// Quantity that a task monitors. A value beyond its limit is a fault.
 struct WatchedQuantity {
-  std::string name = {};  ///< for FaultKind::Watched, such as "slip of the tool"
-  std::string unit = {};  ///< such as "m"
+  /// Name of the quantity in faults of kind FaultKind::Watched, such as "slip of the tool"
+  std::string name = {};
+  std::string unit = {};  ///< Unit, such as "m"
   FaultKind fault = FaultKind::Watched;
-  /// of other kinds: what of the robot it is about, such as "hand 'left'"; empty: the tool, or all
+  /// Part of the robot, such as "hand 'left'"; empty: the tool, or the whole robot. Used if `fault`
+  /// is not FaultKind::Watched
   std::string part = {};
 };
 
-/// A quantity now, and the most that it may be; NaN and what is not to be watched now are within.
+/// Current value of a monitored quantity and its upper limit. The value NaN or an infinite limit
+/// means that the quantity is not monitored at the moment.
 struct Reading {
   double value = 0.0;
   double limit = std::numeric_limits<double>::infinity();
 };
 
-/// A task's own state while it is controlled: each controller has one of its own. What is called in
-/// ticks allocates nothing and, but for aim(), throws nothing.
+/// Interface for the state of a task during control. Each controller has a task object of its own.
+/// Functions that are called in ticks must not allocate and, except aim(), must not throw.
 class MpcTask {
  public:
   virtual ~MpcTask() = default;
 
-  /// Names that SchedulePhase::until may say; at most 32.
+  /// Returns the names of the events that SchedulePhase::until may use, at most 32.
   virtual std::vector<std::string> events() const { return {}; }
-  /// In the order in which watch() reads them: of several beyond their limits the first is the
-  /// fault.
+  /// Returns the monitored quantities, in the order in which watch() writes their readings. If
+  /// several quantities exceed their limits, the first one is reported as the fault.
   virtual std::vector<WatchedQuantity> watched() const { return {}; }
 
-  /// Forgets all ticks before.
+  /// Forgets all previous ticks.
   virtual void reset() noexcept {}
-  /// First in every tick, before the schedule's clock goes on. The events that have come: bit e for
-  /// entry e of events().
+  /// Returns the events that are present now: bit e stands for entry e of events(). Called first in
+  /// every tick, before the schedule's clock advances.
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
-  /// The surface that the tool is on or comes to, as known after sense(): a function of the tool's
-  /// point in the world, zero where it touches. Contacts at MpcSpec::tool that hold the world
-  /// (MpcSpec::base, in whose axes the function then is) and whose references follow a surface
-  /// (Reference::on) are given it along the whole horizon, and its normal at the tool is the
-  /// controller's from then on. Null: those of the specification.
+  /// Returns the estimated surface that the tool touches or approaches; null: the surfaces of the
+  /// specification are used. Called after sense(). The quadric is a function of the tool's position
+  /// and is zero where the tool touches the surface. The position is relative to the frame
+  /// MpcSpec::base (world if empty).
+  ///
+  /// The surface replaces the specified surface (Reference::on) along the whole horizon, in
+  /// contacts between MpcSpec::tool and MpcSpec::base. The normal of the returned surface at the
+  /// tool becomes the controller's surface normal.
   virtual const Quadric* surface() const noexcept { return nullptr; }
-  /// How far that gives way under the tool, m, at least 0. Costs that bring the tool to a point of
-  /// the world, made for a surface that stands, bring it there across the normal of this one.
+  /// Returns the depth by which the surface yields under the tool [m], at least 0. Plans shift
+  /// target positions of the tool into the surface by this depth, along the surface normal.
   virtual double surface_depth() const noexcept { return 0.0; }
-  /// After the clock went on: one reading for each of watched().
+  /// Writes one reading for each quantity of watched(). Called after the schedule's clock has
+  /// advanced.
   virtual void watch(const TaskView& /*view*/, std::span<Reading> /*readings*/) noexcept {}
-  /// What led to the fault of a quantity, right after watch() found it: at most so many characters
-  /// and a zero, such as "the force came to 1.4 N at most; 2 N count as contact".
+  /// Writes the cause of a fault into `clause`, as a zero-terminated text such as "the force came
+  /// to 1.4 N at most; 2 N count as contact". Called right after watch(), when entry `quantity` of
+  /// watched() exceeds its limit.
   virtual void explain(std::size_t /*quantity*/, std::span<char> /*clause*/) const noexcept {}
-  /// Writes what is aimed at into `p_target_world` and `target_force` of the command: for the
-  /// record, and for friction, which goes with the force. `time` is the schedule's, s. What it
-  /// throws is kept for take_exception().
+  /// Writes the current targets into Command::p_target_world and Command::target_force. `time` is
+  /// the schedule's time [s]. Both targets are recorded. The model-error estimate also uses the
+  /// target force, for friction and force feedback. If aim() throws,
+  /// MpcController::take_exception() returns the exception.
   virtual void aim(double /*time*/, Command& /*command*/) {}
 
  protected:
@@ -141,8 +160,8 @@ class MpcTask {
 };
 
 struct MpcSpec;
-/// Makes the state of a task for a controller of this specification. Throws Error where the two do
-/// not fit together.
+/// Function that creates the task of a controller with the specification `spec`. Throws Error if
+/// task and specification do not fit together.
 using MakeTask = std::function<std::unique_ptr<MpcTask>(const MpcSpec& spec)>;
 
 }  // namespace burnish

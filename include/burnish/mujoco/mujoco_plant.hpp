@@ -1,15 +1,18 @@
-// MuJoCo as a plant: an engine that shares no code with this library. Only where it was found when
-// the library was built (target burnish::mujoco).
+// MuJoCo as a plant: a simulator that shares no code with this library. The plant is available only
+// if MuJoCo was found when the library was built (target burnish::mujoco). Torques act without
+// delay.
 //
-// Torques enter without delay. The contact is one of two.
+// MujocoContact::Exact supports every shape. A spring K [N/m] and a damper D [Ns/m] act on the
+// depth of the tip in the exact surface. Coulomb friction acts along the surface. Both forces are
+// computed implicitly, from the state at the end of the step.
 //
-// Exact, for every shape: a spring and damper of K and D, N/m and Ns/m, over how deep the tip is in
-// the exact surface, and Coulomb friction, both solved for at the end of the step.
+// MujocoContact::Engine is MuJoCo's own contact, for planes, spheres, cylinders and ellipsoids that
+// are not hollow. It acts as a spring and a damper in series with an apparent mass. The stiffness K
+// and the damping D are set by solref = (-K R d, -D R d) and R = (1 - d) / d * A. d is the
+// impedance, and A is the inverse inertia of the tip in MuJoCo.
 //
-// Engine, MuJoCo's own, of planes, spheres, cylinders and ellipsoids that are not hollow: a spring
-// and damper in series with an apparent mass. With d the impedance and A MuJoCo's inverse inertia
-// of the tip, R = (1 - d)/d A and solref = (-K R d, -D R d) give K and D. Its elliptic friction
-// cones lift a sliding tip by mu * damping * speed: contact is lost unless that is below the force.
+// MuJoCo's elliptic friction cones lift a sliding tip by a force of mu * D * speed, with the
+// friction coefficient mu. Contact is lost if this force exceeds the normal force.
 #pragma once
 
 #include <memory>
@@ -18,27 +21,34 @@
 
 namespace burnish {
 
-/// What the tip meets in make_mujoco_plant()'s plant.
+/// Contact model for the tip in the plant of make_mujoco_plant().
 /// @described sim
 enum class MujocoContact {
-  Exact,   ///< a spring, a damper and Coulomb friction on the exact surface
-  Engine,  ///< MuJoCo's own contact, of shapes that it has
+  Exact,   ///< Spring, damper and Coulomb friction on the exact surface
+  Engine,  ///< MuJoCo's own contact, for the shapes that it supports
 };
 
-/// How make_mujoco_plant()'s plant steps.
+/// Options of the plant that make_mujoco_plant() creates.
 /// @described sim
 struct MujocoPlantOptions {
-  MujocoContact contact = MujocoContact::Exact;  ///< exact or engine
-  double dt = 5e-4;                              ///< [s], > 0
-  double impedance = 0.1;  ///< d in (0, 1): 1/R is an apparent mass at the contact, between 0 and 1
-  double friction_ratio = 10.0;  ///< how much harder friction is than the normal ("impratio"), > 0
-  double tolerance = 1e-12;      ///< of the constraint solver, >= 0
-  int max_iterations = 100;      ///< of the constraint solver, >= 1
-  bool joint_stops = true;       ///< revolute and prismatic joints stop at their limits
+  MujocoContact contact = MujocoContact::Exact;  ///< Contact model: exact or engine
+  double dt = 5e-4;                              ///< Time step [s], > 0
+
+  /// Impedance d of MuJoCo's own contact, between 0 and 1 @more The apparent mass at the contact is
+  /// d / (1 - d) times the apparent mass of the tip.
+  double impedance = 0.1;
+  /// Ratio of frictional to normal impedance (MuJoCo's impratio), > 0
+  double friction_ratio = 10.0;
+  double tolerance = 1e-12;  ///< Tolerance of the constraint solver, >= 0
+  int max_iterations = 100;  ///< Maximum number of iterations of the constraint solver, >= 1
+  bool joint_stops = true;   ///< Whether revolute and prismatic joints stop at their limits
 };
 
-/// Throws Error as checked_scene() does, for options out of range, and with MuJoCo's own words if
-/// it refuses the model.
+/// Creates a plant that simulates the robot and the scene with MuJoCo. Throws Error if
+///  - checked_scene() rejects the scene;
+///  - an option is out of range;
+///  - a joint of the robot moves no mass;
+///  - MuJoCo rejects the model; the Error then contains MuJoCo's message.
 std::unique_ptr<Plant> make_mujoco_plant(const Model& model, const SceneSpec& scene,
                                          const MujocoPlantOptions& options = {});
 

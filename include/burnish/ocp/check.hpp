@@ -1,5 +1,5 @@
-// Is a problem right, and can it be solved? Derivatives of every stage and cost term against
-// differences of the values alone, and sentences about what no solver can do.
+// Checks of an optimal control problem: its derivatives against finite differences of its values,
+// and sentences about conditions that no solver can cope with.
 #pragma once
 
 #include <cstdint>
@@ -12,79 +12,98 @@
 
 namespace burnish {
 
-/// How check_problem() looks.
+/// Options of check_problem(): the random states, and the largest accepted error of a derivative.
 /// @described ocp
 struct ProblemCheckOptions {
-  int states = 3;           ///< random states per stage, at least 1
-  std::uint64_t seed = 1;   ///< the same seed gives the same states on every machine
-  double tolerance = 1e-6;  ///< on |derivative - difference| over the block's largest entry
+  int states = 3;  ///< Number of random states per stage, at least 1
 
-  /// Trajectory to draw around: N + 1 states (nx) and N controls (nu; those of impacts are not
-  /// read). Empty: the initial state, and the control that holds it at rest.
+  /// Seed of the random states; equal seeds give equal states on every machine
+  std::uint64_t seed = 1;
+  /// Largest accepted error of a derivative, relative to the largest entry of its block
+  /// @more The error is |derivative - finite difference|
+  double tolerance = 1e-6;
+
+  /// States around which random states are drawn; empty: the initial state at every knot
+  /// @more One state per knot: N + 1 vectors of nx entries
   std::vector<Eigen::VectorXd> x = {};
+  /// Controls around which random controls are drawn; empty: controls that hold the robot at rest
+  /// @more N vectors of nu entries. Vectors of impacts are not read
   std::vector<Eigen::VectorXd> u = {};
-  /// How far states are drawn from it, uniformly, for a robot of 1 m and 20 kg: lengths grow with
-  /// its size, torques and forces with its weight. rad, m
+  /// Largest random change of a position, uniformly distributed [rad, m]
+  /// @more The number in m is for a robot of 1 m, and grows with the size of the robot
   double position = 0.2;
-  double velocity = 0.5;  ///< [rad/s], m/s
-  double torque = 5.0;    ///< [Nm], N: controls, and torques in the state
+  double velocity = 0.5;  ///< Largest random change of a velocity [rad/s], or in m/s
 
-  /// Called after each stage with the number of stages done and the number of all stages.
+  /// Largest random change of a control or of a torque in the state [Nm], or in N
+  /// @more The number is for a robot of 20 kg and 1 m, and grows with the weight of the robot
+  double torque = 5.0;
+
+  /// Function called after each stage, with the number of finished stages and the number of all
+  /// stages.
   std::function<void(int done, int total)> progress = {};
 };
 
-/// The next state, one cost term or the costs together, of one stage at all its states.
+/// Result of check_problem() for one function of one stage, over all random states of the stage.
+/// The function is the next state, one term, or the sum of the costs.
 /// @described ocp @result
 struct ProblemCheckRow {
   std::string stage;
-  std::string term;  ///< name of a cost term or a constraint, "next state" or "all costs"
-  int states = 0;
-  double worst_error = 0.0;  ///< relative to the block's largest entry; infinite after a NaN
-  CheckEntry worst = {};     ///< blocks: such as "dnext_dq", "dr_du", "dcost_dv"
-  bool pass = false;         ///< worst_error <= tolerance
+  std::string term;  ///< "next state", "all costs", or the name of a cost term or a constraint
+  int states = 0;    ///< Number of states at which the derivatives were compared
+
+  /// Largest error, relative to the largest entry of its block; infinite if a NaN occurred
+  double worst_error = 0.0;
+  /// Entry with the largest error; the block has a name such as "dnext_dq", "dr_du" or "dcost_dv"
+  CheckEntry worst = {};
+  bool pass = false;  ///< True if worst_error <= tolerance
 };
 
-/// What check_problem() found.
+/// Result of check_problem().
 /// @described ocp @result
 struct ProblemReport {
   std::string robot;
   std::vector<ProblemCheckRow> rows;
   double tolerance = 0.0;
-  bool pass = false;  ///< there are rows, and all of them pass
+  bool pass = false;  ///< True if there is at least one row and every row passes
 
-  /// A table of all rows, the worst entries of those that fail, and the verdict.
+  /// Returns a table of all rows, the worst entry of each row that fails, and the verdict.
   std::string text() const;
 };
 
-/// Compares at random states, for every stage of the specification and the terminal state,
-///  - the next state by z = (u, q, v, tau), as expand() gives it,
-///  - every residual by z, and the gradient of its cost; of a constraint the rows as expand() gives
-///    them,
-///  - the gradient of all costs together, as expand() gives it,
-/// with differences of what roll() and residual() say: central differences at three steps,
-/// extrapolated (Richardson), again at smaller steps where the three disagree.
+/// Compares the derivatives of a problem with finite differences of its values. The states are
+/// random, in every stage of the specification and at the end. The check covers the derivatives by
+/// z = (du, dq, dv, dtau, dforce) of
+///  - the next state, as expand() returns it,
+///  - every residual of a cost or a constraint, and every constraint row as expand() returns it,
+///  - every cost term, and the sum of the costs as expand() returns it.
+/// The values come from roll() and residual(). Differences are central, at three step lengths, and
+/// are extrapolated (Richardson). If the three lengths disagree, smaller ones follow.
 ///
-/// States are spread over the knots of a stage, so that targets over time take part. A stage that
-/// is on no knot borrows knot 0, whose targets are then those of its signals again. States are
-/// passed over where rigid contacts are close to singular (condition of J M^-1 J^T above 1e5), or
-/// a rotation residual is within 0.1 rad of half a turn. Gradients are passed over where a barrier
-/// has its seam: they are continuous there, but their differences are not exact.
+/// The random states of a stage are distributed over the stage's knots, so that targets over time
+/// are checked, too. A stage that the horizon does not contain is checked at knot 0. Afterwards
+/// knot 0 has its own stage again, with the targets from its signals. A state is skipped if rigid
+/// contacts are close to singular (condition of J M^-1 J^T above 1e5). A state is also skipped if a
+/// rotation residual is within 0.1 rad of half a turn. Gradients of a cost are skipped near a
+/// breakpoint of a barrier: they are continuous there, but finite differences are not exact.
 ///
-/// Throws Error with one sentence for options that cannot be used, and when the states of a stage
-/// cannot be evaluated.
+/// Throws Error with one sentence if an option is invalid, or if no state of a stage can be
+/// evaluated.
 ProblemReport check_problem(Problem& problem, const ProblemCheckOptions& options = {});
 
-/// Sentences about what will not go well; empty when nothing was found:
-///  - targets that are not finite, quaternions over time that are not of unit length;
-///  - positions that a frame cannot reach: further from the first joint than the joints' origins
-///    are apart (never said of robots that fly, drive or slide without limit);
-///  - an initial state outside the limits of joints: position, velocity, torque;
-///  - control bounds that cannot hold the initial posture at rest;
+/// Returns sentences about obstacles to a good solution of the problem, for the targets of the
+/// current horizon; empty if there are none. Each sentence reports one of these obstacles:
+///  - targets that are not finite, and quaternions over time that are not of unit length;
+///  - target positions out of reach of a frame: further from the first joint than the sum of the
+///    distances between the joints (not checked for robots that fly, drive or slide without limit);
+///  - an initial state outside the joint limits of position, velocity or torque;
+///  - control bounds that are too narrow to hold the initial posture at rest;
+///  - springs and tendons of the robot that the actuation omits;
+///  - a contact of the first stage that follows a surface and starts more than 1 mm away from it;
 ///  - joints that move no mass at the initial posture;
-///  - contacts of a stage that are redundant at the initial posture while the solver has mu = 0, or
-///    that contradict each other at the initial state while it has mu > 0;
-///  - what the steps of a stage are too long for: step_complaints().
-/// Targets are those of the present horizon.
+///  - contacts of a stage that are redundant at the initial posture, if mu of the contact solver is
+///    zero;
+///  - contacts of a stage that contradict each other at the initial state, if mu > 0;
+///  - explicit steps of a stage that are too long: see step_complaints().
 std::vector<std::string> complaints(const Problem& problem);
 
 }  // namespace burnish

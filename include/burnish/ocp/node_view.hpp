@@ -1,5 +1,5 @@
-// One knot as a user's own residual sees it: values and derivatives that the other terms of the
-// knot have already paid for.
+// View of one knot for a user's own residual: values and derivatives that are already computed for
+// the other terms of the knot.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,19 +10,24 @@
 
 namespace burnish {
 
-/// Where the parts of z = (du, dq, dv, dtau, dforce) start, and how many entries they have.
+/// Sizes of the parts of the state and the control, and the first column of each part in
+/// z = (du, dq, dv, dtau, dforce).
 /// @described ocp
 struct StateLayout {
   int nq = 0;
   int nv = 0;
-  int filtered = 0;  ///< torques in the state (torque model), or 0
-  /// those are the controls of the step before, and what acts is the control itself
-  bool holds_torque = false;
-  int remembered = 0;  ///< forces of the step before in the state, N and Nm (remembered_forces)
-  int nu = 0;
-  std::vector<int> actuated;  ///< entry of v that control i drives; nu entries
+  int filtered = 0;  ///< Number of torques in the state: nu with a torque model, else 0
 
-  /// What acts is the torque in the state.
+  /// True if the torques in the state are the previous control, and the current control acts on the
+  /// robot
+  bool holds_torque = false;
+  /// Number of contact forces in the state, from the previous step (N, Nm; see remembered_forces)
+  int remembered = 0;
+  int nu = 0;
+  /// For each control, the index in v of the entry that the control drives
+  std::vector<int> actuated;
+
+  /// Returns true if the torque in the state acts on the robot, and false if the control acts.
   bool acts_from_state() const { return filtered > 0 && !holds_torque; }
   int nx() const { return nq + nv + filtered + remembered; }
   int ndx() const { return 2 * nv + filtered + remembered; }
@@ -33,29 +38,34 @@ struct StateLayout {
   int column_force() const { return nu + 2 * nv + filtered; }
 };
 
-/// Frames and contacts go by their place in the lists that the residual declares.
+/// Values and derivatives at one knot, for a user's own residual. The arguments `frame` and
+/// `contact` are indices in the residual's own lists `frames` and `contacts`.
 class NodeView {
  public:
   virtual ~NodeView() = default;
   virtual const StateLayout& layout() const = 0;
-  virtual double time() const = 0;   ///< s
-  virtual VectorView q() const = 0;  ///< nq
-  virtual VectorView v() const = 0;  ///< nv
-  virtual VectorView u() const = 0;  ///< nu, zero at the end of the horizon
-  /// nv: what the actuators apply, Nm (N).
+  virtual double time() const = 0;   ///< Time of the knot [s]
+  virtual VectorView q() const = 0;  ///< Configuration, nq entries
+  virtual VectorView v() const = 0;  ///< Velocity, nv entries
+  virtual VectorView u() const = 0;  ///< Control, nu entries; zero at impacts and at the end
+
+  /// Torques that the actuators apply, nv entries [Nm, N].
   virtual VectorView tau() const = 0;
-  /// nv, rad/s^2 (m/s^2); zero where nothing solves for it (impacts, the end of the horizon).
+  /// Joint accelerations, nv entries [rad/s^2, m/s^2]. Zero at impacts. Also zero at the end of the
+  /// horizon, unless a term there uses contact forces.
   virtual VectorView acceleration() const = 0;
 
   virtual Eigen::Isometry3d placement(int frame) const = 0;
   virtual Vector6 velocity(int frame, const Reference& reference) const = 0;
-  /// Force of a contact in its own reference (rows held), N and Nm.
+  /// Returns the force of a contact along the contact's held directions, in the contact's own
+  /// reference [N, Nm].
   virtual VectorView force(int contact) const = 0;
 
-  /// d(velocity)/dv in that reference, 6 x nv; its linear rows in Reference::centered() are dp/dq.
-  /// Valid until the next call.
+  /// Returns d(velocity)/dv of a frame, written in `reference`, 6 x nv. With Reference::centered(),
+  /// the linear rows are dp/dq for the frame's position p. Valid until the next call.
   virtual MatrixView jacobian(int frame, const Reference& reference) const = 0;
-  /// d(force)/dz, rows x nz; inside the residual's own jacobian() only.
+  /// Returns d(force)/dz of a contact, rows x nz. Call this function only inside the residual's own
+  /// jacobian().
   virtual MatrixView force_derivative(int contact) const = 0;
 };
 

@@ -1,4 +1,4 @@
-// An optimal control problem of a robot in contact, compiled: what a solver solves.
+// A compiled optimal control problem of a robot in contact, ready for a solver.
 #pragma once
 
 #include <memory>
@@ -17,13 +17,15 @@ namespace ocp {
 struct ProblemInside;
 }
 
-/// Knots of one stage that follow each other are evaluated as packs, one knot per lane.
+/// Optimal control problem of a robot in contact, compiled from a ProblemSpec. Consecutive knots of
+/// one stage are evaluated together in SIMD packs, one knot per lane.
 ///
-/// Everything is allocated when the problem is made and by prepare(); the setters of targets, times
-/// and the initial state allocate nothing and may be called between the ticks of a controller.
+/// Only the constructor and prepare() allocate. Setters of targets, times and the initial state do
+/// not allocate, and may be called between the ticks of a controller.
 class Problem final : public ShootingProblem {
  public:
-  /// Compiles the specification. Throws Error with one sentence that names the stage and the term.
+  /// Compiles the specification. Throws Error if the specification is invalid, with one sentence
+  /// that names the stage and the term.
   explicit Problem(const ProblemSpec& spec);
   ~Problem() override;
   Problem(Problem&&) noexcept;
@@ -33,87 +35,109 @@ class Problem final : public ShootingProblem {
   const Model& model() const;
   const StateLayout& layout() const;
 
-  /// Names of the stages, the last one "terminal", and which one a knot belongs to.
+  /// stage_names() returns the names of the stages; the last one is "terminal". stage_of() returns
+  /// the index of a knot's stage in this list.
   std::vector<std::string> stage_names() const;
   int stage_of(int knot) const;
-  double time_of(int knot) const;  ///< s
-  double step_of(int knot) const;  ///< s; 0 at impacts and at the end
-  /// Index of a stage, or of a term in a stage: its costs first, then its constraints. Throw Error
-  /// with the nearest known name.
+  double time_of(int knot) const;  ///< Time at which a knot begins [s]
+  double step_of(int knot) const;  ///< Duration of a knot's step [s]; 0 at impacts and at the end
+
+  /// Return the index of a stage by name, or of a term of a stage. In a stage, the costs come
+  /// first, then the constraints. For an unknown name, both functions throw Error with the nearest
+  /// known name.
   int stage_index(const std::string& name) const;
   int term_index(int stage, const std::string& name) const;
-  int terms(int knot) const;  ///< how many: costs and constraints
+  int terms(int knot) const;  ///< Number of terms of a knot, costs and constraints together
 
-  /// nx entries. Returns WrongSize, NotFinite, NotNormalized or Ok; a state that is refused changes
-  /// nothing. Targets that are the specification's initial state stay that.
+  /// Sets the initial state x, nx entries. Returns Ok, WrongSize, NotFinite or NotNormalized. If
+  /// the result is not Ok, nothing changes. Targets that default to the initial state of the
+  /// specification do not change.
   Status set_initial_state(const ConstVectorRef& x);
-  /// Gives a knot another stage and time; signals are asked for their values there. The terminal
-  /// knot keeps its stage. Throws Error for a knot or stage that there is not.
+  /// Assigns a stage and a time [s] to a knot, and evaluates the stage's signals at that time. At
+  /// the terminal knot, only the time is assigned. Throws Error if the knot or the stage does not
+  /// exist.
   void set_knot(int knot, int stage, double time);
-  /// Gives a knot a step of its own, s, whatever its stage, from then on. Times stay: set_knot()
-  /// gives them to the knots that are now earlier or later. Throws Error for a knot that there is
-  /// not or where no time passes, and for a step that is not positive, or with which the torque
-  /// model's Euler steps are unstable.
+  /// Sets the duration of a knot's step [s]. This duration replaces the step of the knot's stage,
+  /// even if set_knot() changes the stage later. The times of the knots do not change; use
+  /// set_knot() to change them. Throws Error if the knot does not exist or is an impact. Throws
+  /// Error if the step is not positive, or too long for stable Euler steps of the torque model.
   void set_step(int knot, double step);
-  /// Drops knot 0, moves the others one forward and appends one of this stage at the time after the
-  /// last one, as long as that was if it has a step of its own; the terminal knot follows. Throws
-  /// Error for a stage that there is not.
+  /// Advances the horizon by one knot: drops knot 0, renumbers the others, and appends a knot of
+  /// the given stage. If the previous last knot has its own step, the new knot gets the same step.
+  /// The terminal knot moves to the new end. Throws Error if the stage does not exist.
   void advance(int stage);
-  /// Writes the target of one term at one knot until the knot is set or advanced again: entries as
-  /// the residual says. Returns WrongSize or Ok. Throws Error for a knot or term that there is not.
+  /// Sets the target of one term at one knot, in the entries of the term's residual. The target is
+  /// valid until set_knot() is called for this knot. advance() shifts the target together with the
+  /// knot, and resets the target at the terminal knot. Returns Ok or WrongSize. Throws Error if the
+  /// knot or the term does not exist.
   Status set_target(int knot, int term, const ConstVectorRef& target);
-  /// Gives a knot another surface, in the axes of the base, in the place of the one that the
-  /// reference of a contact follows (Reference::on), until the knot is set or advanced again; a
-  /// stage that does not hold the contact passes it over. Returns NotFinite for one that holds a
-  /// NaN or an infinity, which changes nothing, or Ok. Throws Error for a knot or contact that
-  /// there is not, and for a reference that follows no surface.
+  /// Sets the surface for the reference of a contact (Reference::on), at one knot. The surface is
+  /// written in the axes of the contact's base. The surface is valid until set_knot() is called for
+  /// this knot. advance() shifts the surface together with the knot, and resets the surface at the
+  /// terminal knot. The call has no effect if the contact is not active in the knot's stage.
+  /// Returns Ok. For a NaN or an infinity, returns NotFinite and changes nothing. Throws Error if
+  /// the knot or the contact does not exist, or if the reference does not follow a surface.
   Status set_surface(int knot, int contact, const Quadric& surface);
-  /// Gives a knot another coefficient of a contact's friction, likewise: NotFinite for one that is
-  /// no number of at least zero. Throws Error for a contact without friction.
+  /// Sets the friction coefficient of a contact at one knot. The coefficient is valid until
+  /// set_knot() is called for this knot. advance() shifts the coefficient together with the knot,
+  /// and resets the coefficient at the terminal knot. The call has no effect if the contact is not
+  /// active in the knot's stage. Returns Ok, or NotFinite if the coefficient is not a finite number
+  /// >= 0. Throws Error if the knot or the contact does not exist, or if the contact has no
+  /// friction.
   Status set_friction(int knot, int contact, double coefficient);
-  /// The same of the surface that the reference of one term follows. Throws Error for a knot or
-  /// term that there is not, and for one whose reference follows no surface.
+  /// Sets the surface for the reference of one term (Reference::on), at one knot. The surface is
+  /// valid until set_knot() is called for this knot. advance() shifts the surface together with the
+  /// knot, and resets the surface at the terminal knot. Returns Ok. For a NaN or an infinity,
+  /// returns NotFinite and changes nothing. Throws Error if the knot or the term does not exist, or
+  /// if the term's reference does not follow a surface.
   Status set_term_surface(int knot, int term, const Quadric& surface);
-  /// What the robot carries at a frame from now on, at all knots, in the frame's axes and in the
-  /// place of what that frame's body carried before; model() has it from then on. Allocates
-  /// nothing. Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes
-  /// nothing. Throws Error with the nearest known name for a frame that there is not, and for one
-  /// that is fixed to the world.
+  /// Sets the payload that the robot carries at a frame, for all knots and in model(). The payload
+  /// is written in the axes of the frame. It replaces an earlier payload of the frame's body.
+  /// Allocates nothing. Returns Ok. If check_inertia() returns NotFinite or NotPhysical for the
+  /// payload, returns that status and changes nothing. Throws Error if the frame is fixed to the
+  /// world, or if it does not exist (with the nearest known name).
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
-  /// A constant torque on the joints that the model does not know of, nv entries, Nm (N); zero at
-  /// first. Returns WrongSize, NotFinite or Ok.
+  /// Sets a constant torque that acts on the joints in addition to all torques of the model, nv
+  /// entries [Nm, N]. Initially this torque is zero. Returns Ok, WrongSize or NotFinite.
   Status set_torque_bias(const ConstVectorRef& torque);
-  /// The same, with another torque beside it that is there at the first knot and passes:
-  /// exp(-t / fading) of it is left t s later, by the times that the knots have now; `fading`: s.
+  /// Sets a constant and a decaying torque that act on the joints in addition to all torques of the
+  /// model, nv entries each [Nm, N]. At a time t after the first knot, their sum is
+  /// torque + exp(-t / fading) passing. The time constant `fading` [s] must be > 0. The current
+  /// times of the knots determine t. Returns Ok, WrongSize or NotFinite.
   Status set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& passing,
                          double fading);
 
-  /// The control of least norm that with the contacts of a stage holds a state at rest.
+  /// Control and contact forces that hold a posture at rest.
   /// @described ocp @result
-  /// Where a state that does not move needs no control but this: nu entries of least norm that with
-  /// the contacts of a stage hold x at rest, together with the forces; `residual` of the rest, Nm.
+  /// If exact balance is impossible, the sum of the squared unbalanced torques is least. Among all
+  /// solutions, control and forces together have the least norm.
   struct QuasiStatic {
-    Eigen::VectorXd control;  ///< nu, Nm
-    Eigen::VectorXd force;    ///< rows of the stage's contacts, N and Nm
-    double residual = 0.0;    ///< largest torque that nothing balances, Nm
+    Eigen::VectorXd control;  ///< Control, nu entries, Nm
+    Eigen::VectorXd force;    ///< Forces, one entry per row of the stage's contacts, N and Nm
+    double residual = 0.0;    ///< Largest joint torque that remains unbalanced, Nm
   };
-  /// `force`, when not empty, prescribes the contact forces, and only the control is free; without
-  /// rows for the robot's loops those carry what they must.
-  /// References that turn are as at the first knot of the stage.
+  /// Computes the control and the contact forces that hold the posture of x at rest in a stage. If
+  /// `force` is not empty, it prescribes the contact forces. If `force` omits the rows of the
+  /// robot's loops, the loop forces are still computed. References that rotate over time are
+  /// evaluated at the stage's first knot. Throws Error for wrong sizes, and for a posture that
+  /// cannot be evaluated.
   QuasiStatic quasi_static(int stage, const ConstVectorRef& x,
                            const Eigen::VectorXd& force = {}) const;
 
-  /// One term at a knot: r (rows) and dr/dz (rows x nz), z = (u, dq, dv, dtau). Throws Error for a
-  /// knot or term that there is not and for wrong sizes.
+  /// residual() returns the residual r of one term at a knot. residual_derivative() returns dr/dz,
+  /// rows x nz, with z = (du, dq, dv, dtau, dforce). Both throw Error if the knot or the term does
+  /// not exist, and for wrong sizes.
   Eigen::VectorXd residual(int knot, int term, const ConstVectorRef& x, const ConstVectorRef& u);
   RowMatrix residual_derivative(int knot, int term, const ConstVectorRef& x,
                                 const ConstVectorRef& u);
-  /// Contact forces (rows of the stage's contacts, in their order) and joint accelerations at a
-  /// knot; empty where nothing solves for them.
+  /// forces() returns the contact forces at a knot: one entry per row, in the order of the stage's
+  /// contacts. acceleration() returns the joint accelerations. Both are empty at impacts. Both are
+  /// also empty at the end of the horizon, unless a term there uses contact forces.
   Eigen::VectorXd forces(int knot, const ConstVectorRef& x, const ConstVectorRef& u);
   Eigen::VectorXd acceleration(int knot, const ConstVectorRef& x, const ConstVectorRef& u);
   std::vector<std::string> force_names(int knot) const;
-  /// Of the forces that the state remembers, likewise.
+  /// Returns the names of the forces in the state (remembered_forces), such as "foot/z". These are
+  /// forces of the previous step.
   std::vector<std::string> remembered_names() const;
 
   // ShootingProblem
@@ -135,8 +159,9 @@ class Problem final : public ShootingProblem {
   const double* row_scale(int knot) const override;
   const double* row_price(int knot) const override;
   const double* row_square(int knot) const override;
-  /// Of distances with an upper limit and of friction cones with a lower one: the bend of a length
-  /// of position or force, as if those were linear in the state.
+  /// Returns the curvature of constraint rows. Only distances with an upper limit and friction
+  /// cones with a lower limit have one. It is the curvature of the length of a vector (position or
+  /// force). The vector is treated as linear in the state.
   std::span<const RowBend> row_bends(int knot) const override;
   int max_bends() const override;
   void prepare(int workers) override;
@@ -150,14 +175,14 @@ class Problem final : public ShootingProblem {
   std::vector<std::string> state_names() const override;
   std::vector<std::string> control_names() const override;
   std::vector<std::string> term_names(int knot) const override;
-  /// "CONSTRAINT/ROW", such as "force/z" or "range/arm_right_2_joint".
+  /// Returns a name "CONSTRAINT/ROW" for each row, such as "force/z" or "range/arm_right_2_joint".
   std::vector<std::string> row_names(int knot) const override;
   std::vector<double> term_costs(int knot, const double* x, const double* u) override;
   std::vector<double> row_values(int knot, const double* x, const double* u) override;
   std::string knot_name(int knot) const override;
 
  private:
-  friend struct ocp::ProblemInside;  // the checker reads what was compiled
+  friend struct ocp::ProblemInside;  // the checker reads the compiled problem
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

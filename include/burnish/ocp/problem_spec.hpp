@@ -1,4 +1,5 @@
-// An optimal control problem as a user states it: a robot, contacts, stages of costs, a horizon.
+// Specification of an optimal control problem: a robot, contacts, stages with costs and
+// constraints, and a horizon.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,31 +15,37 @@
 
 namespace burnish {
 
-/// What a residual costs: a function of each of its entries.
+/// Penalty function phi that turns each entry r of a residual into a cost.
 /// @described ocp
-/// It is phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
+/// All penalties are convex, so that Gauss-Newton Hessians are positive semidefinite.
 struct Penalty {
-  /// phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
+  /// Form of phi(r) for one residual entry r. All forms are convex, so that Gauss-Newton Hessians
+  /// are positive semidefinite.
   /// @described ocp.PenaltyKind
   enum class Kind {
     Square,   ///< r^2 / 2
-    Barrier,  ///< half the square of how far r is outside [lower, upper], zero inside
-    /// sqrt(r^2 + width^2) - width: |r| far from zero, r^2 / (2 width) close to it
+    Barrier,  ///< Half the squared distance of r from the interval [lower, upper]; zero inside
+
+    /// sqrt(r^2 + width^2) - width. Approximately |r| for large |r|, and r^2 / (2 width) for small
+    /// |r|
     SmoothAbsolute,
-    /// -log(s / width), s the distance to each limit, where s > width; below, and beyond the limit,
-    /// the parabola ((s / width - 2)^2 - 1) / 2 that continues it smoothly
+    /// Sum over both limits, where s is the distance of r from the limit. For s > width:
+    /// -log(s / width). Else, also beyond the limit: the parabola ((s / width - 2)^2 - 1) / 2, a
+    /// smooth continuation
     LogBarrier,
   };
 
   Kind kind = Kind::Square;
-  /// barriers: limit in the residual's unit, a number for all rows or one per row, infinite where
-  /// there is none; empty: none @number_too @note One entry for all
-  /// rows, or one per row, in the residual's unit.
+  /// Lower limits of a barrier, in the residual's unit; empty: no lower limit
+  /// @more One number for all rows, or one number per row. Infinite for a row without a lower limit
+  /// @number_too
   Eigen::VectorXd lower;
-  /// Barriers: limits in the residual's unit; one entry for all rows, or one per row; infinite
-  /// where there is none. Empty: none. @number_too
+  /// Upper limits of a barrier, in the residual's unit; empty: no upper limit
+  /// @more One number for all rows, or one number per row. Infinite for a row without an upper
+  /// limit @number_too
   Eigen::VectorXd upper;
-  double width = 1.0;  ///< residual's unit, positive
+  /// Width of the penalties smooth_absolute and log_barrier, in the residual's unit, positive
+  double width = 1.0;
 
   static Penalty square() { return {}; }
   static Penalty barrier(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
@@ -51,162 +58,191 @@ struct Penalty {
 };
 
 std::string name_of(Penalty::Kind kind);
-/// Reads "square", "barrier", "smooth_absolute" or "log_barrier". Throws Error with the nearest
-/// known name.
+/// Returns the penalty kind with the name "square", "barrier", "smooth_absolute" or "log_barrier".
+/// For any other name, throws Error with the nearest known name.
 Penalty::Kind parse_penalty(const std::string& name);
 
-/// weight * sum over rows i of weights_i phi(r_i), times the knot's step while time passes: a cost
-/// is an integral over time, whatever the knots.
+/// A cost term: weight * sum over rows i of weights_i phi(r_i). If time passes at a knot, the term
+/// is multiplied by the knot's step. The sum over all knots then approximates an integral over
+/// time.
 /// @described ocp
 struct CostTerm {
-  std::string name = {};  ///< unique in its stage; the residual's name if left empty @after weight
-  Residual residual;      ///< @required
-  double weight = 1.0;    ///< 1 / (unit of phi) / s while time passes; not negative
-  Eigen::VectorXd weights = {};         ///< per row, or empty for ones; not negative
-  std::optional<Penalty> penalty = {};  ///< Empty: a square, or what the residual says.
+  /// Name of the term, unique in its stage; empty: the name of the residual @after weight
+  std::string name = {};
+  Residual residual;  ///< @required
+
+  /// Weight of the term, not negative
+  /// @more The unit is 1 / (unit of phi); at a knot where time passes, 1 / (unit of phi) per second
+  double weight = 1.0;
+  Eigen::VectorXd weights = {};  ///< Weights of the rows, not negative; empty: 1 for every row
+
+  /// Penalty of each row; empty: a square, or another default that the residual states
+  std::optional<Penalty> penalty = {};
 };
 
-/// lower <= r_i <= upper for every row i of a residual; an equality where the two meet. Hard, or
-/// soft with a price.
+/// A constraint lower <= r_i <= upper on every row i of a residual. Equal limits make an equality
+/// constraint. A constraint is hard, or soft with a penalty for violations.
 /// @described ocp
 struct Constraint {
-  /// unique among the terms of its stage; the residual's name if left empty
+  /// Name of the constraint, unique among the stage's terms; empty: the name of the residual
   std::string name = {};
   Residual residual;  ///< @after - @required
-  /// In the residual's unit: per row, one for all, or empty: none. At least one of the two, but for
-  /// the margins (friction cone, center of pressure, support), whose rows are at least zero unless
-  /// said. @number_too
+
+  /// Lower limits in the residual's unit: one number, or one per row; empty: no lower limit
+  /// @more A constraint needs a lower or an upper limit. Only margins (friction cone, center of
+  /// pressure, support) need neither: their rows must then be at least zero @number_too
   Eigen::VectorXd lower = {};
-  Eigen::VectorXd upper = {};  ///< likewise @number_too
-  /// What counts as much of a row, in its unit: per row, one for all, or empty: half the distance
-  /// of its limits, without one the robot's own limit, of forces its weight, of torque rates its
-  /// torque times the cut-off, of distances the limit itself where it is above zero, of support
-  /// margins half the polygon's width. Without any of these it must be stated. @number_too
+  /// Upper limits in the residual's unit: one number, or one per row; empty: no upper limit
+  /// @number_too
+  Eigen::VectorXd upper = {};
+  /// Characteristic size of each row, in its unit: one number, or one per row; empty: automatic
+  /// @more If both limits exist, the automatic scale is half the distance between them. Otherwise
+  /// it is the robot's own limit of the quantity. Exceptions are forces (the robot's weight),
+  /// torque rates (torque limit times cut-off), distances (the limit itself, if above zero), and
+  /// support margins (half the width of the polygon). If none of these exists, the scale must be
+  /// stated @number_too
   Eigen::VectorXd scale = {};
-  /// A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied by the step:
-  /// of longer knots there are fewer that pay); infinite: hard. >= 0 or infinite
+  /// L1 penalty weight of violations (infinite: hard), in cost per row unit, >= 0 or infinite
+  /// @more A violation v at a knot costs price |v| + 1/2 square v^2. This cost is not multiplied by
+  /// the step, so that fewer and longer knots cost less
   double price = std::numeric_limits<double>::infinity();
-  double square = 0.0;  ///< likewise, >= 0
+  /// Quadratic penalty weight of violations, in cost per squared row unit, >= 0
+  double square = 0.0;
 };
 
-/// How the state goes from one knot to the next.
+/// Integration scheme from one knot to the next.
 /// @described ocp
 enum class Integrator {
   SemiImplicitEuler,  ///< v' = v + step a(q, v, tau), q' = q (+) step v'
-  /// classical, the control held; costs are taken at the start of the step @note Of fourth order,
-  /// on free-flyers and planar joints too.
+
+  /// Classical Runge-Kutta with constant control; costs are evaluated at the start of the step
+  /// @note Of fourth order, also for free-flyers and planar joints.
   RungeKutta4,
 };
 
-/// Actuators as a first-order low-pass of the control: dtau/dt = cutoff (u - tau). The torques join
-/// the state.
+/// Actuator model: each torque follows its control through a first-order low-pass filter,
+/// dtau/dt = cutoff (u - tau). The torques become part of the state.
 /// @described ocp
-/// Source: eq. (49) of the paper. Or held: each step's torque is its control, and the control of
-/// the step before joins the state, so that rates (u - tau) / step are known.
+/// Source: eq. (49) of the paper. A second variant (Held) has no filter: each step applies its
+/// control as the torque. The state contains the control of the previous step, tau. The torque rate
+/// (u - tau) / step then depends on state and control alone.
 struct TorqueModel {
-  /// Of the torque model.
+  /// Discretization of the low-pass filter over one step.
   /// @described ocp
   enum class Discretization {
-    Exact,  ///< decay over a step: exp(-cutoff step)
-    Euler,  ///< 1 - cutoff step
-    Held,   ///< tau is the control of the step before and does not act; without a cutoff
+    Exact,  ///< The torque error decays by exp(-cutoff step) over a step
+    Euler,  ///< The torque error decays by 1 - cutoff step over a step
+    Held,   ///< No filter and no cut-off: tau is the control of the previous step, and does not act
   };
-  double cutoff = 0.0;  ///< [rad/s]
+  double cutoff = 0.0;  ///< Cut-off frequency of the low-pass filter [rad/s]
   Discretization discretization = Discretization::Exact;
 
-  /// Torques that are the control, of which the last one is remembered.
+  /// Returns the model without a filter, with the control of the previous step in the state.
   static TorqueModel held() { return {0.0, Discretization::Held}; }
   bool is_held() const { return discretization == Discretization::Held; }
 };
 
-/// Which joints are driven.
+/// Driven joints of the robot, and whether passive joint torques act.
 /// @described ocp
 struct ActuationSpec {
-  /// Empty: every joint but a free-flying base, and of robots with loops every joint with a motor,
-  /// that is an effort limit above zero.
+  /// Names of the driven joints; empty: automatic
+  /// @more Automatic: every joint except a free-flying base. For robots with loops: every joint
+  /// with a motor, which is a joint with an effort limit above zero
   std::vector<std::string> joints = {};
-  /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it, and
-  /// its springs and tendons.
+  /// True: damping, smoothed friction, springs and tendons of the model act on the joints
+  /// @note Friction is smoothed as in dynamics/passive.hpp.
   bool passive_torques = false;
-  double slip_velocity = 0.01;  ///< [rad/s] or m/s
+  /// Speed at which smoothed joint friction reaches 76 % of its full size [rad/s], or in m/s
+  double slip_velocity = 0.01;
 };
 
-/// A kind of knot: which contacts hold, what is aimed at, how long a step is.
+/// A kind of knot, with active contacts, costs, constraints and the duration of a step.
 /// @described ocp
 struct Stage {
   std::string name = {};
-  std::vector<std::string> contacts = {};  ///< names of those that hold
+  std::vector<std::string> contacts = {};  ///< Names of the active contacts
   std::vector<CostTerm> costs = {};
   std::vector<Constraint> constraints = {};
-  double step = 0.01;  ///< [s], of knots that have none of their own
+  double step = 0.01;  ///< Duration of a knot, unless the knot has its own step [s]
   Integrator integrator = Integrator::SemiImplicitEuler;
-  /// The contacts are made here: velocities jump so that they hold (inelastic), no time passes,
-  /// there is no control, and costs are not multiplied by a step.
+  /// True: an inelastic impact, in which the contacts close and velocities jump
+  /// @more No time passes, and there is no control. Costs are not multiplied by a step
   bool impact = false;
 };
 
-/// Consecutive knots of one stage. Their steps may be their own: all alike, or each longer (or
-/// shorter) than the one before by the same factor, so that few knots look far ahead. What is
-/// numerical is made for the stage's step, and a knot n times as long has it n times slower, as
-/// explicit steps ask for: gains of contacts are kd / n and kp / n^2, the speeds below which
-/// friction fades are n times as high.
+/// Consecutive knots of one stage, with the stage's step or with steps of their own. Own steps are
+/// equal, or change from knot to knot by a constant factor. With growing steps, few knots cover a
+/// long time. Contact gains and friction speeds are set for the stage's step. For stability at a
+/// knot n times as long, gains are reduced to kd / n and kp / n^2, and the speeds below which
+/// friction fades are multiplied by n.
 /// @described ocp
 struct HorizonSegment {
   std::string stage = {};
   int knots = 1;
-  double step = 0.0;  ///< [s], of the first of them; 0: the stage's
-  /// [s], of all of them together: steps grow from the first one by the factor r >= 1/2, at most 2,
-  /// for which step (1 + r + ... + r^(knots - 1)) is this; 0: knots times the step.
+  double step = 0.0;  ///< Duration of the segment's first knot (0: the stage's step) [s]
+
+  /// Duration of the whole segment (0: knots times the step) [s]
+  /// @more Steps change from knot to knot by a factor r, 1/2 to 2, for which step
+  /// (1 + r + ... + r^(knots - 1)) = duration
   double duration = 0.0;
 
   bool has_own_steps() const { return step != 0.0 || duration != 0.0; }
 };
 
-/// Of one problem, the terminal one not counted.
+/// Largest number of knots of one problem, without the terminal knot.
 inline constexpr std::size_t max_knots = 100'000;
 
-/// An optimal control problem as a user states it: a robot, contacts, stages of costs, a horizon.
+/// Specification of an optimal control problem: a robot, contacts, stages with costs and
+/// constraints, and a horizon.
 /// @described ocp
 struct ProblemSpec {
   Model model;  ///< @required
-  /// all contacts of the problem; stages choose; those of the robot's loops need not be among them
+
+  /// Contacts of the problem; each stage selects its active contacts from them
+  /// @more Contacts of the robot's loops may be omitted
   std::vector<ContactSpec> contacts = {};
   ContactSolver contact_solver = {};
   ActuationSpec actuation = {};
   std::optional<TorqueModel> torque_model = {};
-  /// Contacts whose forces of the step before join the state (rows held, in their own reference;
-  /// zero where the contact did not hold), for ContactForceRate. They act on nothing.
+  /// Names of contacts whose force of the previous step is part of the state
+  /// @more These forces are inputs of ContactForceRate, and do not act on the robot. There is one
+  /// entry per held direction, in the contact's own reference. The entry is zero if the contact was
+  /// not active
   std::vector<std::string> remembered_forces = {};
-  /// nu entries or one for all, Nm (N); empty: none. @number_too
+  /// Lower bounds of the control in Nm (N): nu entries, or one for all; empty: none @number_too
   Eigen::VectorXd control_lower = {};
-  Eigen::VectorXd control_upper = {};  ///< likewise @number_too
+  /// Upper bounds of the control in Nm (N): nu entries, or one for all; empty: none @number_too
+  Eigen::VectorXd control_upper = {};
   std::vector<Stage> stages = {};
   std::vector<HorizonSegment> horizon = {};
-  std::vector<CostTerm> terminal = {};  ///< costs of the last state
+  std::vector<CostTerm> terminal = {};  ///< Costs of the last state
   std::vector<Constraint> terminal_constraints = {};
-  /// (q, v), then tau with a torque model, then the remembered forces.
+  /// Initial state: q and v, then tau with a torque model, then the remembered forces
   Eigen::VectorXd initial_state = {};
-  double start_time = 0.0;  ///< [s], of the first knot
+  double start_time = 0.0;  ///< Time of the first knot [s]
 };
 
-/// The problem with the loops of its robot among the contacts, held in every stage: what a Problem
-/// compiles. Those that are stated already are left as they are; others have the gains of
-/// LoopGains::for_step at the longest step. Throws Error where a contact that is none has a loop's
-/// name.
+/// Returns the specification with contacts for all loops of the robot, active in every stage. A
+/// Problem compiles this specification. Loop contacts that `spec` already states are not changed.
+/// The gains of added contacts come from LoopGains::for_step(), with the longest step of all
+/// stages. Throws Error if another contact has the name of a loop.
 ProblemSpec with_loops(ProblemSpec spec);
 
-/// Returns the problem with a fade speed for each friction of a tool that states none,
+/// Returns the specification with a fade speed for every tool friction. Below the fade speed, the
+/// friction fades. If `spec` states no fade speed, it is
 ///   max(0.01 m/s, 4 coefficient N step / m),
-/// the largest over the stages that hold the contact. In one step friction changes the speed of the
-/// tool by coefficient N step / m. N is the largest normal force in costs and constraints of the
-/// stage, or the weight of m if there is none; m is the smallest effective mass of the tool across
-/// the normal at the initial state. A coefficient of zero counts as 0.3.
+/// the largest over the stages in which the contact is active. In one step, friction changes the
+/// speed of the tool by coefficient N step / m. N is the largest normal force in costs and
+/// constraints of the stage, or the weight of m if there is none. The mass m is the smallest
+/// effective mass of the tool across the normal, at the initial state. A coefficient of zero counts
+/// as 0.3.
 ProblemSpec with_fade_speeds(ProblemSpec spec);
 
-/// s, of each knot of the horizon; 0 at impacts. Throws Error for segments that cannot be.
+/// Returns the duration of each knot of the horizon [s]; 0 at impacts. Throws Error for an invalid
+/// horizon.
 std::vector<double> knot_steps(const ProblemSpec& spec);
 
-/// Joints that the problem drives.
+/// Returns the joints that an actuation drives. Throws Error for an unknown joint name.
 std::vector<const Joint*> driven_joints(const Model& model, const ActuationSpec& actuation);
 
 }  // namespace burnish

@@ -1,7 +1,8 @@
-// What a cost term measures. Each residual is a plain value; its rows, their units and axes are
-// said here, and docs/costs.md has the same with typical weights.
+// Residuals: the quantities that cost terms and constraints measure. The comment of each residual
+// states its rows, their units and their axes; docs/costs.md adds typical weights.
 //
-// A target may be left empty where that is said; its size is the residual's unless said otherwise.
+// A target has as many entries as the residual has rows, unless stated otherwise. It may be empty
+// only where its comment says so.
 #pragma once
 
 #include <functional>
@@ -18,229 +19,261 @@
 
 namespace burnish::residual {
 
-/// x (-) target, ndx rows: dq (rad, m), dv (rad/s, m/s), dtau (Nm, N).
+/// Difference of the state from the target, x (-) target, ndx rows: dq (rad, m), dv (rad/s, m/s),
+/// dtau (Nm, N).
 /// @described residual
-/// The target is a state of nx entries; empty: the initial state of the problem.
+/// Differences of the remembered forces (N, Nm) are the last rows. An empty target is the initial
+/// state of the problem.
 struct State {
-  Signal target = {};  ///< a state of nx entries; None: the initial state of the problem
+  Signal target = {};  ///< Target state, nx entries; None: the initial state of the problem
 };
 
-/// u - target, nu rows, Nm (N).
+/// Control minus the target, nu rows, Nm (N).
 /// @described residual
-/// Empty target: zero.
+/// An empty target means zero.
 struct Control {
-  Signal target = {};  ///< None: zero
+  Signal target = {};  ///< Target control; None: zero
 };
 
-/// q_j - target for revolute and prismatic joints, one row each, rad or m. No joints: all of them
-/// that have a limit.
+/// Position of revolute and prismatic joints minus the target, one row per joint, rad or m. If no
+/// joints are named, there is a row for every joint with a position limit.
 /// @described residual
-/// Empty target: zero, as limits want it.
+/// An empty target means zero.
 struct JointPosition {
   std::vector<std::string> joints = {};  ///< @name_of joint
-  Signal target = {};                    ///< None: zero, as limits want it
+  Signal target = {};  ///< Target positions; None: zero, so that limits apply to the positions
 };
 
-/// v - target for the entries of the named joints, rad/s or m/s; no joints: all but the free-flying
-/// base.
+/// Velocity of joints minus the target, one row per entry of v, rad/s or m/s. If no joints are
+/// named, there are rows for all joints except the free-flying base.
 /// @described residual
-/// Empty target: zero.
+/// An empty target means zero.
 struct JointVelocity {
   std::vector<std::string> joints = {};  ///< @name_of joint
-  Signal target = {};                    ///< None: zero
+  Signal target = {};                    ///< Target velocities; None: zero
 };
 
-/// What the actuators apply to the named joints minus the target, Nm or N: the control, or with a
-/// cut-off of the torque model the torque state. No joints: all actuated ones.
+/// Actuator torque of joints minus the target, Nm or N. The torque is the control; if the torque
+/// model has a cut-off, it is the torque in the state. If no joints are named, there are rows for
+/// all actuated joints.
 /// @described residual
-/// Empty target: zero.
+/// An empty target means zero.
 struct JointTorque {
   std::vector<std::string> joints = {};  ///< @name_of joint
-  Signal target = {};                    ///< None: zero
+  Signal target = {};                    ///< Target torques; None: zero
 };
 
-/// How fast the torques of the named joints follow the control, minus the target: cutoff (u - tau),
-/// Nm/s or N/s, at the begin of the step, over which it decays; (u - tau) / step where torques are
-/// held and tau is the control of the step before. With a torque model alone, where there is a
-/// control. No joints: all actuated ones.
+/// Rate of actuator torques of joints minus the target, Nm/s or N/s. The rate needs a torque model
+/// and a control. With a cut-off, the rate is cutoff (u - tau) at the start of the step, and decays
+/// over the step. With held torques, the rate is (u - tau) / step, where tau is the control of the
+/// previous step. If no joints are named, there are rows for all actuated joints.
 /// @described residual
-/// Empty target: zero.
+/// An empty target means zero.
 struct JointTorqueRate {
   std::vector<std::string> joints = {};  ///< @name_of joint
-  Signal target = {};                    ///< None: zero
+  Signal target = {};                    ///< Target rates; None: zero
 };
 
-/// Origin of a frame minus the target, 3 rows, m, written in the axes of the reference, whose base
-/// is the world. Its origin must not be the frame itself; where its axes follow a surface at the
-/// frame (Reference.on) it is that of what the surface is fixed in, and the first two rows are how
-/// far the target is along the tangents at the frame.
+/// Position of a frame's origin minus the target, 3 rows, m, in the axes of the reference. The base
+/// of the reference must be the world, and the reference's origin must not be the frame itself.
+/// With Reference.on, the axes of the reference follow a surface at the frame. The reference's
+/// origin is then the origin of the frame in which the surface is fixed, and the first two rows are
+/// along the surface's tangents.
 /// @described residual
 struct FramePosition {
   std::string frame = {};  ///< @name_of frame @stated
-  /// 3, {m}: from the reference's origin, in the axes that its rotation is fixed in; of
-  /// Reference::world(...) a point of the world
+
+  /// Target position from the reference's origin, 3 entries [m]
+  /// @more Written in the axes in which the reference's rotation is fixed. With
+  /// Reference::world(...), the target is a point of the world
   Signal target = {};
   Reference reference = Reference::world();
 };
 
-/// Distance of a frame's origin from the target, 1 row, m, measured along `directions` of the
-/// reference, whose base is the world and whose origin must not be the frame itself: along all
-/// three from a point, along two from a line, along one from a plane. It is sqrt(d^2 + (1e-6 m)^2),
-/// so that it has a derivative everywhere; at d = 0 that is zero, as no direction leads away.
+/// Distance of a frame's origin from the target, 1 row, m, along one or more axes of the reference.
+/// With three axes it is the distance from a point, with two from a line, with one from a plane.
+/// The base of the reference must be the world, and the reference's origin must not be the frame
+/// itself. For a distance d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable everywhere.
+/// At d = 0 the derivative of the row is zero.
 /// @described residual
 struct FrameDistance {
   std::string frame = {};  ///< @name_of frame @stated
-  /// 3, {m}, as of FramePosition. None: the reference's origin, unless that is the world's
+
+  /// Target position from the reference's origin (None: the origin itself), 3 entries [m]
+  /// @more Written in the axes in which the reference's rotation is fixed. A target is required if
+  /// the origin is the world's origin
   Signal target = {};
-  Directions directions = Directions::linear();  ///< one or more of x, y and z
+  Directions directions = Directions::linear();  ///< Axes that count: one or more of x, y and z
   Reference reference = Reference::world();
 };
 
-/// log(R_target^T A^T R), 3 rows, rad, target axes: how far the frame is from the target, which is
-/// a rotation from the axes A of the reference, whose base is the world; its origin does not
-/// matter.
+/// Rotation of a frame from the target, log(R_target^T A^T R), 3 rows, rad, in the target's axes. R
+/// is the rotation of the frame in the world, A is the rotation of the reference, and R_target is
+/// the target, a rotation relative to A. The base of the reference must be the world. The origin of
+/// the reference has no effect.
 /// @described residual
 struct FrameRotation {
   std::string frame = {};  ///< @name_of frame @stated
-  Signal target = {};      ///< quaternion x, y, z, w, of unit length
+  Signal target = {};      ///< Target rotation: quaternion x, y, z, w, of unit length
   Reference reference = Reference::world();
 };
 
-/// Lead and tilt of an axis of a frame minus the target, 2 rows, rad: the angles by which it leans
-/// from the third axis of the reference, whose base is the world, towards the first and towards the
-/// second: atan2(e_x, e_z) and atan2(e_y, e_z), with e the axis in the reference. How it is turned
-/// about itself does not matter. With Reference.on the third axis is a surface's normal.
+/// Lead and tilt of an axis of a frame minus the target, 2 rows, rad. Lead is the inclination from
+/// the reference's z towards its x, atan2(e_x, e_z). Tilt is the inclination from z towards y,
+/// atan2(e_y, e_z). The vector e is the axis, written in the reference. The base of the reference
+/// must be the world. Rotation about the axis has no effect. With Reference.on, z is the normal of
+/// a surface.
 /// @described residual
 struct FrameInclination {
   std::string frame = {};  ///< @name_of frame @stated
   Reference reference = Reference::world();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< 3, of any length, in the frame
-  Signal target = {};                               ///< lead and tilt, {rad}; None: zero
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Axis in the frame, 3 entries, of any length
+  Signal target = {};                               ///< Target lead and tilt [rad]; None: zero
 };
 
-/// Height of a frame's origin above the surface that the reference follows (Reference.on), minus
-/// the target, 1 row, m: how far away the surface is along its normal at the frame, below zero in
-/// the material. Exact for planes, spheres and cylinders, to first order for others; far outside of
-/// a surface that the normal there misses it only grows.
+/// Height of a frame's origin above a surface minus the target, 1 row, m. The reference follows the
+/// surface (Reference.on). The height is the distance to the surface along the normal at the frame,
+/// negative inside the material. It is exact for planes, spheres and cylinders, and correct to
+/// first order for other surfaces. If the normal at the frame does not meet the surface, the height
+/// only increases with the distance.
 /// @described residual
 struct FrameHeight {
   std::string frame = {};                    ///< @name_of frame @stated
   Reference reference = Reference::world();  ///< @stated
-  Signal target = {};                        ///< [m]; None: zero
+  Signal target = {};                        ///< Target height [m]; None: zero
 };
 
-/// SE(3) logarithm of the frame in the target: 3 rows m, 3 rows rad, target axes.
+/// Pose of a frame relative to the target, as an SE(3) logarithm in the target's axes: 3 rows in m,
+/// 3 rows in rad.
 /// @described residual
 struct FramePlacement {
   std::string frame = {};  ///< @name_of frame @stated
-  Signal target = {};      ///< position (m), quaternion x, y, z, w
+  Signal target = {};      ///< Target pose: position (m), quaternion x, y, z, w
 };
 
-/// Velocity of a frame in the world minus the target, 6 rows: m/s, rad/s, written in the reference,
-/// whose tool is the frame and whose base is the world.
+/// Velocity of a frame in the world minus the target, 6 rows: 3 in m/s, 3 in rad/s. The velocity is
+/// written in the reference. The tool of the reference is the frame, and the base is the world.
 /// @described residual
-/// Empty target: zero.
+/// An empty target means zero.
 struct FrameVelocity {
   std::string frame = {};  ///< @name_of frame @stated
   Reference reference = Reference::centered();
-  Signal target = {};  ///< None: zero
+  Signal target = {};  ///< Target velocity; None: zero
 };
 
-/// Force of an active contact minus the target, N and Nm: the held rows in the contact's own
-/// reference, or six rows in another one.
+/// Force of an active contact minus the target, N and Nm. In the contact's own reference, there is
+/// one row per held direction. In another reference, there are six rows.
 /// @described residual
-/// Empty target: zero.
+/// An empty target means zero.
 struct ContactForce {
   std::string contact = {};  ///< @name_of contact @stated
   std::optional<Reference> reference = {};
-  Signal target = {};  ///< None: zero
+  Signal target = {};  ///< Target force; None: zero
 };
 
-/// How fast the force of an active contact changes from the step before to this one, minus the
-/// target: (f - f_before) / step, N/s and Nm/s, the held rows in the contact's own reference. For
-/// contacts that the problem remembers the force of.
+/// Rate of change of an active contact's force minus the target, (f - f_before) / step, N/s and
+/// Nm/s. There is one row per held direction, in the contact's own reference. f_before is the force
+/// of the previous step: the contact must be one of the problem's remembered_forces.
 /// @described residual
-/// Empty target: zero.
+/// An empty target means zero.
 struct ContactForceRate {
   std::string contact = {};  ///< @name_of contact @stated
-  Signal target = {};        ///< None: zero
+  Signal target = {};        ///< Target rates; None: zero
 };
 
-/// Two rows, N: friction * f_n - |f_t| (smoothed over 1e-3 N) and f_n, both to be kept above a
-/// limit: the default penalty is a barrier at 0. f_n is the force along the axis `normal` of the
-/// reference (0, 1, 2: x, y, z), f_t what stands at a right angle to it. With `sides` n a pyramid
-/// inside the cone: n rows, N, friction * cos(pi / n) * f_n - d_i . f_t, where d_0 is the next axis
-/// of the reference after the normal and the others follow every 360 / n degrees.
+/// Margins of a contact force within its friction cone, 2 rows, N: friction * f_n - |f_t| and f_n.
+/// Here f_n is the force along the axis `normal` of the reference (0, 1, 2: x, y, z), and f_t is
+/// the tangential force. |f_t| is smoothed over 1e-3 N. If `sides` is n > 0, there are n rows
+/// instead, N: the margins friction * cos(pi / n) * f_n - d_i . f_t within a pyramid inside the
+/// cone. The tangent d_0 is the axis of the reference after the normal; the other d_i follow every
+/// 360 / n degrees. Default penalty: a barrier at 0.
 /// @described residual
-/// `sides`: 3 to 32; d_i turn from the next axis (y after x, x after z) towards the one after that.
-/// What keeps them at zero or above keeps the cone and f_n. One of the two directions along the
-/// ground need not be held by the contact: its force is zero. To Problem::set_target its
-/// coefficient is its target: what is under a foot may change.
+/// The d_i turn from the axis after the normal (y after x, x after z) towards the next axis. If all
+/// n rows of the pyramid are at least zero, both rows of the cone are at least zero. The contact
+/// must hold the normal, but may leave one tangent free. The force along a free tangent is zero.
+/// Problem::set_target() takes the friction coefficient as the target, since the ground under a
+/// foot may change.
 struct FrictionCone {
   std::string contact = {};                 ///< @name_of contact @stated
-  double friction = 0.5;                    ///< > 0
-  int normal = 2;                           ///< @words x y z
-  std::optional<Reference> reference = {};  ///< default: the contact's own
-  int sides = 0;  ///< 3 to 32, of a pyramid inside the cone; 0: the cone itself, >= 0
+  double friction = 0.5;                    ///< Friction coefficient, > 0
+  int normal = 2;                           ///< Axis of the reference along the normal @words x y z
+  std::optional<Reference> reference = {};  ///< Reference; by default the contact's own
+
+  /// Number of sides of a pyramid inside the cone, 3 to 32 (0: the cone itself), >= 0
+  int sides = 0;
 };
 
-/// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times
-/// the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x, both halves in m; zero where the
-/// centre, which is (-m_y, m_x) / f_z, is at the edge above in x, below in x, below in y, above in
-/// y. With friction eight rows more, Nm, four to the right and four to the left: how far the moment
-/// about the normal is within what the corners bear with that coefficient each. Default penalty: a
-/// barrier at 0.
+/// Margins of the centre of pressure within a rectangle in the tool's axes, times the normal force
+/// f_z, 4 rows, Nm: half_x f_z + m_y, half_x f_z - m_y, half_y f_z + m_x and half_y f_z - m_x. With
+/// the centre of pressure c = (-m_y, m_x) / f_z, these rows are zero if c is at the edge with the
+/// largest x, smallest x, smallest y and largest y, in this order. With friction there are 8 more
+/// rows, Nm: the margins of the moment about the normal before the corners slip. The first 4 of
+/// these rows limit negative moments, the last 4 positive moments. Each corner has the coefficient
+/// `friction`. Default penalty: a barrier at 0.
 /// @described residual
-/// That is the less the nearer the centre is to an edge, and nothing at a corner, about which a
-/// foot turns as on a nail (S. Caron, Q.-C. Pham, Y. Nakamura, "Stability of surface contacts for
-/// humanoid robots: closed-form formulae of the contact wrench cone for rectangular support areas",
-/// ICRA 2015, equations 21 and 22). Friction there is a pyramid, |f_x| and |f_y| each within the
-/// coefficient times f_z: one inside the cone has that of the cone over sqrt(2). To
-/// Problem::set_target the coefficient is its target. One direction beside the normal need not be
-/// held by the contact: its force or moment is zero.
+/// The largest moment about the normal decreases as the centre of pressure approaches an edge. It
+/// is zero at a corner, about which the foot can pivot. Source: S. Caron, Q.-C. Pham, Y. Nakamura,
+/// "Stability of surface contacts for humanoid robots: closed-form formulae of the contact wrench
+/// cone for rectangular support areas", ICRA 2015, equations 21 and 22. These equations have a
+/// friction pyramid: |f_x| and |f_y| are each at most the coefficient times f_z. For a pyramid
+/// inside a friction cone, use the cone's coefficient divided by sqrt(2). Problem::set_target()
+/// takes the friction coefficient as the target. The contact must hold the normal, but may leave
+/// one other direction free. The force or moment along a free direction is zero.
 struct CenterOfPressure {
   std::string contact = {};  ///< @name_of contact @stated
-  double half_x = 0.1;       ///< [m], > 0 @stated
-  double half_y = 0.05;      ///< [m], > 0 @stated
-  double friction = 0.0;     ///< 0: the moment about the normal is free, >= 0
+  double half_x = 0.1;       ///< Half length of the rectangle along the tool's x [m], > 0 @stated
+  double half_y = 0.05;      ///< Half length of the rectangle along the tool's y [m], > 0 @stated
+
+  /// Friction coefficient at each corner, which limits the moment about the normal (0: no limit),
+  /// >= 0
+  double friction = 0.0;
 };
 
-/// Centre of mass minus the target, 3 rows, m, world.
+/// Position of the centre of mass minus the target, 3 rows, m, world axes.
 /// @described residual
 struct CenterOfMass {
   Signal target = {};
 };
 
-/// How far the centre of mass, seen from above, is inside of each edge of a support polygon: a row
-/// per edge, m, all to be kept above a limit: the default penalty is a barrier at 0. Row i is of
-/// the edge from point i to the next one, the last back to the first.
+/// Distance of the centre of mass from each edge of a support polygon, seen from above, one row per
+/// edge, m. The distance is positive inside. Row i belongs to the edge from point i to the next
+/// point; the last edge returns to the first point. Default penalty: a barrier at 0.
 /// @described residual
 struct SupportMargin {
-  /// 3 or more, x and y in the world, {m}: the corners of a convex polygon, counter-clockwise as
-  /// seen from above. Others are refused. @stated
+  /// Corners of a convex polygon, 3 or more, x and y in the world [m], counter-clockwise from
+  /// above. Other polygons are rejected. @stated
   std::vector<Eigen::Vector2d> points = {};
 };
 
-/// Momentum about the centre of mass minus the target, 6 rows: kg m/s, kg m^2/s, world axes.
+/// Linear momentum (3 rows, kg m/s) and angular momentum about the centre of mass (3 rows, kg
+/// m^2/s) minus the target, world axes.
 /// @described residual
-/// Empty target: zero.
+/// An empty target means zero.
 struct CentroidalMomentum {
-  Signal target = {};  ///< None: zero
+  Signal target = {};  ///< Target momentum; None: zero
 };
 
-/// A residual of the user's own. Made by custom() from a plain struct; see examples/06.
+/// A user-defined residual. The function custom() makes a Custom from a plain struct; see
+/// examples/06.
 struct Custom {
   std::string name = {};
-  int rows = 0;
-  std::vector<std::string> frames = {};  ///< that value and jacobian ask for, by place
+  int rows = 0;  ///< Number of rows
+
+  /// Names of the frames that `value` and `jacobian` use, in the order of their indices in
+  /// NodeView.
+  std::vector<std::string> frames = {};
+  /// Names of the contacts that `value` and `jacobian` use, in the order of their indices in
+  /// NodeView.
   std::vector<std::string> contacts = {};
+  /// Function that writes the residual, `rows` entries.
   std::function<void(const NodeView&, Eigen::Ref<Eigen::VectorXd>)> value = {};
-  /// d(value)/dz, rows x nz, handed over zeroed; empty: central differences.
+  /// Function that writes d(value)/dz, rows x nz, into a zeroed matrix. Empty: central differences.
   std::function<void(const NodeView&, Eigen::Ref<RowMatrix>)> jacobian = {};
 };
 
-/// Any struct with `int rows` and `value(const NodeView&, Eigen::Ref<Eigen::VectorXd>) const`, and
-/// if wanted `name`, `frames`, `contacts` and `jacobian(const NodeView&, Eigen::Ref<RowMatrix>)
+/// Converts a user's struct into a residual. The struct needs a member `int rows` and a function
+/// `value(const NodeView&, Eigen::Ref<Eigen::VectorXd>) const`. Optional are members `name`,
+/// `frames` and `contacts`, and a function `jacobian(const NodeView&, Eigen::Ref<RowMatrix>)
 /// const`.
 template <class User>
 Custom custom(User user) {
@@ -272,7 +305,7 @@ using Residual =
                  residual::FrictionCone, residual::CenterOfPressure, residual::CenterOfMass,
                  residual::SupportMargin, residual::CentroidalMomentum, residual::Custom>;
 
-/// Such as "frame position", for messages.
+/// Returns the kind of a residual as words for messages, such as "frame position".
 std::string name_of(const Residual& residual);
 
 }  // namespace burnish

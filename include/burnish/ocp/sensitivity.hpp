@@ -1,4 +1,4 @@
-// What an optimal motion's cost owes to what the robot carries.
+// Sensitivity of the optimal cost to the payload that the robot carries.
 #pragma once
 
 #include <string_view>
@@ -9,19 +9,22 @@
 
 namespace burnish {
 
-/// Derivative of the least cost by the ten parameters (inertia_parameter_names) of what the
-/// problem's robot carries at a frame, in the frame's axes about its origin: cost per kg, kg m, kg
-/// m^2. At a solution the states and controls that answer a change do not count (the envelope
-/// theorem), and what is left is, with the costates V_x and the multipliers nu of limits,
-///   dV/dtheta = sum over knots k of d/dtheta [ l_k + V_x,k+1^T f_k + nu_k^T c_k ]  at x_k, u_k,
-/// where costs l, dynamics f and rows c know the parameters through accelerations and forces,
-/// momenta and the centre of mass. Each knot is differentiated by central differences of its own
-/// values, the motion held; they are right to 1e-6 or so. The sign is that of a mass that is added.
+/// Returns the derivative of the optimal cost by the ten inertia parameters of a payload at
+/// `frame`, in cost per kg, kg m and kg m^2. The parameters (inertia_parameter_names) are in the
+/// frame's axes, about its origin. The derivative is positive if added mass raises the cost. At a
+/// solution, the first-order changes of states and controls do not contribute (envelope theorem).
+/// With costates V_x and constraint multipliers nu,
+///   dV/dtheta = sum over knots k of d/dtheta [ l_k + V_x,k+1^T f_k + nu_k^T c_k ]  at x_k, u_k.
+/// Costs l, dynamics f and constraint rows c depend on the parameters theta through accelerations,
+/// forces, momenta and the centre of mass. Each knot's values are differentiated by central
+/// differences, with fixed states and controls. The accuracy is about 1e-6.
 ///
-/// The solver must have converged on the problem as it is: with its last payload, targets and
-/// start. The problem comes back as it was. Throws Error as Problem::set_payload does, for a frame
-/// whose body has no mass, and where the solver has not solved this problem to its end or a knot
-/// cannot be evaluated.
+/// The solver must have converged on the problem with its current payload, targets and initial
+/// state. The function changes the problem and restores it. Throws Error
+///  - for an unknown frame, with the nearest known name;
+///  - for a frame that is fixed to the world, or whose body has no mass;
+///  - if the solver has not converged on this problem;
+///  - if a knot cannot be evaluated.
 Vector10 cost_by_payload(Problem& problem, const DdpSolver& solver, std::string_view frame);
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// Are the steps of a plan short enough? A solver sees the discretised problem alone, and finds it
-// converged and feasible whatever the step.
+// Check of the time steps of a plan. A solver sees the discretized problem only. It converges to a
+// feasible plan for any step, even for a step that is too long.
 #pragma once
 
 #include <string>
@@ -9,59 +9,68 @@
 
 namespace burnish {
 
-/// How far the end of one step of a plan is from the motion that small steps lead to.
+/// Discretization error of one step of a plan: the difference between the end of this step and the
+/// end of an integration with small steps.
 /// @described ocp @result
 struct StepError {
-  int knot = -1;           ///< at which the step begins; -1: no time passes in the problem
-  std::string place = {};  ///< the knot's name, such as "press, knot 3"
-  double time = 0.0;       ///< [s], of that knot
-  double step = 0.0;       ///< [s]
-  std::string entry = {};  ///< the entry of v, as the model names it
-  std::string unit = {};   ///< "rad" or "m"; of velocities "rad/s" or "m/s"
-  double error = 0.0;      ///< size, in that unit
-  double limit = 0.0;      ///< largest error that is no warning, in that unit
+  int knot = -1;           ///< Knot at which the step begins; -1: no time passes in the problem
+  std::string place = {};  ///< Name of the knot, such as "press, knot 3"
+  double time = 0.0;       ///< Time at which the step begins [s]
+  double step = 0.0;       ///< Duration of the step [s]
+  std::string entry = {};  ///< Name of the entry of v that has the error
+  std::string unit = {};   ///< Unit of the error: "rad" or "m"; for velocities "rad/s" or "m/s"
+  double error = 0.0;      ///< Size of the error, in the unit of the error
+
+  /// Limit of the error, in the unit of the error; a larger error causes a warning
+  double limit = 0.0;
 };
 
-/// What check_steps() found: the largest error of a position and of a velocity, of those above
-/// their limits where there are any.
+/// Result of check_steps(): the worst position error and the worst velocity error. Errors above
+/// their limit are worse than errors within their limit. Otherwise the larger error is worse.
 /// @described ocp @result
 struct StepReport {
-  /// ok, or why the errors of `knot` cannot be computed: the smallest steps do not agree, a number
-  /// is not finite, or what the contacts say
+  /// Status ok, or the reason why the errors of `knot` cannot be computed
+  /// @more Not converged: the smallest steps still disagree. Other reasons: a number is not finite,
+  /// or the contacts cannot be solved
   Status status = Status::Ok;
-  int knot = -1;            ///< the first one with that status; -1: none
-  StepError position = {};  ///< by the model's difference
+  int knot = -1;            ///< First knot whose errors cannot be computed; -1: none
+  StepError position = {};  ///< Worst position error, by the model's difference of configurations
   StepError velocity = {};
-  bool coarse = false;  ///< an error is above its limit, or cannot be computed
-  /// [s], a step that would do at the worst knot; 0: not coarse, or none was found
+  bool coarse = false;  ///< True if an error exceeds its limit or cannot be computed
+
+  /// Step that is short enough at the worst knot (0: steps are fine, or none was found) [s]
   double step_enough = 0.0;
 
-  /// One sentence with both errors.
+  /// Returns one sentence with both errors.
   std::string text() const;
-  /// One sentence that says where and by how much the steps are too coarse; empty: they are not.
+  /// Returns one sentence that says where and by how much the steps are too coarse. Empty if the
+  /// steps are short enough.
   std::string warning() const;
 };
 
-/// Integrates every knot of a trajectory (xs: (N + 1) x nx, us: N x max_controls) again in small
-/// steps, from its state, with its control held, and its contacts, friction, springs and torque
-/// filter as the stage has them, and compares with the problem's own step. The small steps are of
-/// fourth order; they are halved until halving changes the end by less than a fiftieth of the error
-/// or of its limit. Impacts take no time and are not compared.
+/// Estimates the discretization errors of a trajectory (xs: (N + 1) x nx, us: N x max_controls).
+/// Each knot is integrated again, from its state and with its control held, in small steps of
+/// fourth order. The end is compared with the end of the problem's own step. Contacts, friction,
+/// springs and the torque filter are as in the knot's stage. The small steps are halved until
+/// halving changes the end by less than a fiftieth of the error or of the error's limit. Impacts
+/// take no time and are not compared.
 ///
-/// Limits, with the largest speed of the same entry of v in the trajectory:
-///  - position: 0.01 rad (m), or the distance in 25 ms at that speed if that is larger. A smaller
-///    delay is within those of a robot's own control loops, and semi-implicit steps of up to 50 ms
-///    keep it: the velocity that they move with is half a step ahead;
-///  - velocity: 0.1 rad/s (m/s), or a tenth of that speed if that is larger.
-/// Throws Error for other sizes.
+/// Each limit depends on the largest speed of the same entry of v in the trajectory:
+///  - position: 0.01 rad (m), or the distance in 25 ms at that speed, whichever is larger. A delay
+///    below 25 ms is within the delays of a robot's own control loops. Semi-implicit steps of up to
+///    50 ms satisfy the limit, since the velocity of such a step is half a step ahead;
+///  - velocity: 0.1 rad/s (m/s), or a tenth of that speed, whichever is larger.
+/// Throws Error for matrices of other sizes.
 StepReport check_steps(const Problem& problem, const MatrixView& xs, const MatrixView& us);
 
-/// Returns a sentence for each stage whose explicit steps are unstable or overshoot at the initial
-/// state; empty if there is none. complaints() contains them.
-///  - gains of contacts with which an error of the contact grows from step to step;
-///  - friction of a tool that fades below the speed that it takes from the tool in one step;
-///  - friction of joints, where it acts, whose slip velocity is below what it takes in one step;
-///  - damping and springs of joints that make a joint swing more and more.
+/// Returns a sentence for each stage and each cause of explicit steps that are unstable or
+/// overshoot at the initial state; empty if there is none. complaints() contains these sentences.
+/// Possible causes are
+///  - contact gains with which a contact error grows from step to step;
+///  - tool friction that slows the tool by more than the fade speed of the friction in one step;
+///  - joint friction that slows a joint by more than the slip velocity in one step, if joint
+///    friction acts;
+///  - joint damping and springs with which the oscillation of a joint grows.
 std::vector<std::string> step_complaints(const Problem& problem);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// How well a run polished, from its trace: the measures by which controllers are compared.
+// Metrics of a polishing run, computed from the run's trace, for the comparison of controllers.
 #pragma once
 
 #include <limits>
@@ -11,97 +11,125 @@
 
 namespace burnish {
 
-/// What of a trace is measured.
+/// Settings of measure(): time window and directions for the metrics of a trace.
 /// @described report
 struct MetricsSpec {
-  double start = 0.0;                                    ///< [s], of the window
-  double end = std::numeric_limits<double>::infinity();  ///< [s], of the window
-  /// Along which the force is measured and across which the position, towards the robot, any length
-  /// but zero; none: the normal of the surface at the tool, as it is in each row.
+  /// Start of the time window [s]
+  double start = 0.0;
+  /// End of the time window [s]
+  double end = std::numeric_limits<double>::infinity();
+  /// Surface normal towards the robot, in world axes (none: the true normal at the tool, in each
+  /// row) @more Forces are measured along the normal, position errors perpendicular to it. The
+  /// normal may have any length except zero
   std::optional<Eigen::Vector3d> normal_world = {};
-  double average = 0.010;  ///< [s], of the moving average of the force, centred; 0: none
-  /// that the tool presses along, in its frame, any length but zero; none: tool_to_normal is not
-  /// measured
+  /// Width of the centred moving average of the force (0: no average) [s]
+  double average = 0.010;
+  /// Direction in which the tool presses, in the tool's frame (none: tool_to_normal is not
+  /// measured) @more The vector may have any length except zero
   std::optional<Eigen::Vector3d> tool_axis = {};
-  /// columns: the tool's axes where the trace begins, world
+  /// Axes of the tool at the start of the trace, as columns in world axes
   Eigen::Matrix3d tool_start_world = Eigen::Matrix3d::Identity();
 };
 
-/// Over the control ticks of the window that solved something.
+/// Statistics of the solver over the plans that were computed in the time window.
 struct SolverFigures {
-  int updates = 0;                                ///< plans that were made
-  double median = 0.0, p99 = 0.0, maximum = 0.0;  ///< s
-  double mean_iterations = 0.0;                   ///< solver iterations per plan, mean
-  int missed_deadlines = 0;                       ///< plans that came later than they were due
-  int at_limits = 0;                              ///< plans with limits that push
-  int infeasible = 0;                             ///< plans that cannot keep all limits
-  /// largest violation of a hard limit along a plan, as a share of its scale: of 99 of 100 plans,
-  /// and of all
+  /// Number of plans
+  int updates = 0;
+  /// Computing time of a plan [s]: median, 99th percentile and maximum
+  double median = 0.0, p99 = 0.0, maximum = 0.0;
+  /// Mean number of solver iterations per plan
+  double mean_iterations = 0.0;
+  /// Number of plans that missed their deadline
+  int missed_deadlines = 0;
+  /// Number of plans with active limits
+  int at_limits = 0;
+  /// Number of plans that cannot satisfy all limits
+  int infeasible = 0;
+  /// Largest violation of a hard limit in a plan, as a fraction of the limit's scale: 99th
+  /// percentile and maximum over all plans
   double limits_p99 = 0.0, limits_outside = 0.0;
-  int clipped = 0;  ///< ticks with a torque that was cut to what may be sent
+  int clipped = 0;  ///< Number of control ticks with a torque clipped to its permitted range
 };
 
-/// All of the window unless it says otherwise, on true forces and positions, SI units.
+/// Metrics of a run, in SI units. They are computed from true forces and positions, over the time
+/// window if not stated otherwise.
 struct Metrics {
-  double start = 0.0, end = 0.0;  ///< s, of the rows found
-  int rows = 0;                   ///< of the trace within the window
-  /// s, that averaged forces are means over, by whole rows; 0: of one row each
+  /// Times of the first and the last row in the window [s]
+  double start = 0.0, end = 0.0;
+  /// Number of rows of the trace in the window
+  int rows = 0;
+  /// Width of the moving average of the force, rounded to whole rows [s]; 0 if there is no average
   double average = 0.0;
 
-  double force_mean = 0.0;  ///< N, mean normal force
-  // Error of the averaged force against the target.
-  double force_mae = 0.0;   ///< N, mean absolute error of the force's moving mean
-  double force_rmse = 0.0;  ///< N, root mean square error of the force's moving mean
-  double force_peak = 0.0;  ///< N, largest absolute error of the force's moving mean
-  // The same of the force in every row.
-  double force_rmse_raw = 0.0;  ///< N, root mean square error of the force in every row
-  double force_peak_raw = 0.0;  ///< N, largest absolute error of the force in any row
-  /// N, root mean square error of what the controller believes the normal force to be
+  double force_mean = 0.0;  ///< Mean normal force [N]
+
+  // Errors of the averaged force, relative to the target force.
+  double force_mae = 0.0;   ///< Mean absolute error of the averaged force [N]
+  double force_rmse = 0.0;  ///< Root mean square error of the averaged force [N]
+  double force_peak = 0.0;  ///< Largest absolute error of the averaged force [N]
+
+  // Errors of the force without averaging, relative to the target force.
+
+  /// Root mean square error of the force without averaging [N]
+  double force_rmse_raw = 0.0;
+  /// Largest absolute error of the force without averaging [N]
+  double force_peak_raw = 0.0;
+  /// Root mean square error of the controller's estimate of the normal force [N]
   double estimate_rmse = 0.0;
-  double without_contact = 0.0;  ///< share of the time without contact
-  /// N, largest normal force in the 50 ms from the first contact of the run on
+  /// Fraction of the time without contact
+  double without_contact = 0.0;
+  /// Largest normal force in the first 50 ms of contact in the run [N]
   std::optional<double> impact_peak;
-  /// N, largest excess of the force's moving mean over the target, from the end of the ramp to the
-  /// window; at least 0
+  /// Largest overshoot: averaged force minus target force, at least 0 [N]. Only the rows between
+  /// the end of the force ramp and the start of the time window are used.
   std::optional<double> overshoot;
 
-  double position_mean = 0.0;  ///< m, mean distance to the target across the normal
-  double position_rmse = 0.0;  ///< m, root mean square distance to the target across the normal
-  /// m, distance to the target across the normal that is not exceeded 95 % of the time
+  /// Mean distance from the tool to its target, perpendicular to the normal [m]
+  double position_mean = 0.0;
+  /// Root mean square distance from the tool to its target, perpendicular to the normal [m]
+  double position_rmse = 0.0;
+  /// 95th percentile of the distance from the tool to its target, perpendicular to the normal [m]
   double position_p95 = 0.0;
-  /// rad, root mean square angle between the surface's normal at the tool and what the controller
-  /// believes it to be
+  /// Root mean square angle between the true surface normal at the tool and the controller's
+  /// estimate of the normal [rad]
   double normal_error = 0.0;
-  /// rad, largest rotation of the tool since the window began, about any axis
+  /// Largest rotation angle of the tool since the start of the time window, about any axis [rad]
   double orientation_drift = 0.0;
-  /// rad, largest angle between the axis that the tool presses along and the surface's normal,
-  /// reversed
+  /// Largest angle between the direction in which the tool presses and the direction into the
+  /// surface (opposite to the normal) [rad]
   std::optional<double> tool_to_normal;
 
-  /// rad, smallest distance of a joint to its limit (m where it slides)
+  /// Smallest distance of a joint to its limit [rad, m if prismatic]
   double joint_margin = 0.0;
-  std::string tightest_joint;   ///< whose margin that is; empty without limits
-  double torque_margin = 1.0;   ///< share of a joint's effort limit that was never used, smallest
-  std::string tightest_torque;  ///< whose margin that is; empty without limits
-  double limited_torque = 0.0;  ///< share of the time with a joint at its effort limit
+  /// Joint with the smallest distance to its limit; empty if there are no limits
+  std::string tightest_joint;
+  /// Smallest unused fraction of a joint's effort limit
+  double torque_margin = 1.0;
+  /// Joint with the smallest unused fraction of its effort limit; empty if there are no limits
+  std::string tightest_torque;
+  double limited_torque = 0.0;  ///< Fraction of the time with a joint at its effort limit
 
-  std::optional<SolverFigures> solver;  ///< where a controller reports solve times
+  /// Solver statistics; no value if the trace has no solve times
+  std::optional<SolverFigures> solver;
 };
 
-/// From a trace of ClosedLoop. Throws Error for a missing column, a zero normal, and a window
-/// without rows.
+/// Returns the metrics of a trace of ClosedLoop. Throws Error
+/// - if a column is missing,
+/// - if the normal or the tool axis of `spec` has length zero,
+/// - if no row is in the time window.
 Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec = {});
 
-/// Metrics of a run, and what it is called.
+/// Metrics of a run together with the run's name.
 /// @described report @result
 struct NamedMetrics {
   std::string name;
   Metrics metrics;
 };
 
-/// One line per figure, under its name in files, and a column per run: N, mm, degrees, ms, %.
+/// Returns the metrics of several runs as a text table: a line per metric and a column per run.
+/// Units are N, mm, degrees, ms and %.
 std::string metrics_table(const std::vector<NamedMetrics>& runs);
-/// All figures of one run, one per line: name, value, unit, what it means.
+/// Returns the metrics of one run as text, with a line per metric: name, value, unit and meaning.
 std::string metrics_text(const Metrics& metrics);
 
 }  // namespace burnish

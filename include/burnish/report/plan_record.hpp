@@ -1,4 +1,4 @@
-// The plans of model predictive control, now and then along a run.
+// Record of a model predictive controller's plans, sampled during a run.
 #pragma once
 
 #include <string>
@@ -10,38 +10,51 @@ namespace burnish {
 class MpcController;
 struct Command;
 
-/// Where plans start, per plan, and what the solver's last backward pass says there.
+/// Values at the first knot of each recorded plan. Gains and value function come from the solver's
+/// last backward pass.
 struct PlanStart {
   int nx = 0, ndx = 0, nu = 0;
-  std::vector<double> x = {};    ///< plans x nx: the state that the plan was made for
-  std::vector<double> u = {};    ///< plans x nu, of the first knot
-  std::vector<double> K = {};    ///< plans x nu x ndx: Riccati gains of the first knot
-  std::vector<double> Vx = {};   ///< plans x ndx: gradient of the value function there
-  std::vector<double> Vxx = {};  ///< plans x ndx x ndx: its Hessian
+  /// State at the first knot, plans x nx
+  std::vector<double> x = {};
+  /// Control at the first knot, plans x nu
+  std::vector<double> u = {};
+  /// Riccati gains at the first knot, plans x nu x ndx
+  std::vector<double> K = {};
+  /// Gradient of the value function at the first knot, plans x ndx
+  std::vector<double> Vx = {};
+  /// Hessian of the value function at the first knot, plans x ndx x ndx
+  std::vector<double> Vxx = {};
 };
 
-/// Empty without plans.
+/// Record of the plans that a PlanRecorder copied from a controller; empty if there were no plans.
 struct PlanRecord {
-  std::vector<double> time = {};        ///< s, of each plan's first knot
-  std::vector<std::string> terms = {};  ///< of the costs of all stages that were planned with
-  /// Per term and plan: summed over the plan, terminal costs included.
+  /// Time of each plan's first knot [s]
+  std::vector<double> time = {};
+  /// Names of the cost terms, from all stages in the plans
+  std::vector<std::string> terms = {};
+  /// Cost of each term in each plan, terms x plans. Each cost is a sum over all knots of the plan,
+  /// including the terminal knot.
   std::vector<std::vector<double>> costs = {};
-  int knots = 0;  ///< of a plan that are kept
+  int knots = 0;  ///< Number of recorded knots per plan
   int nq = 0;
-  double step = 0.0;          ///< s between the knots that are kept
-  std::vector<float> q = {};  ///< plans x knots x nq
+  double step = 0.0;          ///< Time between recorded knots [s]
+  std::vector<float> q = {};  ///< Configurations, plans x knots x nq
   PlanStart start = {};
 };
 
-/// Copies plans out of a controller, without changing what it does.
+/// Copies plans from a controller at a limited rate. The recording does not change the controller's
+/// behaviour.
 class PlanRecorder {
  public:
-  /// step: s, of a plan's knots where they are all as long; where they are not, states between them
-  /// are kept, evenly in time. rate: Hz, at most; 0: nothing is recorded. The controller must
-  /// outlive the recorder.
+  /// Creates a recorder for `controller`, which must outlive it.
+  /// - `step` is the time between the plan's knots [s], if the knots are evenly spaced. Otherwise
+  ///   `step` is not used, and states are interpolated at even times.
+  /// - `solver_delay` is the time from a measurement to the first knot of its plan [s]. For the
+  ///   first plan this time is zero.
+  /// - `rate` is the largest rate of recorded plans [Hz]. If it is 0, nothing is recorded.
   PlanRecorder(MpcController& controller, double step, double solver_delay, double rate);
-  /// To be called behind ticks, with the measurement's time (s) and the command. Where a plan was
-  /// made and one is due it is copied.
+  /// Copies the controller's plan if it is new and if the recording rate permits it. Call look()
+  /// after each tick. `time` is the time of the measurement [s]; `command` is the tick's result.
   void look(double time, const Command& command);
   PlanRecord take() { return std::move(record_); }
 
@@ -53,10 +66,14 @@ class PlanRecorder {
 
   MpcController& controller_;
   double delay_, period_;
-  int stride_ = 0;     ///< knots of the plan per one that is kept; 0: they are of different lengths
-  double next_ = 0.0;  ///< s, when the next one is due
-  double last_ = -1.0;                             ///< s, of the last tick that was looked at
-  std::vector<std::vector<std::size_t>> term_of_;  ///< per stage: its terms among the record's
+  /// Number of plan knots per recorded knot; 0 if the plan's knots are not evenly spaced
+  int stride_ = 0;
+  /// Earliest time at which the next plan is recorded [s]
+  double next_ = 0.0;
+  /// Time of the last call of look() [s]
+  double last_ = -1.0;
+  /// Indices of each stage's cost terms in record_.terms
+  std::vector<std::vector<std::size_t>> term_of_;
   PlanRecord record_;
 };
 

@@ -1,4 +1,5 @@
-// How a robot stood in a run, from its trace: what its feet bore, where they slid, how it swayed.
+// Measures of how well a robot stood during a run: load and slip of the feet, and motion of the
+// body. They are computed from the run's trace.
 #pragma once
 
 #include <optional>
@@ -10,31 +11,39 @@
 
 namespace burnish {
 
-/// All of the run, from the plant's true forces and positions, SI units; of forces all but its
-/// first 50 ms, in which the ground takes the robot.
+/// Measures of how well a robot stood during a run, in SI units. They are computed from the plant's
+/// true forces and positions. Forces in the first 50 ms are ignored, because the ground is still
+/// taking up the robot's load.
 struct StandingFigures {
-  /// largest share of its friction cone that a foot used while it bore 20 N
+  /// Largest ratio of a foot's tangential force to its friction limit (friction coefficient times
+  /// normal force). Only times with a normal force >= 20 N on the foot are used.
   double friction_used = 0.0;
-  /// m, least distance of a foot's centre of pressure from the edge of its sole while it bore 20 N
+  /// Smallest distance from a foot's centre of pressure to the edge of the sole [m]. Only times
+  /// with a normal force >= 20 N on the foot are used.
   std::optional<double> pressure_margin;
-  double least_load = 0.0;  ///< N, least normal force on a foot
-  /// m, farthest that a foot, with a sole a corner of it, came along the ground from where it was
-  /// at first
+  /// Smallest normal force on a foot [N]
+  double least_load = 0.0;
+  /// Largest displacement of a foot along the ground since the start [m]. For a sole, the
+  /// displacement of its corners is used.
   double slip = 0.0;
-  /// rad, largest angle between the vertical and what was vertical in the base at first
+  /// Largest tilt of the base since the start [rad]: the angle between the vertical and the base
+  /// axis that was vertical at the start.
   double base_tilt = 0.0;
-  /// m, farthest that the centre of mass came from where it was at first
-  double com_moved = 0.0;
+  double com_moved = 0.0;  ///< Largest displacement of the centre of mass since the start [m]
 };
 
-/// From a trace of ClosedLoop, up to where a plant that failed left no state; `model` and
-/// `supports`: as the plant has them. Throws Error for a missing column, a trace without rows or
-/// whose first one is no state, no supports, and supports that do not fit the model.
+/// Returns the standing measures of a trace of ClosedLoop. `model` and `supports` are those of the
+/// plant. Rows from the first invalid state on are not used; a failed plant leaves such a state.
+///
+/// Throws Error
+/// - if a column is missing,
+/// - if the trace has no rows, or no valid state in its first row,
+/// - if `supports` is empty or does not fit the model.
 StandingFigures measure_standing(const Trace& trace, const Model& model,
                                  const std::vector<SupportSpec>& supports);
 
-/// Whether it fell: its base leaned by more than 30 degrees, or its centre of mass came more than
-/// 0.25 m away, which no sole can hold.
+/// Returns whether the robot fell: the base tilted by more than 30 degrees, or the centre of mass
+/// moved by more than 0.25 m. No foot can support a centre of mass that moved so far.
 bool fell(const StandingFigures& figures);
 
 }  // namespace burnish

@@ -1,4 +1,5 @@
-// A robot folder: a description file and a small settings file with postures and variants.
+// Robots as folders with a description file and a small settings file, which has postures and
+// variants.
 #pragma once
 
 #include <filesystem>
@@ -11,83 +12,100 @@
 
 namespace burnish {
 
-/// A compiled robot with its named postures.
+/// A robot: the Model and named postures.
 struct Robot {
   Model model;
   std::map<std::string, Posture> postures;
-  std::string default_posture;  ///< name in postures, or empty
-  /// Collision geometry of a URDF file; no dynamics uses it. find_feet() does.
+  std::string default_posture;  ///< Name of the default posture; empty if there is none
+
+  /// Collision geometry of a URDF file. find_feet() uses it; dynamics does not.
   std::vector<Visual> collisions;
-  /// What is odd about its files but computes, one sentence each: those of the model and others.
+  /// Warnings about odd but usable content of the robot's files, one sentence each. Warnings of the
+  /// model are included.
   std::vector<std::string> warnings;
-  /// What its files hold that dynamics does not need, one sentence each: never refused.
+  /// Notes on content of the robot's files that does not affect dynamics, one sentence each. Such
+  /// content never causes an Error, even if loading is strict.
   std::vector<std::string> notes;
 
-  /// Configuration of a named posture; of a robot with loops one that closes them
-  /// (closed_configuration() in contact/loops.hpp). Throws Error with the nearest known name, and
-  /// where loops cannot be closed.
+  /// Returns the configuration of a named posture. If the robot has loops, closed_configuration()
+  /// in contact/loops.hpp adjusts the configuration to close them. Throws Error if there is no such
+  /// posture (with the nearest known name), or if the loops cannot be closed.
   Eigen::VectorXd posture(const std::string& name) const;
-  /// The default posture, or the neutral configuration when there is none, with loops closed.
+  /// Returns the configuration of the default posture. Without a default posture, returns the
+  /// neutral configuration. Loops are closed in both cases.
   Eigen::VectorXd reference_configuration() const;
 };
 
-/// Changes to what the settings file says, as a command line gives them.
+/// Changes to the settings of a robot, for example from a command line.
 struct RobotOverrides {
   std::optional<Base> base;
-  std::vector<std::string> locked;  ///< in addition to what the settings lock
-  std::vector<std::string> free;    ///< these alone move, whatever the settings lock or free
-  /// A link or joint: of a robot without settings only what carries it moves, since nothing says
-  /// what another arm or a head do meanwhile. Fingers of a gripper that carry it are held too,
-  /// which a note says. Empty or unknown: all joints move.
+  std::vector<std::string> locked;  ///< Joints to lock in addition to locked joints of the settings
+
+  /// The only joints that move; replaces `lock` and `free` of the settings
+  std::vector<std::string> free;
+
+  /// Name of the link, joint or frame to which a tool is attached. It is used only for a robot
+  /// without a settings file: joints that do not move the tool are locked, because nothing defines
+  /// the motion of another arm or a head. Fingers of a gripper are locked too, unless only fingers
+  /// move the tool; a note reports locked fingers. If the name is empty or unknown, all joints
+  /// move.
   std::string carrying;
-  /// Named posture at which joints are locked; empty: the settings' `posture`, then their
-  /// `default_posture`, then zero.
+  /// Name of the posture in which joints are locked. If it is empty, `posture` of the settings is
+  /// used, else `default_posture` of the settings, else zero.
   std::string posture;
-  std::string srdf;     ///< file whose group_states are postures too; empty: as load_robot says
-  bool strict = false;  ///< refuse what would be a warning
+  /// SRDF file, whose group_states become postures. If empty, load_robot() looks for an SRDF file.
+  std::string srdf;
+  bool strict = false;  ///< Treat warnings about the robot as errors
 };
 
-/// Loads a robot by
-///  - a URDF or MJCF file (`arm.urdf`, `arm.xml`), told apart by what is in it, or whatever else a
-///    path leads to, such as /dev/stdin or a pipe,
-///  - a settings file (`robots/talos/robot.yaml`), with `:variant` behind it if wanted,
-///  - a folder that holds robot.yaml (`robots/talos`, `robots/talos:right_arm`),
-///  - the name of a robot that came with the library (`talos`, `talos:right_arm`), looked up in
-///    $BURNISH_ROBOTS, then in share/burnish/robots around the program or library that runs, then
-///    where the library was built or installed.
-/// Throws Error naming the file, the place in it and what was wanted, all problems of a URDF file
-/// at once. What is odd but computes is in the result's `warnings`.
+/// Loads a robot. `name` is one of
+///  - a URDF or MJCF file (`arm.urdf`, `arm.xml`), distinguished by content, or any other readable
+///    path, such as /dev/stdin or a pipe;
+///  - a settings file (`robots/talos/robot.yaml`), optionally followed by `:variant`;
+///  - a folder with a robot.yaml (`robots/talos`, `robots/talos:right_arm`);
+///  - the name of a robot that comes with the library (`talos`, `talos:right_arm`). The folders of
+///    robot_search_path() are searched for it: $BURNISH_ROBOTS, then share/burnish/robots around
+///    the running program or library, then where the library was built or installed.
 ///
-/// A settings file, of which docs/robots.md has all keys (angles in rad, lengths in m):
+/// Throws Error with the file, the place in the file and the requirement. One Error lists all
+/// problems of a URDF file. Odd but usable content is reported in `warnings` of the result.
 ///
-///     urdf: talos.urdf                 # beside the settings file; or mjcf: talos.xml
+/// Example of a settings file; docs/robots.md has all keys. All keys except `urdf` or `mjcf` are
+/// optional. Angles are in rad, lengths in m.
+///
+///     urdf: talos.urdf                 # in the folder of the settings; or mjcf: talos.xml
 ///     description: one line
-///     base: free_flyer                 # or fixed, which is the default
+///     base: free_flyer                 # or fixed, the default
 ///     base_placement: {xyz: [0, 0, 1.02], rpy: [0, 0, 0]}
 ///     lock: [joint, ...]               # or free: [joint, ...], which locks all others
-///     posture: name                    # at which joints are locked; default_posture, or zero
-///     default_posture: name            # of reference_configuration()
-///     postures: {name: {joint: value or list of values, from: name of one above, ...}, ...}
+///     posture: name                    # in which joints are locked; else default_posture, or zero
+///     default_posture: name            # returned by reference_configuration()
+///     postures: {name: {joint: value or list of values, from: an earlier posture, ...}, ...}
 ///     frames: {name: {parent: frame, xyz: [0, 0, 0], rpy: [0, 0, 0]}, ...}
-///     limits: {joint: {lower: -1, upper: 1, velocity: 2, effort: 40}, ...}  # before the URDF's
+///     limits: {joint: {lower: -1, upper: 1, velocity: 2, effort: 40}, ...}  # replace the URDF's
 ///     loops: {name: {between: [link, link], first: {xyz: [0, 0, 0]}, second: {xyz: [0, 0, 0]},
-///                    directions: [x, y, z]}, ...}  # that close chains; placements are in the
-///                    links
-///     srdf: talos.srdf                 # its group_states are postures too
+///                    directions: [x, y, z]}, ...}  # close chains; placements in the links
+///     srdf: talos.srdf                 # its group_states become postures
 ///     variants: {name: {any of the keys above}, ...}
 ///
-/// Frames, postures and gravity of an MJCF file are the robot's; what settings state goes before,
-/// and without a default posture there that is the file's "home", or else how it draws the robot.
-/// Without settings the SRDF file beside a URDF file, or in ../srdf, that has its name is read; the
-/// postures of the settings go before those of an SRDF file. Loops of the settings go before those
-/// of the description that have their names. Where the values of a posture leave a loop open by
-/// more than 1 mm or 0.1 degrees, a warning says so, unless it leaves joints to close it with.
+/// An MJCF file can also state frames, postures and gravity. Frames and postures of the settings
+/// take precedence. If the settings have no default posture, the posture "home" of the MJCF file is
+/// used, else the posture in which the file draws the robot.
 ///
-/// A variant's keys replace those of the file; what it has by name is added, replacing what has the
-/// same name; its `lock` or `free` replaces the file's `lock` and `free`.
+/// If a URDF file is loaded without settings, an SRDF file with the same name is read too, from the
+/// same folder or ../srdf. Postures of the settings take precedence over postures of an SRDF file.
+/// Loops of the settings take precedence over loops of the same name in the description.
+///
+/// If a posture leaves a loop open, Robot::posture() moves joints to close it. A posture for which
+/// this fails is an Error. If a posture has values for all joints, a warning reports a gap above 1
+/// mm or 0.1 degrees.
+///
+/// The keys of a variant replace the same keys of the settings file. Under keys with named entries,
+/// such as postures, the entries are merged: those of the variant replace entries of the same name.
+/// A `lock` or `free` of the variant replaces both `lock` and `free` of the settings file.
 Robot load_robot(const std::string& name, const RobotOverrides& overrides = {});
 
-/// Folders searched for robots by name, in order.
+/// Returns the folders that are searched for robots by name, in search order.
 std::vector<std::filesystem::path> robot_search_path();
 
 }  // namespace burnish

@@ -1,4 +1,5 @@
-// What happens to a torque between the controller and the joint.
+// Simulated actuation: delay, lag, errors, limits and failures between a controller's torque
+// command and the torque in the joint.
 #pragma once
 
 #include <memory>
@@ -9,46 +10,62 @@
 
 namespace burnish {
 
-/// Deviation of the torque noise of each motor, that of a torque loop's sensor included: nv, zero
-/// where there is no motor [Nm or N].
+/// Returns the standard deviation of each motor's torque noise, nv entries [Nm or N]. With a torque
+/// loop, the noise of the torque sensor is included. Entries without a motor are zero.
 Eigen::VectorXd torque_noise(const Model& model, const Disturbances& disturbances);
 
-/// One plant step of the actuation: the torque after each part, nv each, Nm or N.
+/// Torques after each stage of the actuation, in one plant step. Every vector has nv entries, in Nm
+/// or N.
 /// @described sim @result
 struct ActuationStep {
-  Eigen::VectorXd command;  ///< as it came
+  /// Last valid torque command
+  Eigen::VectorXd command;
+  /// Torque after the delay
   Eigen::VectorXd delayed;
-  Eigen::VectorXd tracked;  ///< behind the first-order lag
-  Eigen::VectorXd noise;    ///< added to what follows scale and bias
-  Eigen::VectorXd applied;  ///< to the plant: scaled, biased, noisy, within the limits
-  int limited = 0;          ///< joints at their effort limit
-  bool held = false;        ///< the command was not finite: the one before it was taken
+  /// Torque after the first-order lag
+  Eigen::VectorXd tracked;
+  /// Noise added to the torque after scale and bias
+  Eigen::VectorXd noise;
+  /// Torque that acts on the plant, after scale, bias, noise, limits and motor failures
+  Eigen::VectorXd applied;
+  /// Number of joints whose torque was clipped to the effort limit
+  int limited = 0;
+  /// Whether the command was invalid and the previous command was used @more Invalid: not finite,
+  /// or of the wrong size
+  bool held = false;
 };
 
-/// The chain delay, lag, scale and bias (or torque loop), noise, limits, and motors that fail.
-/// Called once per plant step; allocates nothing after construction and throws nothing.
+/// Simulates the motors, which turn a torque command into joint torques. The stages are, in this
+/// order: delay; lag; scale and bias, or a torque loop; noise; effort limits; motor failures. Call
+/// apply() once per plant step. After construction nothing is allocated or thrown.
 class Actuation {
  public:
-  /// dt: the plant's step, s. Throws Error as check_disturbances() does.
+  /// Creates the actuation for plant steps of `dt` [s]. Throws Error for invalid disturbances
+  /// (check_disturbances).
   Actuation(const Model& model, const Disturbances& disturbances, double dt);
   ~Actuation();
-  /// With the state of the random numbers.
+  /// Copies the actuation, including the state of its random number generators.
   Actuation(const Actuation& other);
   Actuation(Actuation&&) noexcept;
   Actuation& operator=(const Actuation& other);
   Actuation& operator=(Actuation&&) noexcept;
 
-  /// Back to the start, with the same random numbers to come. The lag starts at zero torque, and
-  /// so does the delay unless `tau` (nv) says what was applied before.
+  /// Restarts the actuation with the same sequence of random numbers. Delay and lag start with the
+  /// torque `tau` (nv entries), or with zero torque if `tau` is not given. If `tau` has the wrong
+  /// size, nothing is reset.
   void reset() noexcept;
   void reset(const ConstVectorRef& tau) noexcept;
 
-  /// The torque for the plant's next step; `command` has nv entries. It is step().applied.
+  /// Simulates one plant step and returns the torque that acts on the plant, step().applied.
+  /// `command` has nv entries. If `command` is not finite or has another size, the previous command
+  /// is used.
   const Eigen::VectorXd& apply(const ConstVectorRef& command) noexcept;
 
   const ActuationStep& step() const { return step_; }
-  const Eigen::VectorXd& scale() const { return scale_; }  ///< nv, as drawn or given
-  const Eigen::VectorXd& bias() const { return bias_; }    ///< nv, as drawn or given
+  /// Torque scale of each entry of v: the given value, or the random one.
+  const Eigen::VectorXd& scale() const { return scale_; }
+  /// Torque bias of each entry of v: the given value, or the random one [Nm or N].
+  const Eigen::VectorXd& bias() const { return bias_; }
   int delay_steps() const { return delay_steps_; }
 
  private:
@@ -57,22 +74,23 @@ class Actuation {
   void distort() noexcept;
   void fail() noexcept;
 
-  /// A motor that fails, by its entries of v.
+  /// A motor failure and the entries of v that fail: `count` entries from `first` on.
   struct Loss {
     MotorLoss when;
     Eigen::Index first, count;
   };
 
   Disturbances disturbances_;
-  std::vector<char> motor_;  ///< nv: whether the entry has one
+  std::vector<char> motor_;  ///< Whether each entry of v has a motor
   Eigen::VectorXd limit_, scale_, bias_, at_rest_;
-  Eigen::VectorXd noise_;  ///< nv, deviation of what is added to the torque, without the loop's
-  Eigen::MatrixXd queue_;  ///< nv x delay_steps, a ring
+  /// Standard deviation of each motor's torque noise, without the torque sensor's noise.
+  Eigen::VectorXd noise_;
+  Eigen::MatrixXd queue_;  ///< Ring buffer of delayed commands, nv x delay_steps
   int delay_steps_ = 0, next_ = 0;
   std::vector<Loss> losses_;
   double dt_;
-  long steps_ = 0;         ///< since reset()
-  double tracking_ = 1.0;  ///< part of the distance to the command that the lag covers in a step
+  long steps_ = 0;         ///< Plant steps since reset()
+  double tracking_ = 1.0;  ///< Gain of the lag filter per plant step: 1 - exp(-cutoff dt)
   std::unique_ptr<Random> random_;
   ActuationStep step_;
 };

@@ -1,4 +1,5 @@
-// A controller and a plant, with the disturbances between them, and the record of their run.
+// Simulation of a controller and a plant in closed loop, with disturbances between the two. The run
+// is recorded in a trace.
 #pragma once
 
 #include <memory>
@@ -14,84 +15,116 @@
 
 namespace burnish {
 
-/// How a ClosedLoop runs, and what it records.
+/// Timing, recording and sensors of a simulation in closed loop.
 /// @described sim
 struct ClosedLoopOptions {
-  double control_period = 1e-3;  ///< [s], a multiple of the plant's step, > 0
-  double max_duration = 20.0;    ///< [s] that the trace has room for
-  int record_every = 1;          ///< plant steps per row of the trace, >= 1
-  /// frame of an inertial measurement unit that the controller is given readings of; empty: of the
-  /// robot's first body; none: there is no unit
+  /// Control period, a whole number of plant steps [s], > 0
+  double control_period = 1e-3;
+  /// Maximum duration of the recorded trace [s]
+  double max_duration = 20.0;
+  /// Plant steps per row of the trace, >= 1
+  int record_every = 1;
+  /// Frame of the inertial measurement unit (empty: the robot's first body; none: no unit) @more
+  /// The controller receives the unit's readings
   std::optional<std::string> imu_frame = {};
-  /// the controller is told the wrenches on the scene's supports: Measurement::support_wrenches
+  /// Whether the controller receives the measured wrenches on the scene's supports @note They are
+  /// in Measurement::support_wrenches
   bool support_sensors = true;
 };
 
-/// Advances the plant by its own step; the controller ticks at the start of every control period
-/// and its torque is held until the next. One row of the trace is a plant step: time, state, tool,
-/// measurement and command are those at its start, forces and torques those during it.
+/// Runs a controller and a plant in closed loop. The plant advances by its own step. The controller
+/// ticks at the start of every control period, and its torque command is held until the next tick.
 ///
-/// Columns, `<joint>` standing for a name of Model::v_name (of q_name for q):
-///     time [s], phase [-], status [-]                  of Command
-///     tool_x|y|z_world [m], tool_rx|ry|rz_start [rad]  true placement of the tip's frame; its
-///                                                      rotation since reset(), in its axes
-///                                                      then, against what carries the surface
-///     target_x|y|z_world [m], target_force [N]         what the controller aims at
-///     measured_force_x|y|z_world [N], estimated_force_x|y|z_world [N], push_x|y|z_world [N]
-///     q_<joint>, measured_q_<joint>, v_<joint>, measured_v_<joint>
-///     tau_command_<joint>, tau_applied_<joint>, tau_measured_<joint>, tau_friction_<joint>
-///     tool_force_x|y|z_world [N]                       true, of the surface on the tool
-///     surface_normal_x|y|z_world [-]                   true, at the tool
-///     believed_normal_x|y|z_world [-]                  what the controller believes it to be
-///     believed_friction [-]                            and the coefficient of friction there
-///     in_contact [-], plant_status [-], limited_joints [-], held_command [-]
+/// A row of the trace describes one plant step. Time, state, tool, measurement and command are
+/// values at the start of the step. Forces and torques are values during the step.
+///
+/// Columns of the trace, where `<joint>` is a name from Model::v_name (from Model::q_name for q):
+///     time [s], phase [-], status [-]              phase and status of the Command
+///     tool_x|y|z_world [m]                         true position of the tip's frame
+///     tool_rx|ry|rz_start [rad]                    rotation of the tip's frame since reset(), as a
+///                                                  rotation vector in the tip's axes at reset();
+///                                                  the rotation is relative to the frame that
+///                                                  carries the surface
+///     target_x|y|z_world [m], target_force [N]     targets of the controller
+///     measured_force_x|y|z_world [N]               reading of the tool's force sensor
+///     estimated_force_x|y|z_world [N]              controller's estimate of the force on the tool
+///     push_x|y|z_world [N]                         disturbance force on the tip
+///     q_<joint>, v_<joint>                         true state
+///     measured_q_<joint>, measured_v_<joint>       measured state
+///     tau_command_<joint>                          commanded torque
+///     tau_applied_<joint>                          torque of the motor
+///     tau_measured_<joint>                         reading of the torque sensor
+///     tau_friction_<joint>                         torque of joint friction, springs and tendons
+///     tool_force_x|y|z_world [N]                   true force of the surface on the tool
+///     surface_normal_x|y|z_world [-]               true surface normal at the tool
+///     believed_normal_x|y|z_world [-]              controller's estimate of the surface normal
+///     believed_friction [-]                        controller's estimate of the coefficient of
+///                                                  friction at the tool
+///     in_contact [-], plant_status [-]             1 if the tip is in contact; status of the plant
+///     limited_joints [-]                           number of joints at their effort limit
+///     held_command [-]                             1 if an invalid command was replaced
 ///     solve_time [s], iterations [-], missed_deadline [-]
-///     tick [-]                                         1 where the controller ticked
+///                                                  entries of the Command
+///     tick [-]                                     1 if the controller ticked in this step
+///     limits_outside [-], limits_open [-], limits_pushing [-], limits_infeasible [-],
+///     clipped_torques [-]                          entries of the Command
 ///     surface_x|y|z_world [m], surface_rx|ry|rz_world [rad]
-///                                                      where the robot carries the surface: true
-///                                                      place and rotation vector of its frame
+///                                                  true position and rotation vector of the frame
+///                                                  that carries the surface, if there is one
 ///     support_<frame>_fx|fy|fz [N], support_<frame>_mx|my|mz [Nm]
-///                                                      on the scene's supports, in their axes
+///                                                  wrench on each support of the scene, in the
+///                                                  axes of the support's frame
 class ClosedLoop {
  public:
-  /// Plant and controller must outlive the loop. Throws Error for periods that do not fit, for a
-  /// controller of another size and for bad disturbances. The disturbances of model and scene are
-  /// not applied here: build the plant with plant_model() and plant_scene().
+  /// Connects a plant and a controller, which must both outlive the loop. Throws Error
+  /// - if the control period is not a multiple of the plant's step,
+  /// - if the numbers of torques of controller and plant differ,
+  /// - if an option is out of range or a disturbance is invalid.
+  ///
+  /// Disturbances of model and scene are not applied here: create the plant with plant_model() and
+  /// plant_scene().
   ClosedLoop(Plant& plant, Controller& controller, const Disturbances& disturbances = {},
              const ClosedLoopOptions& options = {});
   ~ClosedLoop();
   ClosedLoop(ClosedLoop&&) noexcept;
   ClosedLoop& operator=(ClosedLoop&&) noexcept;
 
-  /// From the next reset() on the controller is given an estimate of where the base is, in place of
-  /// the plant's own entries: from a measurement unit, which is mounted where the options say, the
-  /// joints and the feet. It starts where the robot does. `known`: the robot as the controller
-  /// knows it. Throws Error as EstimatedBase does, and for a controller that carries a payload
-  /// (MpcController::set_payload), which the estimate would not know of.
+  /// From the next reset() on, replaces the floating base's entries in measurements by estimates.
+  /// The estimator uses the joints, the feet and an inertial measurement unit at
+  /// `estimator.imu_frame`. Its initial estimate is the plant's true state. `known` is the
+  /// controller's model of the robot.
+  ///
+  /// Throws Error in the same cases as EstimatedBase. Also throws Error if the controller carries a
+  /// payload (MpcController::set_payload), because the estimator would ignore this payload.
   void estimate_base(const Model& known, const BaseEstimatorOptions& estimator,
                      const FootContactOptions& feet = {});
 
-  /// Puts the plant into a state and everything else to its start. The motors start at the torque
-  /// of the controller's first command, as if the robot had been held.
+  /// Sets the plant's state to (q, v) and restarts controller, sensors and actuation. Delay and lag
+  /// of the motors start at the torque of the controller's first command. Returns the plant's
+  /// status. If the status is above NotConverged, nothing changes.
   [[nodiscard]] Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
-  /// One plant step: the plant's status. Allocates nothing.
+  /// Advances by one plant step and returns the plant's status. Allocates nothing.
   [[nodiscard]] Status step() noexcept;
-  /// Steps until `duration` s have passed, or until the plant's status is above NotConverged.
+  /// Steps until `duration` [s] has passed, or until a step returns a status above NotConverged.
+  /// Returns the most severe status of the steps.
   [[nodiscard]] Status run(double duration) noexcept;
 
   const Trace& trace() const;
   const Actuation& actuation() const;
-  const Measurement& measurement() const;  ///< of the last tick
-  const Command& command() const;          ///< of the last tick
+  const Measurement& measurement() const;  ///< Measurement at the last tick
+  const Command& command() const;          ///< Command of the last tick
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// The trace as one sees it who moves with the surface: what its columns say of tool, target,
-/// forces and normals in the axes of the frame that carries it, places from its origin. Put into
-/// `room`; where the surface stands in the world it is the trace itself.
+/// Returns the trace relative to the frame that carries the surface. Positions of tool and target
+/// are relative to the frame's origin, in the frame's axes. Forces and normals are rotated into the
+/// frame's axes.
+///
+/// The columns keep their names. The result is stored in `room`. If the surface is fixed in the
+/// world, `trace` itself is returned.
 const Trace& seen_from_surface(const Trace& trace, Trace& room);
 
 }  // namespace burnish

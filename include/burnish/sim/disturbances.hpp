@@ -1,5 +1,5 @@
-// All that makes a plant differ from what its controller believes, as one plain value. Nothing is
-// switched on unless it is named; what is drawn at random comes from one seed.
+// All differences between a simulated plant and the controller's model of it, in one struct. Random
+// values are drawn from one seed.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,175 +14,252 @@
 
 namespace burnish {
 
-/// A force on the tool, or on another frame of the robot, for a while.
+/// A force on the tool, or on another frame of the robot, for a limited time.
 /// @described sim
 struct Push {
-  double start = 0.0;     ///< [s]
-  double duration = 0.0;  ///< [s], >= 0
-  /// [N], world axes, at the frame's origin @key force
+  /// Time at which the force starts [s]
+  double start = 0.0;
+  /// Duration of the force [s], >= 0
+  double duration = 0.0;
+  /// Force in world axes, at the frame's origin [N] @key force
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
-  /// that it acts at; tip: the tip's @code that it acts at; empty: the tip's @word tip
+  /// Frame that the force acts on (tip: the tip's frame) @code Frame that the force acts on (empty:
+  /// the tip's frame) @word tip
   std::string frame = {};
 };
 
-/// A motor that gives a part of what it is told, or nothing, for a while. Its torque sensor shows
-/// what it gives.
+/// A motor failure for a limited time: the motor produces only a fraction of its torque, or no
+/// torque. The torque sensor measures the reduced torque.
 /// @described sim
 struct MotorLoss {
-  double start = 0.0;  ///< [s]
-  /// [s], >= 0 or infinite @word forever
+  /// Time at which the failure starts [s]
+  double start = 0.0;
+  /// Duration of the failure [s], >= 0 or infinite @word forever
   double duration = std::numeric_limits<double>::infinity();
-  std::string joint = {};  ///< by its name; all its entries
-  double share = 0.0;      ///< of its torque that it gives, 0 to 1
+  std::string joint = {};  ///< Name of the joint @more All of the joint's entries of v are affected
+  double share = 0.0;      ///< Fraction of the torque that is left, 0 to 1
 };
 
-/// What a plant carries at one of its frames and its controller does not know: a ball.
+/// A payload that the plant carries and the controller's model lacks: a solid ball, fixed to a
+/// frame of the robot.
 /// @described sim
 struct UnknownPayload {
-  std::string frame = "tool";                     ///< that it is fixed to
-  double mass = 0.0;                              ///< [kg], >= 0
-  Eigen::Vector3d com = Eigen::Vector3d::Zero();  ///< [m], its centre, in the frame's axes
-  double radius = 0.05;                           ///< [m], >= 0
-  /// [kg]: it weighs mass + r, |r| <= this, and not less than nothing, >= 0
+  /// Frame that the ball is fixed to
+  std::string frame = "tool";
+  /// Mass of the ball [kg], >= 0
+  double mass = 0.0;
+  /// Centre of the ball, in the axes of `frame` [m]
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();
+  /// Radius of the ball [m], >= 0
+  double radius = 0.05;
+  /// Largest random change of the mass [kg], >= 0 @more A random r with |r| <= mass_range is added
+  /// to the mass. A negative sum counts as zero
   double mass_range = 0.0;
-  double com_range = 0.0;  ///< [m]: each entry of its centre is com + r, |r| <= this, >= 0
+  /// Largest random change of each entry of the centre [m], >= 0 @more A random r with |r| <=
+  /// com_range is added to each entry
+  double com_range = 0.0;
 };
 
-/// An inertial measurement unit that goes wrong for a while.
+/// A fault of an inertial measurement unit, for a limited time.
 /// @described sim
 struct ImuFault {
-  double start = 0.0;  ///< [s]
-  /// [s]; infinite: for good, >= 0 or infinite @word forever
+  /// Time at which the fault starts [s]
+  double start = 0.0;
+  /// Duration of the fault [s], >= 0 or infinite @word forever
   double duration = std::numeric_limits<double>::infinity();
-  /// [rad/s], added to what the gyroscope reads, the unit's axes @word none
+  /// Offset added to the gyroscope's reading, in the unit's axes [rad/s] @word none
   Eigen::Vector3d gyro_offset = Eigen::Vector3d::Zero();
-  /// [m/s^2], added to what the accelerometer reads, the unit's axes @word none
+  /// Offset added to the accelerometer's reading, in the unit's axes [m/s^2] @word none
   Eigen::Vector3d accelerometer_offset = Eigen::Vector3d::Zero();
-  bool frozen = false;  ///< it repeats the last reading before @word no
-  bool silent = false;  ///< there are no readings @word no
+  /// Whether the unit keeps repeating its last reading from before the fault @word no
+  bool frozen = false;
+  bool silent = false;  ///< Whether the unit gives no readings @word no
 };
 
-/// All that makes a plant differ from what its controller believes. Nothing is switched on unless
-/// it is named: zero, empty, false or "no value" is off. What is drawn at random comes from the
-/// seed. Joints are the entries of v; those of a floating base have neither motors nor encoders and
-/// are spared. Units are those of revolute joints; prismatic ones have m and N in place of rad and
-/// Nm.
+/// All differences between a plant and its controller's model, and all errors of sensors and
+/// motors. A disturbance that is not named is off. Zero, empty, false and "no value" also mean off.
+/// Random values are drawn from the seed.
+///
+/// In the texts of the members, a joint is one entry of v. A floating base has no motors and no
+/// encoders. Its entries therefore have no motor errors, no joint friction and no encoder rounding.
+/// Units are given for revolute joints; for prismatic joints, replace rad by m and Nm by N.
 /// @described sim
 struct Disturbances {
-  std::uint64_t seed = 0;  ///< of everything that is drawn at random
+  std::uint64_t seed = 0;  ///< Seed of all random values
 
-  // @group From command to joint torque, in the order in which they act.
-  /// [s] from the controller to the motors, >= 0 @more rounded to plant steps
+  // @group Disturbances between the command and the joint torque, in the order in which they act.
+
+  /// Delay from the controller to the motors [s], >= 0 @more Rounded to whole plant steps
   double command_delay = 0.0;
-  /// [rad/s], first-order lag of the motors; 0: none, >= 0 @more dtau/dt = cutoff (command - tau)
+  /// Cut-off of the motors' first-order lag (0: no lag) [rad/s], >= 0 @more The torque follows
+  /// dtau/dt = cutoff (command - tau)
   double torque_cutoff = 0.0;
-  double torque_scale_range = 0.0;  ///< each joint gives 1 + r times its torque, |r| <= this, >= 0
-  /// factors per joint in place of drawn ones, or none @code nv factors in place of drawn ones, or
-  /// empty @word none
+  /// Largest random error of a joint's torque scale, >= 0 @more Each joint's torque is multiplied
+  /// by 1 + r, where r is random and |r| <= torque_scale_range
+  double torque_scale_range = 0.0;
+  /// Torque scale of each joint (none: random scales) @code Torque scale of each joint, nv entries
+  /// (empty: random scales) @word none
   Eigen::VectorXd torque_scale = {};
-  double torque_bias_range = 0.0;  ///< [Nm]: each joint adds b, |b| <= this, >= 0
-  /// [Nm] per joint in place of drawn ones, or none @code nv, Nm (N), in place of drawn ones, or
-  /// empty @word none
+  /// Largest random torque bias of a joint [Nm], >= 0 @more A random constant b with |b| <=
+  /// torque_bias_range is added to each joint's torque
+  double torque_bias_range = 0.0;
+  /// Torque bias of each joint (none: random biases) [Nm] @code Torque bias of each joint in Nm
+  /// (N), nv entries (empty: random biases) @word none
   Eigen::VectorXd torque_bias = {};
-  double torque_noise = 0.0;  ///< [Nm], deviation, >= 0 @more new at every plant step
-  /// of a joint's effort limit that this noise is at most; 0: any, >= 0
+  /// Standard deviation of the torque noise [Nm], >= 0 @more Drawn anew in every plant step
+  double torque_noise = 0.0;
+  /// Upper bound of torque_noise, as a fraction of the joint's effort limit (0: no bound), >= 0
   double torque_noise_share = 0.0;
-  bool torque_limits = true;  ///< joints give no more than the robot's effort limits
-  /// a loop around a torque sensor takes away scale, bias and joint friction @more ideal in its
-  /// bandwidth; it follows the sensor's noise instead
+  /// Whether joint torques are clipped to the robot's effort limits
+  bool torque_limits = true;
+  /// Whether a torque control loop cancels torque scale, torque bias and joint friction @more The
+  /// loop uses a torque sensor in each joint. It is ideal within its bandwidth, but the sensor's
+  /// noise disturbs the torque
   bool torque_loop = false;
-  double torque_sensor_noise = 0.0;  ///< [Nm], deviation, >= 0
-  /// motors that fail, behind all that: [{start: s, duration: s, joint: name, share: 0 to 1 of its
-  /// torque}, ...] @code motors that fail, behind all that
+  /// Standard deviation of the torque sensors' noise [Nm], >= 0
+  double torque_sensor_noise = 0.0;
+  /// Motor failures, applied after the torque limits: [{start: s, duration: s, joint: name, share:
+  /// fraction of the torque that is left}, ...] @code Motor failures, applied after the torque
+  /// limits
   std::vector<MotorLoss> motor_losses = {};
 
-  // @group In the joints of the plant.
-  double joint_coulomb = 0.0;  ///< [Nm], joint friction, >= 0
-  double joint_viscous = 0.0;  ///< {Nms/rad}, joint friction, >= 0
-  /// of a joint's effort limit that joint_coulomb is at most, joint_viscous in proportion; 0: any,
-  /// >= 0
+  // @group Friction in the joints of the plant.
+
+  /// Coulomb friction of each joint [Nm], >= 0
+  double joint_coulomb = 0.0;
+  /// Viscous friction of each joint, in {Nms/rad}, >= 0
+  double joint_viscous = 0.0;
+  /// Upper bound of joint_coulomb, as a fraction of the joint's effort limit (0: no bound), >= 0
+  /// @more If the bound reduces joint_coulomb, it reduces joint_viscous in the same ratio
   double joint_friction_share = 0.0;
 
-  // @group From plant to measurement.
-  /// [s] from the plant to the controller, of all that is measured but its time, >= 0 @more rounded
-  /// to ticks
-  double measurement_delay = 0.0;
-  int encoder_bits = 0;  ///< per turn; 0: exact, 0 to 40 @more of revolute and continuous joints
-  double position_noise = 0.0;  ///< [rad], deviation, before the encoder rounds, >= 0
-  double velocity_noise = 0.0;  ///< [rad/s], deviation, >= 0
-  /// velocities from measured positions @more in place of the true ones
-  bool finite_difference_velocity = false;
-  double velocity_cutoff = 0.0;       ///< [rad/s], low-pass on those; 0: none, >= 0
-  double force_noise = 0.0;           ///< [N], deviation per axis of the force sensor, >= 0
-  double force_cutoff = 0.0;          ///< [rad/s], low-pass behind the noise; 0: none, >= 0
-  double support_force_noise = 0.0;   ///< [N], deviation per axis of the sensors in supports, >= 0
-  double support_moment_noise = 0.0;  ///< [Nm], likewise; both behind force_cutoff, >= 0
+  // @group Disturbances between the plant and the measurement.
 
-  // @group Of an inertial measurement unit, where there is one. Densities are those of data sheets:
-  // a reading every dt s has a deviation of the density / sqrt(dt).
-  double gyro_noise = 0.0;                ///< [rad/s/sqrt(Hz)], white, per axis, >= 0
-  double gyro_bias_range = 0.0;           ///< [rad/s]: each axis adds b, |b| <= this, >= 0
-  double gyro_bias_walk = 0.0;            ///< [rad/s^2/sqrt(Hz)] that b walks with, >= 0
-  double gyro_step = 0.0;                 ///< [rad/s], of its converter; 0: exact, >= 0
-  double accelerometer_noise = 0.0;       ///< [m/s^2/sqrt(Hz)], white, per axis, >= 0
-  double accelerometer_bias_range = 0.0;  ///< [m/s^2]: each axis adds b, |b| <= this, >= 0
-  double accelerometer_bias_walk = 0.0;   ///< [m/s^3/sqrt(Hz)] that b walks with, >= 0
-  double accelerometer_step = 0.0;        ///< [m/s^2], of its converter; 0: exact, >= 0
-  /// [{start: s, duration: s, gyro_offset: [x, y, z] in rad/s, accelerometer_offset: [x, y, z] in
-  /// m/s^2, frozen: true, silent: true}, ...], in the unit's axes; what is left out is not so, and
-  /// lasts @code of the unit
+  /// Delay of all measured values except the time [s], >= 0 @more Rounded to whole control periods
+  double measurement_delay = 0.0;
+  /// Resolution of a joint's encoder, in bits per turn (0: exact), 0 to 40 @more Only for revolute
+  /// and continuous joints
+  int encoder_bits = 0;
+  /// Standard deviation of the position noise [rad], >= 0 @more Added before the encoder rounds the
+  /// position
+  double position_noise = 0.0;
+  /// Standard deviation of the velocity noise [rad/s], >= 0
+  double velocity_noise = 0.0;
+  /// Whether measured velocities are finite differences of measured positions @more If false, the
+  /// true velocities are measured
+  bool finite_difference_velocity = false;
+  /// Cut-off of the low-pass filter on finite-difference velocities (0: no filter) [rad/s], >= 0
+  double velocity_cutoff = 0.0;
+  /// Standard deviation of the noise of the tool's force sensor, per axis [N], >= 0
+  double force_noise = 0.0;
+  /// Cut-off of the low-pass filter on measured forces and moments (0: no filter) [rad/s], >= 0
+  /// @more Noise is added before the filter
+  double force_cutoff = 0.0;
+  /// Standard deviation of the noise of forces measured at supports, per axis [N], >= 0 @more
+  /// Filtered with the cut-off force_cutoff
+  double support_force_noise = 0.0;
+  /// Standard deviation of the noise of moments measured at supports, per axis [Nm], >= 0 @more
+  /// Filtered with the cut-off force_cutoff
+  double support_moment_noise = 0.0;
+
+  // @group Errors of the inertial measurement unit, if there is one. Noise densities are used as in
+  // data sheets: the noise of a reading over dt s has the standard deviation density / sqrt(dt).
+
+  /// Density of the gyroscope's white noise, per axis [rad/s/sqrt(Hz)], >= 0
+  double gyro_noise = 0.0;
+  /// Largest random initial bias of the gyroscope, per axis [rad/s], >= 0 @more A random b with |b|
+  /// <= gyro_bias_range is added to each axis
+  double gyro_bias_range = 0.0;
+  /// Density of the random walk of the gyroscope's bias [rad/s^2/sqrt(Hz)], >= 0
+  double gyro_bias_walk = 0.0;
+  /// Quantization step of the gyroscope (0: exact) [rad/s], >= 0
+  double gyro_step = 0.0;
+  /// Density of the accelerometer's white noise, per axis [m/s^2/sqrt(Hz)], >= 0
+  double accelerometer_noise = 0.0;
+  /// Largest random initial bias of the accelerometer, per axis [m/s^2], >= 0 @more A random b with
+  /// |b| <= accelerometer_bias_range is added to each axis
+  double accelerometer_bias_range = 0.0;
+  /// Density of the random walk of the accelerometer's bias [m/s^3/sqrt(Hz)], >= 0
+  double accelerometer_bias_walk = 0.0;
+  /// Quantization step of the accelerometer (0: exact) [m/s^2], >= 0
+  double accelerometer_step = 0.0;
+  /// Faults of the unit: [{start: s, duration: s, gyro_offset: [x, y, z] in rad/s,
+  /// accelerometer_offset: [x, y, z] in m/s^2, frozen: true, silent: true}, ...]. Offsets are in
+  /// the unit's axes. Entries left out are off. A fault without a duration lasts forever @code
+  /// Faults of the inertial measurement unit
   std::vector<ImuFault> imu_faults = {};
 
-  // @group In the plant's model and scene: plant_model() and plant_scene().
-  double mass_scale = 1.0;      ///< of all masses and inertias of the plant, > 0
-  UnknownPayload payload = {};  ///< what the plant carries besides
-  /// [degrees] about the surface's two tangents, unknown to the controller, between -90 and 90
-  /// @more through its point, about the first tangent after the second
+  // @group Differences in the plant's model and scene, applied by plant_model() and plant_scene().
+
+  /// Factor of all masses and inertias of the plant, > 0
+  double mass_scale = 1.0;
+  /// Payload that the plant carries and the controller's model lacks
+  UnknownPayload payload = {};
+  /// Tilt of the plant's surface about its two tangents [degrees], between -90 and 90 @more The
+  /// controller does not know the tilt. Both axes pass through the surface's point. The rotation
+  /// about the second tangent is applied first
   Eigen::Vector2d surface_tilt_deg = Eigen::Vector2d::Zero();
-  double surface_height = 0.0;  ///< [m] along the normal @more before the tilt
-  /// Factor of the surface's curvature in the plant: lengths of its shape are divided by it, > 0
+  /// Offset of the plant's surface along its normal [m] @more Applied before the tilt
+  double surface_height = 0.0;
+  /// Factor of the curvature of the plant's surface, > 0 @more Lengths of the surface's shape are
+  /// divided by this factor
   double surface_curvature = 1.0;
-  /// what the surface is about its point in place of what it is thought to be, or none @code what
-  /// the surface is about its point in place of the scene's shape @word none
+  /// Shape of the plant's surface (none: as the controller assumes) @word none
   std::optional<SurfaceShape> surface_shape = {};
-  SurfaceMotion surface_motion = {};  ///< of the surface along its normal
-  /// Coulomb coefficient in place of the surface's, or none, >= 0 @code Coulomb coefficient in
-  /// place of the scene's @word none
+  /// Motion of the plant's surface along its normal
+  SurfaceMotion surface_motion = {};
+  /// Coulomb friction coefficient of the plant's surface (none: as the controller assumes), >= 0
+  /// @word none
   std::optional<double> surface_friction = {};
-  /// under what the robot stands on: [{start: s, duration: s, frame: foot, friction: coefficient},
-  /// ...] @code under what the robot stands on
+  /// Slippery ground under the robot's supports: [{start: s, duration: s, frame: foot, friction:
+  /// coefficient}, ...] @code Slippery ground under the robot's supports
   std::vector<SlipperyGround> slippery_ground = {};
-  /// on the tool, or on a frame: [{start: s, duration: s, force: [x, y, z] in N, world, frame:
-  /// name}, ...] @code on the robot
+  /// Forces on the tool or on a frame: [{start: s, duration: s, force: [x, y, z] in N and world
+  /// axes, frame: name}, ...] @code Forces on the robot
   std::vector<Push> pushes = {};
 };
 
-/// none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, 0.3 N of noise and
-/// 0.05 Nm, at most 1/80 of a joint's effort limit, 1 ms of delay); mismatch (the same, masses 5 %
-/// above the controller's, surface friction 0.3); joint_friction (the same, 1 Nm of Coulomb and 1
-/// Nms/rad of viscous joint friction; in a joint of less than 20 Nm 1/20 of its effort limit).
+/// Returns the names of the presets of disturbances:
+/// - none: no disturbance.
+/// - sensors: 17 bit encoders, velocities by finite differences, low-pass filters of 50 Hz on
+///   velocities and forces, a command delay of 1 ms, and noise. Standard deviations of the noise:
+///   0.3 N for the tool's force sensor, 1 N and 0.1 Nm for the supports' sensors, 0.05 Nm for the
+///   motors. The motors' noise is at most 1/80 of a joint's effort limit. An inertial measurement
+///   unit has noise and biases.
+/// - mismatch: the preset sensors; also masses and inertias 5 % above the controller's model, and a
+///   friction coefficient of the surface of 0.3.
+/// - joint_friction: the preset mismatch; also 1 Nm of Coulomb and 1 Nms/rad of viscous joint
+///   friction. Coulomb friction is at most 1/20 of a joint's effort limit. If this bound applies,
+///   viscous friction is reduced in the same ratio.
 const std::vector<std::string>& disturbance_presets();
-/// Throws Error with the nearest known name. Its seed is 0.
+/// Returns the preset called `name`, with seed 0. If there is no such preset, throws Error with the
+/// nearest known name.
 Disturbances disturbance_preset(const std::string& name);
 
-/// Throws Error with a sentence that names the entry that is not finite, negative where it may not
-/// be, or of the wrong size.
+/// Throws Error if a disturbance
+/// - is not finite, out of its range or of the wrong size,
+/// - names a joint that the robot does not have.
+///
+/// The message names the entry.
 void check_disturbances(const Model& model, const Disturbances& disturbances);
 
-/// What is carried: its mass and centre as the seed draws them. Without a mass: nothing.
+/// Returns the payload that the plant carries, with mass and centre as drawn from the seed. If
+/// nothing is carried, the payload's mass is zero.
 Payload carried_payload(const Disturbances& disturbances);
 
-/// The robot as it is, from the robot as the controller knows it: masses scaled, a payload added,
-/// and joint friction as the disturbances say. Without them the joints have none, whatever the
-/// model's description states. Throws Error as check_disturbances() does, and for a payload's frame
-/// that the robot does not know.
+/// Returns the plant's model: `nominal` (the controller's model) with scaled masses, the payload
+/// and the joint friction of the disturbances. This joint friction replaces the friction of
+/// `nominal`, also if it is zero. Throws Error for invalid disturbances (check_disturbances), and
+/// if the robot does not have the payload's frame.
 Model plant_model(const Model& nominal, const Disturbances& disturbances);
 
-/// The scene as it is, from the scene as the controller knows it. Throws Error for a bad normal or
-/// friction.
+/// Returns the plant's scene: `nominal` (the scene that the controller assumes) with the
+/// disturbances of surface and ground. Throws Error for a surface normal that is zero or not
+/// finite.
 SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances);
 
-/// Sum of the pushes on the tip at a time, N, world axes.
+/// Returns the sum of the forces on the tip at `time` [s], in world axes [N]. Pushes on other
+/// frames are not included.
 Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept;
 
 }  // namespace burnish

@@ -1,13 +1,20 @@
-// The project's own contact dynamics as a plant: a rigid surface, exact torques. It separates the
-// error of a controller from the error of its model, and needs no other program.
+// Plant with burnish's own contact dynamics, a rigid surface and exact torques. A run shows the
+// controller's own error, without an error of the model. The plant needs no other program.
 //
-// Free motion and motion in contact: M a + b = tau + J^T lambda with one row along the surface's
-// normal, integrated with Runge and Kutta's method of order four on the configuration's manifold
-// (H. Munthe-Kaas, "High order Runge-Kutta methods on manifolds", 1999). Contact is made by a
-// plastic impact at the moment when the tip reaches the surface, and broken when the surface would
-// have to pull. Friction of joints and tip holds over a step, chosen so that the velocity at its
-// end is one that Coulomb's law allows; the tip's law uses the normal force of the step before.
-// Loops of the robot hold throughout, with the gains of the surface's gap against drift.
+// Motion obeys M a + b = tau + J^T lambda, with one contact row along the surface's normal. It is
+// integrated by the fourth-order method of Runge and Kutta on the manifold of configurations (H.
+// Munthe-Kaas, "High order Runge-Kutta methods on manifolds", 1999).
+//
+// Contact begins with a plastic impact when the tip reaches the surface. It ends when the normal
+// force would become a pull.
+//
+// Friction forces at joints and tip are constant over a step. They are computed such that the
+// velocity at the end of the step satisfies Coulomb's law. At the tip, friction is limited to mu
+// times the normal force at the start of the step. That normal force is computed with the friction
+// of the previous step.
+//
+// Kinematic loops of the robot are always closed. The gains that stabilize the gap to the surface
+// also stop the drift of the loops.
 #pragma once
 
 #include <memory>
@@ -16,18 +23,27 @@
 
 namespace burnish {
 
-/// How make_ideal_plant()'s plant steps.
+/// Time step, friction and drift correction of the ideal plant.
 /// @described sim
 struct IdealPlantOptions {
-  double dt = 5e-4;          ///< [s], > 0
-  double tip_viscous = 0.0;  ///< {Ns/m}, against the contact point's sliding, besides Coulomb, >= 0
-  double stabilize_kp = 1e4;  ///< [1/s^2], on the gap while in contact, and on loops, >= 0
-  double stabilize_kd = 200;  ///< [1/s], on its rate, >= 0
+  /// Time step [s], > 0
+  double dt = 5e-4;
+  /// Viscous friction of the sliding tip [Ns/m], >= 0 @more It acts in addition to Coulomb friction
+  double tip_viscous = 0.0;
+  /// Gain of the drift correction on position errors [1/s^2], >= 0 @more Position errors are the
+  /// gap to the surface during contact, and the errors of kinematic loops
+  double stabilize_kp = 1e4;
+  /// Gain of the drift correction on velocity errors [1/s], >= 0 @more Velocity errors are the
+  /// velocity of the gap during contact, and the velocity errors of kinematic loops
+  double stabilize_kd = 200;
 };
 
-/// Throws Error as checked_scene() does, and for options that are not finite, a dt that is not
-/// positive and other options that are negative. Joint limits are not stops here. A reset with the
-/// tip on the surface, or inside it by rounding, starts in contact.
+/// Creates a plant with burnish's own contact dynamics. Joint limits do not stop the joints. If the
+/// tip is on the surface at reset(), or inside it by rounding, the plant starts in contact.
+///
+/// Throws Error for an invalid scene (checked_scene), for a scene with supports, and for options
+/// out of their ranges. Also throws Error for a surface that moves, is curved or is carried by the
+/// robot.
 std::unique_ptr<Plant> make_ideal_plant(const Model& model, const SceneSpec& scene,
                                         const IdealPlantOptions& options = {});
 

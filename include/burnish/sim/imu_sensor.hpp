@@ -1,4 +1,4 @@
-// An inertial measurement unit on a simulated robot.
+// A simulated inertial measurement unit on a robot.
 #pragma once
 
 #include <memory>
@@ -11,33 +11,38 @@
 
 namespace burnish {
 
-/// What a unit at a frame reads: means over the time since the reading before, such that a state
-/// carried on with them, held, has the true rotation and velocity at the end; then bias, noise, the
-/// steps of its converter and its faults, as the disturbances say. Allocates nothing after
-/// construction and throws nothing.
+/// Simulates an inertial measurement unit at a frame of the robot. A reading is a mean over the
+/// time since the previous reading. Without errors, integrating the readings with zero-order hold
+/// gives the true rotation and velocity.
+///
+/// The Disturbances set bias, noise, quantization and faults. After construction nothing is
+/// allocated or thrown.
 class ImuSensor {
  public:
-  /// `frame`: empty for the body of the robot's first joint. Throws Error as check_disturbances()
-  /// does, and for a frame that is unknown or fixed to the world.
+  /// Mounts the unit at `frame` (empty: the body of the robot's first joint). Throws Error for
+  /// invalid disturbances (check_disturbances), and for a frame that is unknown or fixed to the
+  /// world.
   ImuSensor(const Model& model, const std::string& frame, const Disturbances& disturbances);
   ~ImuSensor();
   ImuSensor(ImuSensor&&) noexcept;
   ImuSensor& operator=(ImuSensor&&) noexcept;
 
-  /// Forgets the reading before, with the same biases and random numbers to come.
+  /// Restarts the sensor: discards the previous reading, and restarts the same sequence of random
+  /// numbers with the same initial biases.
   void reset() noexcept;
 
-  /// Reads the true state, q (nq) and v (nv), `elapsed` s after the last reading, which is to be
-  /// more than 0. The first reading after reset() takes the frame to be without acceleration then,
-  /// its noise being that of a reading over `elapsed` all the same. `time`: s, that faults begin
-  /// by.
+  /// Returns the reading at the true state q (nq), v (nv). `elapsed` is the time since the previous
+  /// reading [s], > 0. `time` is the present time [s]; it selects the active faults.
+  ///
+  /// The first reading after reset() assumes that the frame does not accelerate. The noise of the
+  /// first reading is computed for a mean over `elapsed`.
   const ImuReading& measure(const ConstVectorRef& q, const ConstVectorRef& v, double elapsed,
                             double time = 0.0) noexcept;
-  const ImuReading& reading() const;  ///< the last one
-  bool is_silent() const;             ///< a fault keeps it back
+  const ImuReading& reading() const;  ///< The last reading
+  bool is_silent() const;             ///< Whether a fault suppressed the last reading
 
-  const Eigen::Vector3d& gyro_bias() const;           ///< rad/s, as it is now
-  const Eigen::Vector3d& accelerometer_bias() const;  ///< m/s^2, as it is now
+  const Eigen::Vector3d& gyro_bias() const;           ///< Present bias of the gyroscope [rad/s]
+  const Eigen::Vector3d& accelerometer_bias() const;  ///< Present bias of the accelerometer [m/s^2]
 
  private:
   struct Impl;

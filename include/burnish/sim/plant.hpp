@@ -1,5 +1,5 @@
-// The plant: what a controller drives. It knows nothing of controllers; all that reaches it is a
-// torque per joint, and all that leaves it is a state and a force.
+// Interface of simulated plants, which a controller drives. Input: joint torques and a force on the
+// tip. Output: state and forces. A plant does not depend on controllers.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,58 +11,65 @@
 
 namespace burnish {
 
-/// A moment of a plant, to go back to. What it holds belongs to the kind of plant that saved it.
+/// Saved state of a plant, from which the plant can continue later. The meaning of the numbers
+/// depends on the kind of plant.
 /// @described sim
 struct PlantSnapshot {
   Eigen::VectorXd numbers;
 };
 
-/// A robot and a surface, advanced by a fixed step. reset() and step() allocate nothing and throw
-/// nothing; a status above NotConverged means that the state is as it was before the call.
+/// A robot and a surface, simulated with a fixed time step. reset() and step() allocate nothing and
+/// throw nothing. If reset() or step() returns a status above NotConverged, the state is unchanged.
 ///
-/// The plant's model carries its own joint friction: `damping` (viscous) and `friction` (Coulomb)
-/// of the model act on the joints, and so do its springs and tendons.
+/// The plant simulates the joint friction, springs and tendons of model(). In this model, `damping`
+/// is viscous joint friction and `friction` is Coulomb joint friction.
 class Plant {
  public:
   virtual ~Plant() = default;
 
   virtual const Model& model() const = 0;
-  virtual const SceneSpec& scene() const = 0;  ///< normal of length one
-  virtual double dt() const = 0;               ///< s
+  virtual const SceneSpec& scene() const = 0;  ///< Scene, with a surface normal of length one
+  virtual double dt() const = 0;               ///< Time step [s]
 
-  /// Starts at the configuration q (nq) with the velocity v (nv), at time zero, without force.
-  /// WrongSize, NotFinite or NotNormalized for a state that is none.
+  /// Sets the state to configuration q (nq) and velocity v (nv), at time zero and without contact
+  /// force. Returns WrongSize, NotFinite or NotNormalized if (q, v) is not a valid state.
   [[nodiscard]] virtual Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept = 0;
 
-  /// Advances by dt() with the torques tau (nv: Nm, N; entries of a floating base act as a wrench
-  /// in its body axes) and a force on the tip (N, world axes, at the tip frame's origin), both held
-  /// over the step. WrongSize or NotFinite for torques that are none, and NotFinite if the motion
-  /// they cause is.
+  /// Advances by dt(), with constant torques and a constant force on the tip. `tau` (nv entries)
+  /// are the torques [Nm or N]; the entries of a floating base are a wrench in the base's axes.
+  /// `push_world` is a force at the origin of the tip's frame, in world axes [N].
+  ///
+  /// Returns WrongSize or NotFinite for an invalid `tau` or `push_world`, and NotFinite if the
+  /// resulting motion is not finite.
   [[nodiscard]] virtual Status step(const ConstVectorRef& tau,
                                     const Eigen::Vector3d& push_world) noexcept = 0;
 
-  virtual double time() const = 0;               ///< s since reset()
-  virtual const Eigen::VectorXd& q() const = 0;  ///< nq
-  virtual const Eigen::VectorXd& v() const = 0;  ///< nv
+  virtual double time() const = 0;               ///< Time since reset() [s]
+  virtual const Eigen::VectorXd& q() const = 0;  ///< Configuration, nq entries
+  virtual const Eigen::VectorXd& v() const = 0;  ///< Velocity, nv entries
 
-  /// Force of the surface on the tip during the last step, N, world axes. Along the surface's
-  /// normal it is never negative.
+  /// Returns the force of the surface on the tip during the last step, in world axes [N]. The
+  /// component along the surface's normal is never negative.
   virtual const Eigen::Vector3d& contact_force_world() const = 0;
-  /// Whether the surface pushed during the last step.
+  /// Returns whether the surface exerted a force on the tip during the last step.
   virtual bool in_contact() const = 0;
-  /// Torque that joints felt without their motors during the last step, nv, Nm or N: of friction,
-  /// against the motion, and of springs and tendons at its start.
+  /// Returns the sum of friction, spring and tendon torques in the joints during the last step, nv
+  /// entries [Nm or N]. Friction torques oppose the motion. Spring and tendon torques are evaluated
+  /// at the start of the step.
   virtual const Eigen::VectorXd& friction_torque() const = 0;
 
-  /// Of each of the scene's supports, during the last step: force (N) and moment (Nm) of its plane
-  /// on it, at the origin of its frame, in the frame's axes. 6 x supports.
+  /// Returns the wrench of the ground on each support of the scene during the last step, 6 x
+  /// supports. Each column is the force [N] and the moment [Nm] at the origin of the support's
+  /// frame, in the axes of this frame.
   virtual const Eigen::Matrix<double, 6, Eigen::Dynamic>& support_wrenches() const {
     return no_supports_;
   }
 
-  /// Copies everything the future depends on, and the readings. Allocates on first use.
+  /// Saves the state in `snapshot`: all data on which future steps depend, and the forces of the
+  /// last step. Allocates on first use.
   virtual void save(PlantSnapshot& snapshot) const = 0;
-  /// Goes back: the same torques then give the same bits. WrongSize for another plant's snapshot.
+  /// Restores a saved state. The same torques then give the same motion, bit by bit. Returns
+  /// WrongSize for a snapshot of another plant.
   [[nodiscard]] virtual Status restore(const PlantSnapshot& snapshot) noexcept = 0;
 
  protected:

@@ -1,4 +1,5 @@
-// What the tool meets: a surface of some shape, position and orientation, and a round tip.
+// Scene of a simulation: a surface with its shape, position and orientation, a round tool tip, and
+// the planes that the robot stands on.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,154 +12,190 @@
 
 namespace burnish {
 
-/// How a surface moves along its normal, as a plant has it: by amplitude sin(2 pi frequency s) +
-/// drift s, s being the time since its start; before, it rests.
+/// Motion of the plant's surface along its normal. The displacement is amplitude sin(2 pi frequency
+/// s) + drift s, where s is the time since `start`. Before `start` the surface rests.
 /// @described sim
 struct SurfaceMotion {
-  double amplitude = 0.0;  ///< [m], >= 0
-  double frequency = 1.0;  ///< [Hz], > 0
-  double drift = 0.0;      ///< [m/s], out of the material
-  double start = 0.0;      ///< [s], of the plant's time, >= 0
+  double amplitude = 0.0;  ///< Amplitude of the oscillation [m], >= 0
+  double frequency = 1.0;  ///< Frequency of the oscillation [Hz], > 0
+  double drift = 0.0;      ///< Constant velocity, positive out of the material [m/s]
+  double start = 0.0;      ///< Plant time at which the motion starts [s], >= 0
 
   bool is_at_rest() const { return amplitude == 0.0 && drift == 0.0; }
-  /// m that it has moved out of the material at a time, s.
+  /// Returns the displacement at `time` [s], positive out of the material [m].
   double way(double time) const noexcept;
 };
 
-/// A plane or a curved surface, or what of it stands over a square. All vectors in the axes of
-/// `frame`, points from its origin: in the world where there is none.
+/// A plane, a curved surface, or a square part of either. Points are relative to the origin of
+/// `frame`; points and vectors are in the axes of `frame`. Without a frame, world coordinates are
+/// used.
 /// @described sim
 struct SurfaceSpec {
-  /// of the robot, that the surface moves with, such as a plate in a hand; empty: it stands still
+  /// Frame of the robot that carries the surface (empty: the surface is fixed in the world) @more
+  /// Example: the frame of a plate in a hand
   std::string frame = {};
-  /// any point on it, {m}; of a square, its middle
+  /// A point of the surface [m] @more It is the centre of the square if `extent` is finite
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  /// out of the material, towards the robot; of a curved surface at its point, not zero
+  /// Normal of the surface at `point` (out of the material, towards the robot), not zero
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  SurfaceShape shape = {};  ///< plane, or what it is about that point
-  double friction = 0.0;    ///< Coulomb coefficient mu, >= 0
-  double stiffness = 1e5;   ///< [N/m]; rigid plants pass it over, > 0
-  /// {Ns/m}; rigid plants pass it over, >= 0 @more MuJoCo's own contact (MujocoContact.ENGINE)
-  /// lifts a sliding tip by mu * damping * speed.
+  /// Shape of the surface around `point`
+  SurfaceShape shape = {};
+  /// Coulomb friction coefficient mu, >= 0
+  double friction = 0.0;
+  /// Contact stiffness (not used by rigid plants) [N/m], > 0
+  double stiffness = 1e5;
+  /// Contact damping (not used by rigid plants) [Ns/m], >= 0 @more MuJoCo's own contact
+  /// (MujocoContact.ENGINE) lifts a sliding tip with a force of mu * damping * speed.
   double damping = 500.0;
-  SurfaceMotion motion = {};  ///< along the normal at its point
-  /// [m], half the side of the square about `point` that is there to be touched, its sides along
-  /// the columns of Reference::surface_with_normal(); infinite: the plane has no end, > 0 or
-  /// infinite
+  /// Motion of the surface along its normal
+  SurfaceMotion motion = {};
+  /// Half side length of the square that can be touched [m], > 0 or infinite @more Infinite: the
+  /// whole surface can be touched. The square is centred at `point`. Its sides are along the
+  /// columns of Reference::surface_with_normal()
   double extent = std::numeric_limits<double>::infinity();
-  double half_size = 0.4;  ///< [m], of the square that is drawn where the plane has no end, > 0
+  /// Half side length of the square that is drawn if `extent` is infinite [m], > 0
+  double half_size = 0.4;
 };
 
-/// A sphere about the origin of a frame. It touches a plane at one point, and the normal force
-/// passes through the frame's origin.
+/// Round tip of a tool: a sphere centred at the origin of a frame. The sphere touches a plane at
+/// one point, and the normal force passes through the frame's origin.
 /// @described sim
 struct ToolTipSpec {
-  std::string frame = "tool";
-  double radius = 0.02;  ///< [m], > 0
+  std::string frame = "tool";  ///< Frame at the sphere's centre
+  double radius = 0.02;        ///< Radius of the sphere [m], > 0
 };
 
-/// A part of the robot that stands on a plane of its own, or leans against it, with nothing to hold
-/// it there but what it presses with: a sole, which is a rectangle about the origin of a frame in
-/// that frame's x and y, with z away from the plane, or without sides a ball about the origin.
+/// A part of the robot that stands on a plane or leans against it, such as a foot. Each support has
+/// its own plane. The plane can push on the support, but not pull. A support is either a sole
+/// (planar foot) or a ball (point foot).
+///
+/// A sole is a rectangle centred at the origin of `frame`, with sides along the frame's x and y
+/// axes. The frame's z axis points away from the plane. A ball is a sphere centred at the origin of
+/// `frame`.
 /// @described sim
 struct SupportSpec {
+  /// Frame at the centre of the sole or ball
   std::string frame = {};
-  double half_x = 0.0;   ///< [m], half the side of a sole along x; 0: a ball, >= 0
-  double half_y = 0.0;   ///< [m], along y, >= 0
-  double radius = 0.02;  ///< [m], of a ball, > 0
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the plane, {m}, world
-  /// of the plane, out of the material, towards the robot; any length, world, not zero
+  /// Half length of a sole along x (0: a ball) [m], >= 0
+  double half_x = 0.0;
+  /// Half length of a sole along y (0: a ball) [m], >= 0
+  double half_y = 0.0;
+  /// Radius of a ball [m], > 0
+  double radius = 0.02;
+  /// A point of the plane, in world coordinates [m]
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  /// Normal of the plane in world axes (out of the material, towards the robot), not zero @more It
+  /// may have any length
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double friction = 0.7;   ///< Coulomb coefficient, >= 0
-  double stiffness = 2e6;  ///< [N/m], of the whole part, > 0
-  double damping = 1e5;    ///< {Ns/m}, of the whole part, > 0
+  double friction = 0.7;   ///< Coulomb friction coefficient, >= 0
+  double stiffness = 2e6;  ///< Contact stiffness of the whole sole or ball [N/m], > 0
+  double damping = 1e5;    ///< Contact damping of the whole sole or ball [Ns/m], > 0
 
   bool is_sole() const { return half_x > 0.0 && half_y > 0.0; }
 };
 
-/// Ground that is slippery for a while, under one of the things that the robot stands on.
+/// Ground that is slippery for a limited time, under one support of the robot or under all
+/// supports.
 /// @described sim
 struct SlipperyGround {
-  double start = 0.0;  ///< [s]
-  /// [s], >= 0 or infinite @word forever
+  /// Time at which the ground becomes slippery [s]
+  double start = 0.0;
+  /// Duration of the slippery ground [s], >= 0 or infinite @word forever
   double duration = std::numeric_limits<double>::infinity();
-  /// of the support that stands on it; all: of all @code of the support that stands on it; empty:
-  /// of all @word all
+  /// Frame of the support on this ground (all: every support) @code Frame of the support on this
+  /// ground (empty: every support) @word all
   std::string frame = {};
-  double friction = 0.05;  ///< Coulomb coefficient in place of the support's, >= 0
+  /// Coulomb friction coefficient in place of the support's coefficient, >= 0
+  double friction = 0.05;
 };
 
-/// What holds the robot by a frame at first, as a crane does, and lets it go: its weight, upwards
-/// at that frame, and a stiff spring and damper about where that was, in place and rotation. It has
-/// all of it for the first half of `duration` and gives it to what the robot stands on in the
-/// second.
+/// A gantry that holds a frame of the robot at the start of a simulation and then releases the
+/// robot. The gantry carries the robot's weight at this frame. A stiff spring and damper also hold
+/// the frame at its initial position and rotation.
+///
+/// During the first half of `duration` the full force acts. During the second half the force falls
+/// to zero, and the supports take over the load.
 /// @described sim
 struct HoistSpec {
-  std::string frame = {};  ///< empty: nothing holds it
-  double duration = 0.0;   ///< [s], until it has let go, >= 0
+  std::string frame = {};  ///< Frame that the gantry holds (empty: no gantry)
+  double duration = 0.0;   ///< Time at which the gantry has released the robot [s], >= 0
 
   bool holds() const { return !frame.empty() && duration > 0.0; }
-  /// Of its force, that it has at a time, s: 1 at first, 0 at the end.
+  /// Returns the fraction of the gantry's force that acts at `time` [s]: 1 up to half of
+  /// `duration`, then falling to 0 at `duration`.
   double share(double time) const noexcept;
 };
 
-/// What the tool meets, a surface and a round tip, and what the robot stands on.
+/// Scene of a simulation: the surface, the tool's tip, and what the robot stands on.
 /// @described sim
 struct SceneSpec {
   SurfaceSpec surface = {};
   ToolTipSpec tip = {};
-  std::vector<SupportSpec> supports = {};            ///< such as the feet, on the ground
-  std::vector<SlipperyGround> slippery_ground = {};  ///< under those
-  HoistSpec hoist = {};                              ///< of a ClosedLoop, not the plant's
+  /// Parts of the robot that stand on a plane, such as feet
+  std::vector<SupportSpec> supports = {};
+  /// Slippery ground under supports
+  std::vector<SlipperyGround> slippery_ground = {};
+  /// Gantry that holds the robot at the start @more ClosedLoop simulates the gantry, not the plant
+  HoistSpec hoist = {};
 };
 
-/// Whether something that begins at `start` and lasts `duration` acts at a time; all in s.
+/// Returns whether an event is active at `time` [s]. The event starts at `start` [s] and lasts for
+/// `duration` [s].
 bool acts_at(double start, double duration, double time) noexcept;
 template <class Spell>
 bool acts_at(const Spell& spell, double time) noexcept {
   return acts_at(spell.start, spell.duration, time);
 }
-/// Coulomb coefficient of what a support of the scene stands on, at a time, s. No allocation.
+/// Returns the Coulomb friction coefficient of a support at `time` [s]: the coefficient of slippery
+/// ground that is active under the support, or else the support's own. Allocates nothing.
 double friction_under(const SceneSpec& scene, const SupportSpec& support, double time) noexcept;
 
-/// The scene with a normal of length one. Throws Error for numbers that are not finite, a zero
-/// normal, negative friction or damping, stiffness, radius, extent or size that are not positive,
-/// a shape that is none or that the tip does not fit into, an unknown frame of the tip, the surface
-/// or a support, one that does not move, a surface on the body of the tip, and a sole with one
-/// side.
+/// Returns the scene with all normals scaled to length one. Throws Error for
+/// - a number that is not finite (unless infinite is permitted) or out of its range,
+/// - a zero normal,
+/// - an invalid shape, or a hollow shape into which the tip does not fit,
+/// - a frame (of tip, surface, support or gantry) that is unknown or fixed to the world,
+/// - a surface on the same body as the tip,
+/// - a support with only one of half_x and half_y above zero,
+/// - slippery ground under a frame that is not a support.
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
 
-/// The scene with its surface put under the tip at the configuration q (nq): `clearance` m between
-/// tip and surface along `normal` (in the axes of the surface, any length). Throws Error as
-/// checked_scene() does.
+/// Returns `scene` with its surface moved to the tip at the configuration q (nq). The surface's
+/// normal is set to `normal`, which is in the axes of the surface's frame and has any length.
+/// `clearance` is the distance from tip to surface along the normal [m]. Throws Error for an
+/// invalid scene (checked_scene).
 SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                           const Eigen::Vector3d& normal, SceneSpec scene = {},
                           double clearance = 0.0);
 
-/// The surface in its place, in the axes of its frame.
+/// Returns shape, point and normal of the surface as a Surface, in the axes of the surface's frame.
 Surface surface_of(const SurfaceSpec& surface);
 
-/// Of the surface's frame in the world at the configuration q (nq); the identity where it has none.
-/// What follows takes the tip as that frame sees it.
+/// Returns the world placement of the frame that carries the surface, at the configuration q (nq).
+/// If the surface is fixed in the world, returns the identity.
 Eigen::Isometry3d surface_placement(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                                     const SurfaceSpec& surface);
 
-/// A surface that the robot carries as it stands in the world while its frame is there.
+/// Converts a surface that the robot carries to a surface that is fixed in the world. `placement`
+/// is the world placement of the surface's frame.
 SurfaceSpec in_world(SurfaceSpec surface, const Eigen::Isometry3d& placement);
 
-/// Distance from the tip to the surface, m; negative inside. The position of the tip's frame is in
-/// the axes of the surface's, the scene's normal of length one.
+/// Returns the distance from the tip to the surface [m]; negative if the tip is inside the
+/// material. `p_tip` is the position of the tip's frame, in the axes of the surface's frame. The
+/// surface normal of the scene must have length one.
 double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip);
-/// The surface's normal at the tip, of length one, in the same axes. No allocation.
+/// Returns the surface's normal at the tip, of length one. `p_tip` is the position of the tip's
+/// frame. Position and normal are in the axes of the surface's frame. Allocates nothing.
 Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip);
 
-/// Where a point is, seen from the surface, m: along the two sides of its square from its middle,
-/// and above it. The scene's normal has length one. No allocation.
+/// Returns the coordinates of the point `p` relative to the surface's square [m]: x and y along the
+/// sides from the centre, z along the normal. `p` is in the axes of the surface's frame. The
+/// surface's normal must have length one. Allocates nothing.
 Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p);
 
-/// Whether a tip there can touch the surface: its centre is above the square, or was while it
-/// touched and has sunk since (`in_contact`), however deep into what is soft. Always, where the
-/// plane has no end. No allocation.
+/// Returns whether a tip at `p_tip` can touch the surface. If `extent` is infinite, always returns
+/// true. Otherwise the tip's centre must be over the square. The centre must also be outside the
+/// material, unless the tip is already in contact (`in_contact`). Allocates nothing.
 bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip, bool in_contact);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// What a controller gets to see of a plant.
+// Simulated sensors: they compute a controller's measurement from the state of a plant.
 #pragma once
 
 #include <memory>
@@ -13,27 +13,30 @@ namespace burnish {
 
 struct Tree;
 
-/// The chain noise, encoder, differences, filters and delay. Called once per tick of the
-/// controller; allocates nothing after construction and throws nothing.
+/// Simulates the sensors: noise, encoders, finite differences, low-pass filters and delay. Call
+/// measure() once per tick of the controller. After construction nothing is allocated or thrown.
 class Sensing {
  public:
-  /// `supports`: of the plant's scene, whose wrenches are measured. `period`: s between
-  /// measurements, which their delay is rounded to. Throws Error as check_disturbances() does.
+  /// Creates the sensors of a plant. `supports` is the number of supports with measured wrenches.
+  /// `period` is the time between measurements [s]. The measurement delay is rounded to a multiple
+  /// of `period`. Throws Error for invalid disturbances (check_disturbances).
   Sensing(const Model& model, const Disturbances& disturbances, int supports = 0,
           double period = 1e-3);
   ~Sensing();
 
-  /// From now on measurements have readings of an inertial measurement unit at a frame of the
-  /// robot, empty: its first body. Throws Error as ImuSensor.
+  /// Adds readings of an inertial measurement unit to all later measurements. The unit is mounted
+  /// at `frame` (empty: the robot's first body). Throws Error in the same cases as ImuSensor.
   void mount_imu(const Model& model, const std::string& frame);
 
-  /// Forgets all measurements, with the same random numbers to come.
+  /// Discards all measurements and restarts the same sequence of random numbers.
   void reset() noexcept;
 
-  /// Reads the plant; `applied` (nv) is the motors' torque during the plant's last step. The first
-  /// measurement after reset() starts the filters: differences begin at the true velocity, and what
-  /// is on its way then says the same. With
-  /// velocities by finite differences, entries of a floating base stay true.
+  /// Returns the measurement of the plant's present state. `applied` (nv entries) are the torques
+  /// of the motors during the plant's last step [Nm or N].
+  ///
+  /// The first measurement after reset() initializes the filters. This measurement is returned
+  /// until the measurement delay has passed. Finite-difference velocities start at the true
+  /// velocity. Finite differences are not used for a floating base: its true velocity is measured.
   const Measurement& measure(const Plant& plant, const ConstVectorRef& applied) noexcept;
 
  private:
@@ -49,14 +52,14 @@ class Sensing {
   std::unique_ptr<const Tree> tree_;
   std::unique_ptr<Random> random_;
   bool started_ = false;
-  double elapsed_ = 0.0;         ///< s since the last measurement
-  Eigen::VectorXd q_before_;     ///< nq, as measured
-  Eigen::VectorXd differences_;  ///< nv, filtered
-  Eigen::VectorXd work_;         ///< nv
+  double elapsed_ = 0.0;         ///< Time since the previous measurement [s]
+  Eigen::VectorXd q_before_;     ///< Previous measured positions, nq entries
+  Eigen::VectorXd differences_;  ///< Filtered finite-difference velocities, nv entries
+  Eigen::VectorXd work_;         ///< Scratch vector, nv entries
   std::optional<ImuSensor> imu_;
   Measurement measurement_;
-  std::vector<Measurement> late_;  ///< a ring of what is on its way; empty without a delay
-  std::size_t next_ = 0;           ///< the oldest of them
+  std::vector<Measurement> late_;  ///< Ring buffer of delayed measurements; empty without a delay
+  std::size_t next_ = 0;           ///< Index of the oldest measurement in late_
 };
 
 }  // namespace burnish

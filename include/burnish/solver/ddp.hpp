@@ -1,8 +1,8 @@
-// Differential dynamic programming with multiple shooting: Gauss-Newton Hessians, starts that need
-// not be feasible, bounds on controls. The direction comes from the Riccati recursion; it becomes
-// an iterate by a rollout with feedback, as in Mastalli et al., "Crocoddyl" (2020) and "A
-// feasibility-driven approach to control-limited DDP" (2022), or by moving all states and controls
-// along it; see StepUpdate.
+// Solver for optimal control problems: differential dynamic programming (DDP) with multiple
+// shooting, Gauss-Newton Hessians, infeasible starts and bounds on controls. A Riccati recursion
+// computes the search direction. A rollout with feedback computes the next iterate, as in Mastalli
+// et al., "Crocoddyl" (2020) and "A feasibility-driven approach to control-limited DDP" (2022).
+// With StepUpdate::MultipleShooting, all states and controls move along the direction instead.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,149 +21,184 @@
 
 namespace burnish {
 
-/// Why a solve ended.
+/// Reason why a solve ended.
 /// @described solver
 enum class StopReason {
-  /// feasible, limits kept, and the expected improvement is below stop_tolerance, or what the
-  /// tolerance of limits is worth
+  /// The trajectory is feasible and meets all limits. The expected improvement is below
+  /// stop_tolerance, or below the change of cost that the allowed constraint violation can cause.
   Converged,
-  MaxIterations,        ///< max_iterations were made
-  TimeBudget,           ///< time_budget was spent
-  NotEvaluated,         ///< a knot of the iterate cannot be evaluated: see status, knot, term
-  NotPositiveDefinite,  ///< Quu of a knot, with the largest regularisation
-  Infeasible,  ///< no trajectory near keeps all limits; this one breaks them least: see conflict
-  NoStep,      ///< no step length was acceptable, with the largest regularisation
-  Callback,    ///< the callback asked for it
+  MaxIterations,  ///< The solver reached max_iterations.
+  TimeBudget,     ///< The solver used up its time_budget.
+
+  /// A knot of the iterate cannot be evaluated: see DdpSummary.status, knot and term.
+  NotEvaluated,
+
+  /// The control Hessian Quu of a knot is not positive definite, even with the largest
+  /// regularization.
+  NotPositiveDefinite,
+  /// No nearby trajectory meets all hard limits, and the result violates them least: see
+  /// DdpSummary.conflict. The initial state can also be the cause, if it violates a hard limit
+  /// whatever the control: see DdpSummary.start_outside.
+  Infeasible,
+  NoStep,    ///< No step length was accepted, even with the largest regularization.
+  Callback,  ///< The callback stopped the solve.
 };
 
-/// Seconds of a solve by phase.
+/// Computing time of a solve, by phase [s].
 /// @described solver
 struct PhaseTimes {
-  double expand = 0.0;    ///< values and derivatives
-  double backward = 0.0;  ///< Riccati recursion
-  double trial = 0.0;     ///< rollouts and evaluations of the line search
+  double expand = 0.0;    ///< Evaluation of values and derivatives [s]
+  double backward = 0.0;  ///< Riccati recursion [s]
+  double trial = 0.0;     ///< Rollouts and evaluations of the line search [s]
   double total = 0.0;
 };
 
-/// A row with limits at a knot.
+/// A constraint row at one knot.
 /// @described solver @result
 struct RowPlace {
   int knot = 0;
-  int row = 0;  ///< of those of the knot
+  int row = 0;  ///< Index of the row among the knot's constraint rows
 };
 
-/// A hard row of the first knot that the initial state alone puts outside its limits.
+/// A hard constraint row of the first knot that the initial state violates, whatever the control.
 /// @described solver @result
 struct StartRow {
-  int row = 0;         ///< of those of the first knot
-  double value = 0.0;  ///< in the row's unit
-  double lower = 0.0;  ///< infinite where there is none
-  double upper = 0.0;  ///< likewise
+  int row = 0;         ///< Index of the row among the constraint rows of the first knot
+  double value = 0.0;  ///< Value of the row at the initial state, in the row's unit
+  double lower = 0.0;  ///< Lower limit of the row; infinite if it has none
+  double upper = 0.0;  ///< Upper limit of the row; infinite if it has none
 };
 
-/// Why a solve ended and what it reached.
+/// Result of a solve: the reason why it ended, and the quality of the trajectory.
 /// @described solver
 struct DdpSummary {
   StopReason reason = StopReason::MaxIterations;
-  int iterations = 0;  ///< line searches made
-  double cost = 0.0;   ///< of the trajectory that is returned
-  /// No gap is above gap_tolerance, and every hard row is within its limits.
-  bool feasible = false;
-  double expected_improvement = 0.0;  ///< the last one computed
-  double regularization = 0.0;        ///< the last one used
-  double largest_gap = 0.0;           ///< of the trajectory that is returned
-  int gap_knot = 0;   ///< where: the state that the gap leads to, 0 for the initial one
-  int gap_entry = 0;  ///< entry of dx
-  /// largest violation of a hard row, in its scale, of the trajectory that is returned
-  double outside = 0.0;
-  int outside_knot = -1;  ///< where; -1: every row is within its limits
-  int outside_row = -1;
-  double limits_open = 0.0;  ///< what the last iteration's steps left of limits, in their scale
-  int pushing = 0;           ///< rows that push
-  /// hard rows that push with all that their price allows, since they cannot be kept
-  int given_way = 0;
-  std::vector<RowPlace> conflict = {};  ///< Infeasible: rows outside their limits, worst first
-  /// Infeasible: rows that push against those in conflict, from the hardest down.
-  std::vector<RowPlace> stopping = {};
-  std::vector<StartRow> start_outside = {};  ///< whatever the reason
-  /// NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be evaluated:
-  /// where and what.
-  Status status = Status::Ok;
-  int knot = -1;
-  int term = -1;                ///< cost term that is not finite, -1: none, a row or the dynamics
-  int row = -1;                 ///< row of a constraint that is not finite, -1: none
-  bool in_derivatives = false;  ///< NotEvaluated: values are finite, derivatives are not
-  int control = -1;             ///< NotPositiveDefinite: the first one whose pivot is not positive
-  DdpOptions options;           ///< those it was solved with, without callback
-  PhaseTimes seconds;
-  std::vector<DdpProgress> log;  ///< an entry per iteration
+  int iterations = 0;  ///< Number of iterations, each with one line search
+  double cost = 0.0;   ///< Cost of the returned trajectory
 
-  /// One sentence that says why the solver stopped, with names from the problem.
+  /// True if no gap exceeds gap_tolerance and all hard constraint rows are within their limits
+  bool feasible = false;
+  double expected_improvement = 0.0;  ///< Expected improvement along the last search direction
+  double regularization = 0.0;        ///< Regularization of the last search direction
+
+  /// Largest gap in the returned trajectory, between the end of a step and the next state
+  double largest_gap = 0.0;
+  /// Knot k with the largest gap, between x_k and the end of step k - 1; 0: from the initial state
+  int gap_knot = 0;
+  int gap_entry = 0;  ///< Entry of dx with the largest gap
+
+  /// Largest violation of a hard constraint row in the returned trajectory, divided by the row's
+  /// scale
+  double outside = 0.0;
+  int outside_knot = -1;  ///< Knot with the largest violation; -1: no hard row is violated
+  int outside_row = -1;   ///< Row with the largest violation; -1: no hard row is violated
+
+  /// Constraint residual after the last iteration, relative to the scales of the rows
+  double limits_open = 0.0;
+  int pushing = 0;  ///< Number of active constraint rows
+
+  /// Number of hard rows that cannot be satisfied: their multiplier has reached the L1 penalty
+  /// weight
+  int given_way = 0;
+  /// Violated rows, the worst first; empty unless the reason is Infeasible
+  std::vector<RowPlace> conflict = {};
+  /// Active rows that oppose the rows in `conflict`; empty unless the reason is Infeasible
+  /// @more Sorted by |multiplier| * scale, the largest first
+  std::vector<RowPlace> stopping = {};
+  /// Hard rows that the initial state violates, whatever the control; filled for every stop reason
+  std::vector<StartRow> start_outside = {};
+  /// Status of the failed evaluation
+  /// @more Set for NotEvaluated, and for NoStep if the last trial could not be evaluated
+  Status status = Status::Ok;
+  /// Knot of the failure; -1: none
+  /// @more Set for NotEvaluated and NotPositiveDefinite, and for NoStep if the last trial could not
+  /// be evaluated
+  int knot = -1;
+  /// Cost term that is not finite; -1: none
+  /// @more If -1, the cause can be a constraint row or the dynamics
+  int term = -1;
+  int row = -1;  ///< Constraint row that is not finite; -1: none
+
+  /// True if the derivatives are not finite, but the values are; only for NotEvaluated
+  bool in_derivatives = false;
+  /// First control whose pivot in Quu is not positive; only for NotPositiveDefinite
+  int control = -1;
+  DdpOptions options;  ///< Options of the solve, without the callback
+  PhaseTimes seconds;
+  std::vector<DdpProgress> log;  ///< Progress after each iteration
+
+  /// Returns one sentence that says why the solver stopped. Names of knots and rows come from
+  /// `problem`.
   std::string text(const ShootingProblem& problem) const;
 };
 
-/// Where a cost comes from.
+/// Costs of a trajectory, by term and by knot, and the values of its constraint rows.
 /// @described solver @result
 struct CostReport {
-  /// What one cost term adds.
+  /// Cost of one term.
   /// @described solver.CostEntry @result
   struct Entry {
     std::string name;
     double cost;
   };
-  /// What one knot costs.
+  /// Cost of one knot.
   /// @described solver.CostKnot @result
   struct Knot {
     std::string name;
     double cost;
     std::vector<Entry> terms;
   };
-  /// A row of a constraint, where it is furthest outside its limits, or nearest to one of them from
-  /// inside.
+  /// A constraint row at its worst knot: the knot with the largest violation. If the row is never
+  /// violated, the worst knot is the one closest to a limit.
   /// @described solver.LimitedRow @result
   struct Row {
-    std::string name;  ///< as Problem.row_names has it
-    std::string knot;  ///< as Problem.knot_name has it
+    std::string name;  ///< Name of the row, as in Problem.row_names
+    std::string knot;  ///< Name of the knot, as in Problem.knot_name
     double value;
     double lower;
     double upper;
-    double outside;           ///< how far; negative: the least distance to a limit from inside
-    double scale = 0.0;       ///< in its unit: what counts as much of it
-    double multiplier = 0.0;  ///< of the horizon the largest: see multipliers()
-    std::string pushed = {};  ///< the knot that has that
-    int active = 0;           ///< knots at which a limit pushes
+    /// Violation of the limits; within the limits, minus the distance to the nearest limit
+    double outside;
+    double scale = 0.0;  ///< Characteristic size of the row, in the row's unit
 
-    /// Outside by more than limits are kept to, or no number.
+    /// Multiplier with the largest magnitude over all knots; see multipliers()
+    double multiplier = 0.0;
+    /// Name of the knot with the largest multiplier; empty: the row is active at no knot
+    std::string pushed = {};
+    int active = 0;  ///< Number of knots at which the row is active
+
+    /// Returns true if the violation is larger than the solver's tolerance, or not a number.
     bool broken() const;
   };
-  /// A row at a knot where its limit pushes or is broken.
+  /// A constraint row at a knot where it is active or violated.
   /// @described solver @result
   struct ActiveLimit {
-    int knot = 0;             ///< 0 to N
-    std::string row = {};     ///< as Problem.row_names has it
-    double value = 0.0;       ///< in the row's unit
-    double lower = 0.0;       ///< infinite where there is none
-    double upper = 0.0;       ///< likewise
-    double multiplier = 0.0;  ///< cost per unit of the row; see multipliers()
+    int knot = 0;             ///< Index of the knot, 0 to N
+    std::string row = {};     ///< Name of the row, as in Problem.row_names
+    double value = 0.0;       ///< Value of the row, in the row's unit
+    double lower = 0.0;       ///< Lower limit of the row; infinite if it has none
+    double upper = 0.0;       ///< Upper limit of the row; infinite if it has none
+    double multiplier = 0.0;  ///< Multiplier, in cost per unit of the row; see multipliers()
   };
   double total = 0.0;
-  std::vector<Entry> terms;         ///< summed over knots, in order of appearance
-  std::vector<Knot> knots;          ///< N + 1
-  std::vector<Row> rows;            ///< over all knots, in order of appearance
-  std::vector<ActiveLimit> limits;  ///< along the horizon, knot by knot in the order of its rows
+  std::vector<Entry> terms;  ///< Cost of each term, summed over the knots; in order of appearance
+  std::vector<Knot> knots;   ///< Cost of each knot, N + 1 entries
+  std::vector<Row> rows;     ///< One entry for each constraint row, in order of appearance
+  std::vector<ActiveLimit> limits;  ///< Active or violated rows, knot by knot
 
-  /// The rows whose limits push, by their scale from the hardest down.
+  /// Returns the rows that are active at one or more knots, the largest |multiplier| * scale first.
   std::vector<Row> pushing() const;
 
-  /// A table for people: terms from the largest down, the five most expensive knots, the five rows
-  /// that are furthest outside their limits, and the five whose limits push hardest by their scale.
+  /// Returns a readable table of the terms, the most expensive first. The table also has the five
+  /// most expensive knots, the five most violated rows, and the five active rows with the largest
+  /// |multiplier| * scale.
   std::string text() const;
 };
 
-/// A matrix whose rows are padded, read in place.
+/// Read-only view of a row-major matrix with padded rows; copies nothing.
 using PaddedView = Eigen::Map<const RowMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;
 
-/// A result with the names of what its rows and columns stand for.
+/// A matrix with a name for each row and each column.
 /// @described solver @result
 struct NamedMatrix {
   std::vector<std::string> rows;
@@ -171,74 +206,92 @@ struct NamedMatrix {
   Eigen::MatrixXd values;
 };
 
-/// Solves a ShootingProblem, which must outlive it; results are valid until the next solve. Between
-/// solves the problem may change costs, references, bounds, the initial state and which knots have
-/// how many controls, but not its sizes. Results have the same bits for any number of threads.
+/// Solver of a ShootingProblem; the problem must outlive the solver. Results remain valid until the
+/// next solve. They are identical bit for bit for any number of threads. Between solves, costs,
+/// references, bounds, the initial state and the number of controls of each knot may change. All
+/// other sizes of the problem must stay the same.
 class DdpSolver {
  public:
-  /// Allocates everything; the guess is the initial state at every knot and zero controls. Throws
-  /// Error for options out of range and for problems whose sizes do not fit together.
+  /// Creates a solver and allocates all its memory. The first guess is the initial state at every
+  /// knot, with zero controls. Throws Error if an option is out of range, or if the problem's sizes
+  /// are inconsistent.
   explicit DdpSolver(ShootingProblem& problem, DdpOptions options = {});
   ~DdpSolver();
   DdpSolver(DdpSolver&&) noexcept;
   DdpSolver& operator=(DdpSolver&&) noexcept;
 
   const DdpOptions& options() const;
-  /// May allocate. Throws Error as the constructor does.
+  /// Replaces the options; may allocate. Throws Error if an option is out of range, or if
+  /// `segments` is not less than the number of knots.
   void set_options(DdpOptions options);
-  /// Allocates nothing. Anything but a number >= 0 means no time at all.
+  /// Sets DdpOptions::time_budget [s] without allocating. A negative number or a NaN counts as 0.
   void set_time_budget(double seconds);
-  /// Allocates nothing; at most what the options said when the solver was made or given options.
+  /// Sets DdpOptions::max_iterations without allocating. Negative numbers count as 0. The upper
+  /// limit is the max_iterations that the constructor or set_options() received.
   void set_max_iterations(int iterations);
-  /// LimitOptions::max_factors and max_sweeps, at least 1 and 0.
+  /// Sets LimitOptions::max_factors (at least 1) and LimitOptions::max_sweeps (at least 0), without
+  /// allocating.
   void set_limit_budget(int max_factors, int max_sweeps) noexcept;
 
-  /// Where the next solve starts: xs (N + 1) x nx, us N x max_controls, a row per knot. Without a
-  /// call it starts where the last one ended. Throws Error for other sizes.
+  /// Sets the guess for the next solve: states xs, (N + 1) x nx, and controls us, N x max_controls,
+  /// with one row per knot. Without this call, a solve starts from the last result. Throws Error
+  /// for other sizes.
   void set_guess(const Eigen::Ref<const RowMatrix>& xs, const Eigen::Ref<const RowMatrix>& us);
-  /// The same from plain memory, laid out as TrajectoryView says; throws nothing.
+  /// Sets the guess for the next solve from raw memory in the layout of TrajectoryView. Throws
+  /// nothing.
   void set_guess(const TrajectoryView& guess);
-  /// The next solve starts without the multipliers of the last one, as a solver does that is new.
+  /// Discards the constraint multipliers: the next solve starts without multipliers, as in a new
+  /// solver.
   void forget_limits() noexcept;
-  /// The next solve starts with the multipliers of the last one that many knots later: knot k with
-  /// those of knot k + knots, as a horizon does that has moved on by so much. The last knots keep
-  /// theirs, and so do all for a number that is not above zero.
+  /// Shifts the constraint multipliers by `knots` knots, to follow a receding horizon. The next
+  /// solve starts knot k with the multipliers of knot k + knots. The last `knots` knots retain
+  /// their multipliers. If `knots` <= 0, nothing changes.
   void shift_limits(int knots) noexcept;
-  /// The same where knots are of different lengths: knot k with those of knot from[k], as far as
-  /// there are entries. They are not to fall, nor to be before k; later knots than the last count
-  /// as that, and a knot with other controls gives none.
+  /// Shifts the constraint multipliers of a receding horizon with knots of different length. The
+  /// next solve starts knot k with the multipliers of knot from[k]. Entries of `from` must not
+  /// decrease, and from[k] must be at least k. Entries above the last knot mean the last knot. Knot
+  /// k retains its multipliers if `from` has no entry k, or if knot from[k] has another number of
+  /// controls.
   void shift_limits(std::span<const int> from) noexcept;
 
-  /// Iterates until one of StopReason. Allocates nothing and throws nothing of its own: what the
-  /// callback or a function of the problem throws, in any thread, reaches the caller. The
-  /// trajectory is then the last one that was evaluated, and the next solve starts from it as
-  /// usual.
+  /// Iterates until one of the StopReasons occurs, and returns the summary. Allocates nothing and
+  /// throws nothing itself. An exception from the callback or from the problem, in any thread,
+  /// reaches the caller. The solver then holds the last trajectory that was evaluated, and the next
+  /// solve starts from it.
   const DdpSummary& solve();
   const DdpSummary& summary() const;
-  std::string text() const;  ///< summary().text() with the problem's names
+  std::string text() const;  ///< Returns summary().text() with names from the problem.
 
-  MatrixView xs() const;  ///< (N + 1) x nx
-  MatrixView us() const;  ///< N x max_controls; entries past a knot's nu mean nothing
-  /// Policy u = u_k + feedforward + gain (x (-) x_k) about the iterate that was expanded last;
-  /// after convergence about the solution, with a feedforward of zero. nu; nu x ndx.
+  MatrixView xs() const;  ///< States, (N + 1) x nx
+
+  /// Controls, N x max_controls; of a knot, the first nu entries are valid
+  MatrixView us() const;
+
+  /// Return the control policy of a knot: u = u_k + feedforward + gain (x (-) x_k). Here
+  /// feedforward has nu entries, gain is nu x ndx, and (x_k, u_k) is the last linearized iterate.
+  /// After convergence, this iterate is the solution, and the feedforward is zero.
   VectorView feedforward(int knot) const;
   PaddedView gain(int knot) const;
-  /// Of the knot's rows: the cost that a limit's being one unit further out would save, in units of
-  /// cost per unit of the row, above zero where the upper one pushes. At most a row's price. Empty
-  /// where the problem has no limits.
+  /// Returns the multipliers of a knot's constraint rows, in cost per unit of the row. The
+  /// magnitude is the cost that would be saved per unit if the active limit moved outwards. The
+  /// sign is positive if the upper limit is active, negative if the lower limit is active. The
+  /// magnitude is at most the row's L1 penalty weight (price). Empty if the problem has no
+  /// constraint rows.
   VectorView multipliers(int knot) const;
-  /// Value function about the same iterate: ndx; ndx x ndx. Knots 0 to N.
+  /// Return the gradient (ndx) and the Hessian (ndx x ndx) of the value function at a knot, 0 to N.
+  /// Both are taken at the last linearized iterate.
   VectorView value_gradient(int knot) const;
   PaddedView value_hessian(int knot) const;
-  /// The same with names of controls and of entries of dx.
+  /// Return copies of gain() and value_hessian(), with the names of controls and entries of dx.
   NamedMatrix named_gain(int knot) const;
   NamedMatrix named_value_hessian(int knot) const;
 
-  /// Cost of the present trajectory by term and by knot. Allocates.
+  /// Returns the cost of the current trajectory by term and by knot. Allocates.
   CostReport cost_report() const;
-  /// Largest entry of the gradient of the Lagrangian by the controls at the present trajectory,
-  /// with the multipliers that make its gradient by the states vanish; entries that push against a
-  /// bound do not count. Infinite where a knot cannot be evaluated. Cost per unit of control.
+  /// Returns the optimality error of the current trajectory: the largest entry of the Lagrangian's
+  /// gradient by the controls, in cost per unit of control. The multipliers of the dynamics are
+  /// chosen such that the gradient by the states is zero. Controls at an active bound do not count.
+  /// Returns infinity if a knot cannot be evaluated.
   double optimality_error();
 
  private:

@@ -1,4 +1,5 @@
-// How a DdpSolver works, each tolerance beside the inequality it enters.
+// Options of a DdpSolver, and the progress that the solver reports. The comment of each tolerance
+// states the inequality in which the tolerance is used.
 #pragma once
 
 #include <functional>
@@ -6,124 +7,167 @@
 
 namespace burnish {
 
-/// How a direction becomes the next iterate.
+/// Computation of the next iterate from a search direction.
 /// @described solver
 enum class StepUpdate {
-  /// The controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha. After a
-  /// step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP).
+  /// Rollout of the control policy through the dynamics (feasibility-driven DDP). A step of length
+  /// alpha multiplies the gaps by 1 - alpha. From the first step of length 1 on, the trajectory is
+  /// feasible.
   Rollout,
-  /// States and controls move along the solution of the linear-quadratic problem; every knot is
-  /// evaluated on its own, in packs and threads. Gaps vanish with convergence.
+  /// Step of all states and controls along the solution of the linear-quadratic problem. Knots are
+  /// evaluated independently of each other, in packs and threads. Gaps vanish with convergence.
   MultipleShooting,
 };
 
-/// Levenberg term, added to the diagonal of Quu, in cost per squared unit of control.
+/// Levenberg regularization: a number that is added to the diagonal of Quu, in cost per squared
+/// unit of control.
 /// @described solver
 struct Regularization {
-  double initial = 0.0;  ///< >= 0
-  /// Below this there is none: a decrease ends at 0, an increase from 0 begins here. > 0
+  double initial = 0.0;  ///< Regularization at the start of a solve, >= 0
+
+  /// Smallest nonzero regularization, > 0
+  /// @more A decrease below this value ends at 0. An increase from 0 starts at this value
   double smallest = 1e-9;
-  double largest = 1e9;         ///< needed more than this: the solver gives up
-  double factor = 10.0;         ///< of an increase, and 1 / factor of a decrease, > 1
-  double decrease_above = 0.5;  ///< decreases after a step of length > this, finite or infinite
-  /// increases after a step of length <= this, finite or infinite
+  double largest = 1e9;  ///< Largest regularization; if this is not enough, the solver gives up
+  double factor = 10.0;  ///< Ratio by which a step changes the regularization, up or down, > 1
+
+  /// Step length above which the regularization decreases, finite or infinite
+  double decrease_above = 0.5;
+  /// Step length at or below which the regularization increases, finite or infinite
   double increase_at_or_below = 0.01;
 };
 
-/// The step lengths 1, 1/2, 1/4, ... and what a trial must reach to be taken.
+/// Step lengths alpha = 1, 1/2, 1/4, ... of the line search, and conditions for accepting a trial.
 /// @described solver
 struct LineSearch {
-  int halvings = 9;  ///< the smallest length is 2^-halvings, 0 to 60
-  /// Rollout, expected improvement dV(alpha) >= 0: taken if the iterate is not feasible, since
-  /// closing its gaps may cost, or cost - trial > sufficient_decrease * dV(alpha). 0 to below 1
+  /// Largest number of halvings of the step length, 0 to 60
+  /// @more The smallest length is 2^-halvings
+  int halvings = 9;
+
+  /// Fraction of the expected improvement that a rollout must achieve, 0 to below 1
+  /// @more Used by Rollout if the improvement dV(alpha) that is expected for step length alpha is
+  /// >= 0. A trial is accepted if cost(current) - cost(trial) > sufficient_decrease * dV(alpha). If
+  /// the current iterate is not feasible, every trial is accepted, since closing gaps may raise the
+  /// cost
   double sufficient_decrease = 0.1;
-  /// Rollout, dV(alpha) < 0 (closing gaps costs): taken if cost - trial > allowed_increase *
-  /// dV(alpha). >= 0
+  /// Allowed cost increase of a rollout, as a multiple of the expected increase, >= 0
+  /// @more Used by Rollout if the improvement dV(alpha) that is expected for step length alpha is
+  /// < 0, since closing gaps raises the cost. A trial is accepted if
+  /// cost(current) - cost(trial) > allowed_increase * dV(alpha)
   double allowed_increase = 2.0;
-  /// MultipleShooting, merit = cost + penalty * sum |gap|_1 with slope D: taken if trial <= merit +
-  /// merit_decrease * alpha * D. 0 to below 1
+  /// Fraction of the predicted merit decrease that a trial must achieve, 0 to below 1
+  /// @more Used by MultipleShooting. A trial is accepted if
+  /// merit(trial) <= merit(current) + merit_decrease * alpha * D. The merit is
+  /// cost + penalty * sum |gap|_1, D is the slope of the merit along the direction, and alpha is
+  /// the step length
   double merit_decrease = 1e-4;
-  /// MultipleShooting: the penalty makes D <= -merit_share * penalty * sum |gap|_1. 0 to below 1
+  /// Required downward slope of the merit, as a fraction of the gap penalty, 0 to below 1
+  /// @more Used by MultipleShooting. The penalty is raised until
+  /// D <= -merit_share * penalty * sum |gap|_1. D is the slope of the merit along the direction
   double merit_share = 0.5;
-  /// Rounding of a sum of costs: every comparison above is relaxed by rounding * |cost|. >= 0
+  /// Relative rounding error of a sum of costs, >= 0
+  /// @more Every comparison of the line search is relaxed by rounding * |cost|
   double rounding = 1e-14;
 };
 
-/// How rows are kept within their limits: semismooth Newton steps on an augmented Lagrangian of the
-/// linear-quadratic problem of each iteration.
+/// Options for constraints. Each iteration solves a linear-quadratic problem with an augmented
+/// Lagrangian and semismooth Newton steps.
 /// @described solver
 struct LimitOptions {
-  /// Weight of a violation, in units of the cost's curvature over a row's scale. More needs fewer
-  /// changes of multipliers and costs digits. > 0
+  /// Penalty weight of the augmented Lagrangian, relative to the curvature of the cost, > 0
+  /// @more The weight multiplies the square of (violation / scale of the row). A larger weight
+  /// needs fewer updates of the multipliers, but increases rounding errors
   double weight = 1000.0;
-  int max_factors = 50;  ///< recursions per iteration, without an interior-point method's, >= 1
-  int max_sweeps = 100;  ///< with kept factors, per iteration, >= 0
-  /// Recursions of an iteration after which an interior-point method finds out which rows push,
-  /// where max_factors leaves 20. It takes at most 80 recursions, most often 10 to 20. 0: at once,
-  /// where nothing is known of multipliers. >= 0
+  /// Largest number of Riccati factorizations per iteration, >= 1
+  /// @more Factorizations of the interior-point method do not count
+  int max_factors = 50;
+  /// Largest number of Riccati sweeps per iteration that reuse a factorization, >= 0
+  int max_sweeps = 100;
+
+  /// Number of factorizations in an iteration before an interior-point method starts, >= 0
+  /// @more The interior-point method searches the active set. It starts only if at least 20
+  /// factorizations of max_factors are left. It uses at most 80 factorizations, most often 10 to
+  /// 20. With 0, it starts immediately if there are no multipliers for a warm start
   int interior_after = 8;
-  /// Of a violation of a hard row, and weight of its square where that price leaves some broken, in
-  /// units of the cost's curvature over its scale. > 0
+  /// L1 penalty weight of hard rows, in units of (curvature of the cost) / (scale of the row), > 0
+  /// @more If rows remain violated at this weight, their squared violations are penalized instead,
+  /// at first with the same weight
   double price = 1e4;
-  /// What it is raised to until limits are kept, or it is known that they cannot be; below price:
-  /// it stays. >= 0
+  /// Largest penalty weight of hard rows, >= 0
+  /// @more The weight is raised until all limits are met, or until the solver finds that this is
+  /// impossible. With a value below `price`, the weight is never raised
   double largest_price = 1e8;
-  double tolerance = 1e-8;  ///< Kept if every violation <= tolerance * scale of its row. > 0
-  /// Steps know how rows bend (distances with an upper limit, friction cones). Without it limits
-  /// that bend more than the cost take many more iterations, to the same solution.
+  /// Constraint tolerance, relative to the scale of each row, > 0
+  /// @more A limit is met if violation <= tolerance * scale of its row
+  double tolerance = 1e-8;
+  /// True: steps use the curvature of constraints (friction cones, distances with an upper limit)
+  /// @more Without this curvature, problems with constraints more curved than the cost take many
+  /// more iterations. The solution is the same
   bool bends = true;
 };
 
-/// What a callback sees after each iteration.
+/// Progress of a solve after one iteration, passed to the callback.
 /// @described solver
 struct DdpProgress {
-  int iteration = 0;  ///< from 1
+  int iteration = 0;  ///< Number of the iteration, from 1
   double cost = 0.0;
-  /// |d1 + d2 / 2|: what the quadratic model said before the step that the whole step would save.
+
+  /// Cost decrease |d1 + d2 / 2| that the quadratic model predicts for the full step
+  /// @note d1 is the slope of the model along the direction, d2 its curvature.
   double expected_improvement = 0.0;
   double largest_gap = 0.0;
-  double step_length = 0.0;  ///< 0: no length was acceptable
+  double step_length = 0.0;  ///< Accepted step length; 0: no length was accepted
   double regularization = 0.0;
-  double penalty = 0.0;  ///< of gaps in the merit; MultipleShooting only
+  double penalty = 0.0;  ///< Penalty weight of gaps in the merit (MultipleShooting only)
   bool feasible = false;
-  double outside = 0.0;  ///< largest violation of a hard row, in its scale
-  int factors = 0;       ///< recursions of this iteration
-  double seconds = 0.0;  ///< since the solve began
+  double outside = 0.0;  ///< Largest violation of a hard row, divided by the scale of the row
+  int factors = 0;       ///< Riccati factorizations in this iteration
+  double seconds = 0.0;  ///< Time since the solve began [s]
 };
 
-/// How a DdpSolver works, each tolerance beside the inequality it enters.
+/// Options of a DdpSolver. The text of each tolerance states the inequality in which the tolerance
+/// is used.
 /// @described solver
 struct DdpOptions {
   StepUpdate update = StepUpdate::Rollout;
-  int max_iterations = 100;  ///< >= 0
-  /// Seconds, looked at between phases and between trials; the best iterate so far is kept. At
-  /// least the guess is evaluated. >= 0 or infinite
+  int max_iterations = 100;  ///< Largest number of iterations of a solve, >= 0
+
+  /// Time limit of a solve [s], >= 0 or infinite
+  /// @more The clock is read between phases and between trials. The guess is always evaluated. The
+  /// result is the best iterate so far
   double time_budget = std::numeric_limits<double>::infinity();
-  int threads = 1;  ///< 1 to 1024
-  /// Thread i of the solver stays on the i-th core that the thread which makes it (or gives it
-  /// options) may run on. The thread that solves is left as it is. Linux alone.
+  int threads = 1;  ///< Number of threads, the calling thread included, 1 to 1024
+
+  /// Pin the solver's threads to cores (Linux only)
+  /// @more Thread i runs on the i-th core that is available to the thread which creates the solver
+  /// or sets its options. The thread that calls solve() is not pinned
   bool pin_threads = false;
-  /// Threads work together on each knot of the recursion where knots are large (a humanoid's),
-  /// which is faster on cores that share a cache and slower on others. Results have the same bits.
+  /// Let threads share the work within one knot of the Riccati recursion
+  /// @more Used only if knots are large, such as the knots of a humanoid. Sharing is faster on
+  /// cores with a common cache, and slower on others. Results are identical bit for bit
   bool share_knots = true;
-  /// The recursion works on so many parts of the horizon at the same time, for long horizons and
-  /// several cores: docs/performance.md, "Threads", says when that is faster. It makes up to three
-  /// times the operations, and threads + 1 segments suit `threads` best; 1 and 2 mean one sweep
-  /// from the end to the begin, as do bounds on controls. Fewer than the problem has knots. Gains
-  /// and values are those of the whole horizon, but for rounding; their bits depend on this number
-  /// and not on that of threads. 1 to 1024
+  /// Number of segments of the horizon that the Riccati recursion processes in parallel, 1 to 1024
+  /// @more For long horizons and several cores; docs/performance.md, "Threads", says when segments
+  /// are faster. Segments take up to three times the operations of a single sweep. The best number
+  /// is usually threads + 1. With 1 or 2 segments, or with bounds on controls, a single sweep runs
+  /// from the end to the start. There must be fewer segments than knots. Gains and values equal the
+  /// results of a single sweep up to rounding. For a given number of segments, results are
+  /// identical bit for bit for any number of threads
   int segments = 1;
-  /// Converged if feasible and expected improvement < stop_tolerance (in units of cost). >= 0
+  /// Convergence tolerance of the expected improvement, in units of cost, >= 0
+  /// @more Converged if feasible and expected improvement < stop_tolerance
   double stop_tolerance = 1e-9;
-  double gap_tolerance = 1e-9;  ///< Feasible if every |entry of a gap| <= gap_tolerance. >= 0
+  /// Largest gap of a feasible trajectory, >= 0
+  /// @more Feasible if |entry| <= gap_tolerance for all entries of all gaps
+  double gap_tolerance = 1e-9;
   LineSearch line_search = {};
   LimitOptions limits = {};
   Regularization regularization = {};
-  /// called after each iteration; False stops the solve, None and True go on, and what it raises
-  /// reaches the caller of solve()
+  /// Function called after each iteration; False stops the solve, None and True continue
+  /// @more Exceptions of the function reach the caller of solve()
   std::function<bool(const DdpProgress&)> callback = nullptr;
 
-  /// Throws Error with a sentence naming the option that is out of range.
+  /// Throws Error if an option is out of range, with a sentence that names the option.
   void check() const;
 };
 

@@ -1,10 +1,12 @@
-// What a solver asks of a problem over time: sizes, arithmetic on states, roll out, expand.
-// There is no robot here: a state is a point x of nx numbers that moves along tangents dx of ndx.
+// Interface between an optimal control problem and its solver: sizes, arithmetic on states, costs,
+// dynamics and their derivatives. It does not know about robots: a state is a point x of nx
+// numbers, and changes along tangent vectors dx of ndx numbers.
 //
-// A horizon has N knots with a state, a control and a cost each, and a terminal state with a cost:
+// A horizon has N knots, each with a state, a control and a cost, and a terminal state with a cost:
 //   minimise sum over k < N of l_k(x_k, u_k) + l_N(x_N)  subject to  x_(k+1) = f_k(x_k, u_k)
-// A knot may have rows with limits beside its cost, lower <= c_k(x_k, u_k) <= upper.
-// Derivatives are by z = (du, dx), controls first, dx the right tangent increment.
+// A knot may also have constraint rows, lower <= c_k(x_k, u_k) <= upper.
+// Derivatives are with respect to z = (du, dx): controls first, then the right tangent increment
+// dx.
 #pragma once
 
 #include <span>
@@ -15,159 +17,189 @@
 
 namespace burnish {
 
-/// Entries of a configuration's tangent that belong together and whose sum is not plain addition
-/// (the six of a free-flyer, the three of a planar joint).
+/// A non-Euclidean tangent block: consecutive entries of dx that are not simply added to entries of
+/// the state. Examples are the six entries of a free-flyer and the three of a planar joint.
 struct LeadBlock {
-  int first;  ///< entry of dx
+  int first;  ///< First entry of dx in the block
   int size;
 };
 
-/// The state along the whole horizon. With second-order structure dx = (dq, dv, dtau): nv, nv and
-/// `filtered` entries; without it nv and filtered are zero.
+/// Layout of the state, equal at all knots. With second-order structure, dx = (dq, dv, dtau) has
+/// nv, nv and `filtered` entries. Without second-order structure, nv and filtered are zero.
 struct StateShape {
   int nx = 0;
   int ndx = 0;
   int nv = 0;
-  int filtered = 0;               ///< torques that follow the control through a first-order filter
-  std::vector<LeadBlock> blocks;  ///< within dq
+  /// Number of torques in the state, which follow the control through a low-pass filter
+  int filtered = 0;
+  std::vector<LeadBlock> blocks;  ///< Non-Euclidean tangent blocks within dq
 };
 
-/// How the next state depends on z.
+/// Structure of the linearized dynamics: how the next state depends on z.
 enum class DynamicsForm {
-  Dense,  ///< dx' = F z, F: ndx x nz
-  /// dv' = P z with P: nv x nz, dq' = A dq + step B dv', dtau' = decay dtau + (1 - decay) du; A and
-  /// B are identities but for the lead blocks. Semi-implicit Euler, and impacts with step = 0.
+  Dense,  ///< dx' = F z with F of size ndx x nz
+
+  /// dv' = P z, dq' = A dq + step B dv', dtau' = decay dtau + (1 - decay) du, with P of size
+  /// nv x nz. A and B are identities except in the non-Euclidean tangent blocks. Semi-implicit
+  /// Euler has this form. An impact has this form with step = 0.
   SecondOrder,
 };
 
-/// How a row with limits bends, of one sign only: of its second derivative by z the part
-/// sign sum b^T b, over some rows b of KnotExpansion::bends.
+/// Low-rank curvature of one constraint row c: d2(c)/dz2 is about sign * sum b^T b. The sum is over
+/// `count` row vectors b in KnotExpansion::bends.
 struct RowBend {
-  int row = 0;        ///< of the knot's rows with limits
-  int first = 0;      ///< of its b in the expansion's
-  int count = 0;      ///< of its b
-  double sign = 1.0;  ///< 1: convex; -1: concave
+  int row = 0;        ///< Index of the row among the knot's constraint rows
+  int first = 0;      ///< Index of the first b in KnotExpansion::bends
+  int count = 0;      ///< Number of rows b
+  double sign = 1.0;  ///< 1: the row is convex; -1: the row is concave
 };
 
-/// First and second order of one knot, in memory that the solver owns and the problem fills.
-/// Matrices are row-major with `stride` between rows. nz = nu + ndx.
+/// Values and derivatives of one knot. The solver owns the memory, and the problem writes the
+/// values. Matrices are row-major; a row starts `stride` entries after the row before. The size of
+/// z is nz = nu + ndx.
 struct KnotExpansion {
   int stride = 0;
-  double* gradient = nullptr;  ///< nz: d(cost)/dz
-  double* hessian = nullptr;   ///< nz x nz, Gauss-Newton; only the lower triangle is read
-  double* dynamics = nullptr;  ///< P (nv x nz) or F (ndx x nz)
-  /// SecondOrder: per lead block, size x size each: A, then B (without step).
+  double* gradient = nullptr;  ///< Gradient of the cost by z, nz entries
+
+  /// Gauss-Newton Hessian of the cost, nz x nz; only the lower triangle is read
+  double* hessian = nullptr;
+  double* dynamics = nullptr;  ///< Matrix P (nv x nz) or F (ndx x nz), see DynamicsForm
+
+  /// Matrices A and B of each non-Euclidean tangent block, size x size each (SecondOrder only). A
+  /// block's B follows its A, and does not contain the factor step.
   double* lead = nullptr;
-  double* decay = nullptr;  ///< SecondOrder: `filtered` entries
-  /// rows(knot) values of c; null: not asked for.
+  double* decay = nullptr;  ///< Decay factor of each filtered torque over a step (SecondOrder only)
+
+  /// Values c of the constraint rows, rows(knot) entries; null: not requested.
   double* row_values = nullptr;
-  double* rows = nullptr;  ///< d(c)/dz of those that are no entry of z
-  /// b of the knot's bends, nz each, in units of (row)^(1/2) per z; null: not asked for.
+  /// Derivatives d(c)/dz of the constraint rows, without the rows that equal an entry of z
+  double* rows = nullptr;
+
+  /// Vectors b of the constraint curvature (RowBend), nz entries each; null: not requested. The
+  /// unit of b is the square root of the row's unit, per unit of z.
   double* bends = nullptr;
-  double step = 0.0;  ///< s
+  double step = 0.0;  ///< Duration of the knot's step [s]
   DynamicsForm form = DynamicsForm::Dense;
 };
 
-/// Outcome of one knot's values.
+/// Cost of one knot and status of its evaluation.
 struct KnotValue {
   double cost = 0.0;
   Status status = Status::Ok;
-  /// Cost term that is not finite, an index into term_names(knot); -1: none, a row or the dynamics.
+
+  /// Index in term_names(knot) of the cost term that is not finite; -1: none. If -1, the cause can
+  /// be a constraint row or the dynamics.
   int term = -1;
-  int row = -1;  ///< Row that is not finite, an index into row_names(knot); -1: none.
+  int row = -1;  ///< Index in row_names(knot) of the row that is not finite; -1: none
 };
 
-/// Knots begin to end - 1, evaluated together.
+/// Range of knots that are evaluated together: begin to end - 1.
 struct KnotRange {
   int begin, end;
 };
 
-/// States and controls of a horizon. x of knot k starts at k * nx, u at k * max_controls().
+/// States and controls of a horizon in raw memory. The state of knot k starts at x + k * nx, the
+/// control at u + k * max_controls().
 struct TrajectoryView {
   const double* x;
   const double* u;
 };
 
-/// Functions of a problem are called with the number of the worker that calls, from 0 to workers -
-/// 1; different workers may call at the same time. None of them allocates. What one throws (a
-/// function of a user's that it calls, say) ends the solve and reaches its caller.
+/// Interface of an optimal control problem that a DdpSolver solves. The argument `worker` is the
+/// number of the calling thread, 0 to workers - 1. Different workers may call at the same time. A
+/// function with this argument does not allocate. An exception from any function, for example from
+/// a user's own cost, ends the solve and reaches the caller of the solver.
 class ShootingProblem {
  public:
   virtual ~ShootingProblem() = default;
 
   virtual const StateShape& state() const = 0;
-  virtual int knots() const = 0;             ///< N; there are N + 1 states
-  virtual int controls(int knot) const = 0;  ///< nu of a knot; 0 at impacts and at the end (N)
-  virtual int max_controls() const = 0;
-  virtual const double* initial_state() const = 0;  ///< nx
+  virtual int knots() const = 0;  ///< Number N of knots; there are N + 1 states
 
-  /// x (+) dx and the dx with x0 (+) dx = x1. `out` may be x.
+  /// Number nu of a knot's controls; 0 at impacts and at knot N
+  virtual int controls(int knot) const = 0;
+  virtual int max_controls() const = 0;
+  virtual const double* initial_state() const = 0;  ///< Initial state, nx entries
+
+  /// integrate() writes x (+) dx to `out`; `out` and x may be the same memory. difference() writes
+  /// the tangent vector dx for which x0 (+) dx = x1.
   virtual void integrate(const double* x, const double* dx, double* out) const = 0;
   virtual void difference(const double* x0, const double* x1, double* dx) const = 0;
 
-  /// Bounds of the controls of a knot, nu entries each, or null where there are none.
+  /// Return the lower and upper bounds of a knot's controls, nu entries each; null: no bounds.
   virtual const double* control_lower(int /*knot*/) const { return nullptr; }
   virtual const double* control_upper(int /*knot*/) const { return nullptr; }
-  /// What counts as much of a control that has no bounds, in its unit, above zero; null: 1.
+  /// Returns the characteristic size of each control, > 0, in the control's unit; null: 1 for every
+  /// control. The size of a control with bounds is not used.
   virtual const double* control_scale(int /*knot*/) const { return nullptr; }
 
-  /// Rows with limits of a knot, and the limits, rows(knot) entries each, infinite where there is
-  /// none; null where there are no rows.
+  /// rows() returns the number of constraint rows of a knot, and max_rows() the largest number at
+  /// any knot. row_lower() and row_upper() return the limits of a knot, rows(knot) entries each. A
+  /// limit that a row does not have is infinite. Both return null if the knot has no rows.
   virtual int rows(int /*knot*/) const { return 0; }
   virtual int max_rows() const { return 0; }
   virtual const double* row_lower(int /*knot*/) const { return nullptr; }
   virtual const double* row_upper(int /*knot*/) const { return nullptr; }
-  /// Per row: the entry of z that it is, up to a constant (d(row)/dz has a one there and is zero
-  /// elsewhere), or -1; null: -1 for all. No two of a knot are the same, and none is a control with
-  /// bounds.
+  /// Returns an index for each constraint row of a knot. For a row that equals one entry of z plus
+  /// a constant, the index of this entry; for other rows, -1. Null means -1 for every row. The
+  /// derivative of a row with an entry is 1 at this entry and 0 elsewhere. Two rows of a knot must
+  /// not share an entry. Controls with bounds must not be entries of rows.
   virtual const int* row_entry(int /*knot*/) const { return nullptr; }
-  /// In a row's own unit, above zero: what counts as much of it. A tolerance is a share of it.
+  /// Returns the characteristic size of each constraint row, > 0, in the row's unit. Tolerances are
+  /// relative to this size.
   virtual const double* row_scale(int /*knot*/) const { return nullptr; }
-  /// What a violation v of a row costs, price |v| + 1/2 square v^2. An infinite price: none is
-  /// accepted as long as there is a trajectory without any.
+  /// Return the L1 weight (price) and the quadratic weight (square) of each constraint row. A
+  /// violation v costs price |v| + 1/2 square v^2. A row with an infinite price is hard: a
+  /// violation is accepted only if no trajectory without violations exists.
   virtual const double* row_price(int /*knot*/) const { return nullptr; }
   virtual const double* row_square(int /*knot*/) const { return nullptr; }
-  /// Rows of the knot that say how they bend: where a limit pushes against it the solver adds
-  /// |multiplier| b^T b to the cost's Hessian, which is no more than a row's share in that of the
-  /// Lagrangian. A problem that has none leaves the bend of rows to the iterations.
+  /// Returns the curvature of a knot's constraint rows. Default: no constraint curvature
+  /// (Gauss-Newton). If sign times the multiplier of a row is positive, the solver adds
+  /// |multiplier| b^T b to the Hessian of the cost. The sum of these terms is at most the row's
+  /// part of the Hessian of the Lagrangian.
   virtual std::span<const RowBend> row_bends(int /*knot*/) const { return {}; }
-  /// The most b of a knot.
+  /// Returns the largest number of vectors b (RowBend) of any knot.
   virtual int max_bends() const { return 0; }
 
-  /// Makes room for this many workers. May allocate and throw.
+  /// Allocates the memory for `workers` concurrent callers. May throw.
   virtual void prepare(int workers) = 0;
 
-  /// The knots 0 to N cut into ranges that do not depend on the number of workers; the last one
-  /// holds the terminal knot alone.
+  /// Returns ranges that together contain knots 0 to N once each. The ranges do not depend on the
+  /// number of workers. The last range contains only the terminal knot.
   virtual std::span<const KnotRange> ranges() const = 0;
 
-  /// Cost and next state of one knot; `next` is not written at the end (knot N). `rows` receives
-  /// the values of the knot's rows; null: they are not asked for.
+  /// Evaluates one knot and returns its cost. Writes the next state to `next`, except at the
+  /// terminal knot N. Writes the values of the knot's constraint rows to `rows`, unless `rows` is
+  /// null.
   virtual KnotValue roll(int worker, int knot, const double* x, const double* u, double* next,
                          double* rows = nullptr) = 0;
 
-  /// The same for a range: knot k of it writes next + k * nx, values[k] and rows + k * max_rows(),
-  /// all counted from the start of the horizon.
+  /// Evaluates the knots of a range. For each knot k, writes the next state to next + k * nx, the
+  /// cost to values[k], and the constraint rows to rows + k * max_rows(). Writes no constraint rows
+  /// if `rows` is null. The number k counts from the start of the horizon.
   virtual void evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
                         KnotValue* values, double* rows = nullptr) = 0;
 
-  /// Like evaluate, rows in the expansions, and the expansion of each knot, out[k] counted from the
-  /// start of the horizon.
+  /// Evaluates and linearizes the knots of a range. For each knot k, writes the next state to
+  /// next + k * nx, the cost to values[k], and derivatives and constraint rows to out[k]. The
+  /// number k counts from the start of the horizon.
   virtual void expand(int worker, KnotRange range, TrajectoryView at, double* next,
                       KnotValue* values, KnotExpansion* out) = 0;
 
-  /// For people: not called inside an iteration. Entries of dx, controls, cost terms.
+  /// Return names for messages: names of the entries of dx, of the controls, of a knot's cost
+  /// terms, and of a knot's constraint rows. The solver does not call these functions inside an
+  /// iteration.
   virtual std::vector<std::string> state_names() const = 0;
   virtual std::vector<std::string> control_names() const = 0;
   virtual std::vector<std::string> term_names(int knot) const = 0;
   virtual std::vector<std::string> row_names(int /*knot*/) const { return {}; }
-  /// Cost of each term of a knot, in the order of term_names.
+  /// Returns the cost of each term of a knot, in the order of term_names().
   virtual std::vector<double> term_costs(int knot, const double* x, const double* u) = 0;
-  /// Values of a knot's rows, in the order of row_names.
+  /// Returns the values of a knot's constraint rows, in the order of row_names().
   virtual std::vector<double> row_values(int /*knot*/, const double* /*x*/, const double* /*u*/) {
     return {};
   }
-  virtual std::string knot_name(int knot) const = 0;  ///< such as "press, knot 12"
+  virtual std::string knot_name(int knot) const = 0;  ///< Name such as "press, knot 12"
 };
 
 }  // namespace burnish

@@ -2,7 +2,7 @@
 // clang-format off
 #pragma once
 
-#include "base/descriptions.hpp"
+#include "base/descriptions.gen.hpp"
 #include "contact/descriptions.gen.hpp"
 #include "derivatives/descriptions.gen.hpp"
 #include "dynamics/descriptions.gen.hpp"

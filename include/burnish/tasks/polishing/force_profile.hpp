@@ -1,4 +1,4 @@
-// How hard a tool presses over the time of its path.
+// Target force of a tool over the time on its path.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,38 +7,41 @@
 
 namespace burnish::polishing {
 
-/// What the wanted force does from when the path begins.
+/// Target of the normal force as a function of the time on the path.
 /// @described polishing
-/// Times in s since then, forces in N.
+/// Times count from the beginning of the path [s]. Forces are in N.
 struct ForceProfile {
-  /// What the wanted force does from when the path begins.
+  /// Shape of the target force over the time on the path.
   /// @described polishing.ForceProfileKind
   enum class Kind {
     Constant,
-    Steps,  ///< from one point's force to the next one's at once
-    Lines,  ///< straight between points
-    Sine,   ///< about the task's force
+    Steps,  ///< Jump to the force of a point at the time of that point
+    Lines,  ///< Straight lines between points
+    Sine,   ///< Sine about the force of the task
   };
-  Kind kind = Kind::Constant;  ///< constant, steps, lines or sine
-  /// [[s since the path began, N], ...] (steps: the force from then on; lines: joined by straight
-  /// lines) @more before the first one it is the task's force that holds, from which the first line
-  /// leads
+  Kind kind = Kind::Constant;  ///< Shape of the force over time: constant, steps, lines or sine
+  /// Points of steps and lines: [[time on the path in s, force in N], ...]
+  /// @more Before the first point, kind steps uses the task's force. Kind lines interpolates from
+  /// the task's force at time 0.
   std::vector<Eigen::Vector2d> points = {};
-  double amplitude = 5.0;  ///< [N], about the task's force (sine), >= 0
-  double frequency = 1.0;  ///< [Hz] (sine), > 0
-  double start = 0.0;  ///< [s] since the path began, until which the force is constant (sine), >= 0
-  /// plans know the force that is to come; false: they take that of now for all that is ahead
+  double amplitude = 5.0;  ///< Amplitude of the sine about the force of the task [N], >= 0
+  double frequency = 1.0;  ///< Frequency of the sine [Hz], > 0
+  /// Time on the path when the sine begins [s], >= 0
+  /// @more Until then the force is constant.
+  double start = 0.0;
+  /// Plans know the future target force; false: plans assume that the present target force stays
   bool preview = true;
 
   bool is_constant() const { return kind == Kind::Constant; }
-  /// N at t s since the path began; before, what it begins with. `force`: the task's. No
-  /// allocation.
+  /// Returns the target force [N] at time `t` [s] after the beginning of the path. For t < 0,
+  /// returns `force`, which is the force of the task. Does not allocate.
   double at(double force, double t) const noexcept;
-  /// N, the smallest and the largest that it comes to.
+  /// Returns the smallest target force of the profile [N]. `force` is the force of the task [N].
   double least(double force) const;
+  /// Returns the largest target force of the profile [N]. `force` is the force of the task [N].
   double most(double force) const;
-  /// Throws Error for points that are not in the order of their times, forces that are not
-  /// positive, and steps or lines without points.
+  /// Throws Error if steps or lines have no points, if the times of the points do not increase or
+  /// begin below 0, or if a target force is not positive. `force` is the force of the task [N].
   void check(double force) const;
 };
 

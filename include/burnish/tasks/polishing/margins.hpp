@@ -11,62 +11,78 @@
 
 namespace burnish::polishing {
 
-/// Margins that every arm must have beyond the delays and filters of its loop.
+/// Stability margins that fit_gains() requires, in addition to the delays and filters of the loop.
 /// @described polishing
 struct RequiredMargins {
-  double delay = 2e-3;  ///< [s], extra delay of the commands, >= 0
-  double gain = 2.0;    ///< factor on one joint's torque; also its inverse, > 0
+  double delay = 2e-3;  ///< Delay of the commands that the loop must tolerate [s], >= 0
+  /// Factor on the torque of any single joint that the loop must tolerate, > 0
+  /// @more The loop must also tolerate the inverse of the factor.
+  double gain = 2.0;
 };
 
-/// Stability margins of a polishing task's loop at its starting posture.
+/// Stability margins of the control loop of a polishing task at its starting posture.
 /// @described polishing @result
 struct TaskMargins {
-  LoopMargins air = {};      ///< in free air
-  LoopMargins contact = {};  ///< with the tool on the surface
+  LoopMargins air = {};      ///< Margins with the tool in free air
+  LoopMargins contact = {};  ///< Margins with the tool on the surface
 
-  /// The smaller delay margin of both situations [s].
+  /// Returns the smaller of the delay margins in free air and in contact [s].
   double delay() const { return std::min(air.delay, contact.delay); }
-  /// Text such as "2.3 ms of extra delay (in free air), gains of 0.31 (joint 'wrist_3') to 3.4
-  /// (joint 'wrist_3')".
+  /// Returns the margins as a text, such as "2.3 ms of extra delay (in free air), gains of 0.31
+  /// (joint 'wrist_3') to 3.4 (joint 'wrist_3')".
   std::string text() const;
 };
 
-/// Returns the chain with the delays and filters of `disturbances`, and a surface of `stiffness`
-/// [N/m] and `damping` [Ns/m].
+/// Returns the delays and filters of a control loop that result from `disturbances`. `stiffness`
+/// [N/m] and `damping` [Ns/m] describe the surface.
 LoopChain chain_of(const Disturbances& disturbances, double stiffness, double damping);
-/// Returns the chain for which gains are fitted: delays and filters of the disturbance preset
-/// `sensors`, the task's surface, and the motor lag that its plans model. Fitted gains therefore
-/// do not depend on the task's disturbances, which the controller does not know.
+/// Returns the delays and filters for which gains are fitted. They come from the disturbance preset
+/// `sensors`, with the surface of the task and the motor lag that plans model. Fitted gains do not
+/// depend on the disturbances of the task, because the controller does not know them.
 LoopChain usual_chain(const Task& task);
-/// Returns the chain with the delays and filters of the task's own disturbances.
+/// Returns the delays and filters of the control loop that result from the disturbances of the
+/// task.
 LoopChain loop_chain(const Task& task);
 
-/// Returns the margins with usual_chain() or with `chain`. Gains that the task does not state are
-/// fitted first. Returns nullopt if margins cannot be computed (without_margins() gives the reason)
-/// or if no plan is found from the start. Throws Error as make_mpc() does.
+/// Returns the stability margins of the task's control loop with the delays and filters of
+/// usual_chain(). First fits the gains that the task does not state. Returns nullopt if no plan is
+/// found from the start, or if margins cannot be computed (without_margins() gives the reason).
+/// Throws Error in the same cases as make_mpc().
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting);
+/// Returns the stability margins of the task's control loop with the delays and filters of `chain`.
+/// First fits the gains that the task does not state, with usual_chain(). Returns nullopt if no
+/// plan is found from the start, or if margins cannot be computed. Throws Error in the same cases
+/// as make_mpc().
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                                    const LoopChain& chain);
 
 /// Result of fit_gains().
 /// @described polishing @result
 struct FittedGains {
-  bool meets = true;         ///< true if the required margins are met, or cannot be computed
-  std::string changes = {};  ///< sentence that names the fitted gains; empty if none was fitted
+  bool meets = true;  ///< True if the required margins are met or cannot be computed
+  /// Gains that differ from their initial values, as a text; empty if there are none
+  std::string changes = {};
 };
 
-/// Sets model_error.boost, model_error.bandwidth, weights.position, model_error.lag and
-/// model_error.force_gain where the task does not state them. The initial values of the first three
-/// are 6, 120 rad/s (50 rad/s with model_error.kind force) and 1e4 /m^2.
-/// The first choice that meets the required margins is kept, in this order: weights.position times
-/// 10, 3 and 1, each with the boost from its initial value down to 1; then lower bandwidths; then
-/// lower weights.position.
+/// Fits five gains of the task to the required margins. Gains that the task states are not changed.
+/// Throws Error in the same cases as make_mpc().
+///
+/// Three gains are searched: model_error.boost, model_error.bandwidth and weights.position. Their
+/// initial values are 6, 120 rad/s (50 rad/s with model_error.kind force) and 1e4 1/m^2. The search
+/// tries values in this order and takes the first that meet `required`:
+/// - weights.position times 10, 3 and 1, each with the boost from its initial value down to 1,
+/// - lower bandwidths,
+/// - lower weights.position.
+///
 /// model_error.lag is the delay from commands to velocities in usual_chain(), without the motor
-/// lag. With the other gains fixed, model_error.force_gain is the largest of 0.5, 0.35, 0.25 and 0
-/// with which the contact loop meets the margins, on the stated surface and on one three times as
-/// stiff. Both are 0 with model_error.kind force, if the first three are stated, and if margins()
-/// returns nullopt. In the last case the first three keep their initial values. Stated values are
-/// never changed. Throws Error as make_mpc() does.
+/// lag. model_error.force_gain is chosen last. It is the largest of 0.5, 0.35, 0.25 and 0 with
+/// which the loop in contact meets `required`. The loop must also meet `required` on a surface that
+/// is three times as stiff.
+///
+/// The lag and the force gain are 0 in three cases:
+/// - model_error.kind is force,
+/// - the task states all three searched gains,
+/// - margins() returns nullopt. Then the searched gains have their initial values.
 FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required = {});
 
 }  // namespace burnish::polishing

@@ -1,4 +1,4 @@
-// Paths on a surface: where the tool's centre shall be over time.
+// Paths on a surface: target positions of the tool's centre over time.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace burnish::polishing {
 
-/// Shapes of paths.
+/// Shape of a path.
 /// @described polishing
 enum class PathKind {
   Circle,
@@ -17,46 +17,55 @@ enum class PathKind {
   Points,
 };
 
-/// A path in the plane of a surface, in its two tangents (u, w), from its centre at rest.
+/// Path in the plane of a surface. Coordinates (u, w) are along the two tangents of the surface.
+/// The path begins at rest at its centre (0, 0).
 /// @described polishing
-/// Lengths in m, rates in rad/s, speeds in m/s.
 struct PathSpec {
-  PathKind kind = PathKind::Circle;  ///< circle, spiral, zigzag or points
-  double radius = 0.07;              ///< [m] (circle, and the largest of a spiral), > 0
-  double rate = 1.0;                 ///< [rad/s] (circle, spiral)
-  double start_up = 2.0;  ///< [s] until the full radius (circle), the full growth (spiral), > 0
-  double pitch = 0.01;    ///< [m] between two turns (spiral), > 0 @more mean over the way out
-  double width = 0.14;    ///< [m] along the first tangent (zigzag), > 0
-  double height = 0.10;   ///< [m] along the second tangent (zigzag), > 0
-  int rows = 6;           ///< lines (zigzag), >= 2
-  double speed = 0.07;    ///< [m/s], the highest along a line (zigzag, points), > 0
-  /// [[u, w], ...] in the surface's tangents, {m}, or a CSV file with columns u and w (points)
-  /// @code in the surface's tangents, m (points); followed by lines from the centre, at rest at
-  /// each
+  PathKind kind = PathKind::Circle;  ///< Shape of the path: circle, spiral, zigzag or points
+  double radius = 0.07;  ///< Radius of the circle, or largest radius of the spiral [m], > 0
+  double rate = 1.0;     ///< Angular rate of the circle or spiral [rad/s]
+  /// Time until the circle has its full radius, or the spiral its full growth rate [s], > 0
+  double start_up = 2.0;
+  /// Mean distance between two turns of the spiral [m], > 0
+  /// @more The mean is taken from the centre to the largest radius.
+  double pitch = 0.01;
+  double width = 0.14;   ///< Length of the zigzag along the first tangent [m], > 0
+  double height = 0.10;  ///< Length of the zigzag along the second tangent [m], > 0
+  int rows = 6;          ///< Number of lines of the zigzag, >= 2
+  /// Highest speed along a straight line of the zigzag or between points [m/s], > 0
+  double speed = 0.07;
+  /// Points [[u, w], ...] along the tangents [m], or a CSV file with columns u and w
+  /// @code Points (u, w) along the two tangents [m]
+  /// @more Straight lines lead from the centre through the points. The path comes to rest at each
+  /// point.
   std::vector<Eigen::Vector2d> points = {};
 };
 
 std::string name_of(PathKind kind);
-/// "circle", "spiral", "zigzag" or "points". Throws Error with the nearest known name.
+/// Returns the shape named "circle", "spiral", "zigzag" or "points". For another name, throws Error
+/// that suggests the nearest one.
 PathKind parse_path(const std::string& name);
 
-/// (u, w) of a path and their first two derivatives at a time.
+/// Coordinates (u, w) of a path at one time, with their first two time derivatives.
 /// @described polishing
 struct PlanarPoint {
-  Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< [m]
-  Eigen::Vector2d v = Eigen::Vector2d::Zero();  ///< [m/s]
-  Eigen::Vector2d a = Eigen::Vector2d::Zero();  ///< [m/s^2]
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< Position (u, w) [m]
+  Eigen::Vector2d v = Eigen::Vector2d::Zero();  ///< Velocity of (u, w) [m/s]
+  Eigen::Vector2d a = Eigen::Vector2d::Zero();  ///< Acceleration of (u, w) [m/s^2]
 };
 
-/// The path compiled. Throws Error for numbers that make no path.
+/// Path of a PathSpec as a function of time. The constructor throws Error if the numbers do not
+/// describe a path.
 class Path {
  public:
   explicit Path(const PathSpec& spec);
-  /// t s after its start; before, the start. No allocation.
+  /// Returns the point of the path at time `t` after the start [s]. For t < 0, returns the start.
+  /// Does not allocate.
   PlanarPoint at(double t) const noexcept;
-  /// s until its last point is reached; infinite for paths that go on.
+  /// Returns the time when the last point is reached [s]. Infinite for circle and spiral, because
+  /// they do not end.
   double duration() const { return duration_; }
-  /// m, the largest |u| or |w| that it comes to, however long it goes on.
+  /// Returns the largest |u| or |w| on the whole path [m].
   double reach() const;
 
  private:
@@ -67,7 +76,7 @@ class Path {
   PathSpec spec_;
   double duration_;
   std::vector<Eigen::Vector2d> corners_;
-  std::vector<double> times_;  ///< s, when each corner is reached
+  std::vector<double> times_;  ///< Time when each corner is reached [s].
 };
 
 }  // namespace burnish::polishing

@@ -1,4 +1,4 @@
-// Whether the arm can do a task at all, and from which posture, found out before anything moves.
+// Checks before a run: whether the arm can do a task, and from which starting posture.
 #pragma once
 
 #include <string>
@@ -17,58 +17,81 @@ using burnish::ReachProblem;
 using burnish::ReachReport;
 using burnish::searched_posture;
 
-/// Walks from the start to the surface and along the whole path. At every point: a posture by
-/// damped least squares from the one before, the tool's position first, then its orientation at
-/// the start and the starting posture; joint limits; the torques that hold the robot still there
-/// with the task's force (on the path) and without, tau = b(q, 0) - J^T f n, against the effort
-/// limits; and the arm outside the surface and the material behind it, which is as wide as the
-/// surface (Task::extent) and as deep as can be. For that the arm is a skeleton of straight
-/// segments, `link_radius` thick, between the origins of the joints that carry the tool. Joints
-/// fixed to the world and the tool link, which is to come near, do not count, nor does a last joint
-/// whose origin the tip is at.
+/// Checks by statics whether the arm can do a task. The check walks from the start to the surface
+/// and along the whole path. At every point it computes a posture by damped least squares from the
+/// previous posture. The tool's position has priority over its orientation at the start and over
+/// the starting posture. Three conditions are checked at every point:
+/// - Joints stay within their limits, with the margin ReachOptions::joint_margin.
+/// - The holding torques tau = b(q, 0) - J^T f n are at most the fraction
+///   ReachOptions::torque_share of the effort limits. n is the normal of the surface and f the
+///   force. All points are checked with f = 0, points on the path also with the largest target
+///   force.
+/// - The arm stays outside the surface and the material behind it. The material is as wide as the
+///   surface (Task::extent) and infinitely deep.
 ///
-/// It knows the nominal robot and surface, no motion, no shapes of links, and no collisions of the
-/// robot with itself or with anything but the surface. Throws Error for a path that is none.
+/// For the last condition, the arm is modelled as straight segments of radius `link_radius`. They
+/// connect the origins of the joints that carry the tool. Joints attached to the world and the
+/// tool's own link are left out. The last joint is left out if the tip lies at the origin of that
+/// joint.
+///
+/// The check uses the nominal robot and surface. It does not include motion, shapes of links, or
+/// collisions of the robot with itself and with other objects. Returns an empty report if the robot
+/// carries the surface itself (Task::surface_frame). Throws Error for an invalid path.
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options = {});
 
-/// Walks along the move from where a run begins (Task::home) to its start, by steps of 0.02 rad:
-/// the tool and the arm, as check_reach() has it, stay outside the surface, and torques that hold
-/// the robot still stay within their share of the limits. The text of a problem names postures of
-/// the robot from which the way is free. Returns an empty report where no home is stated.
+/// Checks the joint-space move from Task::home to the start of the task, in steps of 0.02 rad. The
+/// tool and the arm must stay outside the surface; the arm is modelled as in check_reach(). Holding
+/// torques must be at most the fraction ReachOptions::torque_share of the effort limits.
+///
+/// If a problem is found and a named posture avoids it, the text of the report suggests that
+/// posture. Returns an empty report if the task states no home.
 ReachReport check_home(const Task& task, const Setting& setting, const ReachOptions& options = {});
 
-/// Posture of a robot from which its joints can move straight to a task's start.
+/// Named posture from which the joints can move straight to the start of a task without a problem.
 /// @described polishing @result
 struct FreeHome {
-  std::string posture;    ///< of the robot's settings
-  double duration = 0.0;  ///< [s], of the move
+  std::string posture;    ///< Name of the posture in the robot's settings
+  double duration = 0.0;  ///< Duration of the move [s]
 };
-/// Returns the robot's postures, the start itself left out, from which check_home() finds nothing
-/// in the way; the nearest first. Empty where the task can have no home.
+/// Returns the named postures from which check_home() finds no problem, the shortest move first.
+/// The start itself is left out. The list is empty if the task cannot have a home because the robot
+/// stands on its feet or carries the surface.
 std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,
                                  const ReachOptions& options = {});
 
-/// With the limits that a task has for it.
+/// Returns options for find_posture() with the limits of Task::search.
 PostureOptions posture_options(const Task& task);
 
-/// Direction that a task's tool presses in, in its own frame, of length one: what the task says. Of
-/// a frame that the settings of the robot add it is z or -z. Of a link or a joint of the
-/// description it is the axis of the last joint that carries it, or the line from that joint to the
-/// tool where the tool lies beside the axis rather than on it. The sign points away from the robot,
-/// by the first of these that is 1 mm or more along the axis: the tool's offset from the last
-/// joint, the last joint's offset from the joint before, the centre of mass of the last link.
+/// Returns the unit vector along which the tool presses, in the tool's frame. If the task states
+/// Task::tool_axis, that vector is used. Otherwise the vector depends on the frame of the tool:
+/// - If the robot's settings add the frame: its axis z or -z.
+/// - If the frame is a link or joint of the robot's description: the axis of the last joint that
+///   carries the tool. If the tool lies beside this axis: the line from that joint to the tool.
+///
+/// The sign is chosen so that the vector points away from the robot. Three offsets are compared
+/// with the vector, and the first one that is at least 1 mm along it decides: from the last joint
+/// to the tool, from the joint before to the last joint, and from the last joint to the centre of
+/// mass of the last link.
 Eigen::Vector3d pressing_direction(const Task& task, const Model& model);
 
-/// A posture of `robot` from which the task can be done, the same one for the same input. Damped
-/// least squares from many starts, each with three weights, turns the pressing axis against the
-/// normal, draws joints to the middle of their ranges and, where the surface has a point, puts the
-/// tool `clearance` above it. Of the ends that meet the limits of the options and from which
-/// check_reach() finds nothing in the way, it is the one with the lowest
-///   score = tilt + (largest share of a torque limit that statics take along the path)
+/// Searches for a posture of `robot` from which the task can be done. The same input gives the same
+/// posture.
+///
+/// Damped least squares runs from many start points, each with three settings of its weights. It
+/// aligns the pressing axis with the direction into the surface and moves joints towards the middle
+/// of their ranges. If the task states a point of the surface, it also moves the tool to the
+/// distance `clearance` above that point.
+///
+/// A result is a candidate if it meets the limits in `options`. Candidates for which check_reach()
+/// or the check of the move from home finds a problem are dropped. The function returns the
+/// candidate with the lowest
+///   score = tilt + (largest ratio of holding torque to effort limit along the path)
 ///         + 0.1 rad / (smallest distance to a joint limit along the path)
 ///         + 0.1 m / (smallest singular value of the tool's translational Jacobian at the start).
-/// Throws Error with one sentence if there is none: which condition the nearest posture fails, or
-/// what is in the best one's way; which tool.axis was taken, and whether the opposite one has one.
+///
+/// Throws Error if no candidate is left. The message states which limit the nearest result
+/// violates, or which problem the best candidate has. The message also names the pressing axis, and
+/// says whether a posture exists for the opposite axis.
 FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options = {});
 
 }  // namespace burnish::polishing

@@ -1,4 +1,4 @@
-// A polishing task run from start to end: controller, plant, what stands between, and the score.
+// Run of a polishing task in simulation: controller, plant, disturbances, and the result.
 #pragma once
 
 #include <limits>
@@ -12,68 +12,80 @@
 
 namespace burnish::polishing {
 
-/// What controls a run.
+/// Controller of a run.
 /// @described polishing
 enum class ControllerKind {
-  Mpc,         ///< model predictive control (MpcController)
-  Baseline,    ///< impedance with force feedback, no optimisation (make_impedance_controller())
-  Admittance,  ///< force error to joint positions that are held (make_admittance_controller())
+  Mpc,       ///< Model predictive control (MpcController)
+  Baseline,  ///< Impedance with force feedback, no optimisation (make_impedance_controller())
+  /// Admittance from force error to targets of joint positions (make_admittance_controller())
+  Admittance,
 };
-std::string name_of(ControllerKind kind);  ///< "mpc", "baseline" or "admittance"
+std::string name_of(ControllerKind kind);  ///< Returns "mpc", "baseline" or "admittance".
 using burnish::has_mujoco;
 using burnish::PlantKind;
 using burnish::TickTimes;
 
-/// A run of a task.
+/// Options of run_task().
 /// @described polishing
 struct RunSpec {
   Task task;
-  std::optional<Robot> robot = {};  ///< in place of the one that the task names
+  std::optional<Robot> robot = {};  ///< Robot to use instead of the robot that the task names
   ControllerKind controller = ControllerKind::Mpc;
-  /// MuJoCo where this build has it
+  /// Plant to simulate; MuJoCo if this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  bool check_reach = true;  ///< before anything moves; a problem is then an Error
+  /// Check the reach before the run, and throw Error if there is a problem
+  bool check_reach = true;
   ReachOptions reach = {};
-  /// [Hz], at which plans of the MPC are recorded, at most 20 000 of them; 0: none
+  /// Recording rate of the plans of the MPC (0: no recording) [Hz]
+  /// @more At most 20 000 plans are recorded.
   double plan_rate = 20.0;
-  /// Called now and then with the simulated time and about when it will be over, s. Returning false
-  /// stops the run.
+  /// Callback that is called repeatedly with the simulated time and the run's expected end, in s
+  /// @more If the callback returns false, the run stops.
   RunProgress progress = nullptr;
 };
 
-/// What Verdict is about, as it was.
+/// Figures of a run that Verdict compares with its requirements.
 struct VerdictFigures {
-  double contact_share = 0.0;  ///< share of the time on the path that was in contact
-  /// N, root mean square error of the force's mean over 10 ms, on all of the path
+  double contact_share = 0.0;  ///< Time in contact, as a fraction of the time on the path.
+  /// RMS error of the mean force over 10 ms, on the whole path [N].
   double force_rmse = 0.0;
-  double path_share = 0.0;  ///< share of the path's length along which the tip was over its target
-  /// Share of the path's length that Task::polish_duration allows; below 1 the run is cut short,
-  /// and judged by as much of the path.
+  /// Fraction of the path's length on which the tip was over its target. The tip is over its target
+  /// if their distance along the surface is at most the tip's radius.
+  double path_share = 0.0;
+  /// Fraction of the path's length that can be travelled in Task::polish_duration. If the fraction
+  /// is below 1, the run is cut short, and the required path_share is multiplied by this fraction.
   double path_allowed = 1.0;
 };
 
-/// Its outcome: that it polished, what came in between, or which figures the verdict does not bear,
-/// as "not polished: ...". Where the time was too short for the path, "cut short" says so.
+/// Result of run_task(). `outcome` is one of three texts: "polished: ...", the problem that ended
+/// the run, or "not polished: ..." with the figures that miss their requirements. If the time was
+/// too short for the path, "cut short: ..." is added.
 struct RunResult : TaskRun {
   Setting setting;
-  ReachReport reach;  ///< empty unless it was checked
-  /// "model_error.boost 1 in place of 6, ...": what fit_gains() chose; empty if nothing
+  ReachReport reach;  ///< Result of the reach check; empty if the reach was not checked.
+  /// Gains that fit_gains() changed, such as "model_error.boost 1 in place of 6, ..."; empty if
+  /// there are none.
   std::string fitted;
-  bool polished = false;  ///< to the end of its time without fault, as Task::verdict asks for
-  std::optional<Metrics> metrics;  ///< over the path after its start; none if it was never reached
-  /// What Task::verdict is about, over all of the path that there was; none if it was never
+  /// True if three conditions are met: the tool followed the path to the end of its time without a
+  /// fault, the figures meet Task::verdict, and no joint was more than 1e-3 rad (m) beyond its
+  /// limits.
+  bool polished = false;
+  /// Metrics on the path without its start-up; none if the path was never reached.
+  std::optional<Metrics> metrics;
+  /// Figures for Task::verdict, on the part of the path that was run; none if the path was never
   /// reached.
   std::optional<VerdictFigures> verdict;
 };
 
-/// Runs the task to the end of its retreat (without a plan: of the path) in simulated time. What
-/// goes wrong on the way is in the result, with all that was recorded until then. Throws Error for
-/// a task that does not fit together, one that the arm cannot reach, and a plant that is not there.
+/// Runs the task in simulated time. An MPC run ends after the retreat, a run of the baseline or
+/// admittance controller at the end of the path. Faults and other problems are in the result, with
+/// the data recorded until then. Throws Error for contradictory settings, a path out of the arm's
+/// reach, or a plant that this build does not have.
 RunResult run_task(const RunSpec& spec);
 
-/// What is possible in a task, but probably not meant: sentences for the user before a run; none if
-/// nothing is odd. `ideal_is_meant`: no sentence says that the plant is exactly what the controller
-/// believes. Throws nothing for a task that check_task() accepts.
+/// Returns warnings for the user about settings that are possible but probably unintended, one
+/// sentence each. One of them says that the plant equals the controller's model; `ideal_is_meant`
+/// leaves it out. Does not throw if check_task() accepts the task.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
 }  // namespace burnish::polishing

@@ -1,4 +1,4 @@
-// The task as an optimal control problem over time.
+// The polishing task as specifications of its controllers: optimal control problem and schedule.
 #pragma once
 
 #include <map>
@@ -12,60 +12,77 @@
 
 namespace burnish::polishing {
 
-/// A task with everything resolved: robot, start, surface, path in the world, phases.
+/// Task with all settings filled in: robot, start, surface, path in the world, phases.
 /// @described polishing
-/// Of a surface that the robot carries (Task::surface_frame) what is in the world is in the axes of
-/// that frame.
+/// If the robot carries the surface (Task::surface_frame), positions and axes are in the axes of
+/// the frame that carries it, instead of the world.
 struct Setting {
-  Robot robot;                   ///< @required
-  Eigen::VectorXd q_start;       ///< nq @required
-  SceneSpec scene;               ///< as the controller knows it @required
-  Eigen::Matrix3d surface_axes;  ///< columns: two tangents and the normal, world @required
-  Eigen::Vector3d p_start;       ///< of the tool, m, world @required
-  Eigen::Vector3d p_center;  ///< of the tool at the path's origin in contact, m, world @required
-  double reach_end = 0.0;    ///< [s] of the schedule
-  double touch = 0.0;        ///< [s] of the schedule
-  double ramp_end = 0.0;     ///< [s] of the schedule
-  double track_end = 0.0;    ///< [s] of the schedule
-  /// kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature
+  Robot robot;              ///< Robot of the task @required
+  Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
+  SceneSpec scene;          ///< Tip, surface and feet as the controller assumes them @required
+  /// Axes of the surface in the world; the columns are two tangents and the normal
+  /// @required
+  Eigen::Matrix3d surface_axes;
+  Eigen::Vector3d p_start;  ///< Position of the tool at the start, in the world [m] @required
+  /// Position of the tool in contact at the path's origin, in the world [m]
+  /// @required
+  Eigen::Vector3d p_center;
+  double reach_end = 0.0;  ///< Schedule time at the end of the reach [s]
+  double touch = 0.0;      ///< Schedule time of the planned contact [s]
+  double ramp_end = 0.0;   ///< Schedule time when the ramp ends and the path begins [s]
+  double track_end = 0.0;  ///< Schedule time at the end of the path [s]
+  /// Armature that Task.assume_rotors added to each joint, by joint name [kg m^2 (kg)]
   std::map<std::string, double> assumed_rotors = {};
-  std::optional<HomeMove> home = {};  ///< from where a run begins (Task.home) to q_start
+  /// Move from Task.home to q_start; none if the run begins at q_start
+  std::optional<HomeMove> home = {};
 };
 
-/// The task's robot. Of a URDF file, which has no settings, only the joints that carry the tool
-/// move: the others are held at zero. Throws Error as load_robot() does.
+/// Loads the robot of the task. If the robot is a URDF file, it has no settings. Then only the
+/// joints that carry the tool move, and all other joints are held at zero. Throws Error in the same
+/// cases as load_robot().
 Robot load_task_robot(const Task& task);
-/// Whether the start is found by find_posture() rather than taken from the robot's settings.
+/// Returns true if the starting posture is searched by find_posture(), and false if it comes from
+/// the robot's settings.
 bool searches_posture(const Task& task, const Robot& robot);
 
-/// Throws Error for a task that does not fit together, a base that floats free, and for a posture
-/// that is to be searched (find_posture()) where there is none.
+/// Fills in all settings of a task: loads the robot, finds the starting posture, places the
+/// surface, and computes the times of the phases. Throws Error for contradictory settings, for a
+/// floating base without feet, and if find_posture() finds no posture.
 Setting make_setting(const Task& task);
-/// The same for a robot at hand, whatever the task says of it.
+/// Fills in all settings of a task for `robot`, which replaces the robot that the task names.
 Setting make_setting(const Task& task, const Robot& robot);
-/// The same for a robot at hand and a starting posture, nq entries, whatever the task says of both.
+/// Fills in all settings of a task. `robot` replaces the robot that the task names, and `q_start`
+/// (nq entries) replaces the starting posture.
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start);
 
-/// Where the tool shall be and how hard it shall press, at a time of the schedule.
+/// Returns the target motion and target force of the tool at the schedule time `time` [s].
 TaskPoint task_point(const Task& task, const Setting& setting, const Path& path, double time);
 
-/// Where the tip's centre is while the tip touches at a point of the path, as seen along the normal
-/// at the path's origin: place, velocity, acceleration and the surface's normal.
+/// Returns the motion of the tip's centre while the tip touches the surface at `point` of the path.
+/// The result has position, velocity and acceleration of the centre, and the normal of the surface.
+/// On a curved surface, `point` is projected along the normal at the path's origin.
 TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& point);
 
-/// Gains that the task does not state are fitted to the arm, see fit_gains().
-/// Without a preview of the force (ForceProfile::preview) plans take it from a clock that
-/// controllers made of one specification share: make a specification for each.
+/// Returns the specification of the task's model predictive controller. Fits the gains that the
+/// task does not state; see fit_gains(). Throws Error if the start violates
+/// constraints.joint_margin.
+///
+/// If ForceProfile::preview is false, plans read the present force from a clock inside the
+/// specification. All controllers made from one specification share this clock. Therefore make one
+/// specification for each controller.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
-/// What controllers without a plan cannot do, a sentence: stand, or press on what the robot carries
-/// itself; empty: they can try.
+/// Returns a sentence if the task needs the model predictive controller, because the robot stands
+/// on its feet or carries the surface itself. Returns an empty text if the baseline and admittance
+/// controllers can run the task.
 std::string wants_plans(const Task& task);
-/// What controllers without a plan are told of the task. They have no reach: from their start they
-/// go down to the surface.
+/// Returns the task for the baseline and admittance controllers. They move from the start straight
+/// down to the surface, without a reach phase. Throws Error if wants_plans() returns a sentence.
 PressingPath pressing_path(const Task& task, const Setting& setting);
-/// The baseline on the same task.
+/// Returns the specification of the impedance controller (`baseline`) for the task. Throws Error in
+/// the same cases as pressing_path().
 ImpedanceSpec make_baseline(const Task& task, const Setting& setting);
-/// The admittance controller on the same task.
+/// Returns the specification of the admittance controller for the task. Throws Error in the same
+/// cases as pressing_path().
 AdmittanceSpec make_admittance(const Task& task, const Setting& setting);
 
 }  // namespace burnish::polishing

@@ -1,4 +1,4 @@
-// The polishing task as a YAML file that a user edits.
+// Reads and writes polishing tasks as YAML files that users edit.
 #pragma once
 
 #include <filesystem>
@@ -9,39 +9,44 @@
 
 namespace burnish::polishing {
 
-/// A surface by name: where its normal points and a starting posture of the robot for it.
+/// Surface with a name, its normal, and a starting posture of the robot that fits it.
 /// @described polishing @result
 struct NamedSurface {
-  std::string name;
-  std::string posture;           ///< of the robot's settings
-  Eigen::Vector3d normal_world;  ///< out of the surface
+  std::string name;              ///< Name of the surface
+  std::string posture;           ///< Name of a posture in the robot's settings
+  Eigen::Vector3d normal_world;  ///< Normal of the surface in the world; points out of the material
 };
 
-/// table, board (in front of the robot), board_x (the same), board_y, board_minus_y, tilt_45.
+/// Returns all named surfaces: table, board (in front of the robot), board_x (another name of
+/// board), board_y, board_minus_y and tilt_45.
 const std::vector<NamedSurface>& named_surfaces();
-/// Sets posture and normal, and puts the surface under the tool. Throws Error with the nearest
-/// known name.
+/// Applies the posture and the normal of the named surface to the task, and places the surface
+/// under the tool. For an unknown name, throws Error that suggests the nearest known name.
 void put_on(Task& task, const std::string& surface);
 
 using burnish::disturbance_preset;
 using burnish::disturbance_presets;
 
-/// Reads a task file. Keys that it does not state keep their defaults; tasks/polishing/table.yaml
-/// states all of them. `overrides` are applied after it, in order, each "key.path=value" with a
-/// value in YAML. Throws Error naming file (or override), line, key and what was wanted.
+/// Reads a task file. Missing keys get their defaults; tasks/polishing/table.yaml states all keys.
+/// Then applies `overrides` in order, each "key.path=value" with a value in YAML. Throws Error that
+/// names the file (or override), line and key, and states the requirement.
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
-/// The same from a text; `name` stands for the file's in refusals.
+/// Reads a task from the text of a task file, as read_task() does. Error messages use `name` as the
+/// file's name.
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides = {});
-/// Applies overrides to a task. Throws Error as read_task() does.
+/// Applies `overrides` to a task in order, each "key.path=value" with a value in YAML. Throws Error
+/// that names the override and states the requirement.
 void override_task(Task& task, const std::vector<std::string>& overrides);
 
-/// Throws Error with a sentence for numbers that are possible each but not together.
+/// Throws Error if a number is out of range or if settings contradict each other. The message is
+/// one sentence.
 void check_task(const Task& task);
 
-/// The whole task as such a file, every key with its unit and meaning; reads back as it was.
+/// Returns the text of a complete task file, with the unit and meaning of every key. Reading this
+/// text returns the same task.
 std::string task_text(const Task& task);
-/// Throws Error if the file cannot be written.
+/// Writes the text of task_text() to a file. Throws Error if the file cannot be written.
 void write_task(const Task& task, const std::filesystem::path& file);
 
 }  // namespace burnish::polishing

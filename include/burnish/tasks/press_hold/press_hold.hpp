@@ -1,5 +1,5 @@
-// The task of pressing at a point while the rest of the arm moves aside: force and point are held,
-// and the posture goes elsewhere in the null space.
+// Task: press at a point with a constant force while the arm moves to another posture in the null
+// space of the contact.
 #pragma once
 
 #include <filesystem>
@@ -18,165 +18,207 @@
 
 namespace burnish::press_hold {
 
-/// The task of pressing at a point while the arm moves aside: all that a task file may say, with
-/// its defaults.
+/// Task of pressing at a point while the rest of the arm moves aside: all keys of a task file, with
+/// their defaults.
 /// @described press_hold
 struct Task {
-  std::string robot = "arm7";  ///< a robot's name, folder or settings file, with :variant
-  /// where it starts; search: found for the surface @more Of the robot's settings. Empty: the
-  /// robot's default, or searched where it has none.
+  /// Name, folder or settings file of the robot, optionally with :variant
+  std::string robot = "arm7";
+  /// Starting posture (search: find one for the surface)
+  /// @more The value is a posture's name in the robot's settings, or search. If empty: the robot's
+  /// default posture, or a search if the robot has none.
   std::string posture = {};
   double force = 20.0;  ///< Normal force that the tool presses with [N], > 0
-  /// {rad (m)}, offset of each joint from the start: {joint: way, ...}
+  /// Offsets of joints from the start when the arm is aside [{rad (m)}]: {joint: offset, ...}
   std::map<std::string, double> aside = {};
 
   // @section tool
-  std::string tool = "tool";  ///< its origin is the centre of a round tip @key frame
-  /// [x, y, z] that it presses along, in its frame; or auto: z or -z of a frame of robot.yaml, of
-  /// others the last joint's axis, away from the arm, not zero @code that the tool presses along,
-  /// in its frame, any length; without it see pressing_direction() @more a posture that is given
-  /// must agree with it, within search.tilt @key axis @word auto
+  /// Frame of the tool; its origin is the centre of the round tip @key frame
+  std::string tool = "tool";
+  /// Pressing direction [x, y, z] in the tool's frame (auto: away from the arm), not zero
+  /// @code Pressing direction in the tool's frame (none: away from the arm)
+  /// @more The automatic direction is z or -z of a frame from robot.yaml, else the axis of the last
+  /// joint; see pressing_direction(). The vector need not have unit length. A stated starting
+  /// posture must agree with the direction within search.tilt.
+  /// @key axis @word auto
   std::optional<Eigen::Vector3d> tool_axis = {};
   double tip_radius = 0.02;  ///< Radius of the round tip [m], > 0
 
-  // @section surface The surface lies `clearance` from the tool at the start. The
+  // @section surface The surface lies at the distance `clearance` from the tool at the start. The
   // controller knows its normal.
-  /// [x, y, z] out of the material towards the robot, any length, world, not zero @code out of the
-  /// surface, any length @key normal
+
+  /// Normal of the surface [x, y, z] in world axes, towards the robot, not zero
+  /// @more The normal points out of the material. It need not have unit length.
+  /// @key normal
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
-  /// [m] that there is surface beyond the point, on all four sides; or endless, > 0 or infinite
+  /// Width of the surface beyond the point on all four sides (or endless) [m], > 0 or infinite
+  /// @code Width of the surface beyond the point on all four sides [m]
+  /// @more The surface is a square about the point. The value endless (infinite) makes it a whole
+  /// plane.
   /// @word endless
   double extent = 0.1;
-  /// Coulomb coefficient of the plant, unless disturbances.surface_friction says another, >= 0
+  /// Coulomb friction coefficient (replaced by disturbances.surface_friction if stated), >= 0
   double friction = 0.0;
-  double stiffness = 1e5;     ///< [N/m], of the plant, > 0
-  double damping = 500.0;     ///< {Ns/m}, of the plant, >= 0
-  PostureLimits search = {};  ///< What a posture that is searched keeps to.
+  double stiffness = 1e5;     ///< Stiffness of the surface in the plant [N/m], > 0
+  double damping = 500.0;     ///< Damping of the surface in the plant [Ns/m], >= 0
+  PostureLimits search = {};  ///< Requirements on a starting posture that is found by a search.
 
   // @section phases Approach until contact, ramp the force, move aside, hold, retreat.
-  double clearance = 0.01;        ///< [m] between tool and surface at the start, > 0
-  double approach_speed = 0.03;   ///< [m/s] towards the surface, > 0
-  double touch_force = 5.0;       ///< [N], at once where contact is made, >= 0
-  double ramp_duration = 0.5;     ///< [s] from touch_force to force, > 0
-  double aside_duration = 2.0;    ///< [s] that the posture takes to go aside, > 0
-  double hold_duration = 1.0;     ///< [s] that it stays there, > 0
-  double retreat_duration = 0.5;  ///< [s] off the surface, by the clearance, > 0
+  double clearance = 0.01;       ///< Distance between tool and surface at the start [m], > 0
+  double approach_speed = 0.03;  ///< Speed towards the surface [m/s], > 0
+  /// Force that the tool presses with as soon as contact is made [N], >= 0
+  double touch_force = 5.0;
+  double ramp_duration = 0.5;   ///< Duration of the ramp from touch_force to force [s], > 0
+  double aside_duration = 2.0;  ///< Duration of the move aside [s], > 0
+  double hold_duration = 1.0;   ///< Time for which the arm stays aside [s], > 0
+  /// Duration of the retreat from the surface to the distance `clearance` [s], > 0
+  double retreat_duration = 0.5;
 
   // @section controller
-  double tick_rate = 1000.0;  ///< [Hz], of torque commands and of new plans, 100 to 1e4
-  /// Delay from command to torque that the controller assumes [s], 0 to 0.1 @more Rounded to ticks.
-  /// Plans and feedback begin in the state that the torques already sent lead to.
+  double tick_rate = 1000.0;  ///< Rate of torque commands and of new plans [Hz], 100 to 1e4
+  /// Assumed delay from a command to its torque [s], 0 to 0.1
+  /// @more The delay is rounded to ticks. Plans and feedback start from the state that the torques
+  /// already sent lead to.
   double command_delay = 0.0;
-  /// Delay from measurement to tick that the controller assumes [s], 0 to 0.1
+  /// Assumed delay from a measurement to the tick that receives it [s], 0 to 0.1
   double measurement_delay = 0.0;
-  /// [1/rad^2]: joints to where they shall be, beside 1e4 1/m^2 of the point, > 0
+  /// Weight on joint angles relative to their reference [1/rad^2], > 0
+  /// @more For comparison, the weight on the tool's position is 1e4 1/m^2.
   double posture_weight = 1.0;
 
-  PlanLimits constraints = {};  ///< What plans keep, whatever it costs. Each may be never.
+  PlanLimits constraints = {};  ///< Hard constraints of plans; `never` switches a constraint off.
 
-  // @section limits Beyond these a run is given up: the arm is braked and held (fallback), and
-  // there is a report.\nEach may be never.
-  /// [m] that the tool may be off its point, along the surface, > 0 or infinite @after
-  /// contact_threshold
+  // @section limits Exceeding a limit ends the run and is reported as a fault.\nThe fallback
+  // controller then brakes and holds the robot. `never` switches a limit off.
+
+  /// Largest distance that the tool may slide along the surface from its point [m], > 0 or infinite
+  /// @after contact_threshold
   double slip = 0.01;
   SafetyLimits limits = {};
   ToolLimits tool_limits = {};  ///< @key limits
-  /// [N] that count as contact, > 0 or infinite @more Where the sensor's noise comes near it, which
-  /// is found out in the reach, it is the mean over 5 ms that counts, against six of its own
-  /// deviations.
+  /// Normal force above which the tool counts as in contact [N], > 0 or infinite
+  /// @more The noise of the force is measured in free air. If six standard deviations of the noise
+  /// exceed the threshold, the mean force over 5 ms is used. Contact then requires that the mean
+  /// exceeds both the threshold and six standard deviations of the mean.
   double contact_threshold = 2.0;
 
   // @section -
-  /// What the controller does not know. Or one word: none, sensors, mismatch, joint_friction;
-  /// or\n`preset: word` and keys that differ from it. @code what the controller does not know
+
+  /// Disturbances that the controller does not know.\nOne word can replace all keys: none, sensors,
+  /// mismatch or joint_friction.\nWith the key `preset` and one of these words, only keys that
+  /// differ from the preset are needed.
+  /// @code Disturbances that the controller does not know
   Disturbances disturbances = {};
 };
 
-/// A file with `task: press_hold`. Keys that it does not state keep their defaults;
-/// tasks/press_hold/arm7.yaml states all. `overrides` are applied after it, in order, each
-/// "key.path=value" with a value in YAML. Throws Error naming file (or override), line, key and
-/// what was wanted.
+/// Reads a task file, which has the key `task: press_hold`. Missing keys get their defaults;
+/// tasks/press_hold/arm7.yaml states all keys. Then applies `overrides` in order, each
+/// "key.path=value" with a value in YAML. Throws Error that names the file (or override), line and
+/// key, and states the requirement.
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
-/// The same from a text; `name` stands for the file's in refusals.
+/// Reads a task from the text of a task file, as read_task() does. Error messages use `name` as the
+/// file's name.
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides = {});
-/// Applies overrides to a task. Throws Error as read_task() does.
+/// Applies `overrides` to a task in order, each "key.path=value" with a value in YAML. Throws Error
+/// that names the override and states the requirement.
 void override_task(Task& task, const std::vector<std::string>& overrides);
-/// Throws Error with a sentence for numbers out of range, and for those that are possible each but
-/// not together.
+/// Throws Error if a number is out of range or if settings contradict each other. The message is
+/// one sentence.
 void check_task(const Task& task);
-/// The whole task as such a file, every key with its unit and meaning; reads back as it was.
+/// Returns the text of a complete task file, with the unit and meaning of every key. Reading this
+/// text returns the same task.
 std::string task_text(const Task& task);
-/// Returns a sentence for each stated key that has no effect in this task, and one for a plant that
-/// is exactly what the controller believes, unless that is meant.
+/// Returns warnings for the user about settings that are probably unintended, one sentence each:
+/// delays that differ from the assumed delays, a surface friction without effect because
+/// disturbances set another one, and a
+/// plant that equals the controller's model. `ideal_is_meant` leaves out the sentence about the
+/// plant.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
-/// A task with everything resolved: robot, start, surface, phases.
+/// Task with all settings filled in: robot, start, surface, phases.
 /// @described press_hold
 struct Setting {
-  Robot robot;                   ///< @required
-  Eigen::VectorXd q_start;       ///< nq, where the posture's reference begins @required
-  Eigen::VectorXd q_aside;       ///< nq, where it ends @required
-  SceneSpec scene;               ///< as the controller knows it @required
-  Eigen::Matrix3d surface_axes;  ///< columns: two tangents and the normal, world @required
-  Eigen::Vector3d p_hold;        ///< of the tool in contact, m, world @required
-  double touch = 0.0;            ///< [s] of the schedule
-  double ramp_end = 0.0;         ///< [s] of the schedule
-  double hold_end = 0.0;         ///< [s] of the schedule
+  Robot robot;  ///< Robot of the task @required
+  /// Configuration at the start, nq; the posture's reference begins there @required
+  Eigen::VectorXd q_start;
+  /// Configuration when the arm is aside, nq; the posture's reference ends there @required
+  Eigen::VectorXd q_aside;
+  SceneSpec scene;  ///< Tip and surface as the controller assumes them @required
+  /// Axes of the surface in the world; the columns are two tangents and the normal
+  /// @required
+  Eigen::Matrix3d surface_axes;
+  Eigen::Vector3d p_hold;  ///< Position of the tool in contact, in the world [m] @required
+  double touch = 0.0;      ///< Schedule time of the planned contact [s]
+  double ramp_end = 0.0;   ///< Schedule time at the end of the ramp [s]
+  double hold_end = 0.0;   ///< Schedule time at the end of the hold [s]
 };
-/// The task's robot. Of a URDF file, which has no settings, only the joints that carry the tool
-/// move: the others are held at zero. Throws Error as load_robot() does.
+/// Loads the robot of the task. If the robot is a URDF file, it has no settings. Then only the
+/// joints that carry the tool move, and all other joints are held at zero. Throws Error in the same
+/// cases as load_robot().
 Robot load_task_robot(const Task& task);
-/// Adapts a task that was written for another robot: a posture that `robot` does not have is
-/// searched for, and where it has no joint of `aside`, its third joint from the base goes by the
-/// first value there, or the other way where a limit is nearer. Returns a sentence for each change.
-/// Throws Error as make_setting() does.
+/// Adapts a task that was written for another robot to `robot`, and returns a sentence for each
+/// change. If `robot` does not have the task's posture, a posture is searched instead. If `robot`
+/// has none of the joints in `aside`, the robot's third joint from the base moves instead, by the
+/// first offset in `aside`. The offset is reversed or shortened if the joint would exceed a limit.
+/// Throws Error in the same cases as make_setting().
 std::vector<std::string> fit_to_robot(Task& task, const Robot& robot);
-/// Throws Error for a robot, posture, tool or joint that there is not, a base that floats free, a
-/// posture that is to be searched where there is none, and one that would go beyond its limits.
+/// Fills in all settings of a task: loads the robot, finds the starting posture, places the
+/// surface, and computes the times of the phases. Throws Error for an unknown robot, posture, tool
+/// frame or joint, and for a floating base. Also throws Error if a search finds no posture, or if
+/// an offset in `aside` would exceed a joint limit.
 Setting make_setting(const Task& task);
-/// The same for a robot at hand, whatever the task says of it.
+/// Fills in all settings of a task for `robot`, which replaces the robot that the task names.
 Setting make_setting(const Task& task, const Robot& robot);
-/// Whether the arm can come down from the start and press at the point, by statics; see
-/// polishing::check_reach(). It knows nothing of the way aside.
+/// Checks by statics whether the arm can move from the start down to the surface and press there.
+/// The checks are the same as in polishing::check_reach(). The move aside is not checked.
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options = {});
-/// Throws Error where that finds something in the way.
+/// Throws Error if check_reach() finds a problem.
 void refuse_out_of_reach(const Task& task, const Setting& setting);
+/// Returns the specification of the task's model predictive controller. Throws Error if the start
+/// violates constraints.joint_margin.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
 
-/// A run of a task.
+/// Options of run_task().
 /// @described press_hold
 struct RunSpec {
   Task task;
-  std::optional<Setting> setting = {};  ///< of the task, where there is one already
-  /// MuJoCo where this build has it
+  /// Task with all settings filled in; none: computed by make_setting()
+  std::optional<Setting> setting = {};
+  /// Plant to simulate; MuJoCo if this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  bool check_reach = true;  ///< before anything moves; a problem is then an Error
-  double plan_rate = 20.0;  ///< [Hz], at which plans are recorded; 0: none
-  /// Called now and then with the simulated time and about when it will be over, s. Returning false
-  /// stops the run.
+  /// Check the reach before the run, and throw Error if there is a problem
+  bool check_reach = true;
+  double plan_rate = 20.0;  ///< Recording rate of plans (0: no recording) [Hz]
+  /// Callback that is called repeatedly with the simulated time and the run's expected end, in s
+  /// @more If the callback returns false, the run stops.
   RunProgress progress = {};
 };
 
-/// Of the time from the end of the ramp to the end of the hold.
+/// Figures of the move aside and of the hold after it, from the end of the ramp on.
 struct HoldFigures {
-  /// rad, largest way of a joint from the ramp's end to the hold's (m where it slides)
+  /// Largest joint displacement from the end of the ramp to the end of the hold [rad (m)].
   double moved_aside = 0.0;
-  double slip = 0.0;  ///< m, farthest that the tool was off its point along the surface
+  double slip = 0.0;  ///< Largest distance that the tool slid along the surface from its point [m].
 };
 
+/// Result of run_task().
 struct RunResult : TaskRun {
   Setting setting;
-  bool done = false;               ///< to the end without fault
-  std::optional<Metrics> metrics;  ///< from 0.2 s after the ramp to the end of the hold
+  bool done = false;  ///< True if the run reached its end without a fault.
+  /// Metrics from 0.2 s after the ramp to 0.02 s before the retreat. None if the run ended less
+  /// than about 0.5 s after the ramp.
+  std::optional<Metrics> metrics;
+  /// Figures of the hold. None if the run ended less than about 0.5 s after the ramp.
   std::optional<HoldFigures> hold;
 };
-/// Runs the task in simulated time. What goes wrong on the way is in the result, with all that was
-/// recorded until then. Throws Error for a task that does not fit together, one that the arm cannot
-/// reach, and a plant that is not there.
+/// Runs the task in simulated time. Faults and other problems are in the result, with the data
+/// recorded until then. Throws Error for contradictory settings, a point out of the arm's reach, or
+/// a plant that this build does not have.
 RunResult run_task(const RunSpec& spec);
 
-/// Of the schedule, as the numbers of a trace: approach, ramp, aside, hold, retreat.
+/// Returns the names of the phases: approach, ramp, aside, hold, retreat. The index of a name is
+/// the phase number in traces.
 const std::vector<std::string>& phase_names();
 
 }  // namespace burnish::press_hold

@@ -1,4 +1,4 @@
-// Feet of a legged robot, found in its description.
+// Search for the feet of a legged robot in its description.
 #pragma once
 
 #include <optional>
@@ -10,47 +10,57 @@
 
 namespace burnish {
 
-/// Feet of a robot, in pairs from front to rear, the left one of each pair first.
+/// Feet of a robot, in pairs from front to rear. The left foot of each pair comes first. A foot is
+/// either a sole (planar foot) or a ball (point foot).
 struct Feet {
-  /// What the size of a foot was taken from.
+  /// Source of a foot's size.
   enum class Size {
     Collision,  ///< collision geometry of the description
-    Inertia,    ///< box of the foot's mass and inertia
+    Inertia,    ///< box with the foot's mass and inertia
     Height,     ///< fraction of the height of the base
   };
-  std::vector<std::string> frames;  ///< origin: centre of the sole (z up) or of the ball
-  std::vector<Frame> added;         ///< new frames for `frames`; with_feet() adds them to a robot
-  double half_x = 0.0;              ///< half the length of a sole along x of its frame [m]; 0: ball
-  double half_y = 0.0;              ///< half the width along y [m]; 0: ball
-  double radius = 0.0;              ///< radius of a ball [m]; 0: the feet have soles
+  /// Frames of the feet; each origin is the centre of a sole (z up) or of a ball
+  std::vector<std::string> frames;
+  /// Frames among `frames` that the description does not have; with_feet() adds them to a robot
+  std::vector<Frame> added;
+  /// Half the length of a sole, along x of its frame [m]; 0 if the feet are balls
+  double half_x = 0.0;
+  /// Half the width of a sole, along y of its frame [m]; 0 if the feet are balls
+  double half_y = 0.0;
+  double radius = 0.0;  ///< Radius of a ball [m]; 0 if the feet are soles
+  /// Source of the size of the feet
   Size size_from = Size::Height;
-  std::vector<std::string> notes;  ///< what was assumed or is to be mended, one sentence each
+  /// Assumptions about the feet, and defects of the description to correct; one sentence each
+  std::vector<std::string> notes;
 
   bool has_soles() const { return half_x > 0.0; }
 };
 
-/// Finds the feet at the reference configuration: the two, four or six lowest branch ends that
-/// stand opposite each other in pairs. Two legs have soles if each has at least four joints; four
-/// or six legs have soles if each has at least five. All other legs have point feet.
+/// Finds the feet of a robot at its reference configuration. Feet are the two, four or six lowest
+/// ends of branches that stand opposite each other in pairs. Two legs have soles if each has at
+/// least four joints. Four or six legs have soles if each has at least five joints. All other legs
+/// have point feet.
 ///
 /// Frames named after a sole, foot, toe or ankle are preferred. If no frame lies at the centre of
-/// the sole or ball, `added` holds a new one. Collision geometry is read from Robot::collisions and
-/// from primitives among the visuals; meshes are ignored. A last link without geometry and without
-/// such a frame ends where a rod of its mass and inertia does. Rotors are not branches.
+/// the sole or ball, Feet::added contains a new frame there. Collision geometry comes from
+/// Robot::collisions and from primitives among the visuals; meshes are ignored. If a leg's last
+/// link has neither geometry nor such a frame, the link is modelled as a rod with its mass and
+/// inertia, and the leg ends at the end of the rod. Rotors are not branches.
 ///
-/// Returns nullopt if the robot has no such branches or stands on wheels; `why`, if given, is then
-/// the reason. A wheel is named so, or turns without limits at the end of a leg whose other joints
-/// have them; if a frame on it is named after a foot, it counts as one.
+/// Returns nullopt if the robot has no such branches or stands on wheels. The reason is then
+/// written to `why`, unless that is null. A link is a wheel in two cases: its name says so, or it
+/// turns without limits at the end of a leg whose other joints have limits. In the second case the
+/// link is a foot nevertheless if one of its frames is named after a foot.
 std::optional<Feet> find_feet(const Robot& robot, std::string* why = nullptr);
 
-/// Returns `robot` with the frames of Feet::added.
+/// Returns `robot` with the frames Feet::added.
 Robot with_feet(Robot robot, const Feet& feet);
 
-/// Returns `standing` on those feet, with their sizes.
+/// Returns `standing` with the frames and sizes of `feet`.
 Standing with_feet(Standing standing, const Feet& feet);
 
-/// Returns a description such as
-/// "left_sole, right_sole (found), soles of 0.2 x 0.1 m, from collision geometry".
+/// Returns a text that describes the feet, such as "left_sole, right_sole (found), soles of 0.2 x
+/// 0.1 m, from collision geometry".
 std::string feet_text(const Feet& feet);
 
 }  // namespace burnish

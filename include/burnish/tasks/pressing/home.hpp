@@ -1,4 +1,4 @@
-// Home: where a run begins if not at the start of its task, and the joint-space move to the start.
+// Home posture, where a run can begin, and the joint-space move from there to the task's start.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,51 +16,61 @@ namespace burnish {
 /// Posture at which a run begins. From there the robot moves to the start of its task.
 /// @described pressing
 struct HomeSpec {
-  /// of the robot, that a run begins at; none: the run begins at its task's start @code posture of
-  /// the robot that a run begins at; empty: the run begins at its task's start @word none
+  /// Named posture in which the run begins (none: the run begins at the start of the task)
+  /// @code Named posture in which the run begins (empty: the run begins at the start of the task)
+  /// @word none
   std::string posture = {};
-  /// {joint: rad (m), ...} in place of the posture's; without one the others are as at the start
-  /// @code rad (m) by joint, in place of the posture's; without a posture the others are as at the
-  /// start
+  /// Joint positions that differ from the posture: {joint: rad (m), ...}
+  /// @code Joint positions that differ from the posture, in rad (m)
+  /// @more Without a posture, all other joints are as at the start.
   std::map<std::string, double> joints = {};
-  /// of the joints' velocity limits, highest speed on the way, 0.01 to 1
+  /// Highest joint speed of the move, as a fraction of the velocity limits, 0.01 to 1
   double speed_ratio = 0.3;
-  /// [s]; auto: the shortest that keeps speed_ratio and 0.8 of the effort limits, at least 1 s, > 0
-  /// @code s; none: the shortest that keeps speed_ratio and 0.8 of the effort limits, at least 1 s
+  /// Duration of the move (auto: as short as the limits allow, at least 1 s) [s], > 0
+  /// @code Duration of the move (none: as short as the limits allow, at least 1 s) [s]
+  /// @more The limits are the fraction speed_ratio of the velocity limits and 0.8 of the effort
+  /// limits.
   /// @word auto
   std::optional<double> duration = {};
 
   bool is_stated() const { return !posture.empty() || !joints.empty(); }
 };
 
-/// Move in joint space from where a run begins to its task's start, straight from corner to corner
-/// and at rest at each.
+/// Move in joint space from home, where a run begins, to the start of the task. The move leads
+/// through configurations called corners. The joints move straight from each corner to the next and
+/// stop at each corner.
 /// @described pressing
-/// From q_i to q_i+1 it is q(t) = q_i (+) s(t / duration_i) (q_i+1 (-) q_i), s(x) = 10 x^3 - 15 x^4
-/// + 6 x^5. Continuous joints turn in the direction of the smaller angle.
+/// From corner q_i to corner q_i+1 the move is q(t) = q_i (+) s(t / duration_i) (q_i+1 (-) q_i),
+/// with s(x) = 10 x^3 - 15 x^4 + 6 x^5. (+) and (-) add and subtract on the configuration space.
+/// Continuous joints turn in the direction of the smaller angle.
 struct HomeMove {
-  /// nq each: home, the start lifted off the surface where the straight way would touch it, the
-  /// start
+  /// Configurations at the corners, nq each: home first, the start of the task last
+  /// @more If a straight move would touch the surface, there is a corner between them, where the
+  /// tool is lifted off the surface.
   std::vector<Eigen::VectorXd> corners = {};
-  std::vector<double> durations = {};  ///< [s], from each corner to the next
-  double settle = 0.5;                 ///< [s] at rest after it, until the task begins
-  std::string farthest_joint = {};     ///< entry of v that moves most
-  double farthest = 0.0;               ///< rad (m), how far
+  std::vector<double> durations = {};  ///< Durations of the moves from each corner to the next [s]
+  double settle = 0.5;                 ///< Time at rest between the move and the task [s]
+  std::string farthest_joint = {};     ///< Name of the joint that moves farthest (an entry of v)
+  double farthest = 0.0;               ///< Distance that `farthest_joint` moves [rad (m)]
 
-  double duration() const;  ///< time from home to the start, without `settle` [s]
+  double duration() const;  ///< Returns the duration from home to the start, without `settle` [s].
 };
 
-/// Controller that tracks the move and then hands over to `then`, which must outlive it. The
-/// tracking law is computed torque with integral action, within the effort limits:
-/// tau = M (a + kp e + kd de/dt + ki * integral of e) + b, with three poles at 20 rad/s.
-/// It hands over duration() + `settle` after its first tick, or up to 2 s later, as soon as all
-/// joints are within 0.01 rad (m) of the start; in any case after these 2 s. Until then
-/// Command::phase is Phase::Home, and no faults are detected. For a
-/// measurement that is not a valid state, the previous command is repeated and Command::status
+/// Creates a controller that tracks `move` and then hands over to the controller `then`, which must
+/// outlive it. The tracking law is computed torque with integral action, within the effort limits:
+/// tau = M (a + kp e + kd de/dt + ki * integral of e) + b, with three poles at 20 rad/s. e is the
+/// position error of the joints, a the acceleration of the move, M the mass matrix and b the bias
+/// torques.
+///
+/// The handover is due at the time duration() + `settle` after the first tick. If a joint is then
+/// farther than 0.01 rad (m) from the start, the controller waits until all joints are within this
+/// distance, at most 2 s. Before the handover Command::phase is Phase::Home, and no faults are
+/// detected. If a measurement is invalid, the previous command is repeated, and Command::status
 /// gives the reason.
-/// `tool`: frame whose planned position is Command::p_target_world; `normal_world`: normal of the
-/// surface. Throws Error for an unknown frame, fewer than two corners, a wrong number of durations
-/// and configurations of the wrong size.
+///
+/// `tool` is the frame whose planned position is Command::p_target_world, and `normal_world` the
+/// normal of the surface. Throws Error for an unknown frame, fewer than two corners, a wrong number
+/// of durations, or configurations of the wrong size.
 std::unique_ptr<Controller> make_home_controller(const Model& model, const HomeMove& move,
                                                  const std::string& tool,
                                                  const Eigen::Vector3d& normal_world,

@@ -1,4 +1,4 @@
-// The plants that a task runs on, by name, and what a run in closed loop leaves.
+// Plants by name, and the result of a run in closed loop.
 #pragma once
 
 #include <functional>
@@ -14,45 +14,53 @@
 
 namespace burnish {
 
-/// What is controlled in a run.
+/// Kind of plant. A plant simulates the robot that a run controls, and its contacts.
 /// @described pressing
 enum class PlantKind {
-  Mujoco,  ///< an engine that shares no code with this library
-  Ideal,   ///< the library's own contact dynamics, a rigid surface
+  Mujoco,  ///< MuJoCo, a physics engine that shares no code with this library
+  Ideal,   ///< contact dynamics of this library, with a rigid surface
 };
-std::string name_of(PlantKind kind);  ///< "mujoco" or "ideal"
-/// Whether PlantKind::Mujoco is there in this build.
+std::string name_of(PlantKind kind);  ///< Returns "mujoco" or "ideal".
+/// Returns true if this build has PlantKind::Mujoco.
 bool has_mujoco();
-/// dt: s. Throws Error for a plant that is not there, and as checked_scene() does.
+/// Creates a plant with the simulation step `dt` [s]. Throws Error if this build does not have the
+/// plant `kind`, and in the same cases as checked_scene().
 std::unique_ptr<Plant> make_plant(PlantKind kind, const Model& model, const SceneSpec& scene,
                                   double dt);
-/// Largest step up to the plants' usual one that control periods are a multiple of, s.
+/// Returns the simulation step of a plant for a control period, both in s. The result is the
+/// largest step of at most 0.5 ms that divides the period.
 double plant_step(double control_period);
 
-/// Called now and then with the simulated time and about when it will be over, s. Returning false
-/// stops the run.
+/// Callback of a run. It is called repeatedly with the simulated time and the expected end of the
+/// run, in s. If it returns false, the run stops.
 using RunProgress = std::function<bool(double time, double end)>;
 
-/// Wall clock of the controller's ticks after the first, s.
+/// Wall-clock times of the ticks of a controller, without the first tick [s].
 struct TickTimes {
-  int count = 0;        ///< ticks that were timed: every nth of more than a million
-  double period = 0.0;  ///< s, between two ticks
+  int count = 0;  ///< Number of timed ticks; beyond a million ticks, only every nth tick is timed
+  double period = 0.0;  ///< Time between two ticks [s]
+  /// Median, 99th percentile, maximum and mean of the time of a tick [s]
   double median = 0.0, p99 = 0.0, maximum = 0.0, mean = 0.0;
-  int late = 0;  ///< ticks that took longer than a period
+  int late = 0;  ///< Number of timed ticks that took longer than `period`
 };
 
-/// What a run leaves, whatever its task.
+/// Result of a run in closed loop, as all tasks return it.
 struct TaskRun {
-  Trace trace;  ///< of every plant step, every nth beyond 100 s; see ClosedLoop
+  /// Recorded data with one row per plant step. In runs longer than 100 s, only every nth step has
+  /// a row. ClosedLoop lists the columns.
+  Trace trace;
+  /// Recorded plans
   PlanRecord plans;
+  /// Status of the plant
   Status plant_status = Status::Ok;
-  FaultReport fault;                        ///< of the MPC; FaultKind::None without
-  bool interrupted = false;                 ///< by the progress function
-  TickTimes ticks;                          ///< after the first, which solves to its end
-  double first_tick = 0.0;                  ///< s of wall clock
-  double wall_time = 0.0;                   ///< s, of the simulation
-  std::string outcome;                      ///< one sentence
-  std::optional<StandingFigures> standing;  ///< of a robot that stands
+  FaultReport fault;         ///< Fault that the MPC detected; FaultKind::None if there was none
+  bool interrupted = false;  ///< True if the progress callback stopped the run
+  TickTimes ticks;           ///< Times of all ticks but the first, which solves to convergence
+  double first_tick = 0.0;   ///< Wall-clock time of the first tick [s]
+  double wall_time = 0.0;    ///< Wall-clock time of the simulation [s]
+  std::string outcome;       ///< Outcome of the run in one sentence
+  /// Figures of a robot that stands on its feet; none for other robots
+  std::optional<StandingFigures> standing;
 };
 
 }  // namespace burnish

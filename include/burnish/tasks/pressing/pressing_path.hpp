@@ -1,4 +1,4 @@
-// What controllers without a plan are told of a task that presses along a path.
+// Task of controllers without a plan: approach a surface, press on it and follow a path.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,47 +7,52 @@
 
 namespace burnish {
 
-/// Where the tip frame's origin shall be and how hard the surface shall push back.
+/// Target of the tip at one time: motion of the origin of the tip's frame, and force of the surface
+/// on the tip.
 /// @described sim
 struct TaskPoint {
-  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< [m/s]
-  Eigen::Vector3d a_world = Eigen::Vector3d::Zero();  ///< [m/s^2]
-  double force = 0.0;                                 ///< [N], along the surface's normal
-  /// of the surface there, of length one; zero: the controller's own
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< Position, world axes [m]
+  Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< Velocity, world axes [m/s]
+  Eigen::Vector3d a_world = Eigen::Vector3d::Zero();  ///< Acceleration, world axes [m/s^2]
+  double force = 0.0;                                 ///< Force along the surface's normal [N]
+  /// Unit normal of the surface at this point; zero: the normal of the controller is used
   Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();
 };
 
-/// A circle in a plane. It starts at the centre, at rest, and its radius grows smoothly.
+/// Circle in a plane. The path starts at the centre, at rest, and its radius grows smoothly.
 /// @described sim
 struct CirclePath {
-  Eigen::Vector3d center_world = Eigen::Vector3d::Zero();   ///< [m]
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< of the plane, any length but zero
-  double radius = 0.07;                                     ///< [m]
-  double rate = 1.0;                                        ///< [rad/s], about the normal
-  double start_up = 2.0;  ///< [s] until the radius is reached; positive
-  double force = 30.0;    ///< [N]
+  Eigen::Vector3d center_world = Eigen::Vector3d::Zero();  ///< Centre of the circle, world axes [m]
+  /// Normal of the circle's plane, of any nonzero length
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  double radius = 0.07;   ///< Final radius of the circle [m]
+  double rate = 1.0;      ///< Angular rate about the normal [rad/s]
+  double start_up = 2.0;  ///< Time until the final radius is reached, positive [s]
+  double force = 30.0;    ///< Normal force to press with [N]
 
-  /// At t s from the start; before it, the start.
+  /// Returns the point of the circle at time `t` after the start [s]. For t < 0, returns the start.
   TaskPoint at(double t) const noexcept;
 };
 
-/// The task of a controller without a plan: down to the surface, until it is felt, up to the force,
-/// along the path. These are the phases Approach, Ramp and Track of Phase.
+/// Task of a controller without a plan, in three phases: approach the surface until contact, ramp
+/// up the force, then follow the path. The phases are Approach, Ramp and Track of Phase.
 /// @described sim
 struct PressingPath {
-  std::string tool = "tool";  ///< frame whose origin follows the path
-  /// of the surface, towards the robot, not zero
+  std::string tool = "tool";  ///< Frame of the tool; its origin follows the path
+  /// Normal of the surface, pointing towards the robot, not zero
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
-  /// The task at t s after the ramp; before, it stays at its start. Must not throw.
+  /// Target of the tip as a function of the time since the end of the ramp, in s
+  /// @more The function must not throw. During approach and ramp, the target is the start of the
+  /// path.
   std::function<TaskPoint(double t)> task;
-  Eigen::VectorXd posture;       ///< nq, what the null space is drawn to
-  double period = 1e-3;          ///< [s] between ticks, > 0
-  double approach_speed = 0.05;  ///< [m/s], against the normal, >= 0
-  /// [N] of measured normal force that end the approach; see PressingTask, >= 0
+  Eigen::VectorXd posture;       ///< Target posture of the null space, nq
+  double period = 1e-3;          ///< Time between two ticks [s], > 0
+  double approach_speed = 0.05;  ///< Speed of the approach, against the normal [m/s], >= 0
+  /// Measured normal force at which the approach ends [N], >= 0
+  /// @more PressingTask describes how contact is detected.
   double contact_threshold = 2.0;
-  double touch_force = 2.0;  ///< [N], asked for where contact is made; the ramp starts there, >= 0
-  double ramp = 0.5;         ///< [s] from contact to the task's force, >= 0
+  double touch_force = 2.0;  ///< Target force at contact, where the ramp starts [N], >= 0
+  double ramp = 0.5;         ///< Duration of the ramp from contact to the task's force [s], >= 0
 };
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// What a task that presses a tool on a surface tells an MpcController: when contact is made, which
-// forces and ways are too much, and what is aimed at.
+// Task for an MpcController: press a tool on a surface. The task detects contact, monitors forces
+// and distances, and gives the controller its target.
 #pragma once
 
 #include <functional>
@@ -14,102 +14,122 @@
 
 namespace burnish {
 
-/// Phases of a tool that comes to a surface, presses on it, follows a path there and leaves, as
-/// Command::phase and traces count them. Home comes first where there is one: see HomeSpec.
+/// Phases of a task that presses with a tool. The tool moves to the surface (Reach), approaches it
+/// until contact, ramps up the force, follows a path (Track), and retreats. A Home phase may come
+/// before all others; see HomeSpec. Command::phase and traces contain the numbers of the phases.
 enum class Phase { Reach, Approach, Ramp, Track, Retreat, Home };
 
 constexpr int number_of(Phase phase) { return static_cast<int>(phase); }
-/// "reach", "approach", "ramp", "track", "retreat" or "home".
+/// Returns "reach", "approach", "ramp", "track", "retreat" or "home".
 std::string name_of(Phase phase);
-const std::vector<std::string>& phase_names();  ///< of all, by number
+/// Returns the names of all phases. The index of a name is the number of the phase.
+const std::vector<std::string>& phase_names();
 
-/// What the tool has to do with the surface in a phase.
+/// Contact between tool and surface that is expected in a phase.
 /// @described pressing
 enum class Touch {
-  Free,     ///< nothing touches: a force is a fault, and what is felt is the sensor's noise
-  Due,      ///< contact is to be made: SchedulePhase.until "contact"
-  Wanted,   ///< pressed
-  Leaving,  ///< pressed at first; free once the tool has come off, or `release` s are over
+  Free,     ///< no contact: a large force is a fault, a smaller force is sensor noise
+  Due,      ///< contact is about to be made; the phase has SchedulePhase.until "contact"
+  Wanted,   ///< the tool presses
+  Leaving,  ///< contact ends: the tool is free once it has come off, or after ToolLimits.release
 };
 
-/// When a run is given up for what happens at the tool. Infinite: never.
+/// Limits on force and motion at the tool. A run is aborted if a limit is exceeded. Infinite: no
+/// limit.
 /// @described pressing
 struct ToolLimits {
-  /// [N] at the tool, mean over force_window, > 0 or infinite @more A rigid impact's force at a
-  /// single instant is its impulse over the sampling time and says little.
+  /// Largest mean force at the tool over force_window [N], > 0 or infinite
+  /// @more The force of a rigid impact at a single instant says little, because it is the impulse
+  /// divided by the sampling time.
   double force = 100.0;
-  double force_window = 5e-3;  ///< [s], >= 0 @more rounded to ticks, one at least
-  double tool_speed = 1.0;     ///< [m/s], > 0 or infinite
-  double contact_lost = 0.15;  ///< [s] without force while it is wanted, > 0 or infinite
-  /// [m] that the tool may go on after contact was due, > 0 or infinite @more Along the normal,
-  /// from when the schedule's clock began to wait for it (SchedulePhase::hold before it was due):
-  /// how far the surface may lie behind where it is thought to be.
+  /// Averaging time of the force [s], >= 0
+  /// @more The time is rounded to ticks, at least one.
+  double force_window = 5e-3;
+  double tool_speed = 1.0;  ///< Largest speed of the tool [m/s], > 0 or infinite
+  /// Longest time without force in phases with contact [s], > 0 or infinite
+  double contact_lost = 0.15;
+  /// Largest travel along the normal after the planned time of contact [m], > 0 or infinite
+  /// @more The surface may lie this far behind its assumed position. The travel of the tool counts
+  /// from when the schedule's clock stopped to wait for contact. The clock stops at
+  /// SchedulePhase.hold before the planned contact.
   double late_contact_travel = 0.03;
-  /// [s] that contact may come late, > 0 or infinite @more from the same moment
+  /// Longest wait for contact after the planned time of contact [s], > 0 or infinite
+  /// @more The wait counts from when the schedule's clock stopped to wait for contact.
   double late_contact_time = 3.0;
-  /// [N] while moving through free space, > 0 or infinite @more Mean over `force_window`, where
-  /// nothing is to touch, and while leaving once the tool has come off (its force fell below the
-  /// threshold of contact) or `release` s are over. More where noise reaches further: six
-  /// deviations of that mean.
+  /// Largest mean force in free space over force_window [N], > 0 or infinite
+  /// @more The limit applies to phases without contact. It also applies to a retreat after the
+  /// force fell below the contact threshold, or after the time `release`. If noise is larger, the
+  /// limit is six standard deviations of the mean.
   double unexpected_force = 15.0;
-  /// [s] into the retreat after which it is free space at the latest, > 0 or infinite
+  /// Longest time until a retreating tool counts as free [s], > 0 or infinite
   double release = 0.5;
 };
 
-/// What plans keep, as hard constraints. Infinite: not kept.
+/// Hard constraints of plans. Infinite: no constraint.
 /// @described pressing
 struct PlanLimits {
-  double joint_margin = 0.0;  ///< [rad (m)] that joints keep from their limits, >= 0 or infinite
-  double joint_speed = 1.0;   ///< of the robot's velocity limits, > 0 or infinite
-  /// of the robot's effort limits; nor is more than that sent, > 0 or infinite
+  /// Smallest distance of joints from their position limits [rad (m)], >= 0 or infinite
+  double joint_margin = 0.0;
+  /// Largest joint speed, as a fraction of the robot's velocity limits, > 0 or infinite
+  double joint_speed = 1.0;
+  /// Largest torque, as a fraction of the effort limits, > 0 or infinite
+  /// @more Torque commands obey this limit, too.
   double torque = 1.0;
-  /// [N] that the force may be off its target while pressing; it is never below zero, > 0 or
-  /// infinite
+  /// Largest deviation of the force from its target while pressing [N], > 0 or infinite
+  /// @more The force itself is never negative, with or without this constraint.
   double force_band = std::numeric_limits<double>::infinity();
-  /// [1/s], of the robot's effort limits: rate of change of torques, with a torque_cutoff, > 0 or
-  /// infinite
+  /// Largest rate of torques, as a fraction of the effort limits per second [1/s], > 0 or infinite
+  /// @more The constraint requires a torque_cutoff.
   double joint_torque_rate = std::numeric_limits<double>::infinity();
 };
 
-/// What the task asks of the tool at a time of the schedule, for the record. What the controller
-/// aims at is what the costs of the problem say.
+/// Recorded target of the tool at one time of the schedule. The costs of the problem determine the
+/// motion, not this target.
 /// @described pressing
-/// Friction in plans goes with its force.
+/// Plans assume friction in proportion to `force`.
 struct TaskTarget {
-  /// [m]; in the axes of MpcSpec::base where there is one
+  /// Position of the tool in the world; if MpcSpec.base is set, in its axes [m]
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
-  /// [N], along the normal; 0: no contact wanted, and no friction is reckoned with
+  /// Force along the normal (0: no contact) [N]
+  /// @more Without contact, plans assume no friction.
   double force = 0.0;
 };
 
-/// The surface that a round tip presses on, as the task believes it to be.
+/// Surface that a round tip presses on, as the task assumes it before the surface is estimated.
 /// @described pressing
-/// In the axes of MpcSpec::base where there is one, else of the world.
+/// Point and normal are in the axes of MpcSpec::base if that is set, else in world axes.
 struct PressedSurface {
-  SurfaceShape shape = {};
-  Eigen::Vector3d point_world = Eigen::Vector3d::Zero();    ///< [m], of it
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< there, of any length, not zero
-  double tip_radius = 0.02;                                 ///< [m], > 0
-  SurfaceEstimateOptions estimate = {};
+  SurfaceShape shape = {};                                ///< Shape of the surface about its point
+  Eigen::Vector3d point_world = Eigen::Vector3d::Zero();  ///< Point on the surface [m]
+  /// Normal of the surface at its point, not zero
+  /// @more The normal need not have unit length.
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  double tip_radius = 0.02;              ///< Radius of the round tip [m], > 0
+  SurfaceEstimateOptions estimate = {};  ///< Options of the surface estimate
 };
 
-/// The task of an MpcSpec. Its event is "contact": a measured normal force above the threshold and
-/// the sensor's noise, which is found out while nothing touches.
+/// Task of an MpcSpec that presses with a tool. The task raises the event "contact" if the measured
+/// normal force exceeds the threshold and the noise of the sensor. The noise is estimated in free
+/// air.
 /// @described pressing
-/// Put into MpcSpec::task. Where the noise comes near the threshold, it is the mean over 5 ms that
-/// counts, against six of its own deviations. Its faults are SpeedLimit, UnexpectedContact,
-/// NoContact, ContactLate, ForceLimit and ContactLost.
+/// Assign a PressingTask to MpcSpec::task. If six standard deviations of the noise exceed the
+/// threshold, the mean force over 5 ms is used. Contact then requires that the mean exceeds both
+/// the threshold and six standard deviations of the mean. Faults of this task are SpeedLimit,
+/// UnexpectedContact, NoContact, ContactLate, ForceLimit and ContactLost.
 struct PressingTask {
-  std::vector<Touch> touch = {};  ///< one for each phase of the schedule
-  /// by time of the schedule, each tick; must be given
+  std::vector<Touch> touch = {};  ///< Expected contact in each phase of the schedule
+  /// Target as a function of the time of the schedule, in s; required
+  /// @more The function is called at each tick.
   std::function<TaskTarget(double time)> target = {};
-  ToolLimits limits = {};
-  /// What contacts that follow a surface follow, from the start as believed and while the tool
-  /// slides as estimated. None: references and normal are the specification's.
+  ToolLimits limits = {};  ///< Limits on force and motion at the tool
+  /// Surface that the references of contacts follow; none: references and normal stay constant
+  /// @more The assumed surface is used at first, and the estimated surface as soon as the tool
+  /// slides. The constant references and normal come from the specification.
   std::optional<PressedSurface> surface = {};
 
-  /// Throws Error for entries of touch that the schedule has no phases for, or the reverse, for no
-  /// target, and for limits out of range.
+  /// Creates the state of this task for a controller of `spec`. Throws Error in three cases:
+  /// `touch` does not have one entry for each phase of the schedule, `target` is missing, or a
+  /// limit is out of range.
   std::unique_ptr<MpcTask> operator()(const MpcSpec& spec) const;
 };
 

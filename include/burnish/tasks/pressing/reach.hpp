@@ -1,5 +1,5 @@
-// Whether an arm can press where a task wants it to, and from which posture, found out before
-// anything moves.
+// Static checks before a run: whether an arm can press where a task requires it, and from which
+// posture.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,104 +8,131 @@
 
 namespace burnish {
 
-/// How check_reach() looks, and how much room it asks for.
+/// Resolution and required margins of check_reach().
 /// @described pressing
 struct ReachOptions {
-  double spacing = 5e-3;       ///< [m] between two points that are looked at
-  double tolerance = 1e-4;     ///< [m] that the tool may be off
-  double joint_margin = 0.02;  ///< [rad (m)] that joints keep from their limits
-  /// Of the effort limits that statics may take: the rest is for motion and feedback.
+  double spacing = 5e-3;       ///< Distance between two checked points [m]
+  double tolerance = 1e-4;     ///< Largest position error of the tool [m]
+  double joint_margin = 0.02;  ///< Smallest distance of joints from their limits [rad (m)]
+  /// Largest static torque, as a fraction of the effort limits
+  /// @more Motion and feedback need the rest.
   double torque_share = 0.8;
-  double link_radius = 0.03;  ///< [m], how thick links are taken to be; see check_reach()
+  /// Radius of the segments that represent the arm in the collision check [m]
+  /// @more See check_reach().
+  double link_radius = 0.03;
 };
 
-/// What is in the way.
+/// Kind of problem that check_reach() finds.
 /// @described pressing
 enum class ReachProblem {
   None,
-  Position,   ///< no posture puts the tool there, whatever the limits
-  Joint,      ///< the only postures found are beyond a joint's limit
-  Torque,     ///< holding the tool there takes more than a joint's effort limit
-  Collision,  ///< the arm itself would touch the surface
+  Position,   ///< no posture brings the tool to the point, even without joint limits
+  Joint,      ///< the tool reaches the point only with a joint beyond its limit
+  Torque,     ///< holding the tool at the point needs more torque than a joint may use
+  Collision,  ///< the arm or the tool would touch the surface where it must not
 };
 
-/// The first thing in the way of a task, and how much room there is elsewhere.
+/// Result of a reach check: the first problem on the path of the tool, and the smallest margins
+/// over all checked points.
 /// @described pressing
 struct ReachReport {
-  ReachProblem problem = ReachProblem::None;
-  /// One sentence: where, which joint, what came and what is allowed; empty without a problem.
+  ReachProblem problem = ReachProblem::None;  ///< Kind of the first problem
+  /// Problem in one sentence, with place, joint, value and allowed value; empty without a problem
   std::string text;
-  /// [m] along the path in contact where the problem is; negative: so far before the path's start,
-  /// on the way to it. A point that is held is a path without length.
+  /// Distance along the path from its start to the problem [m]; negative on the way to the start
+  /// @more The path of a task that holds a point has length zero.
   double s = 0.0;
-  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< of the tool there, m
-  std::string joint;                                  ///< empty for Position
-  /// [m] that the tool is off, rad (m) of the joint, Nm (N), m of the joint's origin from the
+  /// Position of the tool at the problem, in the world [m]
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
+  /// Joint that causes the problem
+  /// @more Empty if the problem is of kind Position, or if the tool's own link would touch the
   /// surface.
+  std::string joint;
+  /// Value that violates `limit`
+  /// @more Its unit depends on the kind of the problem. Position: position error of the tool, m.
+  /// Joint: position of the joint, rad (m). Torque: torque of the joint, Nm (N). Collision:
+  /// distance from the surface, m.
   double value = 0.0;
-  double limit = 0.0;  ///< what is allowed, in the same unit
+  double limit = 0.0;  ///< Allowed value, in the unit of `value`
 
-  int points = 0;             ///< that were looked at
-  double path_length = 0.0;   ///< [m], once around where the path repeats itself
-  double joint_margin = 0.0;  ///< [rad (m)], smallest of all points
-  std::string tightest_joint;
-  double torque_share = 0.0;  ///< of the effort limit, largest of all points
+  int points = 0;  ///< Number of checked points
+  /// Length of the path [m]
+  /// @more For a path that repeats itself, the length of one turn.
+  double path_length = 0.0;
+  double joint_margin = 0.0;   ///< Smallest distance of a joint from its limit [rad (m)]
+  std::string tightest_joint;  ///< Joint with the smallest distance from its limit
+  double torque_share = 0.0;   ///< Largest static torque, as a fraction of the joint's effort limit
+  /// Joint with the largest static torque, as a fraction of its effort limit
   std::string tightest_torque;
-  /// [1/m]: N along the normal per Nm that every joint's torque is wrong by, independent of each
-  /// other, as told without a force sensor; largest of all points on the surface
+  /// Ratio of the standard deviations of estimated force and joint torques [1/m]
+  /// @more The force is estimated along the normal from joint torques with independent errors, in N
+  /// per Nm. The ratio is the largest over the points on the surface. It matters for tasks without
+  /// a force sensor.
   double force_per_torque = 0.0;
-  std::string force_joint;  ///< the joint that has most part in it there
-  /// [m] between the surface and the arm without its tool link, smallest of all points; infinite
-  /// where nothing but the tool link moves.
+  std::string force_joint;  ///< Joint that contributes most to force_per_torque
+  /// Smallest distance between the surface and the arm without its tool link [m]
+  /// @more Infinite if only the tool link moves.
   double clearance = 0.0;
-  std::string tightest_clearance;  ///< joint there
+  std::string tightest_clearance;  ///< Joint of the arm that comes closest to the surface
 
   bool ok() const { return problem == ReachProblem::None; }
 };
 
-/// What a posture that is searched has to keep to; see find_posture().
+/// Conditions on a starting posture that find_posture() searches for.
 /// @described pressing
 struct PostureLimits {
-  double tilt = 1.0;  ///< [rad] between the tool's axis and the normal, >= 0
-  /// [rad] that joints keep from their limits at the start, >= 0 @more m of prismatic joints
+  double tilt = 1.0;  ///< Largest angle between tool axis and surface normal [rad], >= 0
+  /// Smallest distance of joints from their limits at the start [rad], >= 0
+  /// @more In m for prismatic joints.
   double joint_margin = 0.15;
-  /// [m] between the last link and the robot's body; less where the arm is short, >= 0
+  /// Smallest distance of the last link from the robot's body [m], >= 0
+  /// @more For parts that are close to each other along the arm, a smaller distance is enough.
   double body_distance = 0.25;
 };
 
-/// In a task, in place of a posture's name: let find_posture() find one.
+/// Word that replaces a posture's name in a task. find_posture() then finds the posture.
 inline constexpr const char* searched_posture = "search";
 
-/// How find_posture() searches.
+/// Options of find_posture(): start points of the search and conditions on its result.
 /// @described pressing
 struct PostureOptions {
-  int random_starts = 48;      ///< besides the robot's named postures and the middle of the limits
-  std::uint64_t seed = 0;      ///< of those
-  double tilt_limit = 1.0;     ///< [rad] between the pressing axis and the normal's opposite
-  double joint_margin = 0.15;  ///< [rad (m)] that joints keep from their limits at the start
-  /// [m] between the last link, for which stand three points on the line from its joint to the
-  /// tool, and the robot's body, for which stand the lines between the joints before that one and
-  /// the origins of all links that neither the last two joints carry nor what hangs on them. Of
-  /// parts of the arm that are near each other along it, as in a compact wrist, no more is wanted
-  /// than `bend` times the arm's length between them. Coarse: no collision check.
+  /// Number of random start points
+  /// @more The robot's named postures and the middle of the joint limits are start points too.
+  int random_starts = 48;
+  std::uint64_t seed = 0;  ///< Seed of the random start points
+  /// Largest angle between the tool's pressing direction and the direction into the surface [rad]
+  double tilt_limit = 1.0;
+  double joint_margin = 0.15;  ///< Smallest distance of joints from limits at the start [rad (m)]
+  /// Smallest distance between the last link and the robot's body [m]
+  /// @more Three points between the last joint and the tool represent the last link. The lines
+  /// between the earlier joints of the arm represent the body, together with the origins of all
+  /// links that are not carried by the last two joints. For two places on the arm, a distance of
+  /// `bend` times the arm's length between them is enough, as in a compact wrist. This test is
+  /// coarse and does not replace a collision check.
   double body_distance = 0.25;
-  double bend = 0.55;  ///< see body_distance; of two equal links it lets 67 degrees between them
-  int checked = 48;    ///< best candidates whose whole path is looked at
+  /// Upper limit of body_distance for two places on the arm, as a fraction of the arm's length
+  /// between them
+  /// @more With 0.55, two links of equal length may enclose an angle as small as 67 degrees.
+  double bend = 0.55;
+  int checked = 48;  ///< Number of candidates whose whole path is checked, best first
+  /// Options of the reach check
   ReachOptions reach = {};
 };
 
-/// What find_posture() found.
+/// Posture that find_posture() found.
 /// @described pressing @result
 struct FoundPosture {
-  Eigen::VectorXd q;   ///< nq
-  double score = 0.0;  ///< lower is better
-  double tilt = 0.0;   ///< [rad] between the pressing axis and the normal's opposite
-  ReachReport reach;   ///< of the task from there
-  int candidates = 0;  ///< postures that met all conditions at the start
+  Eigen::VectorXd q;   ///< Configuration, nq
+  double score = 0.0;  ///< Score of the posture; lower is better
+  /// Angle between the tool's pressing direction and the direction into the surface [rad]
+  double tilt = 0.0;
+  ReachReport reach;   ///< Reach check of the task from this posture
+  int candidates = 0;  ///< Number of postures that met all conditions at the start
 };
 
-/// The direction of the -z of a tool at a placement, which it presses in where that points from the
-/// robot to the tip; see polishing::pressing_direction().
+/// Returns the direction of the -z axis of a tool in the world. `tool_placement` is the placement
+/// of the tool in the world. If -z points from the robot to the tip, the tool presses in this
+/// direction; see polishing::pressing_direction().
 Eigen::Vector3d pressing_axis(const Eigen::Isometry3d& tool_placement);
 
 }  // namespace burnish

@@ -10,59 +10,74 @@
 
 namespace burnish {
 
-/// Feet on level ground, where they are in the starting posture. Plans hold them still within the
-/// friction and the pressure that these bear; the plant's ground can only push and rub.
+/// Feet on level ground. They stand at their positions in the starting posture. Plans keep the feet
+/// still and limit friction and pressure. The plant's ground can push a foot but not pull it, and
+/// has friction.
 /// @described pressing
 struct Standing {
-  /// frames of the feet; auto: found in the description, with their sizes; none: the base is fixed
+  /// Frames of the feet; auto: found in the robot's description; none: the base is fixed
+  /// @more With auto, the sizes of the feet are found, too.
   /// @word auto
   std::vector<std::string> feet = {};
-  /// [m], half the length of a sole along x of its frame, about its origin; 0: point feet, >= 0
+  /// Half the length of a sole along x of its frame (0: point feet) [m], >= 0
+  /// @more The origin of the frame is the middle of the sole.
   double half_x = 0.1;
-  double half_y = 0.065;  ///< [m], half its width along y, >= 0
-  double radius = 0.02;   ///< [m], of a point foot, > 0
+  /// Half the width of a sole along y of its frame (0: point feet) [m], >= 0
+  double half_y = 0.065;
+  double radius = 0.02;  ///< Radius of a point foot [m], > 0
 
-  double friction = 0.7;  ///< Coulomb coefficient of the plant's ground, >= 0
-  /// [N/m], of the plant's ground under each foot; auto: it yields by 0.23 mm under the weight,
-  /// under point feet by 0.245 mm, > 0 @code N/m, of the plant's ground under each foot; none: it
-  /// yields by 0.23 mm under the weight, under point feet by 0.245 mm @word auto
+  double friction = 0.7;  ///< Coulomb friction coefficient of the plant's ground, >= 0
+  /// Stiffness of the plant's ground under each foot (auto: from the robot's weight) [N/m], > 0
+  /// @code Stiffness of the plant's ground under each foot (none: from the robot's weight) [N/m]
+  /// @more If not stated, the ground yields by 0.23 mm under the robot's weight (0.245 mm with
+  /// point feet).
+  /// @word auto
   std::optional<double> stiffness = std::nullopt;
-  /// {Ns/m}, of the plant's ground under each foot; auto: 0.05 s times the stiffness, for point
-  /// feet 0.02 s, > 0 @code Ns/m, of the plant's ground under each foot; none: 0.05 s times the
-  /// stiffness, for point feet 0.02 s @word auto
+  /// Damping of the plant's ground under each foot (auto: from the stiffness) [Ns/m], > 0
+  /// @code Damping of the plant's ground under each foot (none: from the stiffness) [Ns/m]
+  /// @more If not stated, the damping is the stiffness times 0.05 s (0.02 s with point feet).
+  /// @word auto
   std::optional<double> damping = std::nullopt;
 
-  double plan_friction = 0.5;  ///< friction coefficient that plans assume, > 0
-  /// fraction of a sole's half sides within which plans keep the centre of pressure, 0 to 1
+  double plan_friction = 0.5;  ///< Friction coefficient of the ground that plans assume, > 0
+  /// Limit of the centre of pressure in plans, as a fraction of half the sides of a sole, 0 to 1
   double plan_sole = 0.95;
-  /// [N], smallest load of each foot in plans; auto: 0.09 of the weight per foot, >= 0 @code N,
-  /// smallest load of each foot in plans; none: 0.09 of the weight per foot @word auto
+  /// Smallest load of each foot in plans (auto: 0.09 times the weight per foot) [N], >= 0
+  /// @code Smallest load of each foot in plans (none: 0.09 times the weight per foot) [N]
+  /// @word auto
   std::optional<double> least_load = std::nullopt;
-  double balance = 1e3;  ///< [1/m^2]: centre of mass to where it starts, >= 0
-  double base = 100.0;   ///< [1/rad^2]: base to its orientation at the start, >= 0
-  /// {per (kg m/s)^2 and (kg m^2/s)^2}: momentum about the centre of mass, >= 0
+  /// Weight on the distance of the centre of mass from its target [1/m^2], >= 0
+  /// @more The target is the position at the start, unless the task moves the target.
+  double balance = 1e3;
+  /// Weight on the rotation of the base from its target [1/rad^2], >= 0
+  /// @more The target is the orientation at the start, unless the task moves the target.
+  double base = 100.0;
+  /// Weight on momentum about the centre of mass {per (kg m/s)^2 and (kg m^2/s)^2}, >= 0
   double momentum = 1e-2;
-  /// [1/N^2], on tangential forces and yaw moments of each foot, >= 0 @more It discourages internal
-  /// forces between the feet.
+  /// Weight on tangential forces and yaw moments of each foot [1/N^2], >= 0
+  /// @more This weight discourages internal forces between the feet.
   double rubbing = 1e-4;
-  double contact_kd = 20.0;  ///< [1/s], damping of the feet's constraint (Baumgarte), >= 0
+  /// Damping of the contact constraint of the feet (Baumgarte) [1/s], >= 0
+  double contact_kd = 20.0;
 
-  /// the base is estimated from an inertial unit, the joints and the feet; false: its state is
-  /// known @code the base is estimated from an inertial unit, the joints and the feet
-  /// (BaseEstimator); false: its state is known
+  /// Estimate the base from an inertial unit, joints and feet; false: measure it directly
+  /// @note BaseEstimator estimates the base.
   bool estimate = true;
-  std::string imu_frame = {};  ///< of that unit; empty: the base's body
-  /// hold at first and after a fault, in place of the task's; light feet on compliant ground need a
-  /// soft one
+  std::string imu_frame = {};  ///< Frame of the inertial unit; empty: the body of the base
+  /// Gains that hold the robot at the start and after a fault
+  /// @more They replace the fallback gains of the task. Light feet on compliant ground need low
+  /// gains.
   Fallback fallback = {.stiffness = 100.0, .damping = 15.0, .give = 0.5};
-  /// [s] at first, within settle, in which a hoist hands the weight over to the feet, >= 0
+  /// Time at the start in which a hoist transfers the weight to the feet [s], >= 0
+  /// @more The time is at most `settle`.
   double hoist = 0.5;
-  SlipOptions slip = {};  ///< how plans treat a foot that slips
-  /// time for which the posture is held at first, while the estimate of the base settles [s], >= 0
+  SlipOptions slip = {};  ///< Response of plans to a foot that slips
+  /// Time for which the posture is held at the start [s], >= 0
+  /// @more The estimate of the base settles in this time.
   double settle = 1.0;
-  bool force_sensors = true;  ///< in the feet, of forces and moments
-  /// time for which a run continues after a fault, to show whether the robot falls [s], >= 0 @more
-  /// The task's figures end at the fault.
+  bool force_sensors = true;  ///< Feet have sensors of force and moment
+  /// Time for which a run continues after a fault [s], >= 0
+  /// @more This shows whether the robot falls. The figures of the task end at the fault.
   double after_fault = 2.0;
 
   bool stands() const { return !feet.empty(); }

@@ -1,5 +1,5 @@
-// The task of pushing with both hands against a wall: a robot on its feet presses two balls in its
-// hands along the wall's normal, holds that, and leans to the largest force that it can hold.
+// Task: a robot on its feet presses both hands against a wall, holds the force, and then searches
+// for the largest force that it can hold.
 #pragma once
 
 #include <atomic>
@@ -22,248 +22,321 @@ namespace burnish::push_wall {
 /// Cost weights, per second of horizon.
 /// @described push_wall
 struct Weights {
-  double force = 1.0;      ///< [1/N^2]: of each hand along the normal to its target, >= 0
-  double friction = 1e-2;  ///< [1/N^2]: of each hand along the wall to none, >= 0
-  /// [1/m^2]: hands to their places along the wall, while they do not hold, >= 0
+  /// Weight on errors of the normal force of each hand [1/N^2], >= 0
+  double force = 1.0;
+  double friction = 1e-2;  ///< Weight on the tangential force of each hand [1/N^2], >= 0
+  /// Weight on position errors of the hands while they are not in contact [1/m^2], >= 0
+  /// @more The weight applies to errors along the wall. Before the approach, it also applies to
+  /// errors along the wall's normal.
   double position = 1e4;
-  /// [s^2/m^2]: speed along the normal to that of approach and retreat, >= 0
+  /// Weight on errors of the normal speed of the hands in approach and retreat [s^2/m^2], >= 0
   double approach = 1e3;
-  /// [1/rad^2]: hands to their axis along the normal at the start; what tilts costs torque of the
-  /// wrists, >= 0
+  /// Weight on the change of each hand's angle to the wall since the start [1/rad^2], >= 0
+  /// @more A tilted hand needs more wrist torque.
   double inclination = 100.0;
-  double posture = 0.1;  ///< [1/rad^2]: joints to the start; more keeps the body from leaning, >= 0
-  double range = 1e3;    ///< [1/rad^2]: joints off their limits, within range_margin of these, >= 0
-  double range_margin = 0.1;  ///< [rad (m)], >= 0
-  double velocity = 5.0;      ///< [s^2/rad^2]: joint speeds, >= 0
-  double torque = 1e-4;       ///< [1/Nm^2]: torques to those that hold the start, >= 0
-  /// [s]: what the end of the horizon costs, as a time at its running cost, >= 0
+  /// Weight on joint angles relative to the start [1/rad^2], >= 0
+  /// @more A larger weight hinders leaning.
+  double posture = 0.1;
+  /// Weight on joint angles closer than range_margin to a position limit [1/rad^2], >= 0
+  double range = 1e3;
+  /// Distance from position limits below which the weight `range` acts [rad (m)], >= 0
+  double range_margin = 0.1;
+  double velocity = 5.0;  ///< Weight on joint velocities [s^2/rad^2], >= 0
+  /// Weight on torques relative to the torques that hold the start [1/Nm^2], >= 0
+  double torque = 1e-4;
+  /// Duration by which the weights are multiplied for the terminal cost [s], >= 0
   double terminal = 0.1;
 };
 
-/// A plane before the hands, and what plans keep of it. It lies `clearance` from the nearer hand at
-/// the start.
+/// Plane wall in front of the hands, with its contact parameters in the plant and in plans. At the
+/// start the distance between the wall and the nearer hand is `clearance`.
 /// @described push_wall
 struct Wall {
-  /// [x, y, z] out of the wall towards the robot, any length, world, not zero @code out of the
-  /// wall, any length @key normal
+  /// Normal of the wall [x, y, z] in world axes, towards the robot, not zero
+  /// @more The normal points out of the wall. It need not have unit length.
+  /// @key normal
   Eigen::Vector3d normal_world = -Eigen::Vector3d::UnitX();
-  double friction = 0.5;       ///< Coulomb coefficient of the plant, >= 0
-  double stiffness = 1e5;      ///< [N/m], of the plant, under each hand, > 0
-  double damping = 2e3;        ///< {Ns/m}, of the plant, under each hand, > 0
-  double plan_friction = 0.2;  ///< coefficient that plans keep within, > 0
-  double contact_kd = 40.0;    ///< [1/s], damping of the hands' constraint (Baumgarte), >= 0
+  double friction = 0.5;       ///< Coulomb friction coefficient of the plant's wall, >= 0
+  double stiffness = 1e5;      ///< Stiffness of the plant's wall at each hand [N/m], > 0
+  double damping = 2e3;        ///< Damping of the plant's wall at each hand [Ns/m], > 0
+  double plan_friction = 0.2;  ///< Friction coefficient that plans assume for the wall, > 0
+  /// Damping of the contact constraint of the hands (Baumgarte) [1/s], >= 0
+  double contact_kd = 40.0;
 };
 
-/// How the largest force is looked for, and when the search is over: where the posture could not
-/// bear `reserve` more, where plans cannot keep their limits or give way, where a hand or a foot
-/// slips, and at `force_max`.
+/// Search for the largest force. The force of both hands rises until one of the conditions in Limit
+/// ends the search.
 /// @described push_wall
-/// Limit says which of these ended it.
 struct Lean {
-  double rate = 10.0;  ///< [N/s], of each hand, > 0
-  /// [N] of each hand, where it ends at the latest, > 0 or infinite @more never: nine tenths of
-  /// limits.force.
+  double rate = 10.0;  ///< Rate of increase of the force of each hand [N/s], > 0
+  /// Upper limit of the force of each hand, where the search stops [N], > 0 or infinite
+  /// @more With the value never (infinite), the limit is nine tenths of limits.force.
   double force_max = std::numeric_limits<double>::infinity();
-  /// of the force, that the posture must be able to bear beyond it, at rest and within the limits
-  /// that plans keep, >= 0
+  /// Additional force that the posture must be able to support, as a fraction of the force, >= 0
+  /// @more The check is static. It uses the same constraints as plans.
   double reserve = 0.05;
-  double give = 5.0;    ///< [N] that the mean of both hands over 0.1 s may be below the target, > 0
-  double slip = 5e-3;   ///< [m] that a hand or foot may slide within a second; grounds creep, > 0
-  double share = 0.95;  ///< of the force then, that is held afterwards, 0 to 1
-  double hold_duration = 2.0;  ///< [s] that this is held, > 0
+  /// Largest amount by which the force of the hands may fall below its target [N], > 0
+  /// @more The force is the mean of both hands over 0.1 s.
+  double give = 5.0;
+  /// Largest distance that a hand or foot may slide within about a second [m], > 0
+  /// @more Slow creep does not count, for example of feet on compliant ground.
+  double slip = 5e-3;
+  /// Force held after the search, as a fraction of the force where the search ended, 0 to 1
+  double share = 0.95;
+  /// Time for which the reduced force is held after the search [s], > 0
+  double hold_duration = 2.0;
 };
 
-/// What ended the search for the largest force.
+/// Condition that ended the search for the largest force.
 /// @described push_wall
 enum class Limit {
-  None,  ///< nothing: the search did not end
-  Most,  ///< Lean.force_max was reached
-  Bear,  ///< the posture could not bear Lean.reserve more
-  Give,  ///< plans gave way: the hands fell behind the target
-  Plan,  ///< plans could not keep all their limits
+  None,  ///< none: the search did not end
+  Most,  ///< the force reached Lean.force_max
+  Bear,  ///< the posture could not support the additional force of Lean.reserve
+  Give,  ///< the force of the hands fell behind its target
+  Plan,  ///< plans could not satisfy all their constraints
   Hand,  ///< a hand slipped
   Foot,  ///< a foot slipped
 };
 std::string name_of(Limit limit);
 
-/// The task of pushing with both hands against a wall: all that a task file may say, with its
-/// defaults.
+/// Task of pushing with both hands against a wall: all keys of a task file, with their defaults.
 /// @described push_wall
 struct Task {
-  std::string robot = "talos";  ///< a robot's name, folder or settings file, with :variant
-  /// where it starts, of the robot's settings @more Empty: the robot's default.
+  /// Name, folder or settings file of the robot, optionally with :variant
+  std::string robot = "talos";
+  /// Starting posture, a name from the robot's settings
+  /// @more Empty: the robot's default posture.
   std::string posture = {};
-  double force = 50.0;  ///< [N], that each hand presses with, > 0
-  /// two frames, whose origins are the centres of balls
+  double force = 50.0;  ///< Normal force that each hand presses with [N], > 0
+  /// Frames of the two hands; their origins are the centres of the round tips
   std::vector<std::string> hands = {"left_tool", "tool"};
-  double tip_radius = 0.02;  ///< [m], of those balls, > 0
+  double tip_radius = 0.02;  ///< Radius of the round tips of both hands [m], > 0
 
-  /// A plane, `clearance` before the nearer hand at the start. The controller knows its normal.
+  /// Plane wall at the distance `clearance` from the nearer hand at the start. The controller knows
+  /// its normal.
   Wall wall = {};
-  /// What the robot stands on.
+  /// Feet and ground of a robot with a floating base.
   Standing standing = {.feet = {"left_sole_link", "right_sole_link"}, .balance = 1e4};
 
-  // @section phases Stand, approach until both hands have contact, ramp the force, hold it, lean to
-  // the largest,\nhold that, release, retreat.
-  double clearance = 0.02;       ///< [m] between hands and wall at the start, > 0
-  double settle_duration = 0.5;  ///< [s] of standing before, > 0
-  double approach_speed = 0.04;  ///< [m/s] towards the wall, > 0
-  double touch_force = 5.0;      ///< [N] of each hand, at once where both have contact, > 0
-  double ramp_duration = 1.5;    ///< [s] from touch_force to force, > 0
-  double hold_duration = 3.0;    ///< [s] that the force is held, > 0
-  /// How the largest force is looked for, and when the search is over. @after retreat_duration
+  // @section phases Stand, approach until both hands have contact, ramp the force, hold it, search
+  // for the largest force,\nhold a fraction of the largest force, release, retreat.
+  double clearance = 0.02;  ///< Distance between the nearer hand and the wall at the start [m], > 0
+  double settle_duration = 0.5;  ///< Time to stand before the approach [s], > 0
+  double approach_speed = 0.04;  ///< Speed towards the wall [m/s], > 0
+  /// Force that each hand presses with as soon as both hands have contact [N], > 0
+  double touch_force = 5.0;
+  double ramp_duration = 1.5;  ///< Duration of the ramp from touch_force to force [s], > 0
+  double hold_duration = 3.0;  ///< Time for which `force` is held before the search [s], > 0
+  /// Search for the largest force, and the conditions that end the search.
+  /// @after retreat_duration
   Lean lean = {};
-  double release_duration = 5.0;  ///< [s] back to touch_force, > 0
+  /// Duration of the release, a ramp of the force down to touch_force [s], > 0
+  double release_duration = 5.0;
   // @section -
-  double retreat_duration = 1.0;  ///< [s] off the wall, by the clearance, > 0
+
+  /// Duration of the retreat from the wall to the distance `clearance` [s], > 0
+  double retreat_duration = 1.0;
 
   // @section controller
-  double tick_rate = 1000.0;   ///< [Hz], of torque commands, 100 to 1e4
-  double update_rate = 200.0;  ///< [Hz], of new plans; divides the tick rate, > 0
-  /// [s] from a measurement to the use of the plan made from it, >= 0
+  double tick_rate = 1000.0;   ///< Rate of torque commands [Hz], 100 to 1e4
+  double update_rate = 200.0;  ///< Rate of new plans, tick_rate divided by an integer [Hz], > 0
+  /// Time from a measurement to the use of the plan that starts from it [s], >= 0
   double solver_delay = 0.005;
-  /// Delay from command to torque that the controller assumes [s], 0 to 0.1 @more Rounded to ticks.
-  /// Plans and feedback begin in the state that the torques already sent lead to.
+  /// Assumed delay from a command to its torque [s], 0 to 0.1
+  /// @more The delay is rounded to ticks. Plans and feedback start from the state that the torques
+  /// already sent lead to.
   double command_delay = 0.0;
-  /// Delay from measurement to tick that the controller assumes [s], 0 to 0.1
+  /// Assumed delay from a measurement to the tick that receives it [s], 0 to 0.1
   double measurement_delay = 0.0;
-  double horizon = 1.0;  ///< [s] that are planned ahead, > 0
-  double step = 0.01;    ///< [s] between the first two knots of the plan, > 0
-  int knots = 30;        ///< of the plan; the steps grow so that they fill the horizon, >= 2
+  double horizon = 1.0;  ///< Duration that a plan covers [s], > 0
+  double step = 0.01;    ///< Time between the first two knots of the plan [s], > 0
+  /// Number of knots in the plan, >= 2
+  /// @more The steps between knots grow to cover the horizon.
+  int knots = 30;
   // @section -
-  Weights weights = {};  ///< Cost weights, per second of horizon.
-  /// What is estimated of what the model gets wrong.
+  /// Cost weights, per second of horizon. Only their ratios matter.\nA larger weight reduces the
+  /// error of its own term and increases the errors of the other terms.
+  Weights weights = {};
+  /// Estimation of model errors from measurements. Each plan includes the estimate.
   ModelErrorOptions model_error = {.bandwidth = 60.0, .boost = 2.0, .fading = 0.2};
 
-  PlanLimits constraints = {};  ///< What plans keep, whatever it costs. Each may be never.
+  PlanLimits constraints = {};  ///< Hard constraints of plans; `never` switches a constraint off.
 
-  // @section limits Beyond these a run is given up: the robot is braked and held (fallback), and
-  // there is a report.\nEach may be never.
-  double force_limit = 400.0;  ///< [N] of a hand, mean over 5 ms, > 0 or infinite @key force
-  double slip = 0.03;          ///< [m] that a hand or foot may have slid, > 0 or infinite
-  /// [m] that the centre of mass may be below where it starts, > 0 or infinite
+  // @section limits Exceeding a limit ends the run and is reported as a fault.\nThe fallback
+  // controller then brakes and holds the robot. `never` switches a limit off.
+
+  /// Largest mean force of a hand over 5 ms [N], > 0 or infinite
+  /// @key force
+  double force_limit = 400.0;
+  double slip = 0.03;  ///< Largest distance that a hand or foot may slide [m], > 0 or infinite
+  /// Largest drop of the centre of mass below its height at the start [m], > 0 or infinite
   double sink = 0.25;
-  double late_contact = 3.0;  ///< [s] that contact may come late, > 0 or infinite
-  /// [s] that a hand may be without force while it is to press, > 0 or infinite
+  /// Longest wait for contact after the planned time of contact [s], > 0 or infinite
+  double late_contact = 3.0;
+  /// Longest time without force at a hand that should press [s], > 0 or infinite
   double contact_lost = 0.3;
-  double contact_threshold = 2.0;  ///< [N], mean over 10 ms, that count as contact of a hand, > 0
+  /// Mean force of a hand over 10 ms above which the hand counts as in contact [N], > 0
+  /// @more Contact counts as lost if the force falls below half of this threshold.
+  double contact_threshold = 2.0;
   SafetyLimits limits = {.torque_gap = 0.25};
 
   // @section -
-  /// What the controller does not know. Or one word: none, sensors, mismatch, joint_friction;
-  /// or\n`preset: word` and keys that differ from it. @code what the controller does not know
+
+  /// Disturbances that the controller does not know.\nOne word can replace all keys: none, sensors,
+  /// mismatch or joint_friction.\nWith the key `preset` and one of these words, only keys that
+  /// differ from the preset are needed.
+  /// @code Disturbances that the controller does not know
   Disturbances disturbances = {};
 };
 
-/// A file with `task: push_wall`. Keys that it does not state keep their defaults;
-/// tasks/push_wall/talos.yaml states all. `overrides` are applied after it, in order, each
-/// "key.path=value" with a value in YAML. Throws Error naming file (or override), line, key and
-/// what was wanted.
+/// Reads a task file, which has the key `task: push_wall`. Missing keys get their defaults;
+/// tasks/push_wall/talos.yaml states all keys. Then applies `overrides` in order, each
+/// "key.path=value" with a value in YAML. Throws Error that names the file (or override), line and
+/// key, and states the requirement.
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
-/// The same from a text; `name` stands for the file's in refusals.
+/// Reads a task from the text of a task file, as read_task() does. Error messages use `name` as the
+/// file's name.
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides = {});
-/// Applies overrides to a task. Throws Error as read_task() does.
+/// Applies `overrides` to a task in order, each "key.path=value" with a value in YAML. Throws Error
+/// that names the override and states the requirement.
 void override_task(Task& task, const std::vector<std::string>& overrides);
-/// Throws Error with a sentence for numbers out of range, and for those that are possible each but
-/// not together.
+/// Throws Error if a number is out of range or if settings contradict each other. The message is
+/// one sentence.
 void check_task(const Task& task);
-/// N of each hand, where the search for the largest force ends at the latest.
+/// Returns the upper limit of the force of each hand, where the search for the largest force stops
+/// [N].
 double force_max(const Task& task);
-/// The whole task as such a file, every key with its unit and meaning; reads back as it was.
+/// Returns the text of a complete task file, with the unit and meaning of every key. Reading this
+/// text returns the same task.
 std::string task_text(const Task& task);
-/// Returns a sentence for each stated key that has no effect in this task, and one for a plant that
-/// is exactly what the controller believes, unless that is meant.
+/// Returns warnings for the user about settings that are probably unintended, one sentence each:
+/// delays that differ from the assumed delays, a wall friction without effect because
+/// disturbances set another one, and a
+/// plant that equals the controller's model. `ideal_is_meant` leaves out the sentence about the
+/// plant.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
-/// A task with everything resolved: robot, start, wall, feet, hands, phases.
+/// Task with all settings filled in: robot, start, wall, feet, hands, phases.
 /// @described push_wall
 struct Setting {
-  Robot robot;              ///< @required
-  Eigen::VectorXd q_start;  ///< nq @required
-  /// as the controller knows it: feet and hands are its supports, in this order; its surface is the
-  /// wall, and its tip a smaller ball that never touches it @required
+  Robot robot;              ///< Robot of the task, with a floating base @required
+  Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
+  /// Scene as the controller assumes it: feet and hands are supports, the wall is the surface
+  /// @more The supports list the feet first. The tip is a ball in the second hand, too small to
+  /// touch the wall.
+  /// @required
   SceneSpec scene;
-  Eigen::Matrix3d wall_axes;            ///< columns: two tangents and the normal, world @required
-  Eigen::Matrix<double, 3, 2> p_hands;  ///< of the hands in contact, m, world; columns @required
-  Eigen::Vector3d com;                  ///< centre of mass at the start, m, world @required
-  /// m/N, world, level: how far the centre of mass goes per N of each hand so that the pressure
-  /// under the feet stays where it is @required
+  /// Axes of the wall in the world; the columns are two tangents and the normal
+  /// @required
+  Eigen::Matrix3d wall_axes;
+  /// Positions of the two hands in contact, in the world [m]; one column per hand
+  /// @required
+  Eigen::Matrix<double, 3, 2> p_hands;
+  Eigen::Vector3d com;  ///< Centre of mass at the start, in the world [m] @required
+  /// Horizontal displacement of the centre of mass per force of each hand, in the world [m/N]
+  /// @more With this displacement, the centre of pressure under the feet stays where it is.
+  /// @required
   Eigen::Vector3d com_per_force;
-  /// [m] that the pressure lies before the middle of the feet at the start, on the side of the wall
+  /// Distance from the middle of the feet to the centre of pressure at the start, towards the wall
+  /// [m]
   double room = 0.0;
-  double touch = 0.0;        ///< [s] of the schedule
-  double ramp_end = 0.0;     ///< [s] of the schedule
-  double hold_end = 0.0;     ///< [s] of the schedule
-  double lean_end = 0.0;     ///< [s] of the schedule
-  double top_end = 0.0;      ///< [s] of the schedule
-  double release_end = 0.0;  ///< [s] of the schedule
+  double touch = 0.0;        ///< Schedule time of the planned contact [s]
+  double ramp_end = 0.0;     ///< Schedule time at the end of the ramp [s]
+  double hold_end = 0.0;     ///< Schedule time when the hold ends and the search begins [s]
+  double lean_end = 0.0;     ///< Schedule time at the end of the search for the largest force [s]
+  double top_end = 0.0;      ///< Schedule time at the end of the hold after the search [s]
+  double release_end = 0.0;  ///< Schedule time at the end of the release [s]
 };
-/// The task's robot, its base floating. Throws Error as load_robot() does.
+/// Loads the robot of the task with a floating base. Throws Error in the same cases as
+/// load_robot().
 Robot load_task_robot(const Task& task);
-/// Throws Error for a robot, posture, hand or foot that there is not, and for hands of which one is
-/// not in the plane of the wall that the other comes to.
+/// Fills in all settings of a task: loads the robot, places the wall, the hands and the feet at the
+/// starting posture, and computes the times of the phases. Throws Error for an unknown robot,
+/// posture, hand or foot. Also throws Error if one hand is more than 5 cm farther from the wall
+/// than the other.
 Setting make_setting(const Task& task);
-/// The same for a robot at hand, whatever the task says of it.
+/// Fills in all settings of a task for `robot`, which replaces the robot that the task names.
 Setting make_setting(const Task& task, const Robot& robot);
-/// Throws Error where the start, statically, cannot bear the force: a motor beyond its limit with
-/// the pressure of both hands' force at the start's posture.
+/// Checks by statics whether both hands can press with `task.force` in the starting posture. Throws
+/// Error if a joint needs more torque than the constraints of plans allow.
 void refuse_out_of_reach(const Task& task, const Setting& setting);
 
-/// How far the search for the largest force has come: what plans are told by the task as it
-/// watches. Of one controller at a time.
+/// State of the search for the largest force. The task's monitor writes the state, and the targets
+/// of plans read it. Two controllers must not use the same state at the same time.
 struct LeanState {
-  std::atomic<double> reached{-1.0};  ///< N of each hand; negative: not ended
-  std::atomic<int> limit{0};          ///< a Limit
-  std::atomic<int> where{-1};         ///< which hand or foot slipped, or which limit of Bear
+  /// Force of each hand where the search ended [N]; negative while the search has not ended.
+  std::atomic<double> reached{-1.0};
+  std::atomic<int> limit{0};  ///< Value of Limit that ended the search, as an int.
+  /// Index of the hand or foot that slipped. For Limit::Bear: index of the constraint that the
+  /// posture reached. Otherwise -1.
+  std::atomic<int> where{-1};
 };
-/// N that each hand is to press with at a time of the schedule, s.
+/// Returns the target force of each hand [N] at the schedule time `time` [s]. `lean` contains the
+/// force at which the search ended.
 double force_at(const Task& task, const Setting& setting, const LeanState& lean, double time);
+/// Returns the specification of the task's model predictive controller. The monitor and the targets
+/// of the specification share `lean`; if it is null, a new state is created. Throws Error if the
+/// start violates constraints.joint_margin.
 MpcSpec make_mpc(const Task& task, const Setting& setting, std::shared_ptr<LeanState> lean = {});
 
-/// A run of a task.
+/// Options of run_task().
 /// @described push_wall
 struct RunSpec {
   Task task;
-  std::optional<Setting> setting = {};  ///< of the task, where there is one already
-  PlantKind plant = PlantKind::Mujoco;  ///< the ideal plant has no feet to stand on
-  bool check_reach = true;              ///< before anything moves; a problem is then an Error
-  double plan_rate = 20.0;              ///< [Hz], at which plans are recorded; 0: none
-  /// Called now and then with the simulated time and about when it will be over, s. Returning false
-  /// stops the run.
+  /// Task with all settings filled in; none: computed by make_setting()
+  std::optional<Setting> setting = {};
+  /// Plant to simulate; must not be ideal, because the ideal plant has no feet
+  PlantKind plant = PlantKind::Mujoco;
+  /// Check the reach before the run, and throw Error if there is a problem
+  bool check_reach = true;
+  double plan_rate = 20.0;  ///< Recording rate of plans (0: no recording) [Hz]
+  /// Callback that is called repeatedly with the simulated time and the run's expected end, in s
+  /// @more If the callback returns false, the run stops.
   RunProgress progress = {};
 };
 
-/// Of the plant's true forces and places. Forces are means over 10 ms.
+/// Figures of the push, from the true state of the plant. Forces are averaged over 10 ms. Figures
+/// of the hold begin 0.3 s after the ramp.
 struct PushFigures {
-  /// N, root mean square error of the worse hand's force (mean over 10 ms) while held
+  /// RMS error of the normal force during the hold; the larger value of both hands [N].
   double force_rmse = 0.0;
-  double force_peak = 0.0;     ///< N, largest error of either hand's force then
-  double force_mean = 0.0;     ///< N, mean force of both hands then
-  double largest_force = 0.0;  ///< N, mean of the weaker hand while the largest force is held
-  double largest_rmse = 0.0;   ///< N, root mean square error of the worse hand's force then
-  double lean_force = 0.0;     ///< N, of each hand, asked for where the search ended
-  double lean = 0.0;           ///< m, farthest that the centre of mass went to the wall
-  /// m, farthest that a hand slid along the wall since the ramp began; rolling is none
+  /// Largest error of the normal force of either hand during the hold [N].
+  double force_peak = 0.0;
+  double force_mean = 0.0;  ///< Mean normal force of both hands during the hold [N].
+  /// Mean force of the weaker hand during the hold after the search [N].
+  double largest_force = 0.0;
+  /// RMS force error during the hold after the search; the larger value of both hands [N].
+  double largest_rmse = 0.0;
+  double lean_force = 0.0;  ///< Target force of each hand where the search ended [N].
+  double lean = 0.0;        ///< Largest displacement of the centre of mass towards the wall [m].
+  /// Largest distance that a hand slid along the wall since the beginning of the ramp, without
+  /// rolling [m].
   double hand_slip = 0.0;
-  double foot_slip = 0.0;   ///< m, farthest that a foot was off its start, along the ground
-  double sole_share = 0.0;  ///< largest way of the pressure off a sole's middle, of half its side
+  double foot_slip = 0.0;  ///< Largest distance of a foot from its start along the ground [m].
+  /// Largest offset of the centre of pressure from the middle of a sole, as a fraction of the
+  /// sole's half side.
+  double sole_share = 0.0;
 };
 
+/// Result of run_task().
 struct RunResult : TaskRun {
   Setting setting;
-  bool done = false;                ///< to the end without fault
-  std::optional<PushFigures> push;  ///< none where the hold did not come to its end
-  Limit limit = Limit::None;        ///< that ended the search for the largest force
-  std::string limited_by = {};      ///< the limits that plans kept nearest then, or who slipped
+  bool done = false;                ///< True if the run reached its end without a fault.
+  std::optional<PushFigures> push;  ///< Figures of the push; none if the hold did not end.
+  Limit limit = Limit::None;        ///< Condition that ended the search for the largest force.
+  /// Name of the hand or foot that slipped, or of the constraint that the posture reached. For
+  /// Limit::Plan and Limit::Give: names of up to three constraints that were active in the plan.
+  std::string limited_by = {};
 };
-/// Runs the task in simulated time. What goes wrong on the way is in the result, with all that was
-/// recorded until then. Throws Error for a task that does not fit together, and a plant that is not
-/// there or has no feet.
+/// Runs the task in simulated time. Faults and other problems are in the result, with the data
+/// recorded until then. Throws Error for contradictory settings, and for a plant that has no feet
+/// or that this build does not have.
 RunResult run_task(const RunSpec& spec);
 
-/// Of the schedule, as the numbers of a trace: settle, approach, ramp, hold, lean, top, release,
-/// retreat.
+/// Returns the names of the phases: settle, approach, ramp, hold, lean, top, release, retreat. The
+/// index of a name is the phase number in traces.
 const std::vector<std::string>& phase_names();
 
 }  // namespace burnish::push_wall

@@ -1,4 +1,5 @@
-// The task of standing: a robot on its feet whose trunk sways as it is told and comes back to rest.
+// Task: a robot stands on its feet, its trunk follows a prescribed sway, and it comes to rest
+// again.
 #pragma once
 
 #include <filesystem>
@@ -16,44 +17,52 @@
 
 namespace burnish::stand {
 
-/// How the trunk goes to and fro: a sine in each direction, begun and ended smoothly. Axes are x
-/// forwards as the base is turned at the start, y to its left, z up.
+/// Sway of the trunk: a sine in each direction that begins and ends smoothly. The axes of the sway
+/// are level: x forwards as the base points at the start, y to the left, z up.
 /// @described stand
 struct Sway {
-  /// [m], amplitudes of the centre of mass: x, y, z
+  /// Amplitudes of the motion of the centre of mass along x, y and z [m]
   Eigen::Vector3d shift = Eigen::Vector3d(0.03, 0.02, 0.02);
-  Eigen::Vector3d shift_rate = Eigen::Vector3d(0.5, 0.3, 0.7);  ///< [Hz], >= 0
-  /// [rad], amplitudes of the base: roll, pitch, yaw
+  /// Frequencies of the motion of the centre of mass along x, y and z [Hz], >= 0
+  Eigen::Vector3d shift_rate = Eigen::Vector3d(0.5, 0.3, 0.7);
+  /// Amplitudes of the rotation of the base in roll, pitch and yaw [rad]
   Eigen::Vector3d turn = Eigen::Vector3d(0.06, 0.06, 0.1);
-  Eigen::Vector3d turn_rate = Eigen::Vector3d(0.4, 0.6, 0.3);  ///< [Hz], >= 0
-  double rise = 1.5;                                           ///< [s] until it is that wide, > 0
-  /// directions that the feet or the joints do not allow are left out, or made smaller; false: a
-  /// sway that cannot be followed is refused
+  /// Frequencies of the rotation of the base in roll, pitch and yaw [Hz], >= 0
+  Eigen::Vector3d turn_rate = Eigen::Vector3d(0.4, 0.6, 0.3);
+  /// Time until the sway has its full amplitude [s], > 0
+  /// @more The sway fades out in the same time.
+  double rise = 1.5;
+  /// Reduce amplitudes that feet or joints do not allow; false: reject such a sway with an error
+  /// @more An amplitude is reduced to 0 if needed.
   bool fit = true;
 };
 
 /// Cost weights, per second of horizon.
 /// @described stand
 struct Weights {
-  double posture = 0.1;   ///< [1/rad^2]: joints to the start, >= 0
-  double velocity = 0.1;  ///< [s^2/rad^2]: joint speeds, >= 0
-  double torque = 1e-4;   ///< [1/Nm^2]: torques to those that hold the start, >= 0
-  /// [s]: what the end of the horizon costs, as a time at its running cost, >= 0
+  double posture = 0.1;   ///< Weight on joint angles relative to the start [1/rad^2], >= 0
+  double velocity = 0.1;  ///< Weight on joint velocities [s^2/rad^2], >= 0
+  /// Weight on torques relative to the torques that hold the start [1/Nm^2], >= 0
+  double torque = 1e-4;
+  /// Duration by which the weights are multiplied for the terminal cost [s], >= 0
   double terminal = 0.1;
 };
 
-/// The task of standing on feet and swaying: all that a task file may say, with its defaults.
+/// Task of standing on the feet while the trunk sways: all keys of a task file, with their
+/// defaults.
 /// @described stand
 struct Task {
-  std::string robot = "quadruped";  ///< a robot's name, folder or settings file, with :variant
-  /// where it starts, of the robot's settings; search: found, on bent legs @more Empty: the robot's
-  /// default, or searched where it has none.
+  /// Name, folder or settings file of the robot, optionally with :variant
+  std::string robot = "quadruped";
+  /// Starting posture (search: find one with bent legs)
+  /// @more The value is a posture's name in the robot's settings, or search. If empty: the robot's
+  /// default posture, or a search if the robot has none.
   std::string posture = {};
-  /// of the base's height above the feet with straight legs, that a searched posture is lower, 0 to
-  /// below 1
+  /// Drop of the base in a searched posture, as a fraction of the base's height, 0 to below 1
+  /// @more The height is measured above the feet, with straight legs.
   double crouch = 0.2;
 
-  /// What the robot stands on.
+  /// Feet and ground of a robot with a floating base.
   Standing standing = {.feet = {"fl_foot", "fr_foot", "rl_foot", "rr_foot"},
                        .half_x = 0.0,
                        .half_y = 0.0,
@@ -61,163 +70,197 @@ struct Task {
                        .balance = 1e4,
                        .base = 1e3};
 
-  /// How the trunk goes to and fro: a sine in each direction, begun and ended smoothly.\nAxes are x
-  /// forwards as the base is turned at the start, y to its left, z up. @code how the trunk goes to
-  /// and fro
+  /// Sway of the trunk: a sine in each direction that begins and ends smoothly.\nIts axes are
+  /// level: x forwards as the base points at the start, y to the left, z up.
   Sway sway = {};
 
-  // @section phases Stand, sway, come back and stand.
-  double settle_duration = 0.5;  ///< [s] of standing before it sways, > 0
-  double sway_duration = 8.0;    ///< [s] that it sways, > 0
-  double rest_duration = 1.0;    ///< [s] of standing afterwards, > 0
+  // @section phases Stand, sway, then stand at the start again.
+  double settle_duration = 0.5;  ///< Time to stand before the sway [s], > 0
+  double sway_duration = 8.0;    ///< Duration of the sway [s], > 0
+  double rest_duration = 1.0;    ///< Time to stand after the sway [s], > 0
 
   // @section controller
-  double tick_rate = 1000.0;   ///< [Hz], of torque commands, 100 to 1e4
-  double update_rate = 200.0;  ///< [Hz], of new plans; divides the tick rate, > 0
-  /// [s] from a measurement to the use of the plan made from it, >= 0
+  double tick_rate = 1000.0;   ///< Rate of torque commands [Hz], 100 to 1e4
+  double update_rate = 200.0;  ///< Rate of new plans, tick_rate divided by an integer [Hz], > 0
+  /// Time from a measurement to the use of the plan that starts from it [s], >= 0
   double solver_delay = 0.005;
-  /// Delay from command to torque that the controller assumes [s], 0 to 0.1 @more Rounded to ticks.
-  /// Plans and feedback begin in the state that the torques already sent lead to.
+  /// Assumed delay from a command to its torque [s], 0 to 0.1
+  /// @more The delay is rounded to ticks. Plans and feedback start from the state that the torques
+  /// already sent lead to.
   double command_delay = 0.0;
-  /// Delay from measurement to tick that the controller assumes [s], 0 to 0.1
+  /// Assumed delay from a measurement to the tick that receives it [s], 0 to 0.1
   double measurement_delay = 0.0;
-  double horizon = 0.6;  ///< [s] that are planned ahead, > 0
-  double step = 0.01;    ///< [s] between the first two knots of the plan, > 0
-  int knots = 20;        ///< of the plan; the steps grow so that they fill the horizon, >= 2
+  double horizon = 0.6;  ///< Duration that a plan covers [s], > 0
+  double step = 0.01;    ///< Time between the first two knots of the plan [s], > 0
+  /// Number of knots in the plan, >= 2
+  /// @more The steps between knots grow to cover the horizon.
+  int knots = 20;
   // @section -
-  Weights weights = {};  ///< Cost weights, per second of horizon.
-  /// What is estimated of what the model gets wrong.
+  /// Cost weights, per second of horizon. Only their ratios matter.\nA larger weight reduces the
+  /// error of its own term and increases the errors of the other terms.
+  Weights weights = {};
+  /// Estimation of model errors from measurements. Each plan includes the estimate.
   ModelErrorOptions model_error = {.bandwidth = 60.0, .boost = 2.0, .fading = 0.2};
 
-  PlanLimits constraints = {};  ///< What plans keep, whatever it costs. Each may be never.
+  PlanLimits constraints = {};  ///< Hard constraints of plans; `never` switches a constraint off.
 
-  // @section limits Beyond these a run is given up: the robot is braked and held (fallback), and
-  // there is a report.\nEach may be never.
-  /// [m] that a foot may have slid; that a ball rolls is no sliding, > 0 or infinite
+  // @section limits Exceeding a limit ends the run and is reported as a fault.\nThe fallback
+  // controller then brakes and holds the robot. `never` switches a limit off.
+
+  /// Largest distance that a foot may slide [m], > 0 or infinite
+  /// @more Rolling of point feet does not count.
   double slip = 0.03;
-  /// of the height of the centre of mass above the feet, that it may be below where it is to be, >
-  /// 0 or infinite
+  /// Largest relative drop of the centre of mass below its target, > 0 or infinite
+  /// @more The drop is divided by the height of the centre of mass above the feet.
   double sink = 0.3;
-  double tilt = 0.5;  ///< [rad] that the base may be turned off what it is to be, > 0 or infinite
+  /// Largest allowed angle between the base and its target [rad], > 0 or infinite
+  double tilt = 0.5;
   SafetyLimits limits = {.torque_gap = 0.25};
 
   // @section -
-  /// What the controller does not know. Or one word: none, sensors, mismatch, joint_friction;
-  /// or\n`preset: word` and keys that differ from it. @code what the controller does not know
+
+  /// Disturbances that the controller does not know.\nOne word can replace all keys: none, sensors,
+  /// mismatch or joint_friction.\nWith the key `preset` and one of these words, only keys that
+  /// differ from the preset are needed.
+  /// @code Disturbances that the controller does not know
   Disturbances disturbances = {};
 };
 
-/// A file with `task: stand`. Keys that it does not state keep their defaults;
-/// tasks/stand/quadruped.yaml states all. `overrides` are applied after it, in order, each
-/// "key.path=value" with a value in YAML. Throws Error naming file (or override), line, key and
-/// what was wanted.
+/// Reads a task file, which has the key `task: stand`. Missing keys get their defaults;
+/// tasks/stand/quadruped.yaml states all keys. Then applies `overrides` in order, each
+/// "key.path=value" with a value in YAML. Throws Error that names the file (or override), line and
+/// key, and states the requirement.
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
-/// The same from a text; `name` stands for the file's in refusals.
+/// Reads a task from the text of a task file, as read_task() does. Error messages use `name` as the
+/// file's name.
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides = {});
-/// Applies overrides to a task. Throws Error as read_task() does.
+/// Applies `overrides` to a task in order, each "key.path=value" with a value in YAML. Throws Error
+/// that names the override and states the requirement.
 void override_task(Task& task, const std::vector<std::string>& overrides);
-/// Throws Error with a sentence for numbers out of range, and for those that are possible each but
-/// not together.
+/// Throws Error if a number is out of range or if settings contradict each other. The message is
+/// one sentence.
 void check_task(const Task& task);
-/// The whole task as such a file, every key with its unit and meaning; reads back as it was.
+/// Returns the text of a complete task file, with the unit and meaning of every key. Reading this
+/// text returns the same task.
 std::string task_text(const Task& task);
-/// Returns a sentence for each stated key that has no effect in this task, and one for a plant that
-/// is exactly what the controller believes, unless that is meant.
+/// Returns warnings for the user about settings that are probably unintended, one sentence each:
+/// delays that differ from the assumed delays, and a plant that equals the controller's model.
+/// `ideal_is_meant` leaves out the sentence about the plant.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
-/// A task with everything resolved: robot, start, feet, trunk, phases.
+/// Task with all settings filled in: robot, start, feet, trunk, phases.
 /// @described stand
 struct Setting {
-  Robot robot;  ///< @required
-  /// the task's, with feet that were found where it states auto, or frames of which the robot has
-  /// none @required @note Frames that are added for feet are in `robot`.
+  Robot robot;  ///< Robot of the task @required
+  /// Feet and ground that the robot stands on
+  /// @more Detected feet replace the feet of the task if the task states auto, or only frames that
+  /// the robot does not have.
+  /// @required
+  /// @note `robot` contains the frames added for detected feet.
   Standing standing = {};
-  /// sentences about what was found in place of what it says @after sway
+  /// Settings of the task that were replaced for this robot, one sentence each
+  /// @after sway
   std::vector<std::string> notes = {};
-  Eigen::VectorXd q_start;  ///< nq @required
-  /// as the controller knows it: the feet are its supports; its surface is the ground, and its tip
-  /// a small ball in the base that never touches it @required
+  Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
+  /// Scene as the controller assumes it: the feet are supports, the ground is the surface
+  /// @more The tip is a small ball in the base that never touches the ground.
+  /// @required
   SceneSpec scene;
-  std::string base;  ///< a frame of the base's body @required
-  /// axes that the sway is in, world: x forwards as the base is turned at the start, z up @required
+  std::string base;  ///< Frame on the body of the floating base @required
+  /// Axes of the sway in the world; the columns are forwards (as the base points at the start),
+  /// left and up
+  /// @required
   Eigen::Matrix3d heading;
-  Eigen::Matrix3d R_base;  ///< axes of that frame at the start, world @required
-  Eigen::Vector3d p_base;  ///< [m], and its origin, world @required
-  Eigen::Vector3d com;     ///< [m], centre of mass at the start, world @required
-  Sway sway = {};          ///< the task's, within what the feet allow where it is to fit
-  double sway_end = 0.0;   ///< [s] of the schedule
+  Eigen::Matrix3d R_base;  ///< Axes of the frame `base` at the start, in the world @required
+  Eigen::Vector3d p_base;  ///< Origin of the frame `base` at the start, in the world [m] @required
+  Eigen::Vector3d com;     ///< Centre of mass at the start, in the world [m] @required
+  Sway sway = {};  ///< Sway of the task, reduced to what feet and joints allow if `fit` is true
+  double sway_end = 0.0;  ///< Schedule time at the end of the sway [s]
 };
-/// The task's robot, whose base floats whatever its description says of it. Throws Error as
-/// load_robot() does.
+/// Loads the robot of the task with a floating base, even if the description of the robot fixes the
+/// base. Joints outside the legs are locked if they are too light to be controlled. Throws Error in
+/// the same cases as load_robot().
 Robot load_task_robot(const Task& task);
-/// Throws Error for a robot, posture or foot that there is not, a posture that is searched and not
-/// found, and a sole that does not lie on the ground.
+/// Fills in all settings of a task: loads the robot, finds the feet and the starting posture, and
+/// computes the placement of the trunk at the start and the times of the phases. Throws Error for
+/// an unknown robot, posture or foot, and for a planar foot that does not lie flat on the ground.
+/// Also throws Error if a search finds no posture.
 Setting make_setting(const Task& task);
-/// The same for a robot at hand, whatever the task says of it.
+/// Fills in all settings of a task for `robot`, which replaces the robot that the task names.
 Setting make_setting(const Task& task, const Robot& robot);
 
-/// Where the trunk is to be.
+/// Target of the trunk at one time.
 struct Trunk {
-  Eigen::Vector3d com;           ///< m, world
-  Eigen::Vector3d com_velocity;  ///< m/s, world
-  Eigen::Matrix3d base;          ///< axes of Setting::base, world
+  Eigen::Vector3d com;           ///< Position of the centre of mass in the world [m].
+  Eigen::Vector3d com_velocity;  ///< Velocity of the centre of mass in the world [m/s].
+  Eigen::Matrix3d base;          ///< Axes of the frame Setting::base in the world.
 };
-/// At a time of the schedule, s.
+/// Returns the target of the trunk at the schedule time `time` [s].
 Trunk trunk_at(const Task& task, const Setting& setting, double time);
 
-/// Throws Error where the feet, at rest and within the limits that plans keep, could not bear the
-/// robot at the start or somewhere on its way, and where no posture has the trunk there. Of robots
-/// with closed chains nothing is said.
+/// Checks by statics whether the robot can stand at the start and along its whole sway. Throws
+/// Error if no posture brings the trunk to its target, or if feet and joints cannot support the
+/// weight within the constraints of plans. Robots with closed kinematic chains are not checked.
 void refuse_out_of_reach(const Task& task, const Setting& setting);
+/// Returns the specification of the task's model predictive controller. Throws Error if the start
+/// violates constraints.joint_margin.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
-/// Returns a sentence for everything that this robot is given other than the task says: directions
-/// that its feet do not hold by themselves, parts of the sway, how it is held.
+/// Returns sentences for the user about differences between the task and the run with this robot.
+/// They report replaced settings, a smaller sway, ground that is too stiff for the feet, foot
+/// directions that are not constrained, a softer fallback controller, and less sensor noise.
 std::vector<std::string> setting_notes(const Task& task, const Setting& setting);
 
-/// A run of a task.
+/// Options of run_task().
 /// @described stand
 struct RunSpec {
   Task task;
-  std::optional<Setting> setting = {};  ///< of the task, where there is one already
-  PlantKind plant = PlantKind::Mujoco;  ///< the ideal plant has no feet to stand on
-  bool check_reach = true;              ///< before anything moves; a problem is then an Error
-  double plan_rate = 20.0;              ///< [Hz], at which plans are recorded; 0: none
-  /// Called now and then with the simulated time and about when it will be over, s. Returning false
-  /// stops the run.
+  /// Task with all settings filled in; none: computed by make_setting()
+  std::optional<Setting> setting = {};
+  /// Plant to simulate; must not be ideal, because the ideal plant has no feet
+  PlantKind plant = PlantKind::Mujoco;
+  /// Check the reach before the run, and throw Error if there is a problem
+  bool check_reach = true;
+  double plan_rate = 20.0;  ///< Recording rate of plans (0: no recording) [Hz]
+  /// Callback that is called repeatedly with the simulated time and the run's expected end, in s
+  /// @more If the callback returns false, the run stops.
   RunProgress progress = {};
 };
 
-/// Of the plant's true places, from where the sway begins to the end of the run or a fault.
+/// Figures of the sway, from the true state of the plant. They cover the time from the beginning of
+/// the sway to the end of the run, or to the fault if there is one.
 struct SwayFigures {
-  double com_rmse = 0.0;   ///< m, root mean square distance of the centre of mass from its way
-  double com_peak = 0.0;   ///< m, largest distance of the centre of mass from its way
-  double turn_rmse = 0.0;  ///< rad, root mean square angle of the base off its way
-  double turn_peak = 0.0;  ///< rad, largest angle of the base off its way
-  /// m, root mean square distance of the base from where the controller believes it to be
+  double com_rmse = 0.0;   ///< RMS distance between the centre of mass and its target [m].
+  double com_peak = 0.0;   ///< Largest distance between the centre of mass and its target [m].
+  double turn_rmse = 0.0;  ///< RMS angle between the base and its target [rad].
+  double turn_peak = 0.0;  ///< Largest angle between the base and its target [rad].
+  /// RMS distance between the true and the estimated position of the base [m].
   double believed_place = 0.0;
-  /// rad, root mean square angle of the base off what the controller believes
+  /// RMS angle between the true and the estimated orientation of the base [rad].
   double believed_turn = 0.0;
-  /// m, farthest that a foot was off its start, along the ground; that a ball rolls is none
+  /// Largest distance that a foot slid along the ground from its start, without the rolling of
+  /// point feet [m].
   double foot_slip = 0.0;
-  /// m, of the centre of mass off its place at the start, when the run ends
+  /// Distance between the centre of mass at the end of the run and at the start [m].
   double com_end = 0.0;
 };
 
+/// Result of run_task().
 struct RunResult : TaskRun {
   Setting setting;
-  bool done = false;  ///< to the end without fault, and on its feet
-  /// in truth, when the run ended: the centre of mass lost half of its height above the feet, or
-  /// the base turned by more than 1 rad
+  bool done = false;  ///< True if the run reached its end without a fault and without a fall.
+  /// True if the robot had fallen when the run ended. A robot has fallen if its true centre of mass
+  /// lost more than half of its height above the feet, or if its base turned by more than 1 rad.
   bool fell = false;
-  std::optional<SwayFigures> sway;  ///< none where it did not come to sway
+  std::optional<SwayFigures> sway;  ///< Figures of the sway; none if the sway did not begin.
 };
-/// Runs the task in simulated time. What goes wrong on the way is in the result, with all that was
-/// recorded until then. Throws Error for a task that does not fit together, one that the feet do
-/// not bear, and a plant that is not there or has no feet.
+/// Runs the task in simulated time. Faults and other problems are in the result, with the data
+/// recorded until then. Throws Error for contradictory settings, for feet that cannot support the
+/// robot, and for a plant that has no feet or that this build does not have.
 RunResult run_task(const RunSpec& spec);
 
-/// Of the schedule, as the numbers of a trace: settle, sway, rest.
+/// Returns the names of the phases: settle, sway, rest. The index of a name is the phase number in
+/// traces.
 const std::vector<std::string>& phase_names();
 
 }  // namespace burnish::stand

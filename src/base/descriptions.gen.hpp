@@ -1,4 +1,5 @@
-// What the layer's enumerations hold.
+// Written by scripts/describe --write from the headers of the layer; not to be edited.
+// clang-format off
 #pragma once
 
 #include "base/description.hpp"
