@@ -1,8 +1,10 @@
 #include "files/read_residual.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <utility>
 
+#include "base/sentence.hpp"
 #include "document/described.hpp"
 #include "dynamics/frame.hpp"
 #include "files/residual_target.hpp"
@@ -89,7 +91,11 @@ document::Reading reading_of(const ProblemScope& scope) {
     name.named([&] { (void)ocp::contact_named(scope.spec, name.text()); });
   };
   reading.names["joint"] = [&scope](const Reader& names) {
-    for (const std::string& name : names.texts()) {
+    const std::vector<std::string> all = names.texts();
+    if (all.empty()) names.refuse("it is empty; wanted at least one joint, or no such key");
+    for (const std::string& name : all) {
+      if (std::count(all.begin(), all.end(), name) > 1)
+        names.refuse("joint " + in_quotes(name) + " stands twice; wanted each joint once");
       const Model& model = scope.model();
       const Joint& joint = model.joints[static_cast<std::size_t>(
           names.named([&] { return model.joint_index(name); }))];

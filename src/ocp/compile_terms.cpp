@@ -40,11 +40,14 @@ void TermBuilder::finish_limits(const Eigen::VectorXd& lower, const Eigen::Vecto
       refuse(of + std::string(name) + " limit holds a NaN");
     return result;
   };
+  const auto row = [&](std::size_t i) {
+    return term.row_names.empty() ? std::to_string(i) : in_quotes(term.row_names[i]);
+  };
   term.lower = limits(lower, -infinity, "lower");
   term.upper = limits(upper, infinity, "upper");
   for (std::size_t i = 0; i < rows; ++i) {
     if (term.lower[i] == infinity || term.upper[i] == -infinity)
-      refuse(of + "limits of row " + std::to_string(i) + " leave nothing inside");
+      refuse(of + "limits of row " + row(i) + " leave nothing inside");
     if (term.lower[i] > term.upper[i])
       refuse(of + "lower limit " + number(term.lower[i]) + " is above the upper one " +
              number(term.upper[i]));

@@ -49,12 +49,13 @@ double derived_scale(const Residual& residual, const CompiledTerm& term,
 double scale_of(const Residual& residual, const CompiledTerm& term, const CompiledProblem& problem,
                 const std::string& where, std::size_t row) {
   const auto counts = [](double scale) { return scale > 0.0 && std::isfinite(scale); };
+  if (std::isinf(term.lower[row]) && std::isinf(term.upper[row])) return 1.0;  // nothing to violate
   const double half = 0.5 * (term.upper[row] - term.lower[row]);
   if (counts(half)) return half;
   const double derived = derived_scale(residual, term, problem, row);
   if (!counts(derived))
     throw Error(
-        where + ": row " + std::to_string(row) +
+        where + ": row " + in_quotes(term.row_names[row]) +
         " has no range, nor a limit of the robot, to scale by; wanted scale: what counts as "
         "much of it, in its unit");
   return derived;

@@ -1,6 +1,8 @@
 // What keys of a cost in a problem file make of its residual.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "burnish/files/problem_file.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
@@ -46,6 +48,40 @@ TEST(ReadTerms, SidesThatMakeNoPyramidAreRefusedWithTheirPlace) {
   expect_words(refusal([] { with_cone(", sides: -4"); }),
                {"cone.sides: it is -4; wanted at least 0"});
   expect_words(refusal([] { with_cone(", sides: 4.5"); }), {"cone.sides", "whole number"});
+}
+
+/// A joint without an effort limit beside others that have one, and a limit on torques.
+ProblemFile with_torque_limit(const std::string& keys) {
+  const Scratch scratch;
+  scratch.write("loose.yaml",
+                "urdf: " BURNISH_ROBOTS_DIR "/arm7/arm7.urdf\nlimits: {joint_2: {effort: .inf}}\n");
+  return read_problem_file(scratch.write("torque.yaml",
+                                         "robot: loose.yaml\n"
+                                         "stages:\n"
+                                         "  move:\n"
+                                         "    costs: {rest: {type: state}}\n"
+                                         "    constraints: {tau: {type: joint_torque" +
+                                             keys +
+                                             "}}\n"
+                                             "horizon: [move: 2]\n"));
+}
+
+TEST(ReadTerms, LimitsOfTheRobot_SkipRowsThatHaveNone) {
+  const Problem problem(with_torque_limit(", limits: 0.9").spec);
+  for (int row = 0; row < 7; ++row)
+    EXPECT_EQ(std::isinf(problem.row_upper(0)[row]), row == 1) << row;
+}
+
+TEST(ReadTerms, RowsThatNothingScales_AreNamed) {
+  expect_words(refusal([] { Problem(with_torque_limit(", upper: 5").spec); }),
+               {"row 'joint_2'", "wanted scale"});
+}
+
+TEST(ReadTerms, JointLists_EmptyOrDoubledAreRefusedWithTheirPlace) {
+  expect_words(refusal([] { with_torque_limit(", limits: 0.9, joints: []"); }),
+               {"tau.joints: it is empty; wanted at least one joint"});
+  expect_words(refusal([] { with_torque_limit(", limits: 0.9, joints: [joint_1, joint_1]"); }),
+               {"tau.joints: joint 'joint_1' stands twice"});
 }
 
 }  // namespace

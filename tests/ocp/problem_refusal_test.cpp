@@ -276,12 +276,12 @@ std::vector<BadSpec> bad_constraints() {
   return {
       {"constraint_without_a_scale",
        with(one(0.0), none, "box"),
-       {"constraint 'box'", "row 0", "no range", "wanted scale", "in its unit"}},
+       {"constraint 'box'", "row 'x'", "no range", "wanted scale", "in its unit"}},
       {"distance_without_a_scale",
        [one, none](ProblemSpec& s) {
          s.stages[0].constraints = {{"far", residual::FrameDistance{"tool", 0.0}, one(0.0), none}};
        },
-       {"constraint 'far'", "row 0", "wanted scale"}},
+       {"constraint 'far'", "row 'distance'", "wanted scale"}},
       {"constraint_scales", priced(Eigen::Vector2d(1.0, 1.0), 1.0, 0.0), {"scale has 2 entries"}},
       {"constraint_scale_zero", priced(one(0.0), 1.0, 0.0), {"scale is 0", "positive"}},
       {"constraint_price", priced(none, -1.0, 0.0), {"price is -1", "at least 0"}},
