@@ -1,6 +1,7 @@
 #include "robots/joint_settings.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limi
   if ((limits.lower || limits.upper) && !has_range) {
     refuse(origin, key + " has no 'lower' and 'upper'; only revolute and prismatic joints have");
   }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (limits.lower == infinity || limits.upper == -infinity)
+    refuse(origin, key + " has no position between " + number(limits.lower.value_or(joint.lower)) +
+                       " and " + number(limits.upper.value_or(joint.upper)));
   joint.lower = limits.lower.value_or(joint.lower);
   joint.upper = limits.upper.value_or(joint.upper);
   joint.velocity_limit = limits.velocity.value_or(joint.velocity_limit);

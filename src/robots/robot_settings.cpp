@@ -13,6 +13,7 @@ namespace {
 using document::Reader;
 
 FrameSpec read_frame(const std::string& name, const Reader& reader) {
+  if (name == "world") reader.refuse("'world' is the frame of the world; wanted another name");
   FrameSpec frame;
   frame.name = name;
   frame.placement = document::read_placement(reader, {"parent"});
@@ -78,6 +79,8 @@ JointFigures read_figures(const Reader& reader) {
   document::read_described(description_of(&figures), &figures, reader);
   if (figures.gear_ratio && !figures.rotor_inertia)
     reader.refuse("key 'gear_ratio' stands without 'rotor_inertia'; state both, or the armature");
+  if (figures.gear_ratio == 0.0)
+    reader["gear_ratio"].refuse("it is 0; wanted turns of the rotor per turn of the joint");
   return figures;
 }
 

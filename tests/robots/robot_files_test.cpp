@@ -273,6 +273,8 @@ TEST_F(RobotFiles, LimitsOfTheSettingsGoBeforeThoseOfTheUrdf) {
   expect_words(sentence("{hinje: {lower: 1}}"), {"robot.yaml", "'hinje'", "'hinge'?"});
   expect_words(sentence("{wheel: {lower: 1}}"), {"robot.yaml", "'wheel'", "revolute"});
   expect_words(sentence("{hinge: {lower: 2}}"), {"'hinge'", "2", "above", "1"});
+  expect_words(sentence("{hinge: {lower: .inf, upper: .inf}}"),
+               {"robot.yaml", "'hinge'", "no position between inf and inf"});
   expect_words(sentence("{hinge: {lowr: 2}}"), {"limits.hinge", "'lowr'", "'lower'?"});
   expect_words(sentence("{hinge: {lower: low}}"), {"limits.hinge.lower", "'low'", "number"});
 }

@@ -45,6 +45,12 @@ TEST(RobotSettings, AreRefusedWithTheKeysThatThereAre) {
   EXPECT_EQ(sentence("variants: {a: {mjcf: a.xml, urdf: a.urdf}}"),
             "robot.yaml: line 2: variants.a: keys 'urdf' and 'mjcf' are both stated; a robot has "
             "one description");
+  EXPECT_EQ(sentence("frames: {world: {parent: hand}}"),
+            "robot.yaml: line 2: frames.world: 'world' is the frame of the world; wanted another "
+            "name");
+  EXPECT_EQ(sentence("joints: {a: {rotor_inertia: 1e-5, gear_ratio: 0}}"),
+            "robot.yaml: line 2: joints.a.gear_ratio: it is 0; wanted turns of the rotor per turn "
+            "of the joint");
   EXPECT_EQ(sentence("postures: {a: {from: b}, b: {j: 1}}"),
             "robot.yaml: line 2: postures.a.from: posture 'b' is none of those above it");
 }
