@@ -8,7 +8,7 @@
 
 namespace burnish::app {
 
-/// Options as they were given; empty where they were not.
+/// Values of the options of the command; empty for options that the user did not give.
 struct PolishArguments {
   std::string file, robot, tool, controller, plant, disturbances, out, write_task, write_posture;
   std::vector<std::string> surfaces, overrides;
@@ -18,8 +18,9 @@ struct PolishArguments {
   bool quiet = false, json = false, time = false, unchecked = false, assume_rotors = false;
   bool no_page = false, plots = false, mcap = false, force = false, strict = false;
 
+  /// Returns whether to print human-readable text to standard output.
   bool talks() const { return !quiet && !json; }
-  /// Adds the options that set all of these.
+  /// Adds the options that set these members to `command`.
   void add_to(CLI::App& command);
 };
 

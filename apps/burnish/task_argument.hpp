@@ -13,8 +13,9 @@ namespace burnish::app {
 /// settings change its normal or shape, such as "tilt_30_sphere".
 std::string place_name(const std::string& surface, const polishing::Task& task);
 
-/// Throws Error if `file`, a task file of the command `wanted` ("polish" or "run"), is a robot; the
-/// message names `robot_option`, which takes one. Throws as refuse_file_of_another_command() too.
+/// Throws Error if `file` describes a robot in place of a task; the message names `robot_option`,
+/// the option that takes a robot. Also throws Error if the file is a task of another command than
+/// `wanted` ("polish" or "run").
 void refuse_other_file(const std::string& file, const std::string& wanted,
                        const std::string& robot_option);
 
@@ -23,7 +24,7 @@ void refuse_other_file(const std::string& file, const std::string& wanted,
 /// for all that take a robot. The message names the command.
 void refuse_file_of_another_command(const std::string& file, const std::string& wanted);
 
-/// Whether an override states the key. `texts`: the task's file, then its overrides.
+/// Returns whether an override states `key`. `texts` are the task's file and then its overrides.
 bool is_overridden(const std::vector<files::Reader>& texts, const std::string& key);
 
 /// Throws EntryError, "standing.feet", for a frame that the robot does not have. Feet that a file

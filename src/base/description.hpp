@@ -71,27 +71,28 @@ concept Worded = std::is_enum_v<T> && requires(T value) {
   { words_of(value) } -> std::same_as<const Words&>;
 };
 
-/// What an entry is, and how to get at it by its address.
+/// Type of an entry, and access to a value by its address. Comments name the kinds for which a
+/// member is set.
 struct ValueType {
   enum class Kind { Number, Count, Flag, Word, Text, Array, List, Map, Optional, Struct, Other };
   Kind kind = Kind::Other;
   std::type_index id = typeid(void);
-  void (*assign)(void* to, const void* from) = nullptr;
-  bool is_unsigned = false;                                        ///< Count
-  Eigen::Index rows = 1, columns = 1;                              ///< Array; -1: any number
-  const Words& (*words)() = nullptr;                               ///< Word
-  const Description& (*description)() = nullptr;                   ///< Struct
-  const ValueType& (*element)() = nullptr;                         ///< List, Map, Optional
-  std::int64_t (*get)(const void*) = nullptr;                      ///< Count, Word
-  void (*set)(void*, std::int64_t) = nullptr;                      ///< Count, Word
-  std::size_t (*size)(const void*) = nullptr;                      ///< List, Map; Optional: 0 or 1
-  void (*resize)(void*, std::size_t) = nullptr;                    ///< List, Optional; Map: to 0
-  void* (*entry)(void*, std::size_t) = nullptr;                    ///< List, Map, Optional
+  void (*assign)(void* to, const void* from) = nullptr;  ///< copies a value; null: it has no copy
+  bool is_unsigned = false;                              ///< Count
+  Eigen::Index rows = 1, columns = 1;                    ///< Array; -1: any number
+  const Words& (*words)() = nullptr;                     ///< Word
+  const Description& (*description)() = nullptr;         ///< Struct
+  const ValueType& (*element)() = nullptr;               ///< List, Map, Optional
+  std::int64_t (*get)(const void*) = nullptr;            ///< Count, Word
+  void (*set)(void*, std::int64_t) = nullptr;            ///< Count, Word
+  std::size_t (*size)(const void*) = nullptr;            ///< List, Map; Optional: 0 or 1
+  void (*resize)(void*, std::size_t) = nullptr;          ///< List, Optional; Map: to 0
+  void* (*entry)(void*, std::size_t) = nullptr;          ///< List, Map, Optional
   const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Map, of an entry
   void* (*named)(void*, const std::string&) = nullptr;  ///< Map: the entry, made if it is not there
-  bool by_rows = false;                            ///< Array: how its numbers follow each other
-  double* (*numbers)(void*) = nullptr;             ///< Array
-  Eigen::Index (*rows_of)(const void*) = nullptr;  ///< Array
+  bool by_rows = false;                                 ///< Array: numbers are stored row by row
+  double* (*numbers)(void*) = nullptr;                  ///< Array
+  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Array
   Eigen::Index (*columns_of)(const void*) = nullptr;
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
 };
@@ -102,29 +103,29 @@ inline void* to_read(const void* at) {
 }
 
 struct Field {
-  std::string name;     ///< of the member, here and in Python
-  std::string key;      ///< in files
-  std::string meaning;  ///< the unit in braces: "{N}, deviation"
-  std::string in_code;  ///< in place of it where the form in files is no matter; or empty
-  std::string more;     ///< what files do not say
-  std::string word;     ///< in files, for what is not there or has no end; or empty
+  std::string name;     ///< Member name in C++ and Python
+  std::string key;      ///< Key in files
+  std::string meaning;  ///< Text with the unit in braces: "Normal force [{N}]"
+  std::string in_code;  ///< Text that replaces `meaning` in docs, Python and C++; or empty
+  std::string more;     ///< Further text, which the comments of files leave out
+  std::string word;     ///< Word in files for an absent or infinite value; or empty
   Range range;
   std::size_t offset = 0;
   const ValueType* type = nullptr;
-  /// What a text, or each of a list, has to be the name of: "frame", "joint" or "contact"; or
-  /// empty.
+  /// Kind of object that a text, or each text of a list, must name: "frame", "joint" or "contact";
+  /// empty: any text.
   std::string name_of = {};
-  std::string words =
-      {};  ///< in files, for a count: that of 0, of 1, ..., a space between; or empty
-  bool required = false;    ///< of a value that Python's users make, without default there
-  bool stated = false;      ///< in files: it has no default there
-  bool number_too = false;  ///< in Python: of a vector, for which one number stands too
+  /// Words in files for the counts 0, 1, ..., separated by spaces; empty: files have the number.
+  std::string words = {};
+  bool required = false;    ///< Python: users must pass it, it has no default
+  bool stated = false;      ///< files must state it
+  bool number_too = false;  ///< Python: one number is also accepted for this vector
 
   void* in(void* spec) const { return static_cast<char*>(spec) + offset; }
   const void* in(const void* spec) const { return static_cast<const char*>(spec) + offset; }
-  std::string unit() const;     ///< empty: none
-  std::string comment() const;  ///< as files have it
-  std::string text() const;     ///< with all that there is to say
+  std::string unit() const;     ///< Unit of the value; empty: none
+  std::string comment() const;  ///< Comment text for files
+  std::string text() const;     ///< Full text, `more` included
 };
 
 /// Entries that belong together: those from `begin` to the next group.
@@ -152,8 +153,9 @@ struct Description {
 void check_ranges(const Description& description, const void* spec,
                   const std::function<std::string(const std::string& entry)>& subject);
 
-/// Writes what `changes` state over `spec`: optionals that are set, entries of maps and of lists by
-/// their names. Nothing else says whether it is stated, and stays as it is.
+/// Overwrites `spec` with the stated parts of `changes`: optionals that are set, entries of maps by
+/// key, and entries of lists of structs by their `name`. Other kinds of entries do not change,
+/// since nothing tells whether they are stated.
 void put_over(const Description& description, void* spec, const void* changes);
 
 template <class T>

@@ -1,4 +1,4 @@
-// Described specifications as YAML: read strictly, written as they read back.
+// Reads described specifications from YAML strictly, and writes them so that they read back.
 #pragma once
 
 #include <functional>
@@ -15,17 +15,17 @@
 
 namespace burnish::document {
 
-/// What descriptions alone do not know of values in files.
+/// Additions to a description for reading a file: readers by type, checks of names, further keys.
 struct Reading {
-  /// Values of these types are read like this, in place of what their description says.
+  /// Readers of values by their C++ type. A reader here replaces the reading by description.
   std::map<std::type_index, std::function<void(void* value, const Reader& reader)>> types = {};
-  /// Checks of names, or of lists of them, by Field::name_of.
+  /// Checks of a text or a list of texts, by Field::name_of: "frame", "joint" or "contact".
   std::map<std::string, std::function<void(const Reader& names)>> names = {};
-  /// Keys of the outermost value that somebody else reads.
+  /// Further allowed keys of the outermost map; the caller reads them.
   std::vector<std::string> also = {};
 };
 
-/// Of Reading::types: values that `read` makes.
+/// Makes an entry of Reading::types from a function that returns the value that it reads.
 template <class Read, class Value = std::invoke_result_t<Read, const Reader&>>
 std::pair<const std::type_index, std::function<void(void*, const Reader&)>> read_by(Read read) {
   return {typeid(Value), [read](void* value, const Reader& reader) {
@@ -33,12 +33,14 @@ std::pair<const std::type_index, std::function<void(void*, const Reader&)>> read
           }};
 }
 
-/// Refuses what the entry does not take, with the place.
+/// Reads the value of one entry into `spec`. Throws Error with the place if it does not fit.
 void read_entry(const Field& field, void* spec, const Reader& reader);
-/// The keys that are there; what no key can state is left as it is.
+/// Reads the stated keys of a map into `spec`; other entries keep their values. Throws Error with
+/// the place for an unknown key, a missing key that is `@stated`, or a value that does not fit.
 void read_described(const Description& description, void* spec, const Reader& reader,
                     const Reading& reading = {});
-/// On one line; nothing for an empty text, which is not written.
+/// Returns the value of an entry as YAML on one line; nothing for an empty text, which is not
+/// written.
 std::optional<std::string> entry_text(const Field& field, const void* spec);
 
 }  // namespace burnish::document

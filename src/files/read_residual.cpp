@@ -20,7 +20,8 @@ std::vector<Residual> all_residuals(std::index_sequence<index...> /*of*/) {
   return {Residual(std::variant_alternative_t<index, Residual>{})...};
 }
 
-/// Type in files of a residual: FramePosition is frame_position. None of a Custom.
+/// Returns the word for the type of a residual in files, such as frame_position for FramePosition;
+/// empty for a Custom.
 std::string type_of_residual(const Residual& residual) {
   const std::string name = std::visit(
       [](const auto& r) -> std::string {
@@ -37,7 +38,7 @@ std::string type_of_residual(const Residual& residual) {
   return type;
 }
 
-/// One of each type, as it is where nothing is stated.
+/// Returns the residual of a type with its default values.
 Residual residual_of(const Reader& type) {
   static const std::vector<Residual> all =
       all_residuals(std::make_index_sequence<std::variant_size_v<Residual>>());
@@ -51,7 +52,7 @@ Residual residual_of(const Reader& type) {
   type.refuse("is no cost");
 }
 
-/// Keys that state a part of the reference, in its place.
+/// Returns the keys that state a part of the reference and replace the key `reference`.
 std::vector<std::string> shorter_keys(const auto& /*of*/) { return {}; }
 std::vector<std::string> shorter_keys(const residual::FramePosition& /*of*/) { return {"axes"}; }
 std::vector<std::string> shorter_keys(const residual::FrameDistance& /*of*/) { return {"axes"}; }
@@ -69,7 +70,7 @@ void read_shorter(const Reader& part, const std::string& key, residual::FrameVel
     residual.reference.rotation = read_axes(part);
 }
 
-/// What no range says.
+/// Checks conditions that a range in the description cannot express.
 void check(const auto& /*of*/, const Reader& /*reader*/) {}
 void check(const residual::FrictionCone& cone, const Reader& reader) {
   if (const auto sides = reader.find("sides")) sides->named([&] { ocp::check_sides(cone.sides); });

@@ -10,8 +10,8 @@ namespace burnish::files {
 std::vector<CostTerm> read_costs(const ProblemScope& scope, const std::optional<Reader>& shared,
                                  const std::vector<std::string>& contacts, const Reader& reader);
 
-/// Reads `constraints` of a stage: {name: {type: ..., lower: ..., upper: ..., limits: share of the
-/// robot's}, ...}.
+/// Reads `constraints` of a stage: {name: {type: ..., lower: ..., upper: ..., limits: fraction of
+/// the robot's limits}, ...}. `contacts` are active.
 std::vector<Constraint> read_constraints(const ProblemScope& scope,
                                          const std::vector<std::string>& contacts,
                                          const Reader& reader);

@@ -17,7 +17,7 @@ struct TargetReader {
     return read_target(scope().folder, space, given());
   }
   std::vector<RowGroup> groups() const { return ocp::residual_rows(scope().spec, residual).groups; }
-  /// The torque, force or both of `hold`, taken from a robot at rest at the start.
+  /// Torques and forces for `hold`: they keep the robot at rest in its starting configuration.
   Holding holding() const {
     return hold(scope().spec, text.contacts, scope().q,
                 read_held_forces(scope(), text.contacts, given()));
@@ -68,7 +68,7 @@ struct TargetReader {
     }
     return read({rows, here});
   }
-  /// Of a frame in a reference, whose rows are what its position has.
+  /// Reads the target of a frame's position in `reference`; its rows are x, y and z.
   Signal position(const std::string& frame, const Reference& reference) const {
     const PositionHere here = given().named([&] {
       return position_here(model(), scope().q, frame, reference.at(scope().spec.start_time));
@@ -105,7 +105,7 @@ struct TargetReader {
   Signal operator()(const residual::CenterOfMass& /*of*/) const {
     return read({groups(), center_of_mass(model(), scope().q)});
   }
-  /// One for each row, and nothing that is there at the start.
+  /// Other residuals have one number per row, and no value at the start to refer to.
   Signal operator()(const auto& /*of*/) const { return read({groups()}); }
 };
 

@@ -1,25 +1,26 @@
-// Targets of residuals in files: where things are at the start, what holds the robot, and paths.
+// Reads targets of residuals: numbers, values at the start, torques and forces at rest, and paths.
 #pragma once
 
 #include "files/read_target.hpp"
 
 namespace burnish::files {
 
-/// The value of a key `target` and what it may refer to.
+/// Value of a key `target`, with the problem and the stage that it may refer to.
 struct TargetText {
   const ProblemScope& scope;
-  const std::vector<std::string>& contacts;  ///< that hold
+  const std::vector<std::string>& contacts;  ///< Names of the contacts that are active in the stage
   const Reader& reader;
 };
 
-/// Reads the target of a residual, all else of which has been read.
+/// Reads the target of a residual whose other keys have been read. Throws Error with the place if
+/// the target does not fit the residual.
 Signal read_target_of(const Residual& residual, const TargetText& text);
 
-/// {q: ..., v: ..., tau: ...} of a difference of states, each one number for all rows or as
-/// read_rows() has it; or one number for what moves; or a list.
+/// Reads row weights of a State, one per entry of its rows: {q: ..., v: ..., tau: ...} with values
+/// as read_rows() takes them, a list, or one number that scales default_state_weights().
 Eigen::VectorXd read_state_weights(const ProblemScope& scope, const Reader& reader);
-/// Where none are said: what is remembered is no motion, it costs where it is said to. Empty: one
-/// for all.
+/// Returns the weights of a State that states none: 0 for torques and forces that the state keeps
+/// from the previous step, else 1. Empty if all weights are 1.
 Eigen::VectorXd default_state_weights(const ProblemScope& scope);
 
 }  // namespace burnish::files

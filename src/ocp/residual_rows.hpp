@@ -1,4 +1,4 @@
-// What the rows of a residual are called, in files and in tables, and the robot's limits of them.
+// Names of the rows of a residual, in files and tables, and the robot's limits of these rows.
 #pragma once
 
 #include <string>
@@ -8,29 +8,33 @@
 
 namespace burnish::ocp {
 
-/// Rows that belong together under one name: a joint and its entries, or a direction.
+/// Rows that share one name: all entries of v of a joint, or one direction.
 struct RowGroup {
   std::string name;
   int size = 1;
 };
 
+/// Rows of a residual, in the order in which the residual writes them.
 struct ResidualRows {
   std::vector<RowGroup> groups = {};
-  Eigen::VectorXd lower = {}, upper = {};  ///< of the robot, per row; empty: it states none
+  /// Limits of the robot per row, in the residual's unit (infinite: none for this row). Both are
+  /// empty for residuals that no limit of a robot belongs to.
+  Eigen::VectorXd lower = {}, upper = {};
 };
 
-/// Rows of a residual in the order that it writes them; none of a State, whose rows are those of
-/// the problem's state. Throws Error with the nearest name for a joint or a contact that is
-/// unknown.
+/// Returns the rows of a residual. A State has none here, since its rows are the problem's states.
+/// Throws Error with the nearest known name for an unknown joint or contact.
 ResidualRows residual_rows(const ProblemSpec& spec, const Residual& residual);
 
-/// Row by row: a direction's name, or that of a joint's entry of v.
+/// Returns one name for each row: the name of the group, or of the entry of v of a joint with
+/// several.
 std::vector<std::string> row_names(const Model& model, const std::vector<RowGroup>& groups);
 
-/// Directions as rows: "x", "y", "z", "rx", ...
+/// Returns one group for each direction that is set: "x", "y", "z", "rx", "ry", "rz".
 std::vector<RowGroup> direction_rows(Directions directions);
 
-/// The contact of this name. Throws Error with the nearest known one.
+/// Returns the contact with this name; a contact without a name has that of its tool. Throws Error
+/// with the nearest known name.
 const ContactSpec& contact_named(const ProblemSpec& spec, const std::string& name);
 
 }  // namespace burnish::ocp

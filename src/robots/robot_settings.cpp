@@ -44,7 +44,7 @@ LoopSpec read_loop(const std::string& name, const Reader& reader) {
   return loop;
 }
 
-/// `known`: those above it, one of which it may begin as.
+/// Reads a posture. `known` are the postures above it in the file; key `from` copies one of them.
 Posture read_posture(const Reader& reader, const std::map<std::string, Posture>& known) {
   Posture posture;
   if (const auto from = reader.find("from")) {
@@ -84,7 +84,7 @@ JointFigures read_figures(const Reader& reader) {
   return figures;
 }
 
-/// A map of what has a name, in the order of the file.
+/// Reads a map of named entries into a list, in the order of the file.
 template <class Named>
 std::vector<Named> read_named(const Reader& reader,
                               Named (*read)(const std::string& name, const Reader& reader)) {
@@ -93,7 +93,7 @@ std::vector<Named> read_named(const Reader& reader,
   return all;
 }
 
-/// What has a form of its own.
+/// Returns readers for the types that a description alone cannot read.
 document::Reading forms() {
   using document::read_by;
   return {.types = {read_by([](const Reader& at) { return document::read_placement(at); }),
@@ -103,7 +103,7 @@ document::Reading forms() {
                     read_by(read_payload), read_by(read_postures), read_by(read_figures)}};
 }
 
-/// The keys of a file or of a variant; `also`: one that only the file has.
+/// Reads the keys of a file or of a variant. `also` are keys that only the file may have.
 RobotSettings read_settings(const Reader& reader, const std::vector<std::string>& also) {
   document::Reading reading = forms();
   reading.also = also;

@@ -113,7 +113,7 @@ RobotSettingsFile read_robot_settings(const std::filesystem::path& file);
 /// file's name.
 RobotSettingsFile parse_robot_settings(const std::string& text, const std::string& name);
 
-/// Returns `common` with the keys that `variant` states replaced or, under named entries, merged.
+/// Returns `common` overwritten by the keys that `variant` states; named entries are merged.
 RobotSettings with_variant(RobotSettings common, const RobotSettings& variant);
 
 /// SRDF file of a robot, if there is one. A file that was not asked for must not prevent loading:
