@@ -1,6 +1,6 @@
-# third_party_licences.txt: the licences of what the programs and libraries contain of others, for
-# whoever passes them on. The page of runs names its own parts in its head; of the rest, which is
-# headers that were compiled in, Debian's packages have the texts.
+# third_party_licences.txt: licences of third-party code in the programs and libraries, for redistribution.
+# The head of the page of runs lists its parts. The other code is headers, whose licences come from Debian's
+# packages.
 set(burnish_licences ${PROJECT_BINARY_DIR}/third_party_licences.txt)
 set(burnish_header_packages libeigen3-dev)
 if(BURNISH_APPS)

@@ -1,10 +1,10 @@
-# Debian packages, a component each, by `cpack` in a build with BURNISH_PACKAGES (the preset packages):
-# for every processor of this kind, and with Debian's folders.
+# Debian packages, one per component, made by `cpack` in a build with BURNISH_PACKAGES (preset packages), for
+# all processors of this architecture and with Debian's folders.
 if(NOT BURNISH_HWCAPS OR NOT BURNISH_APPS OR NOT BURNISH_PYTHON)
   message(FATAL_ERROR "BURNISH_PACKAGES needs the command line (${BURNISH_APPS}), Python (${BURNISH_PYTHON}) "
-    "and kernels chosen at run time (BURNISH_HWCAPS, ${BURNISH_HWCAPS}); the preset packages asks for them")
+    "and kernels chosen at run time (BURNISH_HWCAPS, ${BURNISH_HWCAPS}); the preset packages enables them")
 endif()
-set(BURNISH_MAINTAINER "burnish authors <burnish@example.org>" CACHE STRING "Who answers for the packages")
+set(BURNISH_MAINTAINER "burnish authors <burnish@example.org>" CACHE STRING "Maintainer of the packages")
 
 set(burnish_package_library libburnish${BURNISH_SOVERSION})
 set(burnish_package_development libburnish-dev)
@@ -12,7 +12,7 @@ set(burnish_package_program burnish)
 set(burnish_package_python python3-burnish)
 set(components library development program python)
 
-# What every package says of itself: copyright and changelog.
+# Copyright and changelog of each package.
 set(papers ${PROJECT_BINARY_DIR}/debian)
 add_custom_command(OUTPUT ${papers}/copyright ${papers}/changelog.gz ${papers}/CHANGELOG.md.gz
   COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DLICENCES=${burnish_licences} -DOUT=${papers}
@@ -31,7 +31,7 @@ install(FILES ${papers}/CHANGELOG.md.gz README.md DESTINATION ${CMAKE_INSTALL_DO
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN __pycache__ EXCLUDE)
 
 # debian_package(component SECTION ... [DEPENDS ...] [RECOMMENDS ...] [CONTROL files...] DESCRIPTION "..."):
-# the fields of one package; libraries that it is linked with are found by dpkg-shlibdeps.
+# sets the fields of a package. dpkg-shlibdeps finds the libraries that it is linked with.
 function(debian_package component)
   cmake_parse_arguments(arg "" "SECTION;DESCRIPTION" "DEPENDS;RECOMMENDS;CONTROL" ${ARGN})
   string(TOUPPER ${component} upper)
@@ -50,7 +50,8 @@ whatever reference frame a task calls for, solves optimal control problems on
 them, and runs the solution as model predictive control.
 ")
 set(same "(= ${PROJECT_VERSION})")
-# What is linked with these libraries needs this package; those for newer processors have the same names.
+# Programs that are linked with these libraries need this package. Variants for newer processors have the
+# same names.
 get_property(layers GLOBAL PROPERTY BURNISH_LAYERS)
 set(shlibs "")
 foreach(layer IN LISTS layers)
@@ -94,7 +95,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_COMPONENTS_GROUPING IGNORE)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has one of its own
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own summary
 set(CPACK_PACKAGE_CONTACT "${BURNISH_MAINTAINER}")
 set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

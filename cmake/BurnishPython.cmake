@@ -1,5 +1,5 @@
-# Finds a Python that has NumPy, and pybind11: sets burnish_python_found. The first python3 on the PATH
-# need not have NumPy where the system's has; -DPython3_EXECUTABLE=... chooses another.
+# Finds a Python with NumPy, and pybind11; sets burnish_python_found. Tries python3 in the PATH, then
+# /usr/bin/python3. -DPython3_EXECUTABLE=... selects another one.
 set(burnish_python_found OFF)
 if(NOT Python3_EXECUTABLE)
   foreach(candidate python3 /usr/bin/python3)
@@ -7,7 +7,7 @@ if(NOT Python3_EXECUTABLE)
       OUTPUT_VARIABLE burnish_python OUTPUT_STRIP_TRAILING_WHITESPACE
       RESULT_VARIABLE burnish_python_result ERROR_QUIET)
     if(burnish_python_result EQUAL 0)
-      set(Python3_EXECUTABLE ${burnish_python} CACHE FILEPATH "The Python to build the package for")
+      set(Python3_EXECUTABLE ${burnish_python} CACHE FILEPATH "Python for which the package is built")
       break()
     endif()
   endforeach()

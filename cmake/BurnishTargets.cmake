@@ -1,17 +1,17 @@
-# How every target of the project is made: one function per kind, so that flags live in one place.
+# Functions that make the targets of the project, one per kind of target, and their flags.
 include(CMakePackageConfigHelpers)
 
-# What is installed comes in components: library (shared libraries), development (headers, CMake files
-# and static libraries), program (the command line, robots, tasks), python, and documents (licences).
+# Components of the installation: library (shared libraries), development (headers, CMake files and static
+# libraries), program (command line, robots, tasks), python, documents (licences).
 
-# Before 0.3.0 a new minor version may change anything, so that its libraries have other names.
+# A new minor version can be incompatible, so that its libraries have other names.
 set(BURNISH_SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
-# What is installed finds its libraries beside it, wherever it is moved to.
+# Installed files find their libraries by relative paths, so that the installation can be moved.
 if(NOT DEFINED CMAKE_INSTALL_RPATH)
   file(RELATIVE_PATH burnish_lib_from_bin
     ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
@@ -22,8 +22,8 @@ if(NOT DEFINED CMAKE_INSTALL_RPATH)
   endif()
 endif()
 
-# Several sources are compiled as one, which takes a third of the time of compiling each alone: most of
-# that is headers. -DCMAKE_UNITY_BUILD=OFF for one by one, which is quicker where one line changes.
+# Unity builds compile several sources as one. A full build takes a third of the time, because most of the time
+# is spent in headers. -DCMAKE_UNITY_BUILD=OFF is faster after a change of a single source.
 if(NOT DEFINED CMAKE_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD ON)
 endif()
@@ -36,7 +36,7 @@ if(BURNISH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${BURNISH_CCACHE})
 endif()
 
-# Flags of everything compiled here. None of them reaches a consumer.
+# Flags of all targets of the project. They are not passed to consumers.
 add_library(burnish_flags INTERFACE)
 target_compile_features(burnish_flags INTERFACE cxx_std_20)
 target_compile_options(burnish_flags INTERFACE
@@ -48,9 +48,9 @@ target_compile_options(burnish_flags INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-maybe-uninitialized>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds>
-  # A source that is compiled with others is no header, though GCC takes it for one.
+  # In unity builds, GCC treats sources as headers.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
-  # Most sources are done before the collector of garbage would have found any: a fifteenth less time.
+  # Delays garbage collection, which saves 1/15 of the compile time.
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>
   $<$<BOOL:${BURNISH_NATIVE}>:-march=native>
   $<$<BOOL:${BURNISH_WERROR}>:-Werror>)
@@ -60,7 +60,7 @@ if(BURNISH_SANITIZE)
   target_link_options(burnish_flags INTERFACE -fsanitize=${BURNISH_SANITIZE})
 endif()
 
-# What to do where a part's FOUND_VARIABLE is false.
+# Remedies for a false FOUND_VARIABLE of a part.
 set(burnish_remedy_MUJOCO_LIBRARY "install libmujoco-dev, or set CMAKE_PREFIX_PATH")
 set(burnish_remedy_MUJOCO_INCLUDE_DIR "install libmujoco-dev, or set CMAKE_PREFIX_PATH")
 set(burnish_remedy_assimp_FOUND "install libassimp-dev")
@@ -71,10 +71,11 @@ set(burnish_remedy_yaml-cpp_FOUND "install libyaml-cpp-dev")
 set(burnish_remedy_fmt_FOUND "install libfmt-dev")
 set(burnish_remedy_nlohmann_json_FOUND "install nlohmann-json3-dev")
 set(burnish_remedy_burnish_python_found
-  "no Python with NumPy, its headers and pybind11: scripts/setup --python, or -DPython3_EXECUTABLE=/usr/bin/python3")
+  "run scripts/setup --python, or set -DPython3_EXECUTABLE=... to a Python with NumPy, headers and pybind11")
 
-# burnish_part(OPTION "what it is" FOUND_VARIABLE...): says in one line whether an optional part is
-# built, and turns it off in the calling scope where something it needs is missing.
+# burnish_part(OPTION "name" FOUND_VARIABLE...): prints whether an optional part is built, and sets
+# BURNISH_OPTION to OFF in the calling scope if a dependency is missing. If the option was set to ON, a missing
+# dependency is an error.
 function(burnish_part option what)
   set(missing "")
   foreach(found IN LISTS ARGN)
@@ -88,7 +89,10 @@ function(burnish_part option what)
   endforeach()
   list(REMOVE_DUPLICATES missing)
   list(JOIN missing "; " missing)
-  if(missing)
+  if(missing AND DEFINED CACHE{BURNISH_${option}} AND NOT BURNISH_${option} STREQUAL "AUTO")
+    message(FATAL_ERROR "burnish: BURNISH_${option} is ${BURNISH_${option}}, and ${what} cannot be built (${missing}); "
+      "-DBURNISH_${option}=AUTO builds it only if all dependencies are found")
+  elseif(missing)
     message(STATUS "burnish: ${what}: off (${missing})")
     set(BURNISH_${option} OFF PARENT_SCOPE)
   else()
@@ -97,10 +101,10 @@ function(burnish_part option what)
   endif()
 endfunction()
 
-# burnish_variants(name): the layer once more for newer processors, as shared libraries that the C
-# library's loader prefers where the processor has what they need (glibc-hwcaps). Only layers whose
-# kernels gain by it call this. What crosses the library's boundary is the same in all of them
-# (base/views.hpp), and a set cannot be mixed: packs of another width are other symbols.
+# burnish_variants(name): builds a layer again for newer processors, as shared libraries that the loader of the C
+# library prefers on processors that support them (glibc-hwcaps). Only layers with faster kernels use this.
+# All variants have the same binary interface (base/views.hpp). Variants of different layers cannot be mixed,
+# because packs of different widths are different symbols.
 function(burnish_variants name)
   get_target_property(sources burnish_${name} SOURCES)
   get_target_property(links burnish_${name} LINK_LIBRARIES)
@@ -110,7 +114,7 @@ function(burnish_variants name)
     set_target_properties(${variant} PROPERTIES OUTPUT_NAME burnish_${name}
       VERSION ${PROJECT_VERSION} SOVERSION ${BURNISH_SOVERSION}
       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/glibc-hwcaps/${level}
-      # Its neighbours are those of the plain library, chosen by the loader again.
+      # The loader chooses the variants of the other layers from the folder of the plain libraries.
       INSTALL_RPATH "$ORIGIN/../.." BUILD_RPATH "${CMAKE_CURRENT_BINARY_DIR}")
     get_target_property(definitions burnish_${name} COMPILE_DEFINITIONS)
     target_compile_definitions(${variant} PRIVATE ${definitions})
@@ -123,9 +127,9 @@ function(burnish_variants name)
   endforeach()
 endfunction()
 
-# burnish_layer(name [VARIANTS] [INTERNAL] SOURCES ... LINK ... PRIVATE_LINK ...): one step of the arrow, as
-# burnish::name. VARIANTS: see burnish_variants(). INTERNAL: for the programs here, in none of which it needs
-# a file of its own; not installed.
+# burnish_layer(name [VARIANTS] [INTERNAL] SOURCES ... LINK ... PRIVATE_LINK ...): makes a layer, the target
+# burnish::name. VARIANTS: see burnish_variants(). INTERNAL: a static library for the programs of the project,
+# which is not installed.
 function(burnish_layer name)
   cmake_parse_arguments(arg "VARIANTS;INTERNAL" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   set(kind "")
@@ -155,21 +159,21 @@ function(burnish_layer name)
   endif()
 endfunction()
 
-# burnish_alone(sources...): compiled each by itself: kernels, whose code shall not depend on what stands
-# beside them, and what takes long enough alone.
+# burnish_alone(sources...): excludes sources from unity builds: kernels, whose machine code must not depend on
+# other sources, and sources with a long compile time.
 function(burnish_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# burnish_cold(targets...): what reads, writes, draws and tests, where a quarter less time to compile counts
-# for more than speed.
+# burnish_cold(targets...): compiles targets that are not critical for speed with -O1, which takes a quarter less
+# time: readers, writers, plots and tests.
 function(burnish_cold)
   foreach(target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endforeach()
 endfunction()
 
-# burnish_program(name SOURCES ... LINK ...)
+# burnish_program(name SOURCES ... LINK ...): makes an executable.
 function(burnish_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})

@@ -1,5 +1,5 @@
-# For 64-bit ARM from Debian's cross compiler; programs run in QEMU. Packages for ARM are looked for
-# in BURNISH_AARCH64_PREFIX alone, headers everywhere (Eigen is nothing else).
+# Toolchain for 64-bit ARM with Debian's cross compiler; programs run in QEMU. CMake searches libraries for ARM
+# only in BURNISH_AARCH64_PREFIX, but headers everywhere, because Eigen has only headers.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

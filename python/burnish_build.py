@@ -79,7 +79,7 @@ def _ways(extra):
 def _configure_and_build(build, extra):
     said = _run(
         "cmake", "-S", str(SOURCE), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release",
-        "-DBURNISH_PYTHON=ON", "-DBURNISH_PYTHON_INSTALL_DIR=.", f"-DPython3_EXECUTABLE={sys.executable}",
+        "-DBURNISH_PYTHON=AUTO", "-DBURNISH_PYTHON_INSTALL_DIR=.", f"-DPython3_EXECUTABLE={sys.executable}",
         *(f"-DBURNISH_{part}=OFF" for part in OFF), *extra,
     )
     parts = [line for line in said.splitlines() if "burnish:" in line]
