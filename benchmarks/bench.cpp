@@ -1,4 +1,5 @@
-// Time per state of contact dynamics and its derivatives; names and use are in README.md.
+// Computing time per state of contact dynamics and its derivatives; README.md describes names and
+// use.
 #include <benchmark/benchmark.h>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
@@ -19,7 +20,7 @@ static_assert(ring % native_lanes == 0);
 
 enum class Work { InverseDerivatives, Forward, ForwardDerivatives };
 
-/// One state at a time through the public door.
+/// Evaluation of one state at a time by the public API.
 class Scalar {
  public:
   static constexpr int states_per_step = 1;
@@ -47,12 +48,12 @@ class Scalar {
   Eigen::VectorXd lambda_;
 };
 
-/// The kernels on states that are packed already.
-class Packed {
+/// Evaluation by the kernels on packed states.
+class PackedStates {
  public:
   static constexpr int states_per_step = native_lanes;
   static constexpr int lanes = native_lanes;
-  Packed(const Model& model, const std::vector<ContactSpec>& specs, const States& states)
+  PackedStates(const Model& model, const std::vector<ContactSpec>& specs, const States& states)
       : dynamics_(model, ContactSet(model, specs), {}),
         derivatives_(dynamics_),
         lambda_(static_cast<std::size_t>(dynamics_.rows()), NativePack(1.0)) {
@@ -92,7 +93,7 @@ class Packed {
   std::vector<NativePack> lambda_;
 };
 
-/// The whole ring through the public door: packing and unpacking count.
+/// Evaluation of all states by the public API, including packing and unpacking.
 class Batch {
  public:
   static constexpr int states_per_step = ring;
@@ -130,8 +131,8 @@ void measure(benchmark::State& state, Work work, const Case& what, const std::st
   state.SetLabel(std::to_string(Path::lanes) + (Path::lanes == 1 ? " lane" : " lanes"));
 }
 
-/// Multiply-adds per second of one core: as many independent sums as hide the latency and fit in
-/// registers.
+/// Measures the multiply-adds per second of one core, with enough independent sums in registers to
+/// hide the latency.
 template <class S>
 void multiply_add_peak(benchmark::State& state) {
   constexpr int accumulators = 12, repeats = 1000;
@@ -167,12 +168,12 @@ void add(const std::string& work_name, Work work, const std::string& path_name) 
 
 [[maybe_unused]] const bool all_added = [] {
   add<Scalar>("inverse_dynamics_derivatives", Work::InverseDerivatives, "scalar");
-  add<Packed>("inverse_dynamics_derivatives", Work::InverseDerivatives, "pack");
+  add<PackedStates>("inverse_dynamics_derivatives", Work::InverseDerivatives, "pack");
   add<Scalar>("constrained_dynamics", Work::Forward, "scalar");
-  add<Packed>("constrained_dynamics", Work::Forward, "pack");
+  add<PackedStates>("constrained_dynamics", Work::Forward, "pack");
   add<Batch>("constrained_dynamics", Work::Forward, "batch");
   add<Scalar>("constrained_derivatives", Work::ForwardDerivatives, "scalar");
-  add<Packed>("constrained_derivatives", Work::ForwardDerivatives, "pack");
+  add<PackedStates>("constrained_derivatives", Work::ForwardDerivatives, "pack");
   add<Batch>("constrained_derivatives", Work::ForwardDerivatives, "batch");
   return true;
 }();

@@ -1,4 +1,4 @@
-// The C++ side of python_calls.py: the same calls on the same states, read from a file.
+// C++ part of python_calls.py: the calls of the Python part on its states, read from a file.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -13,22 +13,22 @@
 namespace burnish::bench {
 namespace {
 
-/// Rows of q, v and tau one after the other, as python_calls.py writes them.
+/// Reads the states that python_calls.py writes: all of q, then v, then tau.
 States read_states(const char* file, const Model& model, int count) {
   States states{Eigen::MatrixXd(model.nq, count), Eigen::MatrixXd(model.nv, count),
                 Eigen::MatrixXd(model.nv, count)};
   std::ifstream in(file, std::ios::binary);
-  for (Eigen::MatrixXd* part : {&states.q, &states.v, &states.tau})
-    in.read(reinterpret_cast<char*>(part->data()),
-            static_cast<std::streamsize>(part->size()) * std::streamsize{sizeof(double)});
-  if (!in) throw Error(std::string(file) + ": holds fewer numbers than the states take");
+  for (Eigen::MatrixXd* matrix : {&states.q, &states.v, &states.tau})
+    in.read(reinterpret_cast<char*>(matrix->data()),
+            static_cast<std::streamsize>(matrix->size()) * std::streamsize{sizeof(double)});
+  if (!in) throw Error(std::string(file) + ": the file ends before the last state");
   return states;
 }
 
-/// Microseconds per state, the least of some repetitions of pass(first, end) on every piece of the
-/// states. Small pieces find a quiet moment of a busy machine.
+/// Returns the smallest time per state over repetitions of pass(first, end) on all pieces of the
+/// states [us]. Small pieces are less affected by other load of the machine.
 template <class Pass>
-double least(int count, int piece, int repetitions, const Pass& pass) {
+double min_time(int count, int piece, int repetitions, const Pass& pass) {
   using Clock = std::chrono::steady_clock;
   double best = std::numeric_limits<double>::infinity();
   for (int r = 0; r < repetitions; ++r)
@@ -54,13 +54,13 @@ void measure(const char* file, int count, int piece, int repetitions) {
   const auto print = [&](const char* name, double microseconds) {
     std::printf("%s %.6f\n", name, microseconds);
   };
-  print("forward", least(count, piece, repetitions, [&](int first, int end) {
+  print("forward", min_time(count, piece, repetitions, [&](int first, int end) {
           for (int i = first; i < end; ++i) {
             one.forward(x.q.col(i), x.v.col(i), x.tau.col(i));
             sum += one.a()[0];
           }
         }));
-  print("derivatives", least(count, piece, repetitions, [&](int first, int end) {
+  print("derivatives", min_time(count, piece, repetitions, [&](int first, int end) {
           for (int i = first; i < end; ++i) {
             one.forward(x.q.col(i), x.v.col(i), x.tau.col(i));
             one.forward_derivatives();
@@ -69,7 +69,7 @@ void measure(const char* file, int count, int piece, int repetitions) {
         }));
   for (const int threads : {1, 2}) {
     ContactDynamicsBatch all(model, specs, count, {}, threads);
-    print(threads == 1 ? "batch" : "batch2", least(count, count, repetitions, [&](int, int) {
+    print(threads == 1 ? "batch" : "batch2", min_time(count, count, repetitions, [&](int, int) {
             all.forward_with_derivatives(x.q, x.v, x.tau);
             sum += all.da_dq(0)(0, 0);
           }));

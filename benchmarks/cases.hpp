@@ -1,4 +1,4 @@
-// What is measured: robots, contacts, references, and a ring of states for each.
+// Cases of the benchmarks: robots, contacts, references, and states.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace burnish::bench {
 
-/// A robot with one kind of contact.
+/// Robot with one kind of contact.
 struct Case {
-  std::string robot;    ///< as load_robot takes it
-  std::string label;    ///< the robot in the benchmark's name
-  std::string contact;  ///< "1D", "3D", "6D" or "2x6D"
+  std::string robot;    ///< Name of the robot for load_robot().
+  std::string label;    ///< Name of the robot in names of benchmarks.
+  std::string contact;  ///< Kind of contact: "1D", "3D", "6D" or "2x6D".
   std::vector<std::string> tools;
   Directions directions;
 
@@ -21,19 +21,20 @@ struct Case {
 };
 
 const std::vector<Case>& cases();
-/// "local", "centered", "surface", "world"; the surface is tilted, so that no axis is special.
+/// Returns "local", "centered", "surface" and "world". The surface is tilted, so that no axis is
+/// special.
 const std::vector<std::string>& references();
 
-/// The robot's model, loaded once. Throws Error as load_robot does.
+/// Returns the model of a robot, loaded once. Throws Error as load_robot().
 const Model& model_of(const std::string& robot);
 
-/// One state per column, so that no evaluation repeats the one before it.
+/// Different states, one per column, so that no evaluation repeats the previous one.
 struct States {
-  Eigen::MatrixXd q, v, tau;  ///< nq, nv, nv rows
+  Eigen::MatrixXd q, v, tau;  ///< Matrices with nq, nv and nv rows.
 };
 
-/// Within 0.3 rad (m) of the reference posture, |v| <= 1 rad/s (m/s), |tau| <= 10 Nm (N); the same
-/// numbers in every run.
+/// Returns random states within 0.3 rad (m) of the reference posture, with |v| <= 1 rad/s (m/s) and
+/// |tau| <= 10 Nm (N). The numbers are equal in every run.
 States states_near_reference(const std::string& robot, int count);
 
 }  // namespace burnish::bench

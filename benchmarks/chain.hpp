@@ -1,4 +1,4 @@
-// Chains of any length, to measure cost against size.
+// Chains of any length, to measure computing time over size.
 #pragma once
 
 #include <random>
@@ -10,7 +10,7 @@
 
 namespace burnish::bench {
 
-/// Links of 10 cm and 0.5 kg, their axes turned by a right angle from each to the next.
+/// Returns a chain with links of 10 cm and 0.5 kg, and with joint axes alternately along y and z.
 inline Model chain(int joints) {
   TreeSpec tree;
   tree.name = "chain";
@@ -33,7 +33,7 @@ inline Model chain(int joints) {
   return build_model(tree);
 }
 
-/// nq x states, near the stretched chain.
+/// Returns random configurations near the stretched chain, nq x states.
 inline Eigen::MatrixXd chain_configurations(const Model& model, int states) {
   std::mt19937_64 generator(1);
   Eigen::MatrixXd q(model.nq, states);
@@ -41,7 +41,7 @@ inline Eigen::MatrixXd chain_configurations(const Model& model, int states) {
   return q;
 }
 
-/// The tip of chain(joints), held in three directions.
+/// Returns a contact of the tip of chain(joints) in three directions.
 inline ContactSpec chain_tip(int joints) {
   return {.tool = "link_" + std::to_string(joints), .directions = Directions::linear()};
 }

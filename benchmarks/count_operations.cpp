@@ -1,4 +1,4 @@
-// Floating-point operations per state: the kernels run on a scalar that counts.
+// Floating-point operations per state, from kernels on a scalar that counts operations.
 #include "derivatives/count_operations.hpp"
 
 #include <cstdio>

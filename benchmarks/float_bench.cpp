@@ -1,5 +1,5 @@
-// The kernels on packs of floats beside packs of doubles: time per state, and the error of each
-// block of derivatives. What follows from it: docs/performance.md.
+// Comparison of the kernels on packs of floats and of doubles: time per state, and errors of the
+// blocks of derivatives. docs/performance.md has the conclusions.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -23,20 +23,20 @@ constexpr int ring = 256;
 constexpr int rounds = 200;
 static_assert(ring % Lanes<NativeFloatPack>::count == 0);
 
-/// Of this thread, s of its core.
+/// Returns the CPU time of this thread [s].
 double core_time() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The kernels on states that are packed already.
+/// Kernels with packed states.
 template <class S>
-class Packed {
+class PackedStates {
  public:
   static constexpr int lanes = Lanes<S>::count;
 
-  Packed(const Case& what, const States& states)
+  PackedStates(const Case& what, const States& states)
       : dynamics(model_of(what.robot), ContactSet(model_of(what.robot), what.specs("centered")),
                  {}),
         derivatives(dynamics) {
@@ -51,7 +51,7 @@ class Packed {
     if (with_derivatives) derivatives.forward(dynamics);
   }
 
-  /// All states once, us per state.
+  /// Evaluates all states once and returns the time per state [us].
   double time(bool with_derivatives) {
     const double start = core_time();
     for (int i = 0; i < ring / lanes; ++i) evaluate(i, with_derivatives);
@@ -76,8 +76,8 @@ class Packed {
   std::vector<State> packs_;
 };
 
-using Doubles = Packed<NativePack>;
-using Floats = Packed<NativeFloatPack>;
+using Doubles = PackedStates<NativePack>;
+using Floats = PackedStates<NativeFloatPack>;
 
 void print_times(const Case& what, Doubles& doubles, Floats& floats) {
   std::printf("| %s, %s |", what.label.c_str(), what.contact.c_str());
@@ -92,8 +92,8 @@ void print_times(const Case& what, Doubles& doubles, Floats& floats) {
   std::printf("\n");
 }
 
-/// A block of one state's derivatives: largest difference over largest entry; 0 for a block of
-/// zeros, which da/dtau is where contacts leave no motion.
+/// Returns the error of a block of derivatives of one state: largest difference over largest entry;
+/// 0 for a block of zeros, such as da/dtau if contacts permit no motion.
 double block_error(const std::vector<NativePack>& exact, int lane,
                    const std::vector<NativeFloatPack>& rounded, int rounded_lane, int first,
                    int end) {
@@ -108,7 +108,7 @@ double block_error(const std::vector<NativePack>& exact, int lane,
   return largest > 1e-9 ? difference / largest : 0.0;
 }
 
-/// Of each block, median and maximum over the states.
+/// Prints median and maximum of the errors over the states, for each block.
 void print_errors(const Case& what, Doubles& doubles, Floats& floats) {
   const int nv = doubles.dynamics.nv(), rows = nv + doubles.dynamics.rows();
   std::vector<double> errors[6];

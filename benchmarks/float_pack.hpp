@@ -1,5 +1,5 @@
-// A pack of floats, twice the lanes of a Pack, to measure what single precision would gain. The
-// library itself computes with doubles: "Tried, and did not help" in docs/performance.md.
+// Pack of floats with twice the lanes of a Pack, to measure the gain of single precision. The
+// library computes with doubles; see "Tried, and did not help" in docs/performance.md.
 #pragma once
 
 #include <bit>
@@ -21,7 +21,7 @@ struct FloatMask {
   typename detail::FloatVector<N>::Mask bits;
 };
 
-/// What the kernels of contact dynamics ask of their scalar, and no more.
+/// Scalar of the kernels of contact dynamics, with only the operations that they need.
 template <int N>
 struct FloatPack {
   using Vector = typename detail::FloatVector<N>::Value;
@@ -103,14 +103,14 @@ BURNISH_INLINE FloatPack<N> arc_tangent2(const FloatPack<N>& y, const FloatPack<
   return r;
 }
 
-/// As for Pack, with the shorter polynomials of the Cephes library for single precision; for angles
-/// of a few turns.
+/// Computes sine and cosine as for Pack, with the shorter single-precision polynomials of the
+/// Cephes library. Accurate for angles of a few turns.
 template <int N>
 BURNISH_INLINE void sine_cosine(const FloatPack<N>& angle, FloatPack<N>& sine,
                                 FloatPack<N>& cosine) {
   using Vector = typename detail::FloatVector<N>::Value;
   using Integer = typename detail::FloatVector<N>::Mask;
-  // Adding 1.5 * 2^23 rounds to an integer that stands in the low bits of the sum.
+  // Adding 1.5 * 2^23 rounds to an integer in the low bits of the sum.
   constexpr float shift = 12582912.0F;
   const Vector shifted = angle.v * 0.636619772F + shift;
   const auto quadrant = std::bit_cast<Integer>(shifted);
@@ -134,7 +134,7 @@ BURNISH_INLINE void sine_cosine(const FloatPack<N>& angle, FloatPack<N>& sine,
   cosine.v = std::bit_cast<Vector>(c_bits);
 }
 
-/// Fills the same registers as a NativePack.
+/// Pack of floats that fills the registers of a NativePack.
 using NativeFloatPack = FloatPack<2 * native_lanes>;
 
 }  // namespace burnish::bench

@@ -1,6 +1,5 @@
-// Fixed pieces of work, each between two marks that valgrind's callgrind understands: what
-// scripts/instructions counts and compares with instruction_budgets.txt. Alone it does nothing but
-// work; nothing is timed.
+// Fixed tasks between marks of valgrind's callgrind. scripts/instructions counts their instructions
+// and compares them with instruction_budgets.txt. The program itself measures nothing.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -19,7 +18,7 @@ namespace {
 
 constexpr int knots = 100;
 
-/// Counts what `work` does the second time, when nothing is new to it any more.
+/// Counts the second execution of `work`, after caches and memory are set up.
 void count(const std::string& name, const std::function<void()>& work) {
   work();
   CALLGRIND_ZERO_STATS;
@@ -31,10 +30,10 @@ void count(const std::string& name, const std::function<void()>& work) {
 }
 
 void require(bool holds, const std::string& what) {
-  if (!holds) throw Error(what + ": the work that is counted was not done");
+  if (!holds) throw Error(what + ": the counted work failed");
 }
 
-/// 64 states in packs, and one state alone.
+/// Counts 64 states in packs, and one state alone.
 void count_kernels(const Case& what) {
   const std::string name = what.label + "/" + what.contact;
   const Model& model = model_of(what.robot);
@@ -51,7 +50,7 @@ void count_kernels(const Case& what) {
   });
 }
 
-/// 64 states of a chain deep enough for articulated bodies.
+/// Counts 64 states of a chain that is long enough to use articulated bodies.
 void count_chain(int joints) {
   const std::string name = "derivatives of 64 states/chain of " + std::to_string(joints);
   const Model model = chain(joints);
@@ -61,7 +60,7 @@ void count_chain(int joints) {
   count(name, [&] { require(batch.forward_with_derivatives(q, zero, zero) == Status::Ok, name); });
 }
 
-/// One iteration, as a controller makes one at each of its steps, from the same guess each time.
+/// Counts one solver iteration, as at each step of a controller, always from the same guess.
 void count_iteration(const std::string& name, const ProblemSpec& spec, StepUpdate update) {
   Problem problem(spec);
   DdpSolver solver(problem, {.update = update, .max_iterations = 1});
@@ -86,16 +85,17 @@ ProblemSpec polishing(bool filter) {
   return spec;
 }
 
-/// With range, speed and torque of every joint and the sign of the force as limits; `share` of the
-/// effort limits: less than what holds the posture makes many push.
-ProblemSpec limited_polishing(double share) {
+/// Returns the polishing problem with limits of range, speed and torque of every joint, and of the
+/// sign of the force. `effort_fraction`: fraction of the effort limits; many limits are active if
+/// it is too small to hold the posture.
+ProblemSpec limited_polishing(double effort_fraction) {
   ProblemSpec spec = polishing(false);
   const auto is_barrier = [](const CostTerm& term) { return term.name.ends_with(" limits"); };
   Stage& press = spec.stages.front();
   std::erase_if(press.costs, is_barrier);
   std::erase_if(spec.terminal, is_barrier);
   const Model& model = spec.model;
-  const Eigen::VectorXd most = share * model.effort_limit;
+  const Eigen::VectorXd max_torque = effort_fraction * model.effort_limit;
   spec.terminal_constraints = {{.name = "range",
                                 .residual = residual::JointPosition{},
                                 .lower = model.q_lower,
@@ -105,8 +105,10 @@ ProblemSpec limited_polishing(double share) {
                                 .lower = -model.velocity_limit,
                                 .upper = model.velocity_limit}};
   press.constraints = spec.terminal_constraints;
-  press.constraints.push_back(
-      {.name = "torque", .residual = residual::Control{}, .lower = -most, .upper = most});
+  press.constraints.push_back({.name = "torque",
+                               .residual = residual::Control{},
+                               .lower = -max_torque,
+                               .upper = max_torque});
   press.constraints.push_back({.name = "pull",
                                .residual = residual::ContactForce{"surface"},
                                .lower = Eigen::VectorXd::Zero(1)});

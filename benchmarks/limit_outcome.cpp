@@ -7,50 +7,52 @@
 namespace burnish::bench {
 namespace {
 
-/// A violation, as a share of the scale, and a gap that a converged trajectory may have.
-constexpr double kept = 1e-6, closed = 1e-6;
-/// Violation of the optimum without limits above which limits count as sure to be active.
-constexpr double sure = 1e-3;
-/// Problems that are drawn until one can be solved without limits.
-constexpr int most_attempts = 100;
+/// Largest violation, as a fraction of the scale, and largest gap of a converged trajectory; chosen
+/// by hand.
+constexpr double max_violation = 1e-6, max_gap = 1e-6;
+/// Violation by the optimum without limits above which limits count as active; chosen by hand.
+constexpr double min_active_violation = 1e-3;
+/// Largest number of problems drawn until one can be solved without limits; chosen by hand.
+constexpr int max_attempts = 100;
 
 Error unsolved() {
-  return Error("of " + std::to_string(most_attempts) +
-               " problems without limits none could be solved");
+  return Error("none of " + std::to_string(max_attempts) +
+               " problems without limits could be solved");
 }
 
-/// A problem with limits that a known trajectory keeps; several are drawn where that of one cannot
-/// be solved.
+/// Draws a problem with limits that a given trajectory satisfies. Repeats the draw if the problem
+/// cannot be solved without limits.
 LimitProblem draw_feasible(Draws& draws, const RobotChoice& choice, Sort& sort) {
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
     LimitProblem problem = draw_problem(draws, choice);
     problem.limits = draw_kinds(draws, problem);
     const bool near = draws.chance(0.5);
     LimitProblem other = problem;
     if (!near) other.aims = other_aims(draws, problem.aims);
-    const auto known = solve_without_limits(other);
-    if (!known) continue;
+    const auto trajectory = solve_without_limits(other);
+    if (!trajectory) continue;
     const bool touching = draws.chance(0.3);
-    const auto limits = near && touching ? limits_around(draws, problem, *known, 1e-9, 1e-5)
-                                         : limits_around(draws, problem, *known, 1e-3, 0.3);
+    const auto limits = near && touching ? limits_around(draws, problem, *trajectory, 1e-9, 1e-5)
+                                         : limits_around(draws, problem, *trajectory, 1e-3, 0.3);
     if (!limits) continue;
     problem.limits = *limits;
     Case limited(problem, {});
-    const double outside = violation(limited.problem(), *known);
+    const double outside = violation(limited.problem(), *trajectory);
     if (outside > 1e-9)
-      throw Error("a known trajectory is outside of the limits laid around it by " +
-                  std::to_string(outside));
-    const auto optimum = near ? known : solve_without_limits(problem);
+      throw Error("a trajectory violates the limits drawn around it by " + std::to_string(outside));
+    const auto optimum = near ? trajectory : solve_without_limits(problem);
     if (!optimum) continue;
-    sort = violation(limited.problem(), *optimum) > sure ? Sort::Beyond : Sort::Near;
+    sort =
+        violation(limited.problem(), *optimum) > min_active_violation ? Sort::Beyond : Sort::Near;
     return problem;
   }
   throw unsolved();
 }
 
-/// A problem with limits that know nothing of a solution; several are drawn likewise.
+/// Draws a problem with limits that are independent of any solution. Repeats the draw if the
+/// problem cannot be solved without limits.
 LimitProblem draw_freely(Draws& draws, const RobotChoice& choice) {
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
     LimitProblem problem = draw_problem(draws, choice);
     problem.limits = free_limits(draws, problem, draw_kinds(draws, problem));
     if (solve_without_limits(problem)) return problem;
@@ -64,10 +66,10 @@ DdpOptions options_of(const OutcomeOptions& wanted) {
   if (wanted.verbose)
     options.callback = [](const DdpProgress& p) {
       std::printf(
-          "%4d cost %12.7g expected %9.2g gap %8.1g step %7.3g regular. %7.1g outside %8.2g "
+          "%4d cost %12.7g expected %9.2g gap %8.1g step %7.3g regular. %7.1g violation %8.2g "
           "recursions %d\n",
           p.iteration, p.cost, p.expected_improvement, p.largest_gap, p.step_length,
-          p.regularization, p.outside, p.factors);
+          p.regularization, p.violation, p.factorizations);
       return true;
     };
   return options;
@@ -88,7 +90,7 @@ std::string_view name_of(Sort sort) {
 }
 
 bool Outcome::is_wrongly_converged() const {
-  return converged() && (violation > kept || gap > closed);
+  return converged() && (violation > max_violation || gap > max_gap);
 }
 
 std::string Outcome::text_of_problem() const {
@@ -129,15 +131,15 @@ Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options) {
   o.seconds = summary.seconds.total;
   o.text = solver.text();
   for (const DdpProgress& p : summary.log) {
-    o.cut_short += p.factors >= solver.options().limits.max_factors;
+    o.cut_short += p.factorizations >= solver.options().limits.max_factorizations;
     o.zero_steps += p.step_length == 0.0;
     o.regularization = std::max(o.regularization, p.regularization);
   }
   const TrajectoryGuess end{solver.xs(), solver.us()};
   o.violation = violation(limited.problem(), end);
   o.gap = largest_gap(limited.problem(), end);
-  // What keeps all limits proves that they can be kept.
-  if (!by_construction && o.converged() && o.violation <= kept && o.gap <= closed)
+  // A trajectory within all limits proves that they are feasible.
+  if (!by_construction && o.converged() && o.violation <= max_violation && o.gap <= max_gap)
     o.sort = Sort::Feasible;
   if (options.verbose) std::printf("%s\n%s\n", solver.cost_report().text().c_str(), o.text.c_str());
   return o;

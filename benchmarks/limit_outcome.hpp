@@ -1,17 +1,17 @@
-// A random problem with limits by its seed, solved, and how that ended.
+// Random problems with limits by their seeds, and the outcomes of their solves.
 #pragma once
 
 #include "limit_solve.hpp"
 
 namespace burnish::bench {
 
-/// What is known of a problem before it is solved.
+/// Feasibility of a problem, by construction or by judge().
 enum class Sort {
-  Near,        ///< limits around the optimum that there is without them
-  Beyond,      ///< limits around another trajectory, which leave that optimum outside
-  Feasible,    ///< a free draw, judged, or solved
-  Infeasible,  ///< a free draw, judged
-  Unclear,     ///< a free draw that judgement says nothing of
+  Near,        ///< Feasible by construction: limits around the optimum without limits.
+  Beyond,      ///< Feasible by construction: limits that the optimum without limits violates.
+  Feasible,    ///< Free limits, found feasible by judge() or by the solve.
+  Infeasible,  ///< Free limits, found infeasible by judge().
+  Unclear,     ///< Free limits of undecided feasibility.
 };
 inline constexpr Sort sorts[] = {Sort::Near, Sort::Beyond, Sort::Feasible, Sort::Infeasible,
                                  Sort::Unclear};
@@ -19,9 +19,9 @@ std::string_view name_of(Sort sort);
 
 struct OutcomeOptions {
   int iterations = 50;
-  bool shooting = false;   ///< multiple shooting in the place of rollouts
-  bool verbose = false;    ///< prints every iteration
-  std::string write = {};  ///< leaves the problem in this file
+  bool shooting = false;   ///< True for multiple shooting, false for rollouts.
+  bool verbose = false;    ///< True to print every iteration.
+  std::string write = {};  ///< File to write the problem to; empty: none.
   RobotChoice choice = {};
 };
 
@@ -32,26 +32,27 @@ struct Outcome {
   StopReason reason = StopReason::MaxIterations;
   int iterations = 0;
   double seconds = 0.0;
-  double violation = 0.0;       ///< of the end, the largest as a share of a row's scale
-  double gap = 0.0;             ///< of the end
-  int cut_short = 0;            ///< iterations whose linear-quadratic problem spent its recursions
-  int zero_steps = 0;           ///< iterations without an acceptable step
-  double regularization = 0.0;  ///< the largest
+  double violation = 0.0;       ///< Largest final violation, as a fraction of the row's scale.
+  double gap = 0.0;             ///< Largest final gap.
+  int cut_short = 0;            ///< Iterations in which the LQ problem used up its recursions.
+  int zero_steps = 0;           ///< Iterations without an acceptable step.
+  double regularization = 0.0;  ///< Largest regularization.
   Judgement judgement = {};
-  std::string text = {};  ///< the solver's sentence
+  std::string text = {};  ///< Result of the solver in one sentence.
 
   bool by_construction() const { return sort == Sort::Near || sort == Sort::Beyond; }
   bool can_be_kept() const { return by_construction() || sort == Sort::Feasible; }
   bool converged() const { return reason == StopReason::Converged; }
   bool called_infeasible() const { return reason == StopReason::Infeasible; }
   bool ended() const { return converged() || called_infeasible(); }
-  bool is_wrongly_converged() const;  ///< outside its limits, or no trajectory
+  bool is_wrongly_converged() const;  ///< Converged with a violation or a gap.
   bool is_wrong() const { return is_wrongly_converged() || (can_be_kept() && called_infeasible()); }
   bool failed() const { return is_wrong() || !ended(); }
-  std::string text_of_problem() const;  ///< one line
+  std::string text_of_problem() const;  ///< Description of the problem in one line.
 };
 
-/// Even seeds make problems that are feasible by construction, odd ones free draws.
+/// Solves the problem of a seed. Even seeds give problems that are feasible by construction, odd
+/// seeds problems with free limits.
 Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options);
 
 }  // namespace burnish::bench

@@ -11,10 +11,10 @@
 namespace burnish::bench {
 namespace {
 
-/// A shipped arm, where it presses and what it bears.
+/// Bundled arm, with the frame and posture that press and the range of its force.
 struct ShippedArm {
   const char *robot, *frame, *posture;
-  double least_force, most_force;  ///< N
+  double min_force, max_force;  ///< Range of the force [N].
 };
 constexpr ShippedArm shipped_arms[] = {
     {"arm7", "tool", "ready", 10.0, 25.0},
@@ -23,10 +23,10 @@ constexpr ShippedArm shipped_arms[] = {
     {"crane:left_only", "left_tip", "work", 20.0, 100.0},
 };
 
-/// Limits that keep nothing from anywhere, in any row's unit.
+/// Limit too wide to have an effect, in the unit of any row.
 constexpr double far_away = 1e6;
 
-/// The posture with every joint a little elsewhere, well inside its limits.
+/// Returns the posture with random small displacements of all joints, well inside their limits.
 Eigen::VectorXd near_posture(Draws& draws, const Model& model, const Eigen::VectorXd& posture) {
   Eigen::VectorXd dq(model.nv);
   for (const Joint& joint : model.joints)
@@ -44,13 +44,13 @@ Eigen::VectorXd near_posture(Draws& draws, const Model& model, const Eigen::Vect
   return q;
 }
 
-/// A direction that is turned from `from` by an angle, about a random axis.
+/// Returns `from` rotated by an angle about a random axis.
 Eigen::Vector3d tilted(Draws& draws, const Eigen::Vector3d& from, double angle) {
   const Eigen::Vector3d about = from.cross(draws.direction()).normalized();
   return Eigen::AngleAxisd(angle, about) * from;
 }
 
-/// What a robot's description leaves out is ten.
+/// Replaces limits that the description does not state by 10.
 Eigen::VectorXd stated(const Eigen::VectorXd& limits) {
   return limits.unaryExpr([](double x) { return std::isfinite(x) && x > 0.0 ? x : 10.0; });
 }
@@ -100,7 +100,8 @@ Eigen::Vector3d Draws::direction() {
 }
 
 std::string_view name_of(LimitKind kind) {
-  constexpr std::string_view names[] = {"band", "lean", "speed", "range", "effort", "box", "cone"};
+  constexpr std::string_view names[] = {"band",   "inclination", "speed", "range",
+                                        "effort", "box",         "cone"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -124,7 +125,7 @@ LimitProblem draw_problem(Draws& draws, const RobotChoice& choice) {
   p.holds = draws.chance(0.35);
   p.knots = draws.whole(50, 200);
   p.step = draws.log_uniform(0.005, 0.02);
-  p.force = shipped ? draws.uniform(arm.least_force, arm.most_force) : draws.uniform(10.0, 20.0);
+  p.force = shipped ? draws.uniform(arm.min_force, arm.max_force) : draws.uniform(10.0, 20.0);
   p.rate = draws.uniform(2.0, 10.0);
   p.phase = draws.uniform(0.0, 2.0 * std::numbers::pi);
   p.circle = draws.chance(0.3);
@@ -137,7 +138,7 @@ LimitProblem draw_problem(Draws& draws, const RobotChoice& choice) {
             .length = draws.uniform(0.02, 0.12),
             .swing = draws.uniform(0.0, 0.3) * p.force,
             .sideways = draws.uniform(0.0, 0.5) * p.force,
-            .lean_goal = {draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4)}};
+            .inclination_goal = {draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4)}};
   if (p.circle) p.aims.length *= 0.4;
   p.early = draws.chance(0.4) ? draws.whole(10, p.knots / 2) : 0;
   p.weight = model.total_mass() * model.gravity.norm();
@@ -151,7 +152,7 @@ Aims other_aims(Draws& draws, const Aims& aims) {
   other.length *= draws.uniform(0.5, 0.95);
   other.swing *= draws.uniform(0.3, 0.9);
   other.sideways *= draws.uniform(0.3, 0.9);
-  other.lean_goal *= draws.uniform(0.3, 0.9);
+  other.inclination_goal *= draws.uniform(0.3, 0.9);
   return other;
 }
 
@@ -163,7 +164,7 @@ std::vector<Limit> draw_kinds(Draws& draws, const LimitProblem& p) {
   };
   const std::vector<Offer> offers = {
       {LimitKind::Band, {"z"}, 0.6},
-      {LimitKind::Lean, {}, 0.5},
+      {LimitKind::Inclination, {}, 0.5},
       {LimitKind::Speed, {}, 0.35},
       {LimitKind::Range, {}, 0.25},
       {LimitKind::Effort, {}, 0.35},
@@ -200,7 +201,7 @@ std::vector<Limit> free_limits(Draws& draws, const LimitProblem& p,
         limit.upper = Eigen::VectorXd::Constant(1, p.force + half * draws.uniform(0.5, 1.0));
         break;
       }
-      case LimitKind::Lean:
+      case LimitKind::Inclination:
         symmetric(Eigen::VectorXd::Constant(1, draws.uniform(0.05, 0.5)));
         break;
       case LimitKind::Speed:
@@ -226,7 +227,7 @@ std::vector<Limit> free_limits(Draws& draws, const LimitProblem& p,
         symmetric(stated(model.effort_limit) * draws.log_uniform(0.05, 0.7));
         break;
       case LimitKind::Box: {
-        // A box that is for later may be one to go to.
+        // A box that applies later may be away from the start.
         const Eigen::Vector2d middle =
             moved * Eigen::Vector2d(draws.uniform(-0.15, 0.15), draws.uniform(-0.15, 0.15));
         limit.lower = middle - Eigen::Vector2d(draws.uniform(0.0, 0.1), draws.uniform(0.0, 0.1));

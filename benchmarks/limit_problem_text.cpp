@@ -1,4 +1,4 @@
-// Problems with limits as problem files: `burnish solve` reads them.
+// Text of problems with limits, as problem files for `burnish solve`.
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -8,7 +8,7 @@
 namespace burnish::bench {
 namespace {
 
-/// All digits: what is read is what was written.
+/// Returns a number with all digits, so that reading it gives the same value.
 std::string exact(double value) {
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, "%.17g", value);
@@ -21,7 +21,7 @@ std::string list(const Eigen::VectorXd& values) {
   return text + "]";
 }
 
-/// One for all rows, one per row, or by name.
+/// Returns values of rows: one number for all rows, a list, or a map by names.
 std::string rows_text(const Limit& limit, const Eigen::VectorXd& values, const char* others = "") {
   if (limit.rows.empty()) return values.size() == 1 ? exact(values[0]) : list(values);
   std::string text = "{";
@@ -35,12 +35,12 @@ std::string reference_text(const LimitProblem& p) {
   return "{surface: {normal: " + list(p.normal) + "}}";
 }
 
-/// Type and keys of the residual.
+/// Returns type and keys of the residual.
 std::string residual_text(const LimitProblem& p, const Limit& limit) {
   switch (limit.kind) {
     case LimitKind::Band:
       return "type: contact_force, contact: pad";
-    case LimitKind::Lean:
+    case LimitKind::Inclination:
       return "type: frame_inclination, frame: " + p.frame + ", axis: " + list(p.axis) +
              ", reference: " + reference_text(p);
     case LimitKind::Speed:
@@ -62,7 +62,7 @@ std::string residual_text(const LimitProblem& p, const Limit& limit) {
 std::string constraint_text(const LimitProblem& p, const Limit& limit) {
   const std::string residual = residual_text(p, limit);
   if (limit.kind == LimitKind::Cone) return "{" + residual + "}";
-  // Rows without limits have no range to be scaled by.
+  // Rows without limits have no range for scaling.
   const std::string scale =
       limit.rows.empty()
           ? ""
@@ -71,7 +71,7 @@ std::string constraint_text(const LimitProblem& p, const Limit& limit) {
          ", upper: " + rows_text(limit, limit.upper) + scale + "}";
 }
 
-/// The square of violations over their scales as a cost.
+/// Returns a cost with the squared violations over their scales.
 std::string penalty_text(const LimitProblem& p, const Limit& limit, double weight) {
   const std::string residual = residual_text(p, limit);
   if (limit.kind == LimitKind::Cone)
@@ -84,7 +84,7 @@ std::string penalty_text(const LimitProblem& p, const Limit& limit, double weigh
          "}";
 }
 
-/// What is aimed at: the first lines of `terms`.
+/// Returns the costs of the aims, the first lines of `terms`.
 std::string aims_text(const LimitProblem& p) {
   const double duration = p.knots * p.step;
   const Eigen::Matrix3d board = p.board();
@@ -99,7 +99,7 @@ std::string aims_text(const LimitProblem& p) {
                                 p.aims.sideways * std::sin(p.path_angle), p.aims.swing)) +
            sine + "  turn: {type: frame_inclination, frame: " + p.frame +
            ", axis: " + list(p.axis) + ", reference: " + reference_text(p) +
-           ", target: " + list(p.aims.lean_goal) + "}\n";
+           ", target: " + list(p.aims.inclination_goal) + "}\n";
   const std::string path =
       p.circle ? "{circle: {start: here, radius: " + exact(p.aims.length) +
                      ", rate: " + exact(2.0 * std::numbers::pi / std::max(1.0, duration)) +
@@ -113,7 +113,7 @@ std::string aims_text(const LimitProblem& p) {
          ", axes: {normal: " + list(p.normal) + "}, target: " + path + ", weights: [1, 1, 0]}\n";
 }
 
-/// A stage; `late`: with the limits that begin later.
+/// Returns a stage; `late`: with the limits that apply later.
 std::string stage_text(const LimitProblem& p, const TextForm& form, const char* name, bool late) {
   std::string text =
       std::string("  ") + name + ":\n    contacts: [pad]\n    step: " + exact(p.step) +

@@ -1,6 +1,6 @@
-// Random problems with limits, judged: half have limits that a known trajectory keeps, half are
-// judged by a solve with squares of violations in the place of limits. Prints how solves ended by
-// kind, and the seeds that failed; docs/constraints.md has what came out.
+// Solves of random problems with limits. Half of the problems are feasible by construction; the
+// feasibility of the others is judged by solves with quadratic penalties. Prints outcomes by kind,
+// and the seeds that failed. docs/constraints.md has the results.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,8 +12,8 @@
 namespace burnish::bench {
 namespace {
 
-/// What the solver is to meet on problems that are feasible by construction.
-constexpr double least_converged = 0.99, most_called_infeasible = 0.01;
+/// Aims for the solver on problems that are feasible by construction, as fractions of the problems.
+constexpr double min_converged = 0.99, max_called_infeasible = 0.01;
 
 struct Arguments {
   std::uint64_t seed = 1;
@@ -22,10 +22,10 @@ struct Arguments {
   OutcomeOptions options;
 };
 
-int iterations_at(std::vector<int> of, double share) {
+int iterations_at(std::vector<int> of, double quantile) {
   if (of.empty()) return 0;
   std::sort(of.begin(), of.end());
-  return of[static_cast<std::size_t>(share * static_cast<double>(of.size() - 1) + 0.5)];
+  return of[static_cast<std::size_t>(quantile * static_cast<double>(of.size() - 1) + 0.5)];
 }
 
 using Choose = std::function<bool(const Outcome&)>;
@@ -99,14 +99,13 @@ void print_failures(const std::vector<Outcome>& outcomes) {
   for (const Outcome& o : outcomes) {
     if (!o.failed()) continue;
     fmt::print("{}\n  {} iterations: {}\n", o.text_of_problem(), o.iterations, o.text);
-    fmt::print(
-        "  {} linear-quadratic problems cut short, {} steps of zero, regularisation {:.1g}\n",
-        o.cut_short, o.zero_steps, o.regularization);
+    fmt::print("  {} linear-quadratic problems cut short, {} zero steps, regularization {:.1g}\n",
+               o.cut_short, o.zero_steps, o.regularization);
     if (!o.by_construction())
-      fmt::print("  judged with violations of {:.2g}, and {:.2g} of its scale\n",
+      fmt::print("  violations with penalties: {:.2g}, then {:.2g} of the scale\n",
                  o.judgement.before, o.judgement.violation);
     if (o.is_wrongly_converged())
-      fmt::print("  converged outside of the limits by {:.2g}, with a gap of {:.2g}\n", o.violation,
+      fmt::print("  converged with a violation of {:.2g} and a gap of {:.2g}\n", o.violation,
                  o.gap);
   }
 }
@@ -115,8 +114,8 @@ bool meets_aims(const std::vector<Outcome>& outcomes) {
   const Counts c = count(outcomes, [](const Outcome& o) { return o.by_construction(); });
   const bool wrongly = std::any_of(outcomes.begin(), outcomes.end(),
                                    [](const Outcome& o) { return o.is_wrongly_converged(); });
-  return c.converged >= least_converged * c.problems &&
-         c.infeasible <= most_called_infeasible * c.problems && !wrongly;
+  return c.converged >= min_converged * c.problems &&
+         c.infeasible <= max_called_infeasible * c.problems && !wrongly;
 }
 
 int run(const Arguments& arguments) {
@@ -136,18 +135,20 @@ int run(const Arguments& arguments) {
 
 int main_of(int count, char** words) {
   Arguments arguments;
-  CLI::App app("Random optimal control problems with limits: how their solves end");
-  app.add_option("--seed", arguments.seed, "Seed of the first problem; even ones are feasible");
-  app.add_option("--count", arguments.count, "Problems, of the seeds that follow");
-  app.add_option("--iterations", arguments.options.iterations, "Iterations of a solve at most");
+  CLI::App app("Solve random optimal control problems with limits, and count the outcomes");
+  app.add_option("--seed", arguments.seed,
+                 "Seed of the first problem; even seeds are feasible by construction");
+  app.add_option("--count", arguments.count, "Number of problems, with consecutive seeds");
+  app.add_option("--iterations", arguments.options.iterations,
+                 "Largest number of iterations of a solve");
   app.add_option("--robot", arguments.options.choice.robot,
-                 "A robot or URDF file in the place of arms");
-  app.add_option("--frame", arguments.options.choice.frame, "Its tool");
-  app.add_option("--write", arguments.options.write, "Leaves the (last) problem in this file");
+                 "Robot or URDF file, in place of the bundled arms");
+  app.add_option("--frame", arguments.options.choice.frame, "Frame of the tool");
+  app.add_option("--write", arguments.options.write, "Write the last problem to this file");
   app.add_flag("--shooting", arguments.options.shooting,
-               "Multiple shooting in the place of rollouts");
-  app.add_flag("--verbose", arguments.options.verbose, "Prints every iteration");
-  app.add_flag("--require", arguments.require, "Fails where the aims are not met");
+               "Use multiple shooting in place of rollouts");
+  app.add_flag("--verbose", arguments.options.verbose, "Print every iteration");
+  app.add_flag("--require", arguments.require, "Fail if the aims are missed");
   CLI11_PARSE(app, count, words);
   return run(arguments);
 }

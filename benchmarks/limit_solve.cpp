@@ -11,7 +11,7 @@
 namespace burnish::bench {
 namespace {
 
-/// A file of this process that is gone when this is.
+/// Temporary file for the lifetime of this object.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& text)
@@ -26,17 +26,18 @@ class ScratchFile {
   std::filesystem::path path_;
 };
 
-/// Iterations within which problems without limits have to converge to be among those that get
-/// limits: half of what limits are given. What takes longer has other reasons than limits.
-constexpr int most_without_limits = 25;
+/// Largest number of iterations without limits, half of that with limits. Slower problems are not
+/// used, because their difficulty is not due to limits.
+constexpr int max_iterations_without_limits = 25;
 
-/// Violation at the first knot from which no trajectory keeps the limits, as a share of a scale.
-constexpr double kept_at_start = 1e-6;
+/// Violation at the first knot above which limits are infeasible, as a fraction of the scale;
+/// chosen by hand.
+constexpr double max_start_violation = 1e-6;
 
 TrajectoryGuess trajectory_of(const DdpSolver& solver) { return {solver.xs(), solver.us()}; }
 
-/// Least range of a row that a limit is laid around, in its unit: limits are no thinner.
-double least_range(const LimitProblem& p, LimitKind kind) {
+/// Smallest range of a row for limits around it, in the unit of the row.
+double min_range(const LimitProblem& p, LimitKind kind) {
   switch (kind) {
     case LimitKind::Band:
       return 0.02 * p.force;
@@ -44,7 +45,7 @@ double least_range(const LimitProblem& p, LimitKind kind) {
       return 0.5;
     case LimitKind::Speed:
       return 0.02;
-    case LimitKind::Lean:
+    case LimitKind::Inclination:
       return 0.01;
     case LimitKind::Range:
       return 0.005;
@@ -56,9 +57,9 @@ double least_range(const LimitProblem& p, LimitKind kind) {
   return 0.0;
 }
 
-/// The least and the largest value of each limited row along a trajectory.
+/// Smallest and largest value of each limited row along a trajectory.
 struct Hull {
-  Eigen::VectorXd least, most;
+  Eigen::VectorXd lower, upper;
 };
 
 Hull hull_of(const LimitProblem& p, const Limit& limit, Problem& measured,
@@ -70,17 +71,16 @@ Hull hull_of(const LimitProblem& p, const Limit& limit, Problem& measured,
         measured.residual(k, term, at.xs.row(k).transpose(), at.us.row(k).transpose());
     if (limit.kind == LimitKind::Band) rows = rows.tail<1>().eval();
     if (limit.kind == LimitKind::Box) rows = rows.head<2>().eval();
-    if (hull.least.size() == 0) hull = {rows, rows};
-    hull.least = hull.least.cwiseMin(rows);
-    hull.most = hull.most.cwiseMax(rows);
+    if (hull.lower.size() == 0) hull = {rows, rows};
+    hull.lower = hull.lower.cwiseMin(rows);
+    hull.upper = hull.upper.cwiseMax(rows);
   }
   return hull;
 }
 
-/// The largest share of the normal force that a tangential one is; infinite where the tool is
-/// pulled.
-double steepest(const LimitProblem& p, const Limit& limit, Problem& measured,
-                const TrajectoryGuess& at) {
+/// Returns the largest ratio of tangential to normal force; infinite if the tool is pulled.
+double max_force_ratio(const LimitProblem& p, const Limit& limit, Problem& measured,
+                       const TrajectoryGuess& at) {
   double largest = 0.0;
   for (int k = limit.late ? p.early : 0; k < measured.knots(); ++k) {
     const Eigen::VectorXd f =
@@ -92,11 +92,11 @@ double steepest(const LimitProblem& p, const Limit& limit, Problem& measured,
 }
 
 bool is_of_state(LimitKind kind) {
-  return kind == LimitKind::Lean || kind == LimitKind::Speed || kind == LimitKind::Range ||
+  return kind == LimitKind::Inclination || kind == LimitKind::Speed || kind == LimitKind::Range ||
          kind == LimitKind::Box;
 }
 
-/// Violations of a knot's rows, as shares of their scales.
+/// Returns the violations of a knot's rows, as fractions of their scales.
 std::vector<double> violations_at(Problem& limited, int k, const TrajectoryGuess& at) {
   if (limited.rows(k) == 0) return {};
   const Eigen::VectorXd x = at.xs.row(k), u = at.us.row(std::min(k, limited.knots() - 1));
@@ -109,8 +109,8 @@ std::vector<double> violations_at(Problem& limited, int k, const TrajectoryGuess
   return values;
 }
 
-/// Of rows of the first knot that the state alone decides.
-double outside_at_start(const LimitProblem& problem, Problem& limited, const TrajectoryGuess& at) {
+/// Returns the largest violation of rows at the first knot that depend only on the state.
+double violated_at_start(const LimitProblem& problem, Problem& limited, const TrajectoryGuess& at) {
   const std::vector<double> violations = violations_at(limited, 0, at);
   const std::vector<std::string> names = limited.row_names(0);
   double largest = 0.0;
@@ -122,7 +122,7 @@ double outside_at_start(const LimitProblem& problem, Problem& limited, const Tra
 }
 
 bool is_symmetric(LimitKind kind) {
-  return kind == LimitKind::Lean || kind == LimitKind::Speed || kind == LimitKind::Effort;
+  return kind == LimitKind::Inclination || kind == LimitKind::Speed || kind == LimitKind::Effort;
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ Case::Case(const LimitProblem& problem, const TextForm& form) {
 
 std::optional<TrajectoryGuess> solve_without_limits(const LimitProblem& problem) {
   Case free(problem, {.limits = false});
-  DdpSolver solver(free.problem(), {.max_iterations = most_without_limits});
+  DdpSolver solver(free.problem(), {.max_iterations = max_iterations_without_limits});
   solver.set_guess(free.guess().xs, free.guess().us);
   if (solver.solve().reason != StopReason::Converged) return {};
   return trajectory_of(solver);
@@ -164,30 +164,30 @@ double largest_gap(Problem& problem, const TrajectoryGuess& at) {
 
 std::optional<std::vector<Limit>> limits_around(Draws& draws, const LimitProblem& problem,
                                                 const TrajectoryGuess& trajectory,
-                                                double least_margin, double most_margin) {
+                                                double min_margin, double max_margin) {
   Case measured(problem, {});
   std::vector<Limit> limits = problem.limits;
   for (Limit& limit : limits) {
-    const double margin = draws.log_uniform(least_margin, most_margin);
+    const double margin = draws.log_uniform(min_margin, max_margin);
     if (limit.kind == LimitKind::Cone) {
-      const double slope = steepest(problem, limit, measured.problem(), trajectory);
+      const double slope = max_force_ratio(problem, limit, measured.problem(), trajectory);
       if (!std::isfinite(slope)) return {};
-      // The pyramid inside a cone of this coefficient holds the cone of the slope.
+      // The pyramid inscribed in this cone contains the cone of `slope`.
       const double inside = limit.sides > 0 ? std::cos(std::numbers::pi / limit.sides) : 1.0;
       limit.friction = (1.0 + margin) * std::max(slope, 0.01) / inside + 1e-3;
       continue;
     }
     const Hull hull = hull_of(problem, limit, measured.problem(), trajectory);
     if (is_symmetric(limit.kind) && draws.chance(0.5)) {
-      const double size = std::max(hull.most.maxCoeff(), -hull.least.minCoeff()) +
-                          margin * least_range(problem, limit.kind);
+      const double size = std::max(hull.upper.maxCoeff(), -hull.lower.minCoeff()) +
+                          margin * min_range(problem, limit.kind);
       limit.upper = Eigen::VectorXd::Constant(1, (1.0 + margin) * size);
       limit.lower = -limit.upper;
       continue;
     }
     const Eigen::VectorXd range =
-        (hull.most - hull.least).cwiseMax(least_range(problem, limit.kind));
-    const Eigen::VectorXd middle = 0.5 * (hull.least + hull.most);
+        (hull.upper - hull.lower).cwiseMax(min_range(problem, limit.kind));
+    const Eigen::VectorXd middle = 0.5 * (hull.lower + hull.upper);
     limit.lower = middle - (0.5 + margin) * range;
     limit.upper = middle + (0.5 + margin) * range;
   }
@@ -198,13 +198,13 @@ Judgement judge(const LimitProblem& problem, Problem& limited) {
   const Case free(problem, {.limits = false});
   TrajectoryGuess at = free.guess();
   Judgement result;
-  result.start = outside_at_start(problem, limited, at);
-  if (result.start > kept_at_start) {
+  result.start = violated_at_start(problem, limited, at);
+  if (result.start > max_start_violation) {
     result.verdict = Judgement::Verdict::Infeasible;
     return result;
   }
   result.violation = 1.0;
-  // In units of cost: from one that costs do not feel to one that feels no costs.
+  // Penalty weights from negligible to dominant, compared with the other costs.
   for (const double weight : {1e1, 1e3, 1e5, 1e7}) {
     Case elastic(problem, {.penalty = weight});
     const double resolution = 1e-8 + 1e-10 * weight * result.violation * result.violation;

@@ -1,5 +1,4 @@
-// Problems with limits solved, limits laid around solutions, and what is independently known of
-// whether limits can be kept.
+// Solves of problems with limits, limits around solutions, and an independent test of feasibility.
 #pragma once
 
 #include <memory>
@@ -11,7 +10,7 @@
 
 namespace burnish::bench {
 
-/// A problem file, compiled, with the trajectory to start from.
+/// Compiled problem file with its initial guess.
 class Case {
  public:
   Case(const LimitProblem& problem, const TextForm& form);
@@ -26,29 +25,30 @@ class Case {
   TrajectoryGuess guess_;
 };
 
-/// The optimum without limits; nothing where the solver does not find it within 25 iterations.
+/// Returns the optimum without limits, or nothing if the solver needs more than 25 iterations.
 std::optional<TrajectoryGuess> solve_without_limits(const LimitProblem& problem);
 
-/// The largest violation of a row along a trajectory, as a share of its scale, the first knot's
-/// rows included.
+/// Returns the largest violation of a row along a trajectory, as a fraction of the row's scale.
+/// Rows of the first knot are included.
 double violation(Problem& limited, const TrajectoryGuess& at);
-/// The largest entry by which a trajectory is not one of the problem.
+/// Returns the largest entry of the gaps between the knots of a trajectory.
 double largest_gap(Problem& problem, const TrajectoryGuess& at);
 
-/// Limits of these kinds that a trajectory keeps, by shares of each row's range that `margin`
-/// draws. Nothing where there are none, as of a cone where the tool is pulled.
+/// Draws limits of the problem's kinds that a trajectory satisfies. The distance to a limit is a
+/// random fraction of the row's range, from `min_margin` to `max_margin`. Returns nothing if there
+/// are none, for example a friction cone for a pulled tool.
 std::optional<std::vector<Limit>> limits_around(Draws& draws, const LimitProblem& problem,
                                                 const TrajectoryGuess& trajectory,
-                                                double least_margin, double most_margin);
+                                                double min_margin, double max_margin);
 
-/// Whether limits can be kept, from costs in their place: squares of violations, of growing weight.
+/// Feasibility of limits, from solves with quadratic penalties of increasing weight in their place.
 struct Judgement {
   enum class Verdict { Feasible, Infeasible, Unclear };
   Verdict verdict = Verdict::Unclear;
-  double start = 0.0;      ///< violation that the initial state alone decides
-  double violation = 0.0;  ///< with the largest weight, as a share of a row's scale
-  double before = 0.0;     ///< with a weight of a hundredth of that
-  bool settled = false;    ///< the solve with the largest weight converged
+  double start = 0.0;      ///< Violation at the first knot that depends only on the initial state.
+  double violation = 0.0;  ///< Violation with the largest weight, as a fraction of a row's scale.
+  double before = 0.0;     ///< Violation with the weight before, which is a hundredth.
+  bool settled = false;    ///< True if the solve with the largest weight converged.
 };
 Judgement judge(const LimitProblem& problem, Problem& limited);
 

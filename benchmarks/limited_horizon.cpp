@@ -15,7 +15,7 @@ namespace {
 
 constexpr double no_limit = 1e300;
 constexpr double nominal_force = 14.0, friction = 0.6, half_sole = 0.06;
-/// Cost of a deviation of the normal force, per N^2.
+/// Weight of deviations of the normal force; chosen by hand [1/N^2].
 constexpr double force_cost = 2e-3;
 
 }  // namespace
@@ -28,12 +28,12 @@ LimitedRobot::LimitedRobot(const RobotSize& of, double load) : size(of), load_(l
   const auto draw = [&](int rows, int columns) {
     return RowMatrix(RowMatrix::NullaryExpr(rows, columns, [&] { return normal(random); }));
   };
-  // Masses of principal directions from 0.3 to 3.
+  // The masses in principal directions are from 0.3 to 3.
   const RowMatrix turn = Eigen::HouseholderQR<RowMatrix>(draw(nv, nv)).householderQ();
   VectorXd inverse(nv);
   for (int i = 0; i < nv; ++i) inverse[i] = std::pow(10.0, -i / std::max(1.0, nv - 1.0)) / 0.3;
   inverse_mass_ = turn * inverse.asDiagonal() * turn.transpose();
-  // What no motor drives is held by the ground.
+  // The ground supports entries without motors.
   stiffness_ = RowMatrix::Identity(nv, nv);
   stiffness_.topLeftCorner(nv - nu, nv - nu) *= 30.0;
   const int per_foot = size.soles ? 5 : 3, forces = size.feet * per_foot;
@@ -62,7 +62,7 @@ VectorXd LimitedRobot::start() const {
   return x;
 }
 
-/// Dynamics, and the cost of being off the reference.
+/// Sets the dynamics, and the cost of deviations from the reference.
 void LimitedRobot::follow(double time, LimitedStage& s) const {
   const int nv = size.nv, nu = size.nu;
   const RowMatrix inverse = inverse_mass_ / (1.0 + 0.15 * std::sin(1.3 * time));
@@ -83,7 +83,7 @@ void LimitedRobot::follow(double time, LimitedStage& s) const {
   s.hessian = weight.asDiagonal();
 }
 
-/// Forces of the feet: what they cost, and the rows that limit them.
+/// Sets costs and limit rows of the feet's forces.
 void LimitedRobot::stand(double time, LimitedStage& s) const {
   const int nv = size.nv, nu = size.nu, n = nz();
   const int torques = size.filtered > 0 ? nu + 2 * nv : 0;
@@ -101,9 +101,9 @@ void LimitedRobot::stand(double time, LimitedStage& s) const {
     s.hessian += force_cost * of(2).transpose() * of(2);
     s.gradient += force_cost * (carried - wanted) * (light ? 0.0 : 1.0) * of(2).transpose();
     int r = foot * rows_per_foot;
-    const auto add = [&](double share, int i, double sign) {
-      s.rows.row(r) = share * of(2) + sign * of(i);
-      s.scale[n + r] = share * carried;
+    const auto add = [&](double ratio, int i, double sign) {
+      s.rows.row(r) = ratio * of(2) + sign * of(i);
+      s.scale[n + r] = ratio * carried;
       s.lower[n + r] = -s.scale[n + r];
       ++r;
     };
@@ -119,7 +119,7 @@ void LimitedRobot::stand(double time, LimitedStage& s) const {
   }
 }
 
-/// Ranges of torques, positions and speeds. The first state is given.
+/// Sets the ranges of torques, positions and speeds. The first state is fixed.
 void LimitedRobot::bound(LimitedStage& s, bool first, bool last) const {
   const int nv = size.nv, nu = size.nu;
   const double torque = 12.0 / load_, speed = 1.6 / load_, position = 0.65 / std::sqrt(load_);
@@ -177,7 +177,7 @@ LimitedHorizon::LimitedHorizon(const LimitedRobot& robot, int knots)
       recursion_(state_, robot.size.nu),
       limited_(state_, knots, robot.size.nu, robot.rows()) {
   const RiccatiLayout& layout = recursion_.layout();
-  const auto room = [&](int rows, int stride) {
+  const auto reserve = [&](int rows, int stride) {
     return memory_.emplace_back(dense::block_size(rows, stride)).data();
   };
   const int nu = robot.size.nu, vs = layout.value_stride;
@@ -187,20 +187,20 @@ LimitedHorizon::LimitedHorizon(const LimitedRobot& robot, int knots)
   for (int k = 0; k <= knots; ++k) {
     KnotExpansion e;
     e.stride = layout.expansion_stride;
-    e.gradient = room(1, e.stride);
-    e.hessian = room(layout.expansion_rows + dense::lanes, e.stride);
-    e.dynamics = room(robot.ndx() + dense::lanes, e.stride);
-    e.rows = room(robot.rows() + dense::lanes, e.stride);
-    e.decay = room(1, dense::round_up(std::max(1, robot.size.filtered)));
+    e.gradient = reserve(1, e.stride);
+    e.hessian = reserve(layout.expansion_rows + dense::lanes, e.stride);
+    e.dynamics = reserve(robot.ndx() + dense::lanes, e.stride);
+    e.rows = reserve(robot.rows() + dense::lanes, e.stride);
+    e.decay = reserve(1, dense::round_up(std::max(1, robot.size.filtered)));
     std::fill_n(e.decay, robot.size.filtered, LimitedRobot::filter_decay);
     e.step = LimitedRobot::knot_step;
     e.form = DynamicsForm::SecondOrder;
     expansions_.push_back(e);
     controls_.push_back(k < knots ? nu : 0);
     rows_.push_back(k < knots ? robot.rows() : 0);
-    double* value = room(robot.ndx() + 1, vs);
+    double* value = reserve(robot.ndx() + 1, vs);
     values_.push_back({value, value + vs});
-    double* policy = room(nu + 1 + dense::lanes, layout.gain_stride);
+    double* policy = reserve(nu + 1 + dense::lanes, layout.gain_stride);
     policies_.push_back({policy, policy + layout.gain_stride});
   }
 }
@@ -236,9 +236,10 @@ void LimitedHorizon::load(const std::vector<LimitedStage>& stages, const VectorX
   limits(stages);
 }
 
-/// Weights and prices as DdpSolver gives them to hard rows, in units of the cost's curvature.
+/// Sets quadratic and L1 penalty weights of hard rows as DdpSolver, in units of the cost's
+/// curvature.
 void LimitedHorizon::limits(const std::vector<LimitedStage>& stages) {
-  constexpr double weight = 1000.0, price = 1e4;
+  constexpr double weight = 1000.0, l1_weight = 1e4;
   double unit = 0.0;
   const int nu = robot_.size.nu, nz = robot_.nz(), behind = limited_.first_row();
   for (int k = 0; k < N_; ++k) {
@@ -258,13 +259,13 @@ void LimitedHorizon::limits(const std::vector<LimitedStage>& stages) {
       rows.upper[at] = s.upper[r];
       rows.scale[at] = s.scale[r];
       rows.weight[at] = weight * unit / (s.scale[r] * s.scale[r]);
-      rows.price[at] = always_kept ? no_limit : price * unit / s.scale[r];
+      rows.l1_weight[at] = always_kept ? no_limit : l1_weight * unit / s.scale[r];
       rows.beyond[at] = always_kept ? 0.0 : 0.5;
     }
   }
 }
 
-/// The policies' controls at z, which may lie before the end of a step.
+/// Stores the controls of the policies at z, which may result from a shortened step.
 void LimitedHorizon::remember() {
   const int nu = robot_.size.nu, stride = recursion_.layout().gain_stride;
   for (int k = 0; k < N_; ++k) {
@@ -299,8 +300,9 @@ double LimitedHorizon::recursion() {
   const int vs = recursion_.layout().value_stride;
   recursion_.terminal(expansions_[n], values_[n]);
   for (std::size_t k = n; k-- > 0;)
-    recursion_.step(expansions_[k], controls_[k], gaps_.data() + (k + 1) * vs, values_[k + 1], 0.0,
-                    {}, policies_[k], values_[k], hessian_gaps_.data() + (k + 1) * vs);
+    recursion_.step({expansions_[k], controls_[k], gaps_.data() + (k + 1) * vs, values_[k + 1],
+                     policies_[k], values_[k], hessian_gaps_.data() + (k + 1) * vs},
+                    {});
   return values_[0].hessian[0];
 }
 

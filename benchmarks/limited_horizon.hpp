@@ -1,6 +1,6 @@
-// Linear-quadratic problems with limits, as a robot that follows a reference meets them from tick
-// to tick: torques, positions and speeds within their ranges, a band for the normal force of each
-// foot, friction cones of four sides, and centres of pressure of soles. Drawn with a fixed seed.
+// Linear-quadratic problems with limits, as in the plans of a robot that follows a reference. The
+// limits are ranges of torques, positions and speeds, bands of the feet's normal forces, friction
+// pyramids, and centres of pressure. All numbers are random with a fixed seed.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,10 +14,10 @@ namespace burnish::bench {
 
 struct RobotSize {
   int nv, filtered, nu, feet;
-  bool soles;  ///< feet have centres of pressure
+  bool soles;  ///< True for planar feet, with limits of the centre of pressure.
 };
 
-/// z = (u, x); limits of the entries of z, then of the rows.
+/// Stage with z = (u, x): limits of the entries of z first, then of the rows.
 struct LimitedStage {
   RowMatrix hessian, velocity, rows;
   Eigen::VectorXd gradient, lower, upper, scale;
@@ -27,7 +27,7 @@ class LimitedRobot {
  public:
   static constexpr double knot_step = 0.01, filter_decay = 0.6;
 
-  /// `load`: 0.1 and no limit pushes; at 1 about 1 in 40 does.
+  /// `load`: scale of the motion. No limit is active at 0.1, about 1 in 40 at 1.
   LimitedRobot(const RobotSize& size, double load);
 
   int ndx() const { return 2 * size.nv + size.filtered; }
@@ -36,7 +36,7 @@ class LimitedRobot {
   LimitedStage stage(double time, bool first, bool last) const;
   std::vector<LimitedStage> horizon(double time, int knots) const;
   Eigen::VectorXd start() const;
-  /// x after one knot.
+  /// Returns x after one knot.
   Eigen::VectorXd next(const LimitedStage& stage, const Eigen::VectorXd& z) const;
 
   const RobotSize size;
@@ -52,20 +52,20 @@ class LimitedRobot {
   Eigen::VectorXd amplitude_, frequency_, phase_;
 };
 
-/// A horizon in the memory that LimitedLq works on.
+/// Horizon in the memory layout of LimitedLq.
 class LimitedHorizon {
  public:
   LimitedHorizon(const LimitedRobot& robot, int knots);
 
-  /// The problem from x on; it stays as it is until the next.
+  /// Loads the problem that starts at x; it stays unchanged until the next call.
   void load(const std::vector<LimitedStage>& stages, const Eigen::VectorXd& x);
-  /// From the last solution, shifted by `knots`: none or one.
+  /// Solves from the last solution, shifted by `knots`: 0 or 1.
   LimitedLqResult solve_warm(const LimitedLqBudget& budget, int knots);
   LimitedLqResult solve_cold(const LimitedLqBudget& budget);
-  /// The recursion alone, without limits. What a warm solve starts from is kept.
+  /// Runs the recursion alone, without limits. Keeps the data from which a warm solve starts.
   double recursion();
   const double* z(int knot) const { return limited_.z(knot); }
-  int active();  ///< rows that push
+  int active();  ///< Number of active rows.
 
  private:
   LqHorizon view();

@@ -1,11 +1,12 @@
-// Time of a linear-quadratic problem with limits in a receding horizon of 100 knots, each solved
-// from the solution before, beside the bare recursion of the same run. `Time` is a tick's mean;
-// `p50` and `p95` are those of the ticks, `recursion` the median of the bare one, backwards alone,
-// `ratio` p50 over it; `active` is how many rows push, `open` the share of ticks that are not
-// solved to the tolerance when the budget is spent. All times are the processor's.
-// `limits/next_knot`: a tick is a knot's step, and solutions are shifted by a knot;
-// `limits/tenth_of_knot`: a tenth of it, and they are not. Arguments: nv, filtered, nu, feet,
-// soles, and the load in percent, which decides how many limits push.
+// Computing times of linear-quadratic problems with limits in a receding horizon of 100 knots, each
+// solved from the previous solution, compared with the Riccati recursion alone. All times are CPU
+// times. `Time`: mean of a tick; `p50`, `p95`: quantiles of the ticks; `recursion`: median of the
+// backward recursion alone; `ratio`: p50 over `recursion`; `active`: number of active rows; `open`:
+// fraction of ticks not solved to the tolerance within the budget.
+// `limits/next_knot`: a tick lasts one knot, and solutions are shifted by a knot.
+// `limits/tenth_of_knot`: a tick lasts a tenth of a knot, and solutions are not shifted.
+// Arguments: nv, filtered, nu, feet, soles, and the load in percent, which sets how many limits are
+// active.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -17,10 +18,10 @@ namespace burnish::bench {
 namespace {
 
 constexpr int horizon = 100, first_ticks = 5;
-/// As a controller's plan has them.
-constexpr LimitedLqBudget budget{.factors = 8, .sweeps = 8, .tolerance = 1e-5};
+/// Budget of a controller's plan.
+constexpr LimitedLqBudget budget{.factorizations = 8, .sweeps = 8, .tolerance = 1e-5};
 
-/// Of this thread alone: p95 would be that of a busy machine else.
+/// Returns the CPU time of this thread, which excludes other load of the machine [s].
 double processor_time() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -34,12 +35,12 @@ double seconds(const Work& work) {
   return processor_time() - begin;
 }
 
-double quantile(std::vector<double> of, double share) {
+double quantile(std::vector<double> of, double fraction) {
   std::sort(of.begin(), of.end());
-  return of[static_cast<std::size_t>(share * static_cast<double>(of.size() - 1))];
+  return of[static_cast<std::size_t>(fraction * static_cast<double>(of.size() - 1))];
 }
 
-/// The plant that the plans move: their own model, and a little that they do not know.
+/// Plant in closed loop with the plans: the model of the plans, with small random disturbances.
 class Loop {
  public:
   Loop(const RobotSize& size, double load, int ticks_per_knot)
@@ -77,15 +78,15 @@ void run(benchmark::State& state, int ticks_per_knot) {
   Loop loop({argument(0), argument(1), argument(2), argument(3), argument(4) != 0},
             0.01 * argument(5), ticks_per_knot);
   loop.load();
-  loop.problem().solve_cold({.factors = 200, .sweeps = 80, .tolerance = budget.tolerance});
+  loop.problem().solve_cold({.factorizations = 200, .sweeps = 80, .tolerance = budget.tolerance});
   std::vector<double> solves, bare;
-  double factors = 0.0, sweeps = 0.0, active = 0.0, open = 0.0;
+  double factorizations = 0.0, sweeps = 0.0, active = 0.0, open = 0.0;
   const auto tick = [&] {
     loop.move();
     loop.load();
     LimitedLqResult result;
     solves.push_back(seconds([&] { result = loop.problem().solve_warm(budget, loop.shift()); }));
-    factors += result.factors;
+    factorizations += result.factorizations;
     sweeps += result.sweeps;
     open += !result.converged;
     active += loop.problem().active();
@@ -93,7 +94,7 @@ void run(benchmark::State& state, int ticks_per_knot) {
   };
   for (int i = 0; i < first_ticks; ++i) tick();
   solves.clear(), bare.clear();
-  factors = sweeps = active = open = 0.0;
+  factorizations = sweeps = active = open = 0.0;
   for (auto _ : state) {
     tick();
     state.SetIterationTime(solves.back());
@@ -107,7 +108,7 @@ void run(benchmark::State& state, int ticks_per_knot) {
                     {"recursion", recursion},
                     {"ratio", p50 / recursion},
                     {"active", mean(active)},
-                    {"factors", mean(factors)},
+                    {"factorizations", mean(factorizations)},
                     {"sweeps", mean(sweeps)},
                     {"open", mean(open)}};
 }

@@ -1,5 +1,5 @@
-// Time of optimal control by phase, N = 100 knots: values and expansion of the horizon, the Riccati
-// recursion, a sequential rollout, one iteration, one MPC step. Names and use are in README.md.
+// Computing times of optimal control with 100 knots: values and expansion of the horizon, Riccati
+// recursion, sequential rollout, one iteration, one MPC step. README.md describes names and use.
 #include <benchmark/benchmark.h>
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int usual_knots = 100;
 
-/// A problem, a guess a little off its solution, and the memory of its expansion.
+/// Problem with a guess near its solution, and the memory of its expansion.
 class Horizon {
  public:
   explicit Horizon(const ProblemSpec& spec) : problem(spec) {
@@ -76,7 +76,7 @@ void rollout(benchmark::State& state, const std::string& name) {
       h.problem.roll(0, k, h.xs.data() + k * nx, h.us.data() + k * nu, h.next.data() + k * nx);
 }
 
-/// One iteration from the same guess, and what its phases took.
+/// Measures one iteration, always from the same guess, and its phases.
 void iteration(benchmark::State& state, const std::string& name, int knots, DdpOptions options) {
   Horizon& h = horizon(name, knots);
   options.max_iterations = 1;
@@ -97,7 +97,7 @@ void iteration(benchmark::State& state, const std::string& name, int knots, DdpO
   state.counters["trial"] = each(trial);
 }
 
-/// A tick of a controller that makes a new plan at each.
+/// Measures a tick of a controller that computes a plan at every tick.
 void tick(benchmark::State& state) {
   const std::string name = "talos_right_arm";
   polishing::PressingController controller(make(name, usual_knots), "tool");
@@ -122,7 +122,7 @@ void add(const std::string& name) {
           iteration, name, usual_knots, DdpOptions{.update = update, .threads = threads}));
 }
 
-/// Long horizons in segments.
+/// Adds benchmarks of long horizons in segments.
 void add_segments(const std::string& name, int knots) {
   for (const int segments : {1, 3, 5, 9, 17})
     for (const int threads : {1, 2}) {

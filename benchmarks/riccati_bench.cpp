@@ -1,7 +1,7 @@
-// Time per stage of the Riccati recursion over a horizon of 100 knots, beside the same recursion
-// written with Eigen's dense products. `riccati/structured`: SecondOrder form; `riccati/dense`: the
-// same dynamics as one dense matrix; `riccati/two_workers`: SecondOrder, knots shared;
-// `riccati/eigen`: the yardstick. Arguments: nv, filtered, nu.
+// Computing time per stage of the Riccati recursion over 100 knots, compared with a recursion
+// written with Eigen's dense products. `riccati/structured`: SecondOrder form; `riccati/dense`:
+// dynamics as one dense matrix; `riccati/two_workers`: SecondOrder form by two threads;
+// `riccati/eigen`: the reference with Eigen. Arguments: nv, filtered, nu.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Cholesky>
@@ -57,7 +57,7 @@ struct Horizon {
   std::vector<Stage> stages_;
 };
 
-/// What the solver's memory looks like: one expansion, policy and value function per knot.
+/// Memory in the layout of the solver: an expansion, a policy and a value function per knot.
 class Recursion {
  public:
   Recursion(const Horizon& horizon_data, DynamicsForm form, int workers = 1)
@@ -80,12 +80,13 @@ class Recursion {
     }
   }
 
-  double sweep(const Crew& crew = {}) {
-    if (crew.leads()) recursion_.terminal(expansion_[horizon], value(horizon));
-    crew.meet();
+  double sweep(const ThreadTeam& team = {}) {
+    if (team.leads()) recursion_.terminal(expansion_[horizon], value(horizon));
+    team.meet();
     for (int k = horizon - 1; k >= 0; --k)
-      recursion_.step(expansion_[k], h_.nu_, gaps_[k].data() + recursion_.layout().value_stride,
-                      value(k + 1), 1e-9, {}, policy(k), value(k), gaps_[k].data(), crew);
+      recursion_.step({expansion_[k], h_.nu_, gaps_[k].data() + recursion_.layout().value_stride,
+                       value(k + 1), policy(k), value(k), gaps_[k].data()},
+                      {.regularization = 1e-9}, team);
     return value(0).hessian[0];
   }
   double multiplications() const {
@@ -135,7 +136,7 @@ class Recursion {
   std::vector<KnotExpansion> expansion_;
 };
 
-/// The textbook recursion in column-major Eigen, nothing allocated in the sweep.
+/// Textbook recursion with column-major Eigen matrices, without allocations in the sweep.
 class EigenRecursion {
  public:
   explicit EigenRecursion(const Horizon& h) : nu_(h.nu_), ndx_(h.ndx_) {
@@ -219,7 +220,8 @@ void structured(benchmark::State& state) {
   Recursion recursion(h, DynamicsForm::SecondOrder);
   run(state, recursion);
 }
-/// The same by two workers, and what decides whether a solver shares its knots.
+/// Measures the structured recursion by two threads, and reports the multiplications by which a
+/// solver decides whether to use several threads.
 void shared(benchmark::State& state) {
   const Horizon h = horizon_of(state);
   Recursion recursion(h, DynamicsForm::SecondOrder, 2);
@@ -227,7 +229,7 @@ void shared(benchmark::State& state) {
   const ThreadPool::Awake awake(pool);
   for (auto _ : state)
     pool.together(
-        [&](const Crew& crew) noexcept { benchmark::DoNotOptimize(recursion.sweep(crew)); });
+        [&](const ThreadTeam& team) noexcept { benchmark::DoNotOptimize(recursion.sweep(team)); });
   state.counters["time/stage"] = benchmark::Counter(
       horizon, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.counters["multiplications"] = recursion.multiplications();

@@ -1,6 +1,6 @@
-// Cost against size: an iteration of the solver for horizons of 10 to 1000 knots, and dynamics with
-// all derivatives for chains of 6 to 100 joints. Prints tables and fitted exponents; given a
-// folder, draws scaling_horizon.svg and scaling_chain.svg there.
+// Computing time over size: a solver iteration for horizons of 10 to 1000 knots, and dynamics with
+// all derivatives for chains of 6 to 100 joints. Prints tables and fitted exponents. With a folder
+// as argument, draws scaling_horizon.svg and scaling_chain.svg there.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,14 +17,14 @@
 namespace burnish::bench {
 namespace {
 
-/// Of this thread, s of its core: what else runs on the machine does not count.
+/// Returns the CPU time of this thread, which excludes other load of the machine [s].
 double core_time() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Median of repetitions over half a second, at least seven.
+/// Returns the median time of at least seven repetitions within about 0.5 s [s].
 double median_time(const std::function<void()>& work) {
   work();
   std::vector<double> times;
@@ -39,7 +39,7 @@ double median_time(const std::function<void()>& work) {
   return times[times.size() / 2];
 }
 
-/// Sizes and times, and the power of the size that the times of the larger half follow.
+/// Sizes and times, with the exponent fitted to the larger half of the sizes.
 struct Growth {
   std::string name;
   std::vector<double> size, time;
@@ -124,13 +124,13 @@ std::vector<Growth> chains() {
 void measure(const char* folder) {
   const std::vector<Growth> by_knots = horizons(), by_joints = chains();
   print("One iteration of the polishing problem, by knots of the horizon", "ms", 1e3, by_knots);
-  print("A state of a chain whose tip is held, in packs, by joints", "us", 1e6, by_joints);
+  print("One state of a chain with its tip in contact, in packs, by joints", "us", 1e6, by_joints);
   if (folder == nullptr) return;
   const std::filesystem::path to(folder);
   draw(to / "scaling_horizon.svg", "one iteration, Talos' right arm", "knots of the horizon",
        "time [ms]", 1e3, by_knots);
-  draw(to / "scaling_chain.svg", "one state of a chain, tip held, in packs", "joints", "time [us]",
-       1e6, by_joints);
+  draw(to / "scaling_chain.svg", "one state of a chain, tip in contact, in packs", "joints",
+       "time [us]", 1e6, by_joints);
 }
 
 }  // namespace

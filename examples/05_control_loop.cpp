@@ -34,7 +34,7 @@ int main() {
   speed[2] = -0.02;  // m/s, towards the board
   along_normal[2] = 1.0;
 
-  MpcSpec mpc{.problem = {.model = robot.model}, .normal_world = n};
+  MpcSpec mpc{.problem = {.model = robot.model}, .normal_base = n};
   ContactSpec board{.name = "board", .tool = "tool", .directions = Directions::z()};
   board.reference = Reference::surface(axes);
   mpc.problem.contacts = {board.with_gains(0.0, 40.0)};
@@ -66,7 +66,7 @@ int main() {
   const auto plant =
       make_ideal_plant(plant_model(robot.model, disturbances), plant_scene(scene, disturbances));
   ClosedLoop loop(*plant, controller, disturbances);
-  if (loop.reset(q, rest) != Status::Ok || loop.run(4.0) > Status::NotConverged) return 1;
+  if (loop.reset(q, rest) != Status::Ok || !is_usable(loop.run(4.0))) return 1;
   if (controller.fault().kind != FaultKind::None)
     return std::puts(controller.fault().text().c_str()), 1;
   const Metrics score =

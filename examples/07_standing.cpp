@@ -60,20 +60,20 @@ int main() {
   mpc.schedule = {{.name = "stand", .stage = "stand"}};
   mpc.tick_period = 1e-3;
   mpc.update_period = mpc.solver_delay = 5e-3;  // plans take 5 ms
-  mpc.model_error = {.bandwidth = 60.0, .fading = 0.2};
+  mpc.model_error = {.bandwidth = 60.0, .decay_time = 0.2};
   MpcController controller(mpc);
   Disturbances disturbances{.mass_scale = 1.02};
   disturbances.pushes = {{1.5, 0.2, Vector3d(0.0, 80.0, 0.0), "torso_2_link"}};
   const auto plant = make_mujoco_plant(plant_model(robot.model, disturbances), scene);
   ClosedLoop loop(*plant, controller, disturbances);
-  if (loop.reset(q, rest) != Status::Ok || loop.run(2.5) > Status::NotConverged) return 1;
+  if (loop.reset(q, rest) != Status::Ok || !is_usable(loop.run(2.5))) return 1;
   if (controller.fault().kind != FaultKind::None)
     return std::puts(controller.fault().text().c_str()), 1;
   const StandingFigures stood = measure_standing(loop.trace(), plant->model(), scene.supports);
   if (body.update(plant->q(), plant->v()) != Status::Ok) return 1;
   const Vector3d off = body.placement(body.frame("tool")).translation() - circle(2.5);
   std::printf("stood: each foot bore %.0f N or more, used %.0f %% of its friction, slid %.1f mm\n",
-              stood.least_load, 100.0 * stood.friction_used, 1e3 * stood.slip);
+              stood.min_load, 100.0 * stood.friction_used, 1e3 * stood.slip);
   std::printf("balance: the centre of mass moved %.0f mm, the hand is %.1f mm off\n",
               1e3 * stood.com_moved, 1e3 * off.norm());
 }

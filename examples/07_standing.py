@@ -58,7 +58,7 @@ stand.costs.append(CostTerm(residual.Control(held), weight=1e-4, name="torque"))
 mpc = burnish.MpcSpec(
     problem, supports=feet, support_sensors=True, schedule=[burnish.SchedulePhase("stand", "stand")],
     tick_period=1e-3, update_period=5e-3, solver_delay=5e-3,  # plans take 5 ms
-    model_error=burnish.ModelErrorOptions(bandwidth=60.0, fading=0.2))
+    model_error=burnish.ModelErrorOptions(bandwidth=60.0, decay_time=0.2))
 
 controller = burnish.MpcController(mpc)
 push = burnish.Push(1.5, 0.2, [0.0, 80.0, 0.0], "torso_2_link")
@@ -73,6 +73,6 @@ if controller.fault().kind != burnish.FaultKind.NONE:
 stood = burnish.measure_standing(loop.trace, heavier, supports)
 body.update(plant.q, plant.v)
 off = np.linalg.norm(body.placement("tool")[:3, 3] - circle(2.5))
-print(f"stood: each foot bore {stood.least_load:.0f} N or more, used {100 * stood.friction_used:.0f} % "
+print(f"stood: each foot bore {stood.min_load:.0f} N or more, used {100 * stood.friction_used:.0f} % "
       f"of its friction, slid {1e3 * stood.slip:.1f} mm")
 print(f"balance: the centre of mass moved {1e3 * stood.com_moved:.0f} mm, the hand is {1e3 * off:.1f} mm off")

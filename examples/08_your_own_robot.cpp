@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   mpc.tool = at.base;
   mpc.tick_period = 1e-3;
   mpc.update_period = mpc.solver_delay = 5e-3;  // plans take 5 ms
-  mpc.model_error = {.bandwidth = 60.0, .fading = 0.2};
+  mpc.model_error = {.bandwidth = 60.0, .decay_time = 0.2};
   MpcController controller(mpc);
   const Disturbances disturbances = disturbance_preset("mismatch");
   const auto plant = make_mujoco_plant(plant_model(model, disturbances), at.scene);
@@ -68,12 +68,12 @@ int main(int argc, char** argv) {
   feet.force_noise = 1e-3 * weight;
   loop.estimate_base(model, estimator, feet);
   const VectorXd rest = VectorXd::Zero(nv);
-  if (loop.reset(at.q_start, rest) != Status::Ok || loop.run(4.5) > Status::NotConverged) return 1;
+  if (loop.reset(at.q_start, rest) != Status::Ok || !is_usable(loop.run(4.5))) return 1;
   if (controller.fault().kind != FaultKind::None)
     return std::puts(controller.fault().text().c_str()), 1;
   const StandingFigures stood = measure_standing(loop.trace(), plant->model(), at.scene.supports);
   std::printf("bowed: by %.3f rad, the centre of mass moved %.0f mm\n", stood.base_tilt,
               1e3 * stood.com_moved);
   std::printf("stood: each foot bore %.0f %% of the weight or more\n",
-              100.0 * stood.least_load / weight);
+              100.0 * stood.min_load / weight);
 }

@@ -59,7 +59,7 @@ controller = burnish.MpcController(burnish.MpcSpec(
     schedule=[burnish.SchedulePhase("bow", "bow")],
     settle=0.5, fallback=task.standing.fallback,  # held at first, while the estimate of its base settles
     tick_period=1e-3, update_period=5e-3, solver_delay=5e-3,  # plans take 5 ms
-    model_error=burnish.ModelErrorOptions(bandwidth=60.0, fading=0.2)))
+    model_error=burnish.ModelErrorOptions(bandwidth=60.0, decay_time=0.2)))
 heavier = burnish.plant_model(model, task.disturbances)
 loop = burnish.ClosedLoop(burnish.make_mujoco_plant(heavier, at.scene), controller, task.disturbances)
 estimator = burnish.BaseEstimatorOptions(
@@ -71,4 +71,4 @@ if controller.fault().kind != burnish.FaultKind.NONE:
     sys.exit(controller.fault().text())
 stood = burnish.measure_standing(loop.trace, heavier, at.scene.supports)
 print(f"bowed: by {stood.base_tilt:.3f} rad, the centre of mass moved {1e3 * stood.com_moved:.0f} mm")
-print(f"stood: each foot bore {100 * stood.least_load / weight:.0f} % of the weight or more")
+print(f"stood: each foot bore {100 * stood.min_load / weight:.0f} % of the weight or more")

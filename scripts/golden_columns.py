@@ -1,4 +1,4 @@
-"""Columns of the files that runs leave, and how those of two programs differ: what scripts/golden compares."""
+"""Columns of the output files of runs, and comparison of the columns of two programs, for scripts/golden."""
 
 import csv
 import dataclasses
@@ -8,15 +8,16 @@ import math
 import pathlib
 import re
 
-# Measured times, which no two runs share, by their name in any file.
+# Names of measured times, which differ from run to run.
 TIMES = {"solve_time", "wall_time_s", "median_s", "p99_s", "maximum_s", "mean_s", "first_s", "late", "seconds"}
 TIME_IN_TEXT = re.compile(r"simulated in [\d.]+ m?s")
-FACTOR = 10.0  # from what one unit in the last place of the initial q does to what is rounding
-AHEAD = 20  # rows that a difference by rounding may come sooner than one of the initial q
-FIGURE = 1e-7  # of itself, by which a figure of JSON may be rounded: its difference in nudged runs is small by chance
+NUMBER = re.compile(r"[-+]?\d[-+.\de]*")
+FACTOR = 10.0  # largest rounding difference, relative to the effect of one unit in the last place of the initial q
+AHEAD = 20  # largest number of rows by which a rounding difference may come sooner than that effect
+FIGURE = 1e-7  # relative rounding difference of a figure in JSON, whose effect in nudged runs can be small by chance
 MISSING = ["no such column"]
 
-Columns = dict[str, list[str]]  # the texts of each column, by its name with the unit
+Columns = dict[str, list[str]]  # texts of each column, by its name with the unit
 
 
 def renamed(name: str, names: dict[str, str]) -> str:
@@ -28,8 +29,13 @@ def renamed(name: str, names: dict[str, str]) -> str:
     return name
 
 
+def text_of(value: str, names: dict[str, str]) -> str:
+    """A word under its current name; of a sentence, only the numbers: wording is not a result."""
+    return renamed(value, names) if " " not in value else " ".join(NUMBER.findall(TIME_IN_TEXT.sub("", value)))
+
+
 def columns_of(file: pathlib.Path, names: dict[str, str]) -> Columns:
-    """Columns of a CSV file, and its number of rows; of JSON the path to each value, all in one row."""
+    """Columns of a CSV file and its number of rows. For JSON, one row with a column per value, named by its path."""
     found: Columns = {}
     if file.suffix == ".csv":
         with file.open(newline="") as lines:
@@ -49,14 +55,14 @@ def columns_of(file: pathlib.Path, names: dict[str, str]) -> Columns:
             for index, part in enumerate(value):
                 walk(part, f"{path}[{index}]")
         else:
-            found[path] = [TIME_IN_TEXT.sub("", value) if isinstance(value, str) else json.dumps(value)]
+            found[path] = [text_of(value, names) if isinstance(value, str) else json.dumps(value)]
 
     walk(json.loads(file.read_text()), "")
     return found
 
 
 def unit_of(name: str, texts: list[str]) -> str:
-    """Unit of a column, whose columns share what rounding explains; of whole numbers and words the name itself."""
+    """Unit of a column. Columns of equal unit share their rounding. For integers and words, the name of the column."""
     if all(re.fullmatch(r"-?\d+|\D*", text) for text in texts):
         return name
     found = re.search(r" \[(.*)\]$|_(N|Nm|m|rad|s)$", name)
@@ -64,13 +70,13 @@ def unit_of(name: str, texts: list[str]) -> str:
 
 
 def distance(a: str, b: str) -> float:
-    """Between two texts; infinite between words, 0 between sentences that differ in their numbers alone."""
+    """Distance of two cells: infinite for different words, 0 for sentences that differ only in their numbers."""
     if a == b:
         return 0.0
     try:
         return abs(float(a) - float(b))
     except ValueError:
-        a, b = (re.sub(r"[-+]?\d[-+.\de]*", "#", text) for text in (a, b))
+        a, b = (NUMBER.sub("#", text) for text in (a, b))
         return 0.0 if a == b else math.inf
 
 
@@ -80,7 +86,7 @@ class Difference:
     column: str
     theirs: str
     ours: str
-    explained: float = 0.0  # by rounding
+    explained: float = 0.0  # largest difference that rounding explains
 
     def __str__(self) -> str:
         off = distance(self.theirs, self.ours)
@@ -94,7 +100,7 @@ def first(found: list[Difference]) -> Difference | None:
 
 
 def first_difference(theirs: Columns, ours: Columns) -> Difference | None:
-    """The difference of bits in the first row, and there of the first column. A column that is new is none."""
+    """First difference of bits, by row and then by column. New columns do not count."""
     found = []
     for name, column in theirs.items():
         if column != ours.get(name):
@@ -104,8 +110,8 @@ def first_difference(theirs: Columns, ours: Columns) -> Difference | None:
 
 
 def beyond_rounding(theirs: Columns, ours: Columns, nudged: list[Columns]) -> Difference | None:
-    """The first difference above FACTOR times the largest one between PARENT's run and its nudged runs, in columns of
-    the same unit and in all rows until AHEAD later."""
+    """First difference beyond rounding. The limit is FACTOR times the largest difference between PARENT's run and its
+    nudged runs, over columns of the same unit and all rows up to AHEAD rows later."""
     units = {name: unit_of(name, column + ours.get(name, [])) for name, column in theirs.items()}
     rows = max(map(len, theirs.values()), default=0)
     largest = {unit: [0.0] * rows for unit in units.values()}
@@ -129,14 +135,14 @@ def beyond_rounding(theirs: Columns, ours: Columns, nudged: list[Columns]) -> Di
 
 
 def nudge(text: str, section: str, towards: float) -> str:
-    """YAML, in whose sections of that name each joint's number is one unit in the last place nearer to `towards`; for
-    0 it is that of 1."""
+    """Returns a YAML text whose numbers in the sections `section` are moved by one unit in the last place towards
+    `towards`; 0 is moved by the unit in the last place of 1."""
 
     def moved(found: re.Match[str]) -> str:
         value = float(found[2])
         return found[1] + repr(math.nextafter(value, towards) if value else math.copysign(2.0**-52, towards))
 
-    lines, indent = [], -1  # of the section's name
+    lines, indent = [], -1  # indentation of the section's name
     for line in text.splitlines(keepends=True):
         margin = len(line) - len(line.lstrip())
         if line.strip() and margin <= indent:

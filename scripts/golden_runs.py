@@ -1,16 +1,38 @@
-"""Runs that scripts/golden compares, and names that differ between its two programs: the tables to edit."""
+"""Runs that scripts/golden compares, and names that differ between its two programs."""
 
 import dataclasses
 import pathlib
 
-# Columns, figures and keys of tasks whose name in PARENT is another: {"old": "new"}, or beginnings: {"old_*": "new_*"}.
-RENAMES: dict[str, str] = {}
+# Renamed columns, figures and keys of tasks: {"name in PARENT": "new name"}, or prefixes: {"old_*": "new_*"}.
+RENAMES: dict[str, str] = {
+    "believed_normal_*": "estimated_normal_*",
+    "believed_friction": "estimated_friction",
+    "limits_outside*": "constraint_violation*",
+    "limits_open": "constraint_residual",
+    "limits_pushing": "active_constraints",
+    "limits_infeasible": "constraints_infeasible",
+    "limits_p99*": "violation_p99*",
+    "least_load*": "min_load*",
+    "believed_place*": "position_estimate_rmse*",
+    "believed_turn*": "orientation_estimate_rmse*",
+    "lean_force*": "search_force*",
+    "lean.*": "force_search.*",
+    "lean_m": "com_displacement_m",
+    "outside*": "violation*",
+    "pushing": "active_constraints",
+    "most": "force_max",
+    "bear": "statics",
+    "give": "tracking",
+    "recursions": "factorizations",
+    "rubbing of *": "internal forces of *",
+    "room of *": "margins of *",
+}
 
 SURFACES = ("table", "board", "board_x", "board_y", "board_minus_y", "tilt_45")  # as burnish polish --help has them
-# What makes shipped tasks shorter and leaves all their phases in; for polishing it is --duration.
+# Settings that shorten shipped tasks without removing phases; polishing uses --duration.
 SHORTER = {
-    "push_wall": ["phases.hold_duration=0.5", "phases.release_duration=1", "lean.force_max=80",
-                  "lean.hold_duration=0.5"],
+    "push_wall": ["phases.hold_duration=0.5", "phases.release_duration=1", "force_search.force_max=80",
+                  "force_search.hold_duration=0.5"],
     "stand": ["phases.sway_duration=4"],
 }
 EXACT = "disturbances.encoder_bits=0"
@@ -19,10 +41,10 @@ EXACT = "disturbances.encoder_bits=0"
 @dataclasses.dataclass
 class Case:
     name: str
-    words: list[str]  # of its command line
-    settings: list[str] = dataclasses.field(default_factory=list)  # KEY=VALUE of its task
-    file: str = "."  # of the tree, that it needs
-    seconds: float = 4.0  # about, of a run: the longest come first, and the estimate starts from it
+    words: list[str]  # command line
+    settings: list[str] = dataclasses.field(default_factory=list)  # changes KEY=VALUE of its task
+    file: str = "."  # file of the tree that the run needs
+    seconds: float = 4.0  # approximate duration [s], for the order (longest first) and the first estimate
 
 
 def cases(root: pathlib.Path) -> list[Case]:

@@ -1,31 +1,31 @@
-"""Reads descriptions of specifications from headers, and writes them as C++.
+"""Reads descriptions of specifications from headers, and generates C++ from them.
 
-A struct or enumeration is described where the comment above it says `@described LAYER`. What stands before that is its
-meaning; what stands behind it is for readers of the header alone. `@described LAYER.NAME` gives it another name than
-C++ does, and `@result` behind it says that it comes out of the library. Each member is a statement of its own:
+A struct or enumeration is described if the comment above it contains `@described LAYER`. The text before this tag is
+its meaning; the text after it is only for readers of the header. `@described LAYER.NAME` defines a name that differs
+from the name in C++. `@result` after it marks a result of the library. Each member must be a separate statement:
 
     double force = 30.0;  ///< Normal force to press with [N], > 0
 
-A unit stands in brackets, or in braces where the text has other brackets of its own. A text ends with a comma and the
-numbers that are taken: `> 0`, `>= 0`, `0 to 1`, `0 to below 1`, `between 0 and 1`, `not zero` of a vector, each with
-` or infinite` where that is taken too, or `finite or infinite`. Behind that, in any order:
+A unit is in brackets, or in braces if the text has other brackets. After a comma, a text ends with the range of its
+value: `> 0`, `>= 0`, `0 to 1`, `0 to below 1`, `between 0 and 1`, `not zero` (for a vector), each optionally with
+` or infinite`, or `finite or infinite`. These tags can follow, in any order:
 
-    @key NAME      key in files; else the member's name
-    @word WORD     word in files for a value that is not there, or that is infinite
-    @more TEXT     second sentence of docs, Python and C++, which the comments in files leave out
-    @code TEXT     text of docs, Python and C++ in place of the first one, which files keep
+    @key NAME      key in files; default: the name of the member
+    @word WORD     word in files for a missing or infinite value
+    @more TEXT     second sentence in docs, Python and C++, which comments in files omit
+    @code TEXT     text in docs, Python and C++ in place of the first text, which files keep
     @required      no default in Python
     @stated        no default in files
-    @name_of KIND  of a text or a list of them: each is the name of a frame, a joint or a contact of the model
-    @words WORDS   of a count: words in files for 0, 1, ...
-    @number_too    of a vector: Python takes one number for all of it
-    @after NAME    the member follows that one in files and Python, wherever it stands in C++
-    @undescribed   the member is in C++ alone
-    @note TEXT     for readers of the header alone
+    @name_of KIND  for a text or a list of texts: names of frames, joints or contacts of the model
+    @words WORDS   for a count: words in files for 0, 1, ...
+    @number_too    for a vector: Python accepts one number for all entries
+    @after NAME    the member follows the member NAME in files and Python, independent of its place in C++
+    @undescribed   the member exists only in C++
+    @note TEXT     text only for readers of the header
 
-`// @section KEY TEXT` before a member begins a section of files, up to the next one; `// @section -` is the top again.
-`// @group TEXT` begins members that belong together. Other tags, unknown units at the end of a text and a range without
-its comma are refused by file and line."""
+`// @section KEY TEXT` before a member begins a section of files, which ends at the next section; `// @section -` returns
+to the top level. `// @group TEXT` begins a group of members. Unknown tags, unknown units at the end of a text, and
+ranges without a comma raise HeaderError with file and line."""
 
 import keyword
 import pathlib
@@ -35,7 +35,7 @@ import textwrap
 NUMBER = r"-?\d+\.?\d*(?:e-?\d+)?"
 RANGE = re.compile(rf"(?:^|, |(?<=[.)]) )((?:>=? {NUMBER}|{NUMBER} to (?:below )?{NUMBER}|between {NUMBER} and {NUMBER}"
                    r"|finite|not zero)(?: or infinite)?)$")
-LOST = re.compile(rf"[>\]}}] ?(?:[<>]=? ?{NUMBER}|\(.*[<>].*\))$")  # of a range whose comma is missing
+LOST = re.compile(rf"[>\]}}] ?(?:[<>]=? ?{NUMBER}|\(.*[<>].*\))$")  # a range without its comma
 UNIT_WORDS = {"m", "s", "kg", "N", "Nm", "Ns", "Nms", "rad", "Hz", "W", "J", "V", "A", "sqrt", "degrees", "deg", "bit", "us", "ms", "mm"}
 BARE = ("required", "stated", "number_too", "undescribed")
 TAGS = re.compile(rf"\s*@(more|code|key|word|words|name_of|after|note|{'|'.join(BARE)})\b\s*")
@@ -51,7 +51,7 @@ def is_unit(text):
 
 
 def meaning_of(text):
-    """The text as descriptions have it: the unit in braces, which stand in brackets behind a sentence."""
+    """Text in the format of descriptions: the unit is in braces, and after a sentence in brackets too."""
     for match in re.finditer(r"\[([^\[\]]*)\]", text):
         if is_unit(match[1]) and "{" not in text and text.count('"', 0, match.start()) % 2 == 0:
             unit = f"{{{match[1]}}}" if match.start() == 0 else f"[{{{match[1]}}}]"
@@ -60,7 +60,7 @@ def meaning_of(text):
 
 
 def range_code(text):
-    """Of a range's text, the Range in C++."""
+    """C++ initializer of a Range, from the text of a range."""
     words = text.removesuffix(" or infinite").split()
     parts = {}
     if words[0] in (">", ">="):
@@ -77,7 +77,7 @@ def range_code(text):
 
 
 class Entry:
-    """A member, or a value of an enumeration."""
+    """Member of a struct, or value of an enumeration."""
 
     def __init__(self, name, comment, where):
         self.name, self.where = name, where
@@ -85,31 +85,31 @@ class Entry:
         self.meaning, self.range, self.tags = parts[0].strip(), "", {}
         for tag, value in zip(parts[1::2], parts[2::2]):
             if tag in self.tags:
-                raise HeaderError(f"{where}: @{tag} stands twice")
+                raise HeaderError(f"{where}: @{tag} occurs twice")
             if (tag in BARE) == bool(value.strip()):
-                raise HeaderError(f"{where}: @{tag} {'takes no' if value.strip() else 'wants a'} text")
+                raise HeaderError(f"{where}: @{tag} {'must not have a' if value.strip() else 'needs a'} text")
             self.tags[tag] = value.strip()
         self.tags.pop("note", None)
         if "@" in re.sub(r"`[^`]*`", "", self.meaning):
-            raise HeaderError(f"{where}: an unknown word behind @; wanted one of the notation in scripts/header_descriptions.py")
+            raise HeaderError(f"{where}: unknown tag after @; wanted a tag of scripts/header_descriptions.py")
         if found := RANGE.search(self.meaning):
             self.range, self.meaning = found[1], self.meaning[: found.start()]
         if (lost := LOST.search(self.meaning)) and not self.range:
-            raise HeaderError(f"{where}: '{lost[0].strip()}' is no range behind a comma; wanted such as ', > 0'")
+            raise HeaderError(f"{where}: the range '{lost[0].strip()}' has no comma before it; wanted for example ', > 0'")
         if (lost := re.search(r"\[[A-Za-z0-9^/]+\]$", self.meaning)) and not is_unit(lost[0][1:-1]):
-            raise HeaderError(f"{where}: '{lost[0]}' is no unit; its words are {', '.join(sorted(UNIT_WORDS))}")
+            raise HeaderError(f"{where}: '{lost[0]}' is not a unit; known units are {', '.join(sorted(UNIT_WORDS))}")
         self.meaning = meaning_of(self.meaning).replace("\\n", "\n")
 
 
 class Described:
-    """A struct or an enumeration of a header."""
+    """Described struct or enumeration of a header."""
 
     def __init__(self, head, cpp_name, namespace, path, line):
         self.where, self.path, self.namespace, self.cpp_name = f"{path}:{line}", path, namespace, cpp_name
         before, _, behind = head.partition("@described")
         words = behind.split()
         if not words:
-            raise HeaderError(f"{self.where}: @described wants a layer")
+            raise HeaderError(f"{self.where}: @described needs a layer")
         self.layer, _, other = words[0].partition(".")
         self.name = other or cpp_name.rpartition("::")[2]
         self.is_result = words[1:2] == ["@result"]
@@ -131,7 +131,7 @@ class Scanner:
         raise HeaderError(f"{self.name}:{self.line()}: {what}")
 
     def comment(self):
-        """At `//`: the comment's line, without its marks, and which marks."""
+        """Reads a comment line; returns its mark (`//`, `///` or `///<`) and its text."""
         end = self.text.find("\n", self.at)
         raw = self.text[self.at : end if end >= 0 else len(self.text)]
         mark = re.match(r"///<|///|//", raw)[0]
@@ -139,7 +139,7 @@ class Scanner:
         return mark, raw[len(mark) :].strip()
 
     def block(self, of=None):
-        """To the brace that ends what is open: its statements are entries of `of`, if that is described."""
+        """Reads up to the closing brace of a block. Its statements are entries of `of`, if that is described."""
         doc, notes, last = [], [], None
         while self.at < len(self.text):
             rest = self.text[self.at :]
@@ -163,8 +163,7 @@ class Scanner:
                 begin = self.at
                 statement, inner = self.statement(doc, of)
                 if inner is None and any(line.startswith("@described") for line in doc):
-                    raise HeaderError(f"{self.name}:{self.line(begin)}: @described stands before what is neither a struct nor an "
-                                      "enumeration")
+                    raise HeaderError(f"{self.name}:{self.line(begin)}: @described is not before a struct or an enumeration")
                 if of is not None and inner is None:
                     last = self.entry(of, statement, doc, notes, begin)
                 doc, notes = [], notes if of is not None and inner else []
@@ -172,7 +171,7 @@ class Scanner:
             self.finish(of)
 
     def entry(self, of, statement, doc, notes, begin):
-        """The member or enumerator that a statement is; None for functions and what is of the type."""
+        """Adds the member or enumerator of a statement; returns None for functions, static members and types."""
         if of.is_enum:
             name = re.match(r"\w+", statement)[0]
         else:
@@ -184,7 +183,7 @@ class Scanner:
             if re.match(r"(static|using|friend|template|typedef|explicit|virtual|operator|public:|private:)\b", plain) or "(" in plain or "operator" in plain:
                 return None
             if several:
-                raise HeaderError(f"{self.name}:{self.line(begin)}: several members in one statement; wanted one, since "
+                raise HeaderError(f"{self.name}:{self.line(begin)}: several members in one statement; wanted one, because "
                                   f"{of.cpp_name} is described")
             name = re.search(r"\w+$", plain)[0]
         if notes:
@@ -209,7 +208,7 @@ class Scanner:
             moved.remove(next_one)
 
     def statement(self, doc, of):
-        """To its end: its text, and whether it holds others of a type or namespace."""
+        """Reads a statement; returns its text, and True for a type or namespace with inner statements, else None."""
         begin, depth = self.at, 0
         while self.at < len(self.text):
             c = self.text[self.at]
@@ -218,7 +217,7 @@ class Scanner:
                     break
                 self.comment()
                 continue
-            if c == '"' or (c == "'" and not self.text[self.at - 1].isalnum()):  # 10'000 has none
+            if c == '"' or (c == "'" and not self.text[self.at - 1].isalnum()):  # not the separator in 10'000
                 self.at += re.match(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|.', self.text[self.at :]).end()
                 continue
             if c == "{" and depth == 0:
@@ -232,7 +231,7 @@ class Scanner:
             if depth == 0 and (c == ";" or (of is not None and of.is_enum and c == ",")):
                 break
             if depth == 0 and c == "}" and not re.match(r"\s*[;,)(.{]", self.text[self.at :]):
-                break  # of a function
+                break  # end of a function
             if depth < 0:
                 self.at -= 1
                 break
@@ -266,7 +265,7 @@ def word_of(enumerator):
 
 
 def folder_of(path):
-    """Of a header, seen from the root: where its layer's sources are."""
+    """Folder of the sources of a header's layer, relative to the root."""
     parts = path.parts
     if parts[0] != "include":
         return path.parent
@@ -274,7 +273,7 @@ def folder_of(path):
 
 
 def read_headers(root):
-    """All that is described in headers, by the folder that has the layer's sources."""
+    """Described structs and enumerations of all headers, by the folder of the sources of their layer."""
     layers = {}
     for top in ("include/burnish", "src", "tasks"):
         for path in sorted((root / top).rglob("*.hpp")):
@@ -284,13 +283,13 @@ def read_headers(root):
             scanner = Scanner(path, str(name))
             scanner.block()
             if len(scanner.described) != scanner.text.count("/// @described"):
-                scanner.refuse("not all that is described was found")
+                scanner.refuse("a '@described' of this file was not found by the scanner")
             layers.setdefault(folder_of(name), []).extend(scanner.described)
     return layers
 
 
 def included(root, path, seen):
-    """Headers of the repository that a header includes, and what they include."""
+    """Headers of the repository that a header includes, directly or indirectly."""
     for name in re.findall(r'^#include "([^"]+)"', (root / path).read_text(), re.MULTILINE):
         for top in ("include", "src", "tasks"):
             found = pathlib.Path(top, name)
@@ -307,7 +306,7 @@ def as_included(path):
 # C++
 
 def quoted(text, indent):
-    """A string literal, in lines of the house's width."""
+    """C++ string literal, wrapped to the line length."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
     lines = textwrap.wrap(escaped, 96 - indent, break_long_words=False, break_on_hyphens=False, drop_whitespace=False)
     return ("\n" + " " * indent).join(f'"{line}"' for line in lines or [""])
@@ -339,7 +338,7 @@ def description_code(of):
     for i, entry in enumerate(of.entries):
         if i in groups:
             lines.append("          " + group_code(groups[i]))
-        name = entry.name + "_" * keyword.iskeyword(entry.name)  # in Python
+        name = entry.name + "_" * keyword.iskeyword(entry.name)  # name in Python
         text = f'          .field("{name}", &S::{entry.name}'
         if entry.meaning or entry.range:
             text += f",\n                 {quoted(entry.meaning, 17)}"
@@ -367,7 +366,7 @@ def by_namespace(described, code):
 
 
 def generated(root, layers):
-    """Files and what stands in them. Descriptions by hand, in descriptions.hpp, are included."""
+    """Generated files and their texts. They include manual descriptions in descriptions.hpp."""
     texts = {}
 
     def header_of(folder):

@@ -1,23 +1,23 @@
-# Sourced by what is tried on a bare machine: makes minimal Debian 12 roots from Debian's archive alone,
-# carries files into them and runs commands there.
+# Functions for tests on a bare machine: make minimal Debian 12 roots from Debian's archive, copy files into
+# them, and run commands in them.
 #
-#   minimal_root_enter PLACE SCRIPT ARGUMENTS...  first of all, in the script itself: runs it once more
-#                                                 as root of namespaces of its own; roots lie in PLACE
-#   minimal_root_make NAME [PACKAGE...]           mmdebstrap, variant minbase, and these packages
-#   minimal_root_copy NAME OTHER                  one more, as the first one is now
-#   minimal_root_carry NAME FILE... DESTINATION   copies; a DESTINATION that ends in / is a folder
-#   minimal_root_carry_tracked NAME REPOSITORY DESTINATION   what git tracks, as it is in the tree
+#   minimal_root_enter PLACE SCRIPT ARGUMENTS...  must be called first: runs the script again, as root of
+#                                                 new namespaces, with roots in PLACE
+#   minimal_root_make NAME [PACKAGE...]           makes a root with mmdebstrap (minbase) and packages
+#   minimal_root_copy NAME OTHER                  copies the root NAME to OTHER
+#   minimal_root_carry NAME FILE... DESTINATION   copies files; a DESTINATION that ends in / is a folder
+#   minimal_root_carry_tracked NAME REPOSITORY DESTINATION   copies the files that git tracks
 #   minimal_root_run NAME [--chdir=FOLDER] [VARIABLE=VALUE...] COMMAND...
-#                                                 nothing else of the environment gets in
-#   minimal_root_remove NAME
+#                                                 runs a command without other environment variables
+#   minimal_root_remove NAME                      removes a root
 #
-# Every mount lies in the mount namespace, every process in the PID namespace: both go when the script
-# ends in whatever way, and PLACE is removed after that. Roots lie in memory where there is enough of it
-# (MINIMAL_ROOT_ON=disk or memory decides otherwise): dpkg waits for the disk after every file.
-# Environment that reaches out: proxies, apt's settings for them, certificates, npm's registry.
+# Mounts are in a mount namespace and processes in a PID namespace, so both end with the script; PLACE is
+# removed afterwards. Roots are in memory if there is enough (MINIMAL_ROOT_ON=disk or memory overrides this),
+# because dpkg waits for the disk after each file. Proxies, the settings of apt for them, certificates and
+# npm's registry are passed to the roots.
 
 minimal_root_skip() { # reason
-  echo "skipped: no minimal root can be made: $*"
+  echo "skipped: a minimal root cannot be made: $*"
   exit 0
 }
 
@@ -34,12 +34,12 @@ minimal_root_enter() {
   command -v mmdebstrap >/dev/null || minimal_root_skip "mmdebstrap is missing (scripts/setup --bare installs it)"
   [[ -e /usr/share/keyrings/debian-archive-keyring.gpg ]] ||
     minimal_root_skip "the keys of Debian's archive are missing (package debian-archive-keyring)"
-  local namespaces=(unshare --mount --pid --ipc --uts --fork --kill-child --mount-proc) said
+  local namespaces=(unshare --mount --pid --ipc --uts --fork --kill-child --mount-proc) output
   [[ $(id -u) == 0 ]] || namespaces+=(--user --map-root-user --map-auto)
-  said=$("${namespaces[@]}" true 2>&1) ||
-    minimal_root_skip "neither root nor user namespaces: '${namespaces[*]}' says '${said//$'\n'/ }'"
+  output=$("${namespaces[@]}" true 2>&1) ||
+    minimal_root_skip "neither root nor user namespaces: '${namespaces[*]}' printed '${output//$'\n'/ }'"
 
-  # What an interrupted run has left; files of users other than root can only be removed in there.
+  # Removes files of an interrupted run. Only the namespace can remove files of users other than root.
   "${namespaces[@]}" rm -rf --one-file-system "$place"
   mkdir -p "$place"
   if [[ -z ${MINIMAL_ROOT_ON:-} ]]; then
@@ -47,13 +47,13 @@ minimal_root_enter() {
     (($(awk '/MemAvailable/ {print $2}' /proc/meminfo) < 6000000)) || MINIMAL_ROOT_ON=memory
   fi
   export MINIMAL_ROOT_ON
-  # Not `exec`: somebody has to clean up, and to pass signals on that a PID namespace would swallow.
+  # Not `exec`, because this process must clean up, and forward signals that a PID namespace ignores.
   MINIMAL_ROOT_PLACE=$place setpriv --pdeathsig KILL "${namespaces[@]}" bash "$@" &
   local inside=$! status=0
   trap 'status=130; kill -KILL "$inside" 2>/dev/null || true' INT TERM HUP
   wait "$inside" || status=$((status ? status : $?))
   wait "$inside" 2>/dev/null || true
-  # Processes that were killed may still be going.
+  # Killed processes may still be running.
   local attempt
   for attempt in 1 2 3 4 5; do
     "${namespaces[@]}" rm -rf --one-file-system "$place" 2>/dev/null && break
@@ -62,7 +62,7 @@ minimal_root_enter() {
   exit "$status"
 }
 
-# Where apt gets Debian itself from, here or at Debian: sources.list for bookworm.
+# Prints sources.list for bookworm: the mirrors of this machine, or those of Debian.
 minimal_root_sources() {
   local origins main security
   # shellcheck disable=SC2016
@@ -107,7 +107,7 @@ minimal_root_copy() {
 
 minimal_root_certificates() { # root
   mkdir -p "$1/usr/local/share/ca-certificates"
-  # The package ca-certificates takes these in when it is installed.
+  # The package ca-certificates adds these during its installation.
   find /usr/local/share/ca-certificates -name '*.crt' -exec cp -L -t "$1/usr/local/share/ca-certificates" {} + 2>/dev/null || true
   [[ ! -e ${NODE_EXTRA_CA_CERTS:-} ]] || cp -L "$NODE_EXTRA_CA_CERTS" "$1/etc/certificates-for-node.crt"
 }
@@ -168,7 +168,7 @@ minimal_root_run() {
     [[ -z ${!variable:-} ]] || environment+=("$variable=${!variable}")
   done
   [[ ! -e $root/etc/certificates-for-node.crt ]] || environment+=("NODE_EXTRA_CA_CERTS=/etc/certificates-for-node.crt")
-  # What minimal_root_enter has put in the background ignores the keyboard's signals.
+  # Background processes of minimal_root_enter ignore signals of the keyboard.
   chroot "$root" /usr/bin/env -i --default-signal=INT,QUIT HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     ${environment[@]+"${environment[@]}"} env "$@" </dev/null

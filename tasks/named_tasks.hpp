@@ -1,6 +1,6 @@
-// The table of tasks that a file names by `task: ...`, from which come burnish run, its help and
-// completion, and what is read of any file. A task is described by its descriptions.hpp, runs by
-// run_task() and says what its files hold by recorded(), all found by its types.
+// Table of the tasks that a task file can select with its key `task`. The command `burnish run`,
+// its help and its shell completion are made from this table. The types of an entry select the
+// task's description, run_task() and recorded().
 #pragma once
 
 #include <string>
@@ -17,17 +17,17 @@ struct NamedTask {
   using Task = TaskType;
   using RunSpec = RunSpecType;
   const char* name;
-  const char* does;  ///< what it does, behind its name
+  const char* does;  ///< Summary that follows the name in help texts.
 };
 
-/// Calls see(NamedTask) for each.
+/// Calls see(NamedTask) for each task.
 template <class See>
 void each_named_task(const See& see) {
   see(NamedTask<press_hold::Task, press_hold::RunSpec>{
       "press_hold",
       "presses at a point and holds the force while the rest of the arm moves aside"});
   see(NamedTask<push_wall::Task, push_wall::RunSpec>{
-      "push_wall", "pushes with both hands against a wall, and leans to the largest force"});
+      "push_wall", "pushes with both hands against a wall, and searches for the largest force"});
   see(NamedTask<stand::Task, stand::RunSpec>{
       "stand", "stands on its feet, sways with the trunk and comes back to rest"});
 }

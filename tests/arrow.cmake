@@ -1,4 +1,4 @@
-# scripts/arrow finds nothing in this project, and in another what runs against the arrow there.
+# Test of scripts/arrow: it finds no violations in this project, and all violations in a made-up project.
 #   cmake -DSOURCE=... -DWORK=... -DPYTHON=... -P arrow.cmake
 execute_process(COMMAND ${PYTHON} ${SOURCE}/scripts/arrow RESULT_VARIABLE status OUTPUT_VARIABLE said)
 if(NOT status EQUAL 0)
@@ -17,11 +17,11 @@ file(WRITE ${WORK}/tasks/polishing/run.cpp "#include \"signals.hpp\"\n")
 execute_process(COMMAND ${PYTHON} ${SOURCE}/scripts/arrow ${WORK} RESULT_VARIABLE status OUTPUT_VARIABLE said)
 set(wanted "src/CMakeLists.txt: middle/c.cpp is compiled into the layer high, whose folder is src/high
 src/attic: there is no layer of that name in src/CMakeLists.txt
-src/base/low.cpp: middle/b.hpp is of the layer middle, and base may know no other
-src/middle/b.hpp: burnish/high/c.hpp is of the layer high, and middle may know base, math alone
-src/middle/b.hpp: burnish/tasks/polishing/task.hpp is of a task, which no layer knows
-include/burnish/high/c.hpp: middle/b.hpp is of what is not installed, and this header is
-tasks/polishing/run.cpp: signals.hpp is of a program, which neither layers nor tasks know
+src/base/low.cpp: middle/b.hpp belongs to the layer middle; base may include no other layer
+src/middle/b.hpp: burnish/high/c.hpp belongs to the layer high; middle may include only base, math
+src/middle/b.hpp: burnish/tasks/polishing/task.hpp belongs to a task; layers must not include tasks
+include/burnish/high/c.hpp: middle/b.hpp is not installed; an installed header must not include it
+tasks/polishing/run.cpp: signals.hpp belongs to a program; layers and tasks must not include programs
 ")
 if(NOT status EQUAL 1 OR NOT said STREQUAL wanted)
   message(FATAL_ERROR "status ${status}\n${said}wanted 1\n${wanted}")

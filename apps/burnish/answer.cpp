@@ -35,7 +35,7 @@ std::string status_name(Status status) {
   return "unknown";
 }
 
-/// Evaluates one state after the other.
+/// Evaluation of a request, which processes one state after the other.
 class Evaluation {
  public:
   explicit Evaluation(const EvalRequest& request)
@@ -72,14 +72,14 @@ class Evaluation {
  private:
   bool wants(const char* word) const { return request_.compute.contains(word); }
 
-  /// Notes the status; false where it leaves no numbers.
+  /// Records the status of an evaluation. Returns false if there are no results to report.
   bool usable(Status status) {
     if (worst(status_, status) != status_) sentence_ = dynamics_.explanation();
     status_ = worst(status_, status);
-    return status <= Status::NotConverged;
+    return is_usable(status);
   }
 
-  /// And everything that hangs on the state alone.
+  /// Adds the acceleration of contacts and all other results that depend only on the state.
   void add_acceleration(const EvalState& x, Json& result) {
     const bool ok = usable(dynamics_.acceleration(x.q, x.v, x.a));
     const auto add = [&](const char* word, auto&& value) {
@@ -100,7 +100,7 @@ class Evaluation {
                 : Json(nullptr);
   }
 
-  /// Motors' torques along a motion of robots with loops.
+  /// Adds the motor torques that produce a motion of a robot with loops.
   void add_loop_inverse(const EvalState& x, Json& result) {
     if (!wants("loop_inverse")) return;
     const LoopInverse motion =
@@ -143,7 +143,8 @@ class Evaluation {
     add_forces("forward", ok, result);
   }
 
-  /// The forces that belong to the last evaluation, where the request wants those of it.
+  /// Adds the contact forces of the last evaluation, if the request wants forces from this kind of
+  /// evaluation.
   void add_forces(const char* evaluation, bool ok, Json& result) const {
     if (request_.forces_of != evaluation) return;
     result["forces"] = ok ? forces() : Json(nullptr);
@@ -193,7 +194,7 @@ class Evaluation {
     Json result = Json::object();
     const std::vector<Eigen::Isometry3d> placements = frame_placements(model_, x.q);
     for (std::size_t i = 0; i < placements.size(); ++i) {
-      // Where a link and a joint share a name, the frame is the link's.
+      // If a link and a joint have one name, the frame of the link is used.
       const std::string& name = model_.frames[i].name;
       if (model_.frame_index(name) == static_cast<int>(i)) {
         result[name] = placement_json(placements[i]);
@@ -204,7 +205,8 @@ class Evaluation {
 
   Json diagnosis(const EvalState& x) {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model_.nv);
-    // Contacts that depend on each other are its subject; a singular M leaves it no metric.
+    // The diagnosis of dependent contacts uses the mass matrix as its metric, so that the mass
+    // matrix must be regular.
     const Status status = dynamics_.forward(x.q, rest, rest);
     if (status > Status::SingularContacts && !usable(status)) return nullptr;
     const ContactDiagnosis found = diagnose(model_, dynamics_.contacts(), x.q);

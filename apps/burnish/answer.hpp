@@ -1,4 +1,4 @@
-// Evaluates a request and writes the answer as JSON.
+// Evaluation of a request of `burnish eval`, with the answer as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@ namespace burnish::app {
 
 struct Answer {
   nlohmann::ordered_json json;
-  bool good = true;  ///< every evaluation had status ok
+  bool good = true;  ///< True if every evaluation returned the status ok.
 };
 
 Answer evaluate(const EvalRequest& request);

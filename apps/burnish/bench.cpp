@@ -1,4 +1,4 @@
-// burnish bench: how fast is all this on this robot and this machine?
+// burnish bench: computing times for a robot, or for the controller of a task, on this machine.
 #include <fmt/format.h>
 
 #include <thread>
@@ -53,7 +53,7 @@ Json report_json(const BenchReport& report) {
   return json;
 }
 
-/// Three digits that count, in a unit that suits.
+/// Returns a duration with three significant digits, in us or ms.
 std::string time_text(double seconds) {
   const auto [value, unit] =
       seconds < 1e-3 ? std::pair{1e6 * seconds, "us"} : std::pair{1e3 * seconds, "ms"};
@@ -61,10 +61,10 @@ std::string time_text(double seconds) {
   return fmt::format("{:.{}f} {}", value, digits, unit);
 }
 
-/// In Markdown, to paste.
+/// Returns the report as a Markdown table.
 std::string report_text(const BenchReport& report) {
   std::string text = fmt::format(
-      "{}: nq = {}, nv = {}; {} held along z, {}; horizon of {} knots, nx = {}, nu = {}\n"
+      "{}: nq = {}, nv = {}; contact of {} along z, {}; horizon of {} knots, nx = {}, nu = {}\n"
       "packs of {} states, {} of {} cores; peak of one core: {:.1f} multiply-adds per ns\n\n",
       report.robot, report.nq, report.nv, report.tool,
       report.posture.empty() ? "at zero" : "posture " + report.posture, report.knots, report.nx,
@@ -144,28 +144,30 @@ std::string real_time_text(const TaskBenchReport& report) {
     return allocations < 0 ? std::string("not counted") : std::to_string(allocations);
   };
   return fmt::format(
-      "\n{:.0f} plans per second; {} of {} ticks at {:.0f} Hz were not done when the next one was "
-      "due\nallocations in ticks: {}; in plans: {}\ntrue force {:.2f} N rms, path {:.2f} mm rms\n"
-      "{}; the plant took {:.0f} % of the time, between ticks and in their thread\n{}",
+      "\n{:.0f} plans per second; {} of {} ticks at {:.0f} Hz were unfinished when the next tick "
+      "was due\nallocations in ticks: {}; in plans: {}\nrms error of the true force: {:.2f} N; of "
+      "the path: {:.2f} mm\n{}; the plant took {:.0f} % of the time of the tick thread, between "
+      "ticks\n{}",
       real.plans_per_second, real.missed, real.ticks, 1.0 / report.tick_period,
       counted(real.tick_allocations), counted(real.plan_allocations), real.force_rmse,
       1e3 * real.path_rmse,
-      real.has_priority ? "ticks went before all other threads"
-                        : "ticks had no priority, which wants the right to set one (chrt)",
+      real.has_priority
+          ? "the tick thread had real-time priority"
+          : "the tick thread had no real-time priority, because this user may not set one (chrt)",
       100.0 * real.plant_share,
       real.fault.kind == FaultKind::None ? "" : "fault: " + real.fault.text() + "\n");
 }
 
-/// In Markdown, to paste.
+/// Returns the report of a task as a Markdown table.
 std::string task_text(const TaskBenchReport& report) {
   std::string text = fmt::format(
-      "{}: nv = {}; {} knots see {:.2f} s ahead, nx = {}, nu = {}\n"
-      "packs of {} states; plans of {} thread{}; {} core{}\n\n",
+      "{}: nv = {}; {} knots over {:.2f} s, nx = {}, nu = {}\n"
+      "packs of {} states; {} thread{} per plan; {} core{}\n\n",
       report.robot, report.nv, report.knots, report.horizon, report.nx, report.nu,
       report.pack_width, report.threads, report.threads == 1 ? "" : "s", report.cores,
       report.cores == 1 ? "" : "s");
   text += fmt::format("| {:<9} | {:<41} | {:>8} | {:>8} | {:>8} | {:>7} |\n", "", "", "median",
-                      "p99", "most", "of");
+                      "p99", "max", "count");
   text += fmt::format("|:{:-<9}-|:{:-<41}-|-{:->8}:|-{:->8}:|-{:->8}:|-{:->7}:|\n", "", "", "", "",
                       "", "");
   const PlanTimes& plans = report.plans;
@@ -174,10 +176,10 @@ std::string task_text(const TaskBenchReport& report) {
   add_times(text, "", "  derivatives", plans.expand);
   add_times(text, "", backward.c_str(), plans.backward);
   add_times(text, "", "  line search", plans.trial);
-  add_times(text, "real time", "plan, in a thread", report.real.plan);
+  add_times(text, "real time", "plan, in its thread", report.real.plan);
   add_times(text, "", "age of the plan in use", report.real.age);
   add_times(text, "", "tick", report.real.tick);
-  add_times(text, "", "tick begins late by", report.real.woken);
+  add_times(text, "", "delay of the start of a tick", report.real.woken);
   return text + real_time_text(report);
 }
 
@@ -201,18 +203,19 @@ int bench(const BenchArguments& arguments) {
   return exit_ok;
 }
 
-/// Of a task in place of a robot.
+/// Adds the options for measurements of a task instead of a robot.
 void add_task_options(CLI::App* command, BenchArguments& arguments) {
-  CLI::Option* task = command
-                          ->add_option("--task", arguments.task,
-                                       "Polishing task whose controller is measured instead: its "
-                                       "plans, and its ticks in real time")
-                          ->type_name("FILE");
+  CLI::Option* task =
+      command
+          ->add_option(
+              "--task", arguments.task,
+              "Polishing task whose controller is measured: its plans, and its ticks in real time")
+          ->type_name("FILE");
   for (const char* other : {"ROBOT", "--tool", "--posture", "--knots", "--pin-threads"})
     task->excludes(command->get_option(other));
   command
       ->add_option("--set", arguments.overrides,
-                   "Any key of that task, such as controller.knots=40; repeatable")
+                   "Set a key of the polishing task, such as controller.knots=40; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->needs(task);
@@ -221,8 +224,8 @@ void add_task_options(CLI::App* command, BenchArguments& arguments) {
 }  // namespace
 
 void add_bench(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("bench", "Time per state, per iteration and per tick on this machine");
+  CLI::App* command = app.add_subcommand(
+      "bench", "Measure the time per state, per solver iteration and per tick on this machine");
   const auto arguments = std::make_shared<BenchArguments>();
   arguments->robot.robot = "talos:right_arm";
   arguments->robot.add_to(*command);
@@ -230,38 +233,37 @@ void add_bench(CLI::App& app, int& exit_code) {
   BenchSpec& spec = arguments->spec;
   command
       ->add_option("--tool", spec.tool,
-                   "Frame in contact [the frame 'tool', or else the last leaf frame]")
+                   "Frame in contact [the frame 'tool', else the last leaf frame]")
       ->type_name("FRAME");
   command
       ->add_option("--posture", spec.posture,
-                   "Posture that the states are near [the robot's default]")
+                   "Posture around which states are drawn [the robot's default posture]")
       ->type_name("NAME");
-  command->add_option("--knots", spec.knots, "Knots of the horizon [100]")
+  command->add_option("--knots", spec.knots, "Number of knots of the horizon [100]")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  command->add_option("--threads", spec.threads, "Threads that share the work [1]")
+  command->add_option("--threads", spec.threads, "Number of threads [1]")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
-  command->add_flag("--pin-threads", spec.pin_threads, "Keep each thread but the first on a core");
+  command->add_flag("--pin-threads", spec.pin_threads,
+                    "Pin each thread except the first to a core");
   command
       ->add_option("--seconds", arguments->seconds,
-                   "Seconds that each line is measured, about [0.3]; of the path of --task [10]")
+                   "Approximate measuring time for each line of the table, in seconds [0.3]; with "
+                   "--task, time on the path [10]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   add_task_options(command, *arguments);
-  command->add_flag("--json", arguments->json, "As JSON, in seconds");
+  command->add_flag("--json", arguments->json, "Print JSON, with times in seconds");
   command->footer(
-      "States are near the posture, the tool held along world z; the horizon presses it down with\n"
-      "30 N along a circle. 'of peak': the larger of the numbers of multiplications and additions\n"
-      "per second, of the multiply-adds that a core does at best. Compare figures of one run, on "
-      "a\n"
-      "machine that does nothing else.\n"
+      "States are near the posture, with the tool in contact along world z. The horizon presses\n"
+      "with 30 N along a circle. 'of peak': rate of multiplications or of additions, whichever is\n"
+      "larger, as a fraction of the core's peak rate of multiply-adds. Compare numbers of one run\n"
+      "only, on an otherwise idle machine.\n"
       "\n"
-      "With --task the robot of a polishing task polishes: first in simulated time, for what "
-      "plans\n"
-      "take alone, then in real time, a tick at each period of the clock and plans in a thread. "
-      "The\n"
-      "simulator runs between the ticks. taskset says which cores there are.\n"
+      "With --task, the robot of a polishing task polishes twice: in simulated time, to measure\n"
+      "plans alone, and in real time, with ticks at the period of the clock and plans in another\n"
+      "thread. The simulator runs between the ticks. taskset selects the cores.\n"
       "\n"
       "Examples:\n"
       "  burnish bench\n"

@@ -20,30 +20,31 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int ring = 64;  ///< states that are evaluated one after the other
+constexpr int ring = 64;  ///< Number of different states, which are used in turn.
 
 double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 void require(Status status, const char* what) {
-  if (status > Status::NotConverged)
+  if (!is_usable(status))
     throw Error("bench: " + std::string(what) +
                 " cannot be evaluated: " + std::string(describe(status)));
 }
 
-/// Repeats `work` for about `seconds`, at least 20 times; its times are divided by `pieces`.
+/// Repeats `work` for about `seconds`, but at least 20 times. Durations are divided by `pieces`,
+/// the number of results per call.
 BenchLine repeat(std::string group, std::string name, double seconds, int pieces,
                  const std::function<void()>& work,
                  const std::function<void(std::size_t)>& after = {}) {
-  constexpr std::size_t least = 20, most = 200000;
+  constexpr std::size_t min_count = 20, max_count = 200000;
   work();
   work();
   std::vector<double> times;
-  times.reserve(most);
+  times.reserve(max_count);
   long allocations = 0;
   const auto start = Clock::now();
-  while (times.size() < least || (since(start) < seconds && times.size() < most)) {
+  while (times.size() < min_count || (since(start) < seconds && times.size() < max_count)) {
     const AllocationGuard guard;
     const auto before = Clock::now();
     work();
@@ -62,21 +63,22 @@ BenchLine repeat(std::string group, std::string name, double seconds, int pieces
   return line;
 }
 
-/// The tool held along world z, and the robot's loops.
+/// Returns the contact of the tool along world z, with the loops of the robot.
 std::vector<ContactSpec> pressing(const Model& model, const std::string& tool) {
   ContactSpec contact{.name = "surface", .tool = tool, .directions = Directions::z()};
   return with_loops(model, {contact.with_gains(0.0, 50.0)});
 }
 
-/// Whether the tool can press there: not a pendulum's that hangs.
+/// Returns whether the tool can press along world z at q. A hanging pendulum, for example, cannot.
 bool can_press(const Model& model, const std::string& tool, const Eigen::VectorXd& q) {
   ContactDynamics dynamics(model, pressing(model, tool));
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.nv);
-  return dynamics.forward(q, still, still) <= Status::NotConverged;
+  return is_usable(dynamics.forward(q, still, still));
 }
 
-/// The posture that was asked for, or else the first of the default one, those that are named and a
-/// few beside the default one at which the tool can press; `name` is what it is called.
+/// Returns the requested posture. If none is requested, returns the first posture at which the tool
+/// can press: the default posture, a named posture, or one of a few near the default. `name`:
+/// receives the name of the posture.
 Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
   const Robot& robot = spec.robot;
   name = spec.posture.empty() ? robot.default_posture : spec.posture;
@@ -84,15 +86,16 @@ Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
       spec.posture.empty() ? robot.reference_configuration() : robot.posture(spec.posture);
   if (can_press(robot.model, spec.tool, q0)) return q0;
   if (!spec.posture.empty())
-    throw Error("bench: at posture '" + name + "' the tool '" + spec.tool +
-                "' cannot be held along world z: no joint moves it there, or joints move no mass; "
-                "wanted another posture or tool");
+    throw Error(
+        "bench: at posture '" + name + "' the tool '" + spec.tool +
+        "' cannot press along world z: no joint moves it in this direction, or a joint moves "
+        "no mass; wanted another posture or tool");
   for (const auto& [other, posture] : robot.postures) {
     const Eigen::VectorXd q = robot.posture(other);
     name = other;
     if (can_press(robot.model, spec.tool, q)) return q;
   }
-  name = "beside " + (robot.default_posture.empty() ? "zero" : robot.default_posture);
+  name = "near " + (robot.default_posture.empty() ? "zero" : robot.default_posture);
   std::mt19937_64 generator(2);
   std::uniform_real_distribution<double> uniform(-0.5, 0.5);
   for (int i = 0; i < 10; ++i) {
@@ -102,11 +105,11 @@ Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
     if (can_press(robot.model, spec.tool, q)) return q;
   }
   throw Error("bench: the tool '" + spec.tool +
-              "' cannot be held along world z anywhere: no joint moves it there, or joints move no "
-              "mass; wanted another tool");
+              "' cannot press along world z at any posture tried: no joint moves it in this "
+              "direction, or a joint moves no mass; wanted another tool");
 }
 
-/// Contact dynamics: one state alone, and many in packs.
+/// Measurement of contact dynamics, for single states and for packs of states.
 class States {
  public:
   States(const BenchSpec& spec, const Eigen::VectorXd& q0)
@@ -163,7 +166,7 @@ class States {
     report.lines.back().peak_share /= threads;
   }
 
-  /// Near q on the loops, or the one that is there already.
+  /// Returns q moved to a configuration that closes the loops; `otherwise` if this fails.
   Eigen::VectorXd closed(const Eigen::VectorXd& q, const Eigen::VectorXd& otherwise) const {
     const LoopProjection on = project_onto_loops(model_, q);
     return on.status == Status::Ok ? on.q : otherwise;
@@ -181,7 +184,8 @@ class States {
   std::vector<ContactSpec> contacts_;
 };
 
-/// One iteration from the same guess: what a controller does at each of its steps.
+/// Measures one solver iteration. All repetitions start from the same guess, as the updates of a
+/// controller do.
 void measure_iteration(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem_spec,
                        StepUpdate update, const std::string& name) {
   Problem problem(problem_spec);
@@ -214,14 +218,15 @@ void measure_iteration(BenchReport& report, const BenchSpec& spec, const Problem
   report.lines.push_back(std::move(line));
 }
 
-/// A controller that makes a new plan at every tick, fed with a robot that stands still.
+/// Measures a controller that computes a plan at every tick. Its measurements are those of a robot
+/// at rest.
 void measure_ticks(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem) {
   const DdpOptions options{.threads = spec.threads, .pin_threads = spec.pin_threads};
   polishing::PressingController controller(problem, spec.tool, options);
   BenchLine line =
       repeat("tick", "MPC, a new plan at every tick", spec.seconds, 1, [&] { controller.tick(); });
   if (controller.fault().kind != FaultKind::None)
-    throw Error("bench: the controller gave up: " + controller.fault().text());
+    throw Error("bench: the controller stopped with a fault: " + controller.fault().text());
   report.lines.push_back(std::move(line));
 }
 

@@ -1,5 +1,4 @@
-// How long the library takes on one robot: per state, per iteration of the solver, per control
-// tick.
+// Computing times of the library for one robot: per state, per solver iteration, per control tick.
 #pragma once
 
 #include <string>
@@ -11,23 +10,25 @@ namespace burnish::app {
 
 struct BenchSpec {
   Robot robot;
-  std::string tool = {};     ///< frame that touches a plane; empty: default_tool()
-  std::string posture = {};  ///< of the robot's settings; empty: its default
-  int knots = 100;           ///< of the horizon, 10 ms each
+  std::string tool = {};     ///< Frame that presses on a plane; empty: default_tool().
+  std::string posture = {};  ///< Named posture of the robot; empty: its default posture.
+  int knots = 100;           ///< Number of knots in the horizon; each takes 10 ms.
   int threads = 1;
   bool pin_threads = false;
-  double seconds = 0.3;  ///< s, about, that each line is measured
+  double seconds = 0.3;  ///< Approximate time for the measurement of each line of the report [s].
 };
 
 struct BenchLine {
-  std::string group;  ///< "state", "iteration" or "tick"
+  std::string group;  ///< Group of measurements: "state", "iteration" or "tick".
   std::string work;
-  double median = 0.0, best = 0.0, p99 = 0.0;  ///< s, of all repetitions
-  /// Of the core's peak of multiply-adds, if every multiplication went with an addition; 0:
-  /// unknown.
+  double median = 0.0, best = 0.0, p99 = 0.0;  ///< Durations over all repetitions [s].
+  /// Ratio of the measured rate of multiply-adds to the core's peak rate; 0: unknown. Each
+  /// multiplication counts together with an addition.
   double peak_share = 0.0;
-  double allocations = 0.0;  ///< per repetition; negative: not counted in this build
-  /// s, of the iteration of median length; zero for other groups.
+  /// Memory allocations per repetition; negative: not counted in this build.
+  double allocations = 0.0;
+  /// Durations of the parts of a solver iteration, for the iteration of median duration [s]; zero
+  /// for other groups.
   double expand = 0.0, backward = 0.0, trial = 0.0;
 };
 
@@ -35,14 +36,14 @@ struct BenchReport {
   std::string robot, tool, posture;
   int nq = 0, nv = 0, nx = 0, nu = 0;
   int knots = 0, threads = 1, pack_width = 1;
-  double peak = 0.0;  ///< multiply-adds per second of one core
+  double peak = 0.0;  ///< Peak rate of multiply-adds of one core [1/s].
   std::vector<BenchLine> lines = {};
 };
 
-/// States are drawn near the posture; one direction of the tool is held along world z. The horizon
-/// is the problem that solvers are compared on: press with 30 N, draw a circle of 7 cm radius.
-/// Throws Error for a frame or posture that there is not, and where the robot cannot be evaluated
-/// so.
+/// Measures computing times at random states near the posture, with the tool held along world z.
+/// The plans solve the standard benchmark problem: press with 30 N and draw a circle of 7 cm
+/// radius. Throws Error for an unknown frame or posture, and if the dynamics of the robot in this
+/// contact cannot be evaluated.
 BenchReport measure_speed(const BenchSpec& given);
 
 }  // namespace burnish::app

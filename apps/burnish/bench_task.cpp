@@ -16,6 +16,7 @@
 
 #include "base/allocation_guard.hpp"
 #include "base/thread_pool.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/sim/closed_loop.hpp"
@@ -43,8 +44,8 @@ Spread spread(std::vector<double> times) {
   return result;
 }
 
-/// While it lives, this thread goes before all others and nothing that it touches is paged in, as
-/// far as the system permits.
+/// Real-time priority and locked memory for this thread, during the lifetime of the object and if
+/// the system permits.
 class Urgent {
  public:
   Urgent() {
@@ -68,7 +69,7 @@ class Urgent {
   bool locked_ = false, has_priority_ = false;
 };
 
-/// What the threads of plans allocate, seen from the solver's callback there.
+/// Counter of the memory allocations in planning threads. A callback of the solver updates it.
 class PlanAllocations {
  public:
   explicit PlanAllocations(std::thread::id ticking) : ticking_(ticking) {}
@@ -85,15 +86,16 @@ class PlanAllocations {
   std::atomic<long> count_ = 0;
 };
 
-/// Ticks of a controller at their times of the clock, or as fast as they come, with what they took.
+/// Controller that starts the ticks of another controller at the period of the clock, or as soon as
+/// possible, and records their durations.
 class Pacer final : public Controller {
  public:
-  Pacer(MpcController& mpc, std::optional<EstimatedBase>& base, double period, double longest,
+  Pacer(MpcController& mpc, std::optional<EstimatedBase>& base, double period, double max_duration,
         bool is_paced)
       : mpc_(&mpc), base_(&base), period_(period), is_paced_(is_paced) {
-    const auto room = static_cast<std::size_t>(longest / period) + 2;
+    const auto capacity = to_size(max_duration / period) + 2;
     for (std::vector<double>* times : {&tick_, &woken_, &plan_, &age_, &plant_})
-      times->reserve(room);
+      times->reserve(capacity);
   }
   int nv() const override { return mpc_->nv(); }
   bool carries_payload() const noexcept override { return mpc_->carries_payload(); }
@@ -116,7 +118,7 @@ class Pacer final : public Controller {
   std::vector<double> tick_, woken_, plan_, age_, plant_;
 };
 
-/// steady_clock is CLOCK_MONOTONIC here.
+/// Sleeps until the tick is due. On this platform, steady_clock is CLOCK_MONOTONIC.
 void Pacer::wait_until_due() noexcept {
   if (ticks_ == 0) first_ = Clock::now();
   const auto ahead = std::chrono::duration<double>(period_ * static_cast<double>(ticks_));
@@ -165,21 +167,21 @@ RealTime Pacer::times() const {
   return real;
 }
 
-/// A task's controller on a plant, from start to the end of its path.
+/// Closed-loop run of a task's controller on a plant, from the start until the end of the path.
 class Run {
  public:
   Run(const polishing::Task& task, const MpcSpec& mpc, const polishing::Setting& setting,
-      double longest)
+      double max_duration)
       : setting_(setting),
         plant_(make_plant(has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal,
                           plant_model(setting.robot.model, task.disturbances),
                           plant_scene(setting.scene, task.disturbances),
                           plant_step(mpc.tick_period))),
         mpc_(mpc),
-        pacer_(mpc_, base_, mpc.tick_period, longest, mpc.timing == PlanTiming::Thread) {
+        pacer_(mpc_, base_, mpc.tick_period, max_duration, mpc.timing == PlanTiming::Thread) {
     ClosedLoopOptions options;
     options.control_period = mpc.tick_period;
-    options.max_duration = longest;
+    options.max_duration = max_duration;
     const auto estimator = pressing::base_estimator(task.standing);
     if (estimator) {
       base_.emplace(setting.robot.model, *estimator);
@@ -190,22 +192,22 @@ class Run {
 
   void start() {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(setting_.robot.model.nv);
-    if (base_ && base_->reset(setting_.q_start, rest) > Status::NotConverged)
-      throw Error("bench: the estimate of the base cannot start");
-    if (loop_->reset(setting_.q_start, rest) > Status::NotConverged)
+    if (base_ && !is_usable(base_->reset(setting_.q_start, rest)))
+      throw Error("bench: the estimator of the floating base cannot start");
+    if (!is_usable(loop_->reset(setting_.q_start, rest)))
       throw Error("bench: the plant cannot start");
   }
-  /// False at the end: of the path, or by a fault.
+  /// Advances by one tick. Returns false at the end of the path and after a fault.
   bool step() {
     const bool was_on_path = pacer_.is_on_path();
-    if (loop_->step() > Status::NotConverged) throw Error("bench: the plant failed");
+    if (!is_usable(loop_->step())) throw Error("bench: the plant failed");
     return mpc_.fault().kind == FaultKind::None && (!was_on_path || pacer_.is_on_path());
   }
   MpcController& mpc() { return mpc_; }
   const Pacer& pacer() const { return pacer_; }
   const Command& command() const { return loop_->command(); }
   double time() const { return plant_->time(); }
-  /// Over the path, its first half second left out.
+  /// Returns the metrics on the path, without the first 0.5 s of the path.
   Metrics metrics() const {
     const Trace::Column phase = loop_->trace().column("phase"),
                         time = loop_->trace().column("time");
@@ -213,8 +215,8 @@ class Run {
     for (Eigen::Index i = time.size() - 1; i >= 0; --i)
       if (phase[i] == static_cast<double>(number_of(Phase::Track)))
         window.start = std::min(window.start, time[i] + 0.5);
-    Trace room;
-    return measure(seen_from_surface(loop_->trace(), room), setting_.robot.model, window);
+    Trace buffer;
+    return measure(seen_from_surface(loop_->trace(), buffer), setting_.robot.model, window);
   }
 
  private:
@@ -226,21 +228,21 @@ class Run {
   std::optional<ClosedLoop> loop_;
 };
 
-/// s that a run may take: contact may be late.
-double longest(const polishing::Task& task, const polishing::Setting& setting) {
+/// Returns the largest simulated duration of a run; it includes 5 s for late contact [s].
+double max_duration(const polishing::Task& task, const polishing::Setting& setting) {
   return setting.track_end + task.standing.settle + task.retreat_duration + 5.0;
 }
 
-/// In simulated time, where nothing else runs while a plan is made.
+/// Measures plans in simulated time. No other thread runs during a plan.
 PlanTimes measure_plans(const polishing::Task& task, const polishing::Setting& setting,
                         MpcSpec mpc) {
-  constexpr std::size_t enough = 500;
+  constexpr std::size_t max_plans = 500;
   mpc.timing = PlanTiming::Fixed;
-  Run run(task, mpc, setting, longest(task, setting));
+  Run run(task, mpc, setting, max_duration(task, setting));
   run.start();
   std::vector<double> whole, expand, backward, trial;
   double recursions = 0.0, last = -1.0;
-  while (run.step() && whole.size() < enough) {
+  while (run.step() && whole.size() < max_plans) {
     const Command& command = run.command();
     const DdpSummary& summary = run.mpc().solver().summary();
     const bool is_new = command.solve_time > 0.0 && command.solve_time != last;
@@ -250,10 +252,10 @@ PlanTimes measure_plans(const polishing::Task& task, const polishing::Setting& s
     expand.push_back(summary.seconds.expand);
     backward.push_back(summary.seconds.backward);
     trial.push_back(summary.seconds.trial);
-    for (const DdpProgress& each : summary.log) recursions += each.factors;
+    for (const DdpProgress& each : summary.log) recursions += each.factorizations;
   }
   if (run.mpc().fault().kind != FaultKind::None)
-    throw Error("bench: the controller gave up: " + run.mpc().fault().text());
+    throw Error("bench: the controller stopped with a fault: " + run.mpc().fault().text());
   const auto count = static_cast<double>(std::max<std::size_t>(whole.size(), 1));
   return {spread(whole), spread(expand), spread(backward), spread(trial), recursions / count};
 }
@@ -262,13 +264,13 @@ RealTime measure_in_real_time(const polishing::Task& task, const polishing::Sett
                               MpcSpec mpc) {
   const auto allocations = std::make_shared<PlanAllocations>(std::this_thread::get_id());
   mpc.timing = PlanTiming::Thread;
-  mpc.update_period = mpc.tick_period;  // as many as there can be
+  mpc.update_period = mpc.tick_period;  // plans as often as possible
   mpc.solver_delay = std::min(mpc.solver_delay, mpc.update_period);
   mpc.solver.callback = [allocations](const DdpProgress&) { return allocations->look(); };
-  Run run(task, mpc, setting, longest(task, setting));
-  const Urgent urgent;  // its threads are there already, and are not
+  Run run(task, mpc, setting, max_duration(task, setting));
+  const Urgent urgent;  // the planning threads exist already and keep normal priority
   run.start();
-  while (run.time() < longest(task, setting) && run.step()) {
+  while (run.time() < max_duration(task, setting) && run.step()) {
   }
   RealTime real = run.pacer().times();
   real.plan_allocations = real.tick_allocations < 0 ? -1 : allocations->count();

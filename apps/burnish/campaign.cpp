@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using document::Reader;
 using polishing::PlantKind;
 
-/// Calls see(key, member) for each word of a campaign, in the order of the command line.
+/// Calls see(key, member) for each word of a campaign, in their order on the command line.
 template <class See>
 void each_word(const See& see) {
   see("seeds", &Campaign::seeds);
@@ -115,22 +115,22 @@ void check_campaign(const Campaign& campaign, bool strict) {
   const polishing::Experiment& experiment = polishing::experiment_named(campaign.name);
   const bool any_robot = experiment.name == "robots" || experiment.name == "force_test";
   if (!any_robot && !(campaign.robots.empty() && campaign.tools.empty()))
-    throw Error("--robot and --tool are for the experiments 'robots' and 'force_test'; for " +
-                fmt::format("'{}'", experiment.name) + " say --set robot=NAME");
+    throw Error("--robot and --tool are for the experiments 'robots' and 'force_test'; wanted " +
+                fmt::format("--set robot=NAME for '{}'", experiment.name));
   if (!campaign.folder.empty() && experiment.name != "robots")
     throw Error(
         fmt::format("--folder is for the experiment 'robots', not for '{}'", experiment.name));
   if (!campaign.folder.empty() && !campaign.robots.empty())
-    throw Error("--folder names the robots itself; wanted neither --robot nor --tool");
+    throw Error("--folder selects the robots; wanted neither --robot nor --tool beside it");
   if (!campaign.folder.empty()) (void)polishing::public_robots_in(campaign.folder);
   (void)polishing::ranges_named(campaign.ranges);
   if (experiment.name != "seeds" && !campaign.ranges.empty())
-    throw Error(fmt::format("--ranges are for the experiment 'seeds'; '{}' draws no sizes",
-                            experiment.name));
-  if (campaign.tools.size() > campaign.robots.size())
     throw Error(
-        fmt::format("{} times --tool and {} times --robot; wanted no more tools than robots",
-                    campaign.tools.size(), campaign.robots.size()));
+        fmt::format("--ranges is for the experiment 'seeds', not for '{}'", experiment.name));
+  if (campaign.tools.size() > campaign.robots.size())
+    throw Error(fmt::format(
+        "--tool is given {} times and --robot {} times; wanted no more tools than robots",
+        campaign.tools.size(), campaign.robots.size()));
   const polishing::ExperimentSpec spec = campaign.spec();
   std::set<std::string> robots;
   for (const std::string& surface :
@@ -143,7 +143,7 @@ int write_report(const polishing::ExperimentReport& report, const Campaign& camp
                  RunFolder& folder, bool quiet) {
   const std::string command = campaign.command();
   const std::vector<std::string> names = experiment_files(report);
-  std::string unwritten;  // why files are missing
+  std::string unwritten;  // reason why files are missing
   try {
     folder.claim(names);
     write_experiment(report, campaign.name, command, folder.path());

@@ -1,4 +1,5 @@
-// An experiment as a command line states it, and the folder that says which one its runs are of.
+// Words of a command line that define an experiment, and the file campaign.json. The file records
+// these words in the folder of the results.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 
 namespace burnish::app {
 
-/// All words that change the results, and no others.
+/// Options of an experiment that affect its results. Options such as --threads are not included.
 struct Campaign {
   std::string name, plant, ranges, folder;
   std::vector<std::string> surfaces, robots, tools, overrides;
@@ -19,36 +20,36 @@ struct Campaign {
   bool quick = false;
 
   bool operator==(const Campaign&) const = default;
-  /// What repeats the results: "burnish", "experiment", NAME, ...
+  /// Command line that reproduces the results: "burnish", "experiment", NAME, ...
   std::vector<std::string> command_words() const;
   std::string command() const;
   polishing::ExperimentSpec spec() const;
 };
 
-/// What a folder with results of runs says of them, in its file campaign.json.
+/// Contents of campaign.json, which records the experiment whose runs are in the folder.
 struct CampaignFile {
   static constexpr const char* name = "campaign.json";
-  /// Stands in place of an experiment's name where burnish sweep left the runs, of which the words
-  /// say nothing.
+  /// Value of the experiment's name if `burnish sweep` made the runs; other members are then unset.
   static constexpr const char* sweep = "sweep";
   Campaign campaign;
   std::string version;
-  std::string shard = {};  ///< "2/4"; empty: all of it
+  std::string shard = {};  ///< Shard, such as "2/4"; empty: all runs.
 
   void write(const std::filesystem::path& folder) const;
-  /// Nothing where there is none. Throws Error for a file that says something else.
+  /// Reads campaign.json in `folder`. Returns nothing if the file does not exist. Throws Error if
+  /// its contents are malformed.
   static std::optional<CampaignFile> read(const std::filesystem::path& folder);
 };
 
-/// The folder of a campaign's folder that holds the results.
+/// Name of the subfolder with the stored results of runs.
 inline constexpr const char* results_folder = "runs";
 
-/// Throws Error for words that are bad or do not go together, before anything is run, and warns of
-/// odd robots.
+/// Throws Error for invalid or conflicting options, and prints warnings about the robots. Must be
+/// called before the first run.
 void check_campaign(const Campaign& campaign, bool strict);
 
-/// Writes what came out, and prints it unless `quiet`; the exit code. What cannot be written is
-/// printed all the same before that is thrown as an Error.
+/// Writes the report, prints it unless `quiet`, and returns the exit code. If writing fails, the
+/// report is still printed before the Error is thrown.
 int write_report(const polishing::ExperimentReport& report, const Campaign& campaign,
                  RunFolder& folder, bool quiet);
 

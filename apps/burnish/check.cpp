@@ -1,4 +1,4 @@
-// burnish check: are the derivatives right on this robot?
+// burnish check: comparison of a robot's derivatives with finite differences.
 #include "burnish/derivatives/check.hpp"
 
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ Json report_json(const CheckReport& report) {
   return json;
 }
 
-/// On a terminal only; the line goes when the check is done.
+/// Prints the progress on a terminal, and erases the line at the end.
 void show_checked(int done, int total) {
   fmt::print(stderr, "\r{} of {} rows", done, total);
   if (done == total) fmt::print(stderr, "\r\033[K");
@@ -88,39 +88,45 @@ void add_options(CLI::App& command, CheckArguments& arguments) {
   CheckOptions& options = arguments.options;
   command
       .add_option("--tool", options.tool,
-                  "Frame in contact [the frame 'tool', or else the last leaf frame]")
+                  "Frame in contact [the frame 'tool', else the last leaf frame]")
       ->type_name("FRAME");
-  command.add_option("--base", options.base, "Frame that the tool touches [world]")
+  command.add_option("--base", options.base, "Frame of the body that the tool touches [world]")
       ->type_name("FRAME");
   command
       .add_option("--contact", arguments.contacts,
-                  "Check this contact instead of the sweep; several at once if repeated")
+                  "Contact to check, in place of the built-in list; repeat to check several "
+                  "contacts at once")
       ->type_name("SPEC")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       .add_option("--surface", arguments.surfaces,
-                  "Check axes that follow this surface instead of the sweep's references; several "
-                  "one after the other if repeated")
+                  "Curved surface of a reference whose axes turn with its normal, in place of the "
+                  "built-in references; repeat to check several surfaces in turn")
       ->type_name("SHAPE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_flag("--all-accelerations", arguments.all_accelerations,
-                   "Also the spatial and the classical acceleration");
-  command.add_option("--states", options.states, "Random states per row [20]")->type_name("N");
+  command.add_flag(
+      "--all-accelerations", arguments.all_accelerations,
+      "Check the spatial and the classical acceleration as well as the time derivative");
+  command
+      .add_option("--states", options.states,
+                  "Number of random states for each row of the table [20]")
+      ->type_name("N");
   command.add_option("--seed", options.seed, "Seed of the random states [1]")->type_name("N");
   command
-      .add_option("--tolerance", options.tolerance,
-                  "Largest error that passes, relative to a block's largest entry [1e-6]")
+      .add_option(
+          "--tolerance", options.tolerance,
+          "Largest permitted error, relative to the largest entry of a block of derivatives [1e-6]")
       ->type_name("T");
-  command.add_flag("--json", arguments.json, "As JSON");
+  command.add_flag("--json", arguments.json, "Print JSON");
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("check", "All derivatives against differences of the values");
+      app.add_subcommand("check", "Check derivatives against finite differences of the values");
   const auto arguments = std::make_shared<CheckArguments>();
   arguments->robot.add_to(*command);
   add_options(*command, *arguments);
@@ -129,15 +135,14 @@ void add_check(CLI::App& app, int& exit_code) {
       "of\n"
       "directions, with and without gains. A SHAPE is sphere:RADIUS, cylinder:RADIUS,\n"
       "cone:RADIUS:HALF_ANGLE, torus:RADIUS:RING, ellipsoid:A:B:C or saddle:K:K (m, rad, 1/m),\n"
-      "with :hollow behind where the tool is inside; it is fixed in the base.\n"
+      "followed by :hollow if the tool is inside; it is fixed in the base.\n"
       "\n"
       "A contact's SPEC is a list of key=value: tool (needed), name, base, reference (local,\n"
       "centered, surface, world), normal (of a surface, x,y,z), directions (x y z rx ry rz all\n"
       "linear angular pad_x|y|z), acceleration (time_derivative, spatial, classical), error "
       "(split,\n"
-      "log6), kp, kd (1 or 6 numbers); or what a problem file states, in braces. Its target, "
-      "unless\n"
-      "said, is where the tool is at the reference posture.\n"
+      "log6), kp, kd (1 or 6 numbers); or the notation of problem files, in braces. The default\n"
+      "target is the placement of the tool at the reference posture.\n"
       "\n"
       "Examples:\n"
       "  burnish check arm7\n"
@@ -147,7 +152,7 @@ void add_check(CLI::App& app, int& exit_code) {
       "  burnish check talos --contact tool=left_sole_link --contact tool=right_sole_link \\\n"
       "    --contact tool=tool,reference=surface,normal=0,0.2,1,directions=z,rx,ry,kd=50\n"
       "\n"
-      "Exit code 1: a row failed.");
+      "Exit codes: 0 all rows passed; 1 a row failed; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
 }
 

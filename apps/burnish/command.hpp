@@ -1,4 +1,4 @@
-// The commands of the program: each adds itself to the command line and leaves its exit code.
+// Registration of the program's commands, and its exit codes.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,18 +9,19 @@
 
 namespace burnish::app {
 
-/// What the program returns.
+/// Exit codes of the program.
 inline constexpr int exit_ok = 0;
-inline constexpr int exit_failed = 1;  ///< a check failed, or an evaluation had a bad status
-inline constexpr int exit_usage = 2;   ///< bad usage or input
+inline constexpr int exit_failed = 1;  ///< A check failed, or an evaluation had a bad status.
+inline constexpr int exit_usage = 2;   ///< Invalid usage or input.
 
-/// What `work` gives. An Error that does not name the file that it is about does then.
+/// Returns the result of work(). If work() throws an Error of one sentence without the name of the
+/// file, adds `file` in front of the message.
 template <class Work>
 auto named_by(const std::string& file, const Work& work) {
   try {
     return work();
   } catch (const EntryError&) {
-    throw;  // files::placed() says where
+    throw;  // files::placed() already names the file
   } catch (const Error& error) {
     const std::string sentence = error.what();
     const bool named = sentence.find(file) != std::string::npos || error.sentences().size() > 1;
@@ -29,12 +30,12 @@ auto named_by(const std::string& file, const Work& work) {
   }
 }
 
-/// Adds the commands of this program to the command line. `exit_code` is set when one has run.
+/// Adds all commands of this program to the command line. When a command ends, it sets `exit_code`.
 void add_commands(CLI::App& app, int& exit_code);
-/// Where other commands are, as an end of a sentence; empty in the whole program.
+/// End of error messages that says where other commands are available; empty in the full program.
 extern const char* const other_commands;
 
-/// Of burnish, such as "0.3.0".
+/// Returns the version of burnish, such as "0.3.0".
 const char* program_version();
 
 }  // namespace burnish::app

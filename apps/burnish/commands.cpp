@@ -1,10 +1,10 @@
-// The commands of the whole program.
+// Commands of the full program.
 #include "command.hpp"
 
 namespace burnish::app {
 
 void add_self_description(CLI::App& app);
-// Each in a file of its name. `exit_code` is set when the command has run.
+// Each function is defined in the file named after its command.
 void add_show(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);
@@ -13,7 +13,7 @@ void add_polish(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_experiment(CLI::App& app, int& exit_code);
 void add_merge(CLI::App& app, int& exit_code);
-/// Those that Python does end with it.
+/// Commands of the Python package. They replace this process, and therefore set no exit code.
 void add_sweep(CLI::App& app);
 void add_tune(CLI::App& app);
 void add_report(CLI::App& app, int& exit_code);

@@ -1,4 +1,4 @@
-// Completion for bash.
+// Generation of the completion script for bash.
 #include <fmt/format.h>
 
 #include "describe.hpp"
@@ -71,7 +71,8 @@ std::string bash_assignments(const OptionText& option) {
   return "offer=";
 }
 
-/// The branch of a command: its options, what its place takes, and what the option before takes.
+/// Returns the part of the script for one command: completions of its options, of its positional
+/// argument, and of the value of the option before the cursor.
 std::string bash_branch(const CommandText& command, const std::string& name,
                         const OptionText& place) {
   std::string options, cases;

@@ -1,4 +1,4 @@
-// Completion for fish.
+// Generation of the completion script for fish.
 #include <fmt/format.h>
 
 #include "describe.hpp"
@@ -6,7 +6,7 @@
 namespace burnish::app {
 namespace {
 
-/// In single quotes, as fish has them.
+/// Returns text in single quotes, with the escapes that fish needs.
 std::string fish_quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
@@ -16,7 +16,8 @@ std::string fish_quoted(const std::string& text) {
   return result + "'";
 }
 
-/// What a value can be: -x where nothing but the words is offered, -r and -F where files are.
+/// Returns the flags of fish's `complete` for a value: -x to offer only the given words, -r and -F
+/// to offer files.
 std::string fish_offers(const OptionText& option, bool of_option) {
   const std::string files = of_option ? " -r -F" : " -F";
   switch (option.offer) {

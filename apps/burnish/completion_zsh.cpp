@@ -1,4 +1,4 @@
-// Completion for zsh.
+// Generation of the completion script for zsh.
 #include <fmt/format.h>
 
 #include "describe.hpp"
@@ -22,7 +22,7 @@ _burnish() {
   typeset -A opt_args
 )zsh";
 
-/// What stands in a specification of _arguments, whose own characters are [ ] and :.
+/// Escapes text for zsh's _arguments, where the characters [ ] and : have a special meaning.
 std::string zsh_escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -35,7 +35,7 @@ std::string zsh_escaped(const std::string& text) {
 std::string zsh_action(const OptionText& option) {
   switch (option.offer) {
     case Offer::Words:
-      return option.value.ends_with("=VALUE")  // more is typed behind the equals sign
+      return option.value.ends_with("=VALUE")  // the value is typed after the equals sign
                  ? fmt::format("{{compadd -S '' -- {}}}", fmt::join(option.words, " "))
                  : fmt::format("({})", fmt::join(option.words, " "));
     case Offer::Robots:
@@ -55,7 +55,8 @@ std::string zsh_specification(const OptionText& option, const std::string& name)
   if (!option.several && option.names.size() > 1)
     text += fmt::format("({})", fmt::join(option.names, " "));
   text += name;
-  if (!option.value.empty() && name.starts_with("--")) text += "=";  // --seed 1 and --seed=1
+  // Accepts --seed 1 and --seed=1.
+  if (!option.value.empty() && name.starts_with("--")) text += "=";
   text += "[" + zsh_escaped(option.meaning) + "]";
   if (!option.value.empty()) text += ":" + zsh_escaped(option.value) + ":" + zsh_action(option);
   return shell_word(text);

@@ -15,7 +15,7 @@ namespace {
 
 using document::Kind;
 
-/// Keys, and the values of each between commas.
+/// Pairs of a key and its values; on the command line, commas separate the values.
 using Pairs = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 Pairs pairs_in(const std::string& text, const std::string& name) {
@@ -27,21 +27,23 @@ Pairs pairs_in(const std::string& text, const std::string& name) {
       pairs.push_back({piece.substr(0, equals), {}});
       piece.erase(0, equals + 1);
     } else if (pairs.empty()) {
-      refuse(name, in_quotes(piece) + " is no key=value; wanted such as tool=flange,directions=z");
+      refuse(name,
+             in_quotes(piece) +
+                 " is not of the form key=value; wanted, for example, tool=flange,directions=z");
     }
     pairs.back().second.push_back(piece);
   }
   return pairs;
 }
 
-/// As a file states them: a normal is that of the reference, which is a surface with or without
-/// saying so.
+/// Converts the pairs to the notation of files. A normal is a property of the reference `surface`,
+/// which therefore may be omitted.
 document::Reader contact_of(Pairs pairs, const std::string& name) {
   const auto is_normal = [](const auto& pair) { return pair.first == "normal"; };
   if (std::any_of(pairs.begin(), pairs.end(), is_normal)) {
     std::erase(pairs, Pairs::value_type{"reference", {"surface"}});
     for (const auto& [key, values] : pairs)
-      if (key == "reference") refuse(name, "a normal goes with reference=surface alone");
+      if (key == "reference") refuse(name, "a normal requires reference=surface");
   }
   document::Builder tree(name, 1000);
   const auto key = [&](const char* text) { tree.add({.kind = Kind::Text, .text = text}); };

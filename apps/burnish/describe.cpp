@@ -29,7 +29,7 @@ Words experiment_names() {
   return words;
 }
 
-/// "force=", "path.kind=", ...
+/// Returns the keys of a task's file with an equals sign: "force=", "path.kind=", ...
 template <class Task>
 Words task_key_words() {
   Words words;
@@ -38,7 +38,7 @@ Words task_key_words() {
   return words;
 }
 
-/// Of all tasks that a file may name, each once.
+/// Returns the keys of all tasks of `burnish run`, each once.
 Words named_task_key_words() {
   Words words;
   each_named_task([&](const auto& named) {
@@ -49,14 +49,15 @@ Words named_task_key_words() {
   return words;
 }
 
-/// The words between the braces of "NAME:{mpc,baseline,both}".
+/// Returns the choices in a text such as "NAME:{mpc,baseline,both}".
 Words choices_in(const std::string& type) {
   const std::size_t open = type.find('{'), close = type.find('}');
   if (open == std::string::npos || close == std::string::npos) return {};
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
-/// A value's name says what it can be; choices that the command line checks go before.
+/// Sets the completion of an option's value. It follows from the choices that the command line
+/// accepts, or else from the name of the value.
 void find_offer(const std::string& type, OptionText& text) {
   static const std::map<std::string, Words (*)()> words{
       {"SURFACE", surface_names},
@@ -69,8 +70,8 @@ void find_offer(const std::string& type, OptionText& text) {
       {"ROBOT", Offer::Robots}, {"DIR", Offer::Folders},   {"FILE", Offer::Files},
       {"TASK", Offer::Files},   {"PROBLEM", Offer::Files}, {"RUN", Offer::Files}};
   text.words = choices_in(type);
-  if (const auto known = words.find(text.value); known != words.end() && text.words.empty())
-    text.words = known->second();
+  if (const auto found = words.find(text.value); found != words.end() && text.words.empty())
+    text.words = found->second();
   if (const auto other = others.find(text.value); other != others.end()) text.offer = other->second;
   if (!text.words.empty()) text.offer = Offer::Words;
 }
@@ -95,7 +96,7 @@ CommandText describe_command(const CLI::App& app) {
   CommandText text{.name = app.get_name(), .meaning = app.get_description()};
   text.footer = app.get_footer();
   for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty()) continue;  // hidden
+    if (option->get_group().empty()) continue;  // hidden option
     (option->nonpositional() ? text.options : text.places).push_back(describe(*option));
   }
   return text;

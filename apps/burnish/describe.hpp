@@ -1,5 +1,5 @@
-// The program's description of its own command line, as plain values: what the manual page and the
-// completion of shells are written from.
+// Description of the program's command line as plain data, from which manual page and shell
+// completions are generated.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,29 +8,30 @@
 
 namespace burnish::app {
 
-/// What a shell can offer for a value.
+/// Kinds of completions that a shell offers for the value of an option.
 enum class Offer {
-  Nothing,  ///< a number, a name of something in a file
+  Nothing,  ///< No completion, for numbers and for names that a file defines.
   Words,
-  Robots,  ///< those known by name when the shell asks, and files
+  Robots,  ///< Robots listed by `burnish --robots` at the time of completion, and files.
   Files,
   Folders,
 };
 
 struct OptionText {
-  std::vector<std::string> names = {};  ///< "-h", "--help"; none: it is known by its place
-  std::string value = {};               ///< what its value is called; empty: it has none
+  /// Names such as "-h", "--help"; empty for a positional argument.
+  std::vector<std::string> names = {};
+  std::string value = {};  ///< Name of the value in help texts; empty: the option takes no value.
   std::string meaning = {};
   bool required = false;
-  bool several = false;  ///< may be given again, or with several values
+  bool several = false;  ///< True if the option may be repeated or takes several values.
   Offer offer = Offer::Nothing;
-  std::vector<std::string> words = {};  ///< for Offer::Words
+  std::vector<std::string> words = {};  ///< Words to offer for Offer::Words.
 };
 
 struct CommandText {
   std::string name = {};
   std::string meaning = {};
-  std::string footer = {};  ///< examples and more, in lines
+  std::string footer = {};  ///< Examples and remarks after the options, in lines.
   std::vector<OptionText> places = {}, options = {};
 };
 
@@ -41,11 +42,11 @@ struct ProgramText {
 
 ProgramText describe(const CLI::App& app);
 
-/// A manual page for section 1, in the man macros of roff.
+/// Returns a manual page of section 1 in roff, with man macros.
 std::string man_page(const ProgramText& program, const std::string& version);
 
-/// A script that teaches a shell to complete the program's command lines. Throws Error where the
-/// shell is none of completion_shells().
+/// Returns a script with completions of the program's command lines, for the shell `shell`. Throws
+/// Error unless `shell` is one of completion_shells().
 std::string completion(const ProgramText& program, const std::string& shell);
 std::string bash_completion(const ProgramText& program);
 std::string zsh_completion(const ProgramText& program);

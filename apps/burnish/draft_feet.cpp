@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/to_size.hpp"
 #include "base/words_in.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
@@ -18,7 +19,8 @@
 namespace burnish::app {
 namespace {
 
-/// Lowering of the base in the drafted posture, as Task::crouch of the task `stand` has it.
+/// Distance by which the base is lowered in the drafted posture, as a fraction of the leg length.
+/// It equals the default of `crouch` in the task `stand`.
 constexpr double drafted_crouch = 0.2;
 
 bool is_named_after_a_foot(const std::string& name) {
@@ -31,7 +33,7 @@ std::string numbers(const Eigen::Vector3d& v) {
   return fmt::format("[{:g}, {:g}, {:g}]", rounded(v.x()), rounded(v.y()), rounded(v.z()));
 }
 
-/// The frame below a link of its body.
+/// Returns the line of a settings file that defines a frame, relative to a link of its body.
 std::string frame_line(const Model& model, const Frame& frame) {
   const auto parent =
       std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& other) {
@@ -67,7 +69,8 @@ std::string standing_posture(const Robot& robot, const Feet& feet) {
   }
 }
 
-/// Nothing where the robot cannot be simulated, as one whose joints move no mass.
+/// Returns the robot, loaded with a floating base. Returns nothing if the robot cannot be
+/// simulated, for example because a joint moves no mass.
 std::optional<Robot> floating(const std::string& file) {
   try {
     return pressing::load_floating(file);
@@ -88,15 +91,14 @@ DraftedFeet draft_feet(const std::string& file, bool floats) {
   if (!floats && !std::all_of(feet->frames.begin(), feet->frames.end(), is_named_after_a_foot))
     return drafted;
   robot = with_feet(std::move(robot), *feet);
-  drafted.comment = "# Feet: " + feet_text(*feet) + ".\n# Tasks take them as `" +
-                    standing_keys(*feet) + "`, or `standing.feet: auto`.\n";
+  drafted.comment = "# Feet: " + feet_text(*feet) + ".\n# Keys of tasks: `" + standing_keys(*feet) +
+                    "`, or `standing.feet: auto`.\n";
   for (const Frame& frame : feet->added) drafted.frames += frame_line(robot.model, frame);
   const Model& model = robot.model;
   for (const std::string& foot : feet->frames)
-    for (int body = model.frames[static_cast<std::size_t>(model.frame_index(foot))].body; body >= 0;
-         body = model.joints[static_cast<std::size_t>(body)].parent)
-      if (const Joint& joint = model.joints[static_cast<std::size_t>(body)];
-          joint.kind != JointKind::FreeFlyer)
+    for (int body = model.frames[to_size(model.frame_index(foot))].body; body >= 0;
+         body = model.joints[to_size(body)].parent)
+      if (const Joint& joint = model.joints[to_size(body)]; joint.kind != JointKind::FreeFlyer)
         drafted.legs.insert(joint.name);
   drafted.posture = standing_posture(robot, *feet);
   return drafted;

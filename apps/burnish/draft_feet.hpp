@@ -1,4 +1,4 @@
-// Entries of a drafted settings file for a legged robot: feet, and a standing posture.
+// Entries for feet and for a standing posture in the draft of a legged robot's settings file.
 #pragma once
 
 #include <set>
@@ -8,20 +8,20 @@
 
 namespace burnish::app {
 
-/// Lines of a drafted settings file; all empty for a robot without legs.
+/// Lines for the draft of a settings file; all empty for a robot without legs.
 struct DraftedFeet {
-  std::string comment;  ///< feet that were found, and the `standing` keys of tasks for them
-  std::string frames;   ///< entries of `frames:` for frames that the description does not have
-  std::string posture;  ///< values of a posture `standing` with level soles; empty: none was found
+  std::string comment;  ///< Comment that names the feet and the keys of `standing` in task files.
+  std::string frames;   ///< Entries of `frames:` for frames that the description lacks.
+  std::string posture;  ///< Values of a posture `standing` with level soles; empty: none was found.
 
-  std::set<std::string> legs;  ///< joints that carry a foot
+  std::set<std::string> legs;  ///< Joints that carry a foot.
 
   bool any() const { return !comment.empty(); }
 };
 
-/// Finds the feet of the robot in a description file, loaded with a floating base. `floats`: true
-/// if the user states that the base floats. If false, only links named after feet count, so that
-/// arms on a fixed trunk are not taken for legs.
+/// Finds the feet of a robot that is loaded from its description file with a floating base.
+/// `floats`: true if the user states that the base floats. If false, only links with names such as
+/// "foot" or "sole" count as feet, so that arms on a fixed trunk are not mistaken for legs.
 DraftedFeet draft_feet(const std::string& file, bool floats);
 
 }  // namespace burnish::app

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/entry_error.hpp"
+#include "base/to_size.hpp"
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
@@ -25,16 +26,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An angle to 0.1 urad.
+/// Returns an angle as text, rounded to 0.1 urad.
 std::string angle(double value) {
   constexpr double digits = 1e7;
   return fmt::format("{:.7g}", std::round(digits * value) / digits + 0.0);
 }
 
-/// Four digits are enough to edit.
+/// Returns a number with four significant digits, for values that users will edit.
 std::string brief(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
 
-/// Zero, or as near to it as a tenth of the range from its ends allows.
+/// Returns the value nearest to zero that keeps a tenth of the joint's range to both limits.
 double away_from_limits(const JointSpec& joint) {
   if (joint.type == JointType::Continuous) return 0.0;
   const double lower = joint.lower, upper = joint.upper;
@@ -45,8 +46,9 @@ double away_from_limits(const JointSpec& joint) {
   return std::clamp(0.0, lower + margin, upper - margin);
 }
 
-/// Of the SRDF file's postures within the limits the one that sounds like a beginning, or empty.
-/// `passed_over`: a comment for each that would have come before it.
+/// Returns the posture of the SRDF file that the draft should use as default; empty if none is
+/// within the limits. Names such as "ready" are preferred. For each preferred posture beyond the
+/// limits, a comment is appended to `passed_over`.
 std::string likely_default(const Robot& robot, std::string& passed_over) {
   std::vector<std::string> names;
   for (const char* name : {"ready", "home", "half_sitting", "standing"})
@@ -61,17 +63,18 @@ std::string likely_default(const Robot& robot, std::string& passed_over) {
   return {};
 }
 
-/// What a draft is made of.
-struct Drafted {
+/// Inputs from which the parts of a draft are written.
+struct DraftInput {
   const Robot& robot;
-  const TreeSpec& tree;        ///< of the description, before anything is locked
-  std::set<std::string> held;  ///< moving joints of the model to lock
+  const TreeSpec& tree;        ///< Description of the robot, before any joints are locked.
+  std::set<std::string> held;  ///< Moving joints that the draft locks.
 
   const JointSpec& spec(const Joint& joint) const {
     return *std::find_if(tree.joints.begin(), tree.joints.end(),
                          [&](const JointSpec& spec) { return spec.name == joint.name; });
   }
-  /// Joints of one coordinate that the draft leaves free, and no followers.
+  /// Calls use(joint) for each moving joint that has one coordinate and does not follow another
+  /// joint.
   template <class Use>
   void each_free(const Use& use) const {
     for (const Joint& joint : robot.model.joints)
@@ -79,8 +82,8 @@ struct Drafted {
   }
 };
 
-/// Values of held joints whose range does not hold zero: ", finger: 0.1".
-std::string held_values(const Drafted& drafted) {
+/// Returns text such as ", finger: 0.1": the values of those locked joints that cannot be at zero.
+std::string held_values(const DraftInput& drafted) {
   std::string text;
   for (const JointSpec& joint : drafted.tree.joints)
     if (drafted.held.contains(joint.name) && !joint.mimic &&
@@ -89,21 +92,21 @@ std::string held_values(const Drafted& drafted) {
   return text;
 }
 
-std::string default_posture_text(const Drafted& drafted, const DraftedFeet& feet) {
+std::string default_posture_text(const DraftInput& drafted, const DraftedFeet& feet) {
   std::string passed_over;
   const std::string stated = likely_default(drafted.robot, passed_over);
   if (!stated.empty()) return passed_over + fmt::format("default_posture: {}\n", yaml_word(stated));
   if (!feet.posture.empty())
     return passed_over +
            "default_posture: standing\npostures:\n"
-           "  # On level soles, the base a fifth lower than with straight legs.\n"
+           "  # Level soles; the base is a fifth lower than with straight legs.\n"
            "  standing: " +
            feet.posture + "\n";
   std::string text =
       passed_over +
       "default_posture: start\npostures:\n"
-      "  # Zero, or a tenth of the range off the limits. Put in where the tool works;\n"
-      "  # burnish polish --write-posture NAME adds the one that it finds.\n"
+      "  # Zero, or a tenth of the range from a limit. Replace by a posture for the task;\n"
+      "  # burnish polish --write-posture NAME adds a posture found by search.\n"
       "  start: {";
   bool first = true;
   drafted.each_free([&](const Joint& joint) {
@@ -114,8 +117,8 @@ std::string default_posture_text(const Drafted& drafted, const DraftedFeet& feet
   return text + held_values(drafted) + "}\n";
 }
 
-/// Axes of a frame `tool` in its parent frame such that it presses along z or -z, as
-/// pressing::tool_direction() takes it.
+/// Returns axes for the frame `tool` in its parent frame. The tool then presses along z or -z of
+/// these axes, in the direction of pressing::tool_direction().
 Eigen::Matrix3d tool_axes(const Model& model, const std::string& parent) {
   const auto [along, decided] = pressing::tool_direction(parent, std::nullopt, model);
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -124,7 +127,7 @@ Eigen::Matrix3d tool_axes(const Model& model, const std::string& parent) {
   if (!is_along_z)
     axes = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along).toRotationMatrix();
   Model with_tool = model;
-  Frame frame = model.frames[static_cast<std::size_t>(model.frame_index(parent))];
+  Frame frame = model.frames[to_size(model.frame_index(parent))];
   frame.name = "tool";
   frame.kind = FrameKind::User;
   frame.placement.linear() = frame.placement.linear() * axes;
@@ -135,15 +138,15 @@ Eigen::Matrix3d tool_axes(const Model& model, const std::string& parent) {
   return axes * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
 }
 
-/// Whether a link moves with a leg.
+/// Returns whether a link is part of a leg.
 bool is_on_leg(const Model& model, const std::string& link, const std::set<std::string>& legs) {
-  for (int body = model.frames[static_cast<std::size_t>(model.frame_index(link))].body; body >= 0;
-       body = model.joints[static_cast<std::size_t>(body)].parent)
-    if (legs.contains(model.joints[static_cast<std::size_t>(body)].name)) return true;
+  for (int body = model.frames[to_size(model.frame_index(link))].body; body >= 0;
+       body = model.joints[to_size(body)].parent)
+    if (legs.contains(model.joints[to_size(body)].name)) return true;
   return false;
 }
 
-std::string tool_text(const Drafted& drafted, const DraftedFeet& feet, const std::string& tool) {
+std::string tool_text(const DraftInput& drafted, const DraftedFeet& feet, const std::string& tool) {
   const Model& model = drafted.robot.model;
   if (model.has_frame("tool")) return "";
   std::vector<std::string> candidates = tool_candidates(model, drafted.held);
@@ -152,25 +155,23 @@ std::string tool_text(const Drafted& drafted, const DraftedFeet& feet, const std
   const std::string parent = tool.empty() && !candidates.empty() ? candidates.front() : tool;
   if (parent.empty()) return "";
   std::string text =
-      "  # What commands take as the tool: its origin is the centre of a round tip, and "
-      "it "
-      "presses\n  # along z or -z, away from the arm. Move it to where it touches: xyz in m, rpy "
-      "in "
-      "rad.\n";
+      "  # Default tool of the commands. The origin is the centre of a round tip, which presses\n"
+      "  # along z or -z, away from the arm. Move it to the contact: xyz in m, rpy in rad.\n";
   if (tool.empty() && candidates.size() > 1) {
     text += "  # Other links at the end of a chain:";
-    constexpr std::size_t most = 12;
-    for (std::size_t i = 1; i < std::min(candidates.size(), most); ++i)
+    constexpr std::size_t max_listed = 12;
+    for (std::size_t i = 1; i < std::min(candidates.size(), max_listed); ++i)
       text += fmt::format("{} {}", i == 1 ? "" : ",", candidates[i]);
-    text += candidates.size() > most ? ", ...\n" : "\n";
+    text += candidates.size() > max_listed ? ", ...\n" : "\n";
   }
   const Eigen::Vector3d rpy = roll_pitch_yaw(tool_axes(model, parent));
   return text + fmt::format("  tool: {{parent: {}, xyz: [0, 0, 0], rpy: [{}, {}, {}]}}\n",
                             yaml_word(parent), angle(rpy.x()), angle(rpy.y()), angle(rpy.z()));
 }
 
-/// The description's own: a leader's effort without its followers', which the model adds.
-std::string limits_text(const Drafted& drafted) {
+/// Returns the limits in the robot's description, as lines. The model adds the efforts of followers
+/// to the effort of their leader; the returned efforts do not include them.
+std::string limits_text(const DraftInput& drafted) {
   std::string text;
   drafted.each_free([&](const Joint& joint) {
     const JointSpec& spec = drafted.spec(joint);
@@ -188,41 +189,42 @@ std::string limits_text(const Drafted& drafted) {
     text += fmt::format("  {}: {{{}}}\n", yaml_word(joint.name), entries);
   });
   if (text.empty()) return "";
-  return "limits:\n  # Those of the description, in rad, m, s, Nm and N. What stands here goes "
-         "before "
-         "them; "
-         "what is\n  # missing is unlimited, and an effort of 0 means a joint without a motor.\n" +
+  return "limits:\n  # Copied from the description, in rad, m, s, Nm and N. Values here replace "
+         "those of the\n  # description. A missing limit means unlimited; an effort of 0 means a "
+         "joint without a motor.\n" +
          text;
 }
 
-std::string lock_text(const Drafted& drafted) {
+std::string lock_text(const DraftInput& drafted) {
   std::vector<std::string> names = drafted.robot.model.locked_joints;
   names.insert(names.end(), drafted.held.begin(), drafted.held.end());
   if (names.empty()) return "";
-  std::string text = drafted.held.empty() ? ""
-                                          : "# Fingers of a gripper, and with --tool what does not "
-                                            "carry it: take out what moves.\n";
+  std::string text = drafted.held.empty()
+                         ? ""
+                         : "# Locked joints: fingers of a gripper and, with --tool, joints that do "
+                           "not carry the tool.\n# Remove joints from this list that move.\n";
   text += "lock: [";
   for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ", ") + yaml_word(names[i]);
   return text + "]\n";
 }
 
-/// Refuses a tool that the robot does not have, and one beside a frame called `tool`, which
-/// commands take.
+/// Throws Error for an unknown tool. Also throws Error if a tool is given although the robot has a
+/// frame `tool`, which commands use by default.
 void check_tool(const Model& model, const std::string& tool) {
   if (tool.empty()) return;
   if (!model.has_frame(tool))
     throw Error("--tool: the tool's frame " + pressing::none_of(model, tool, true));
   if (model.has_frame("tool") && tool != "tool")
-    throw Error(fmt::format(
-        "--tool: robot '{}' has a frame 'tool' of its own, which commands take; wanted that",
-        model.name));
+    throw Error(
+        fmt::format("--tool: the draft would add a frame 'tool', but robot '{}' already has one; "
+                    "wanted --tool tool",
+                    model.name));
 }
 
-/// Link of a body that is most likely its end: one that is called so, or else the one that is
-/// furthest from the joint, of several the last.
+/// Returns the link of a body that is most likely at its end. Its name decides, or else the largest
+/// distance from the joint; of equally distant links, the last one is returned.
 std::string outermost_link(const Model& model, int body) {
-  constexpr double same = 1e-3;  // m
+  constexpr double same = 1e-3;  // distances that differ by less count as equal [m]; chosen by hand
   const Frame* outermost = nullptr;
   for (const char* word : {"tcp", "tool", "end_effector", "ee_link", "eef", "flange", ""}) {
     for (const Frame& frame : model.frames) {
@@ -238,8 +240,8 @@ std::string outermost_link(const Model& model, int body) {
   return {};
 }
 
-/// Joints of the model that a draft locks: fingers and, of an arm whose tool is named, what does
-/// not carry that.
+/// Returns the joints that a draft locks. These are fingers and, for an arm with a given tool,
+/// joints that do not carry the tool.
 std::set<std::string> held_joints(const TreeSpec& tree, const Model& model,
                                   const std::string& tool) {
   std::set<std::string> held;
@@ -248,7 +250,7 @@ std::set<std::string> held_joints(const TreeSpec& tree, const Model& model,
       !tool.empty() && !model.joints.empty() && model.joints.front().kind != JointKind::FreeFlyer;
   std::set<int> carrying;
   if (is_arm) {
-    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(tool))];
+    const Frame& frame = model.frames[to_size(model.frame_index(tool))];
     for (const int v : model.support(frame.body)) carrying.insert(v);
   }
   for (const Joint& joint : model.joints)
@@ -266,8 +268,7 @@ std::vector<std::string> tool_candidates(const Model& model, const std::set<std:
   };
   std::vector<bool> carries(model.joints.size(), false);
   for (const Joint& joint : model.joints)
-    if (joint.parent >= 0 && !fingers.contains(joint.name))
-      carries[static_cast<std::size_t>(joint.parent)] = true;
+    if (joint.parent >= 0 && !fingers.contains(joint.name)) carries[to_size(joint.parent)] = true;
   std::vector<Leaf> leaves;
   for (std::size_t body = 0; body < model.joints.size(); ++body) {
     if (carries[body] || fingers.contains(model.joints[body].name)) continue;
@@ -283,13 +284,14 @@ std::vector<std::string> tool_candidates(const Model& model, const std::set<std:
 
 std::string draft_settings(const Robot& robot, const TreeSpec& tree, const DraftPlace& place) {
   const Model& model = robot.model;
-  const Drafted drafted{robot, tree, held_joints(tree, model, place.tool)};
-  // What floats by a joint of an MJCF file does so anyway.
+  const DraftInput drafted{robot, tree, held_joints(tree, model, place.tool)};
+  // In an MJCF file, a floating base is a joint of the file, so that no key is needed.
   const bool floats = place.key == "urdf" && !model.joints.empty() &&
                       model.joints[0].name == "root_joint" &&
                       model.joints[0].kind == JointKind::FreeFlyer;
   std::string text =
-      "# Settings of a robot, drafted by burnish show --write-settings: change what is not so.\n"
+      "# Settings of a robot, drafted by burnish show --write-settings. Correct them where "
+      "needed.\n"
       "# docs/robots.md describes every key.\n";
   text += fmt::format("{}: {}\n", place.key, yaml_word(place.file));
   if (!place.srdf.empty()) text += fmt::format("srdf: {}\n", yaml_word(place.srdf));
@@ -298,8 +300,8 @@ std::string draft_settings(const Robot& robot, const TreeSpec& tree, const Draft
   const DraftedFeet feet = place.fixed ? DraftedFeet{} : draft_feet(place.origin, floats);
   text += fmt::format("base: {}\n", floats || (feet.any() && place.key == "urdf")
                                         ? "free_flyer"
-                                        : "fixed  # or free_flyer, for what walks or flies");
-  text += "base_placement: {xyz: [0, 0, 0], rpy: [0, 0, 0]}  # of the root link in the world\n";
+                                        : "fixed  # or free_flyer, for robots that walk or fly");
+  text += "base_placement: {xyz: [0, 0, 0], rpy: [0, 0, 0]}  # root link in the world, m and rad\n";
   const std::string frames = feet.frames + tool_text(drafted, feet, place.tool);
   return text + feet.comment + lock_text(drafted) + default_posture_text(drafted, feet) +
          (frames.empty() ? "" : "frames:\n" + frames) + limits_text(drafted);
@@ -311,20 +313,19 @@ fs::path write_settings(const Robot& robot, const RobotArguments& arguments, con
   std::error_code error;
   if (!fs::is_regular_file(from, error))
     throw Error(fmt::format(
-        "{}: settings are drafted for a URDF or MJCF file that stays where it is; this is none",
-        from));
+        "{}: this is not a regular file; wanted a URDF or MJCF file to draft settings for", from));
   const std::string extension = fs::path(from).extension().string();
   if (extension == ".yaml" || extension == ".yml")
     throw Error(
-        fmt::format("{}: this robot has settings already; wanted a URDF or MJCF file", from));
+        fmt::format("{}: this robot already has settings; wanted a URDF or MJCF file", from));
   check_tool(robot.model, tool);
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
-    throw Error(fmt::format("cannot make the folder '{}'{}", folder.string(),
+    throw Error(fmt::format("cannot create the folder '{}'{}", folder.string(),
                             error ? ": " + error.message() : ""));
   fs::path file = folder / "robot.yaml";
   if (fs::exists(file, error))
-    throw Error(fmt::format("{}: it is there already; name another folder", file.string()));
+    throw Error(fmt::format("{}: the file already exists; wanted another folder", file.string()));
   const auto beside = [&](const fs::path& other) {
     return other.empty() ? "" : fs::proximate(fs::absolute(other), fs::absolute(folder)).string();
   };

@@ -1,4 +1,4 @@
-// The settings file that a URDF file alone does not have, drafted from what it says.
+// Draft of the settings file robot.yaml for a robot that has only a URDF or MJCF file.
 #pragma once
 
 #include <filesystem>
@@ -10,28 +10,30 @@
 
 namespace burnish::app {
 
-/// Links at which a tool may sit: moving, with no link but `fingers` beyond them; those with the
-/// most moving joints beneath first.
+/// Returns the moving links at the ends of chains, to which a tool may be attached. Links moved by
+/// more joints come first. Joints in `fingers` do not count as part of a chain.
 std::vector<std::string> tool_candidates(const Model& model, const std::set<std::string>& fingers);
 
-/// What a draft refers to.
+/// Files and frames that a draft refers to.
 struct DraftPlace {
-  std::string key;     ///< that `file` stands under, "urdf" or "mjcf"
-  std::string file;    ///< the description, as it is written into the draft
-  std::string srdf;    ///< likewise; empty: none
-  std::string tool;    ///< frame that the draft's frame `tool` lies at; empty: a likely one
-  std::string origin;  ///< path of the description
-  bool fixed = false;  ///< the base stays where it is, and no feet are sought
+  std::string key;     ///< Key of `file` in the draft: "urdf" or "mjcf".
+  std::string file;    ///< Path of the robot's description, as written into the draft.
+  std::string srdf;    ///< Path of the SRDF file, as written into the draft; empty: none.
+  std::string tool;    ///< Frame at which the draft places the frame `tool`; empty: a likely link.
+  std::string origin;  ///< Path from which the robot's description was loaded.
+  bool fixed = false;  ///< True to fix the base; the draft then has no feet.
 };
 
-/// Text of a settings file: base, feet, held joints, a posture, the frame `tool`, limits, with
-/// comments that say what to look at. Fingers of grippers are locked and, of an arm whose tool is
-/// named, what does not carry it. `tree`: the robot's description.
+/// Returns the text of a settings file with base, feet, locked joints, a posture, the frame `tool`
+/// and limits. Comments mark entries to check. The fingers of grippers are locked and, if
+/// `place.tool` is set, also the joints of an arm that do not carry the tool. `tree`: description
+/// of the robot.
 std::string draft_settings(const Robot& robot, const TreeSpec& tree, const DraftPlace& place);
 
-/// Writes DIR/robot.yaml for a robot that was loaded from a URDF or MJCF file, and returns its
-/// path. Throws Error where the robot came from a pipe or has settings, where it does not have the
-/// frame `tool` (empty: a likely one is taken), or the file is there already.
+/// Writes robot.yaml into `folder` and returns the path of the file. The robot must have been
+/// loaded from a URDF or MJCF file. The frame `tool` is placed at the frame with the given name;
+/// empty: at a likely link. Throws Error for a robot read from a pipe, a robot that has settings,
+/// an unknown frame, and if robot.yaml exists.
 std::filesystem::path write_settings(const Robot& robot, const RobotArguments& arguments,
                                      const std::filesystem::path& folder, const std::string& tool);
 

@@ -1,4 +1,4 @@
-// burnish eval: contact dynamics from JSON to JSON.
+// burnish eval: evaluation of contact dynamics, with request and answer in JSON.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -19,7 +19,8 @@ struct EvalArguments {
   bool compact = false, strict = false;
 };
 
-/// The first sentence about a state; all are in the answer.
+/// Prints the first warning about a state, with the number of other states that have warnings. The
+/// answer contains all warnings.
 void print_odd_states(const EvalRequest& request, bool strict) {
   std::size_t odd = 0;
   std::string first;
@@ -62,13 +63,15 @@ int eval(const EvalArguments& arguments) {
 }  // namespace
 
 void add_eval(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("eval", "Contact dynamics of a request in JSON, as JSON");
+  CLI::App* command =
+      app.add_subcommand("eval", "Evaluate contact dynamics: request and answer in JSON");
   const auto arguments = std::make_shared<EvalArguments>();
   command
-      ->add_option("FILE", arguments->file, "A request or a list of them; - reads standard input")
+      ->add_option("FILE", arguments->file,
+                   "File with a request or a list of requests; - reads the standard input")
       ->type_name("")
       ->required();
-  command->add_flag("--compact", arguments->compact, "One line instead of indented text");
+  command->add_flag("--compact", arguments->compact, "Print one line instead of indented text");
   add_strict(*command, arguments->strict);
   command->footer(
       "Examples:\n"
@@ -76,7 +79,8 @@ void add_eval(CLI::App& app, int& exit_code) {
       "  echo '{\"robot\": \"arm7\", \"contacts\": [{\"tool\": \"tool\", \"directions\": \"z\"}],\n"
       "         \"compute\": [\"forward\", \"forces\"]}' | burnish eval -\n"
       "\n"
-      "docs/eval.md describes requests and answers. Exit code 1: a state's status is not ok.");
+      "docs/eval.md describes requests and answers.\n"
+      "Exit codes: 0 every status is ok; 1 the status of a state is not ok; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = eval(*arguments); });
 }
 

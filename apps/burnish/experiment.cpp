@@ -1,4 +1,4 @@
-// burnish experiment: one of the polishing experiments, from its runs to its tables and figures.
+// burnish experiment: runs of a polishing experiment, with its tables and figures.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -44,32 +44,34 @@ polishing::Shard shard_of(const std::string& text) {
   polishing::Shard shard{.numbers = {read.begin(), read.end() - 1}, .count = read.back()};
   std::sort(shard.numbers.begin(), shard.numbers.end());
   if (shard.numbers.empty() || shard.numbers.front() < 1 || shard.numbers.back() > shard.count)
-    throw Error(fmt::format(
-        "--shard is '{}'; wanted I/N, number I of N shards, such as 2/4, or several, 1,3/4", text));
+    throw Error(
+        fmt::format("--shard is '{}'; wanted I/N, part I of N parts, such as 2/4, or several "
+                    "parts, such as 1,3/4",
+                    text));
   return shard;
 }
 
-/// Throws Error for options that do not go together.
+/// Throws Error for options that conflict with each other.
 void check_options(const ExperimentArguments& a) {
   if (a.measures() && !(a.shard.empty() && a.scheduler.empty() && !a.resume && !a.list))
     throw Error(
-        "the experiment 'tick' measures computing times on one machine in one go; it has no "
-        "--shard, --scheduler, --resume and --list");
+        "the experiment 'tick' measures computing times in one process; wanted none of --shard, "
+        "--scheduler, --resume and --list");
   if (a.campaign.name == "standing" && !a.scheduler.empty())
     throw Error(
-        "of the experiment 'standing' some runs depend on those before them, which a scheduler "
-        "does "
-        "not know; wanted --shard, or neither");
-  if (a.resume && a.out.empty()) throw Error("--resume wants --out, the folder to go on with");
+        "some runs of the experiment 'standing' depend on earlier runs, which --scheduler does not "
+        "support; wanted --shard, or neither");
+  if (a.resume && a.out.empty())
+    throw Error("--resume needs a folder to continue in; wanted --out DIR");
   if (!a.scheduler.empty() && (!a.shard.empty() || a.list || a.threads > 0 || a.force))
     throw Error(
-        "--scheduler leaves the runs to its workers; it goes without --shard, --list, --threads "
-        "and "
-        "--force");
-  if (a.resume && a.force) throw Error("--resume and --force: wanted one of them");
+        "--scheduler distributes the runs to workers; wanted none of --shard, --list, --threads "
+        "and --force");
+  if (a.resume && a.force) throw Error("--resume and --force are both given; wanted one of them");
 }
 
-/// Throws Error where a folder holds runs of another campaign. More seeds are no other one.
+/// Throws Error if the folder of --out contains runs of another campaign. A campaign with other
+/// seeds counts as the same campaign.
 void check_resumed(const ExperimentArguments& a) {
   const std::optional<CampaignFile> there = CampaignFile::read(a.out);
   if (!there) return;
@@ -83,7 +85,7 @@ void check_resumed(const ExperimentArguments& a) {
   same.first_seed = a.campaign.first_seed;
   if (!(same == a.campaign))
     throw Error(
-        fmt::format("'{}' holds runs of `{}`; wanted the same words but for --seeds and "
+        fmt::format("'{}' holds runs of `{}`; wanted the same options, except --seeds and "
                     "--first-seed, or another folder",
                     a.out, there->campaign.command()));
 }
@@ -97,8 +99,8 @@ ExperimentSpec spec_of(const ExperimentArguments& a) {
   spec.stopped = [] { return StopRequest::asked(); };
   if (!a.quiet && isatty(STDERR_FILENO) != 0)
     spec.progress = [name = a.campaign.name, left = std::make_shared<RemainingTime>()](
-                        double share, const std::string& what) {
-      show_progress(name, share, left->text(share) + what);
+                        double done, const std::string& what) {
+      show_progress(name, done, left->text(done) + what);
     };
   return spec;
 }
@@ -127,13 +129,14 @@ int list_runs(const ExperimentArguments& a, ExperimentSpec spec) {
   return exit_ok;
 }
 
-/// What became of a shard. The exit code.
+/// Finishes the folder of a shard, prints the counts of the shard's runs, and returns the exit
+/// code.
 int finish_shard(const ExperimentArguments& a, const polishing::RunCounts& counts,
                  RunFolder& folder) {
   folder.finish();
   if (!a.quiet)
     fmt::print(
-        "shard {} of `{}`: {} of {} runs, {} made and {} there before, {} not polished\nin "
+        "shard {} of `{}`: {} of {} runs, {} new and {} from before, {} not polished\nin "
         "{}: {}/\n",
         a.shard, a.campaign.command(), counts.found + counts.made, counts.wanted, counts.made,
         counts.found, counts.failed, folder.path().string(), results_folder);
@@ -141,14 +144,14 @@ int finish_shard(const ExperimentArguments& a, const polishing::RunCounts& count
 }
 
 int perform(const ExperimentArguments& a) {
-  // Bad words are refused, and the folder is there, before minutes of computing.
+  // Checks the options and creates the folder first, before minutes of computing.
   check_options(a);
   ExperimentSpec spec = spec_of(a);
   check_campaign(a.campaign, a.strict);
   if (a.resume) check_resumed(a);
   if (a.list) return list_runs(a, spec);
   if (!a.scheduler.empty()) hand_over_to_python(words_for_python(a), "distributed");
-  const StopRequest stop("the runs end, and what there is of them is written");
+  const StopRequest stop("the runs end and their results so far are written");
   std::string name = "experiment_" + a.campaign.name;
   if (!a.shard.empty())
     name += fmt::format("_{}_of_{}", fmt::join(spec.shard.numbers, "_"), spec.shard.count);
@@ -179,46 +182,49 @@ std::string list_of_experiments() {
 
 void add_robots(CLI::App& command, Campaign& a) {
   command
-      .add_option(
-          "--robot", a.robots,
-          "Robot, URDF or MJCF file in place of those that come along; again for more (robots, "
-          "force_test)")
+      .add_option("--robot", a.robots,
+                  "Robot in place of the bundled robots: name, URDF or MJCF file; repeatable; for "
+                  "the experiments robots and force_test")
       ->type_name("ROBOT")
       ->allow_extra_args(false);
   command
-      .add_option(
-          "--tool", a.tools,
-          "Frame that holds the tool, for each --robot in its turn [tool] (robots, force_test)")
+      .add_option("--tool", a.tools,
+                  "Frame of the tool, one for each --robot in order [tool]; for the experiments "
+                  "robots and force_test")
       ->type_name("FRAME")
       ->allow_extra_args(false);
   command
       .add_option("--folder", a.folder,
-                  "Folder with checkouts of public repositories. Tries the arms and legged robots "
-                  "that its robots.yaml lists or, without that file, those of "
-                  "docs/public_robots.md (robots)")
+                  "Folder with checkouts of public repositories. Runs the arms and legged robots "
+                  "listed in its robots.yaml or, without that file, in docs/public_robots.md; for "
+                  "the experiment robots")
       ->type_name("DIR");
 }
 
 void add_words(CLI::App& command, Campaign& a) {
-  command.add_option("EXPERIMENT", a.name, "Its name, see below")->required()->type_name("");
+  command.add_option("EXPERIMENT", a.name, "Name of the experiment, see below")
+      ->required()
+      ->type_name("");
   command
       .add_option(
           "--seeds", a.seeds,
-          "Number of seeds: of runs that differ in what is drawn [frames 2, robots with --folder "
-          "3, paper, robots, force_test and surfaces 5, tilt 10, standing 50, seeds 200]")
+          "Number of seeds, each a run with other random disturbances [frames 2, robots with "
+          "--folder 3, paper, robots, force_test and surfaces 5, tilt 10, standing 50, seeds 200]")
       ->type_name("N")
       ->check(CLI::Range(1, polishing::max_seeds));
-  command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")
+  command.add_option("--first-seed", a.first_seed, "First seed [0]")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
   command
-      .add_option("--ranges", a.ranges,
-                  "What sizes are drawn from: usual, wide (6 degrees, 5 mm) or curved (also shapes "
-                  "in turn, 20 % of their curvature unknown) [usual] (seeds)")
+      .add_option(
+          "--ranges", a.ranges,
+          "Ranges of the random disturbances: usual, wide (6 degrees, 5 mm) or curved (also curved "
+          "shapes in turn, with 20 % error of curvature) [usual]; for the experiment seeds")
       ->type_name("NAME");
   command
       .add_option("--surface", a.surfaces,
-                  "Other surfaces than the experiment's own; again for more (not: orientation)")
+                  "Surface in place of the experiment's surfaces; repeatable; not for the "
+                  "experiment orientation")
       ->type_name("SURFACE")
       ->allow_extra_args(false);
   add_robots(command, a);
@@ -230,8 +236,8 @@ void add_words(CLI::App& command, Campaign& a) {
       ->check(CLI::IsMember({"mujoco", "ideal"}));
   command
       .add_option("--set", a.overrides,
-                  "Any key of a task file, such as force=20; repeatable. What the experiment "
-                  "sweeps stays its own")
+                  "Set a key of the task, such as force=20; repeatable. The experiment overrides "
+                  "the keys that it varies")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command
@@ -240,45 +246,51 @@ void add_words(CLI::App& command, Campaign& a) {
           [&a](double duration) {
             a.overrides.push_back(fmt::format("phases.polish_duration={}", duration));
           },
-          "Time on the path, s, as --set phases.polish_duration=S [the experiment's own]")
+          "Time on the path, in seconds; short for --set phases.polish_duration=S [from the "
+          "experiment]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
-  command.add_flag("--quick", a.quick, "Few and short runs, to see whether it works");
+  command.add_flag("--quick", a.quick,
+                   "Make few and short runs, to test that the experiment works");
 }
 
 void add_options(CLI::App& command, ExperimentArguments& a) {
   add_words(command, a.campaign);
   command
       .add_option("--threads", a.threads,
-                  "Runs at once, which changes no result; tick has one [one per core]")
+                  "Number of parallel runs [one per core]; results do not depend on this number; "
+                  "the experiment tick uses one")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command
       .add_option("--shard", a.shard,
-                  "Make every Nth run alone, from the Ith on, and no tables: burnish merge does; "
-                  "several: 1,3/4")
+                  "Make only part I of N of the runs, such as 2/4, or several parts, such as "
+                  "1,3/4; burnish merge then makes the tables")
       ->type_name("I/N");
-  command.add_flag("--resume", a.resume,
-                   "Go on with what the folder of --out holds: no run is made twice");
+  command.add_flag(
+      "--resume", a.resume,
+      "Continue an earlier experiment in the output folder, and skip the runs that it contains");
   command
-      .add_option("--time-limit", a.time_limit,
-                  "Computing time that a run may take, s [20 times the median of those before]")
+      .add_option(
+          "--time-limit", a.time_limit,
+          "Largest computing time of a run, in seconds [20 times the median over earlier runs]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command.add_flag("--mixed", a.mixed,
-                   "Take runs too that kernels for other processors made, as the results then say");
+                   "Accept runs made on other kinds of processors, which differ in the last "
+                   "digits; the results state it");
   command
       .add_option("--scheduler", a.scheduler,
-                  "Leave the runs to the workers of a Dask scheduler, such as "
+                  "Distribute the runs to the workers of a Dask scheduler, such as "
                   "tcp://192.168.0.5:8786")
       ->type_name("ADDRESS");
   command.add_flag("--list", a.list,
-                   "Print the runs and make none: number, name of the result, name");
+                   "Print the number, the result file and the name of each run, and make no runs");
   command
       .add_option("--out", a.out,
-                  "Folder for what is written [a new one: experiment_NAME, experiment_NAME_2, ...]")
+                  "Output folder [a new one: experiment_NAME, experiment_NAME_2, ...]")
       ->type_name("DIR");
-  command.add_flag("--force", a.force, "Replace the run that the folder of --out holds");
+  command.add_flag("--force", a.force, "Replace the results in the output folder");
   command.add_flag("--quiet", a.quiet, "Print nothing");
   add_strict(command, a.strict);
 }
@@ -287,7 +299,7 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
 
 void add_experiment(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("experiment", "Many polishing runs and what they show, in one command");
+      app.add_subcommand("experiment", "Make the runs, tables and figures of an experiment");
   const auto arguments = std::make_shared<ExperimentArguments>();
   add_options(*command, *arguments);
   command->footer(
@@ -303,14 +315,15 @@ void add_experiment(CLI::App& app, int& exit_code) {
       "  burnish experiment standing --seeds 10 --duration 2\n"
       "  burnish experiment seeds --shard 2/4 --out part_2 --resume\n"
       "\n"
-      "Each leaves results.md (its tables), results.json (all), results.csv (a row per run),\n"
-      "figures, and in runs/ what came out of each run. Ctrl-C (or SIGTERM, or SIGHUP) ends the\n"
-      "runs and writes what there is; --resume goes on from there.\n"
-      "docs/experiments.md shows and explains the results, docs/campaigns.md how many machines\n"
-      "share one.\n"
-      "Exit codes: 0 all runs polished, as the task's `verdict` asks for, whether aims were met or "
-      "not;\n"
-      "1 some did not; 2 bad input.");
+      "Each writes results.md (tables), results.json (all numbers), results.csv (a row per run),\n"
+      "figures, and the result of each run in runs/. Ctrl-C (or SIGTERM, or SIGHUP) ends the\n"
+      "runs and writes the results so far; --resume continues from there.\n"
+      "docs/experiments.md shows and explains the results; docs/campaigns.md describes "
+      "experiments\n"
+      "on several machines.\n"
+      "Exit codes: 0 all runs polished, as the task's `verdict` requires, even if aims were "
+      "missed;\n"
+      "1 some runs did not polish; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = perform(*arguments); });
 }
 

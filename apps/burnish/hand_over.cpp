@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a list that ends with a null.
+/// Returns pointers to the words, followed by a null pointer.
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> list;
   for (std::string& word : words) list.push_back(word.data());
@@ -26,8 +26,8 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return list;
 }
 
-/// The entries of a search path that begin with a slash. An empty entry, `.` and every other
-/// relative one mean the working folder, which may hold anything.
+/// Returns only the absolute entries of a search path. Other entries, such as `.` or an empty one,
+/// would refer to the working folder, whose contents are not trusted.
 std::string absolute_entries(const std::string& path) {
   std::string kept;
   std::istringstream stream(path);
@@ -41,8 +41,8 @@ std::string variable(const char* name) {
   return value == nullptr ? std::string() : std::string(value);
 }
 
-/// The program's own folder is build/apps/burnish in a build, whose Python package is in
-/// build/python. Empty for an installed program.
+/// Returns the folder build/python if this program is build/apps/burnish of a build tree; empty for
+/// an installed program.
 std::string package_of_the_build(const fs::path& self) {
   const fs::path folder = self.parent_path(), apps = folder.parent_path();
   const fs::path built = apps.parent_path() / "python";
@@ -52,8 +52,8 @@ std::string package_of_the_build(const fs::path& self) {
   return is_build ? built.string() : std::string();
 }
 
-/// Sets what Python and its own processes look programs and modules up by. Nothing is found through
-/// the working folder.
+/// Sets the environment variables in which Python and its child processes search for programs and
+/// modules. The working folder is excluded.
 void set_search_paths() {
   std::string modules = absolute_entries(variable("PYTHONPATH"));
   std::error_code unknown;
@@ -62,14 +62,15 @@ void set_search_paths() {
     if (const std::string built = package_of_the_build(self); !built.empty())
       modules = modules.empty() ? built : built + ":" + modules;
   }
-  // An empty PYTHONPATH would mean the working folder.
+  // Removes an empty PYTHONPATH, because Python would search in the working folder.
   modules.empty() ? unsetenv("PYTHONPATH") : setenv("PYTHONPATH", modules.c_str(), 1);
-  setenv("PYTHONSAFEPATH", "1", 1);  // from Python 3.11 on
+  setenv("PYTHONSAFEPATH", "1", 1);  // effective from Python 3.11 on
   const std::string programs = absolute_entries(variable("PATH"));
   setenv("PATH", programs.empty() ? "/usr/local/bin:/usr/bin:/bin" : programs.c_str(), 1);
 }
 
-/// The first python3 of PATH, then Debian's, which Debian's packages are for.
+/// Returns the paths of Python to try: the first python3 in PATH, then /usr/bin/python3, which has
+/// the modules of Debian's packages.
 std::vector<std::string> pythons() {
   std::vector<std::string> found;
   std::istringstream stream(variable("PATH"));
@@ -82,13 +83,13 @@ std::vector<std::string> pythons() {
   return found;
 }
 
-/// A command for `python3 -c`: `code` without the working folder among the folders of modules,
-/// where Pythons before 3.11 put it.
+/// Returns `code` for `python3 -c`, preceded by code that removes the working folder from sys.path.
+/// Python before 3.11 adds the working folder.
 std::string safely(const std::string& code) {
   return "import sys; sys.path[:] = [p for p in sys.path if p]; " + code;
 }
 
-/// Whether a Python can import a module. It says nothing.
+/// Returns whether a Python can import a module. Output of the Python is discarded.
 bool has(const std::string& python, const std::string& module) {
   std::vector<std::string> words{python, "-c", safely("import " + module)};
   posix_spawn_file_actions_t silence;
@@ -119,10 +120,10 @@ void hand_over_to_python(const std::vector<std::string>& words, const std::strin
   }
   if (python.empty())
     throw Error(has_package
-                    ? "Python does not find the module " + module +
-                          ", which this needs; wanted: apt install python3-" + module
-                    : "this is handed over to the Python package burnish, which python3 does not "
-                      "find; wanted: apt install python3-burnish, or pip install . in the sources");
+                    ? "this command needs the Python module " + module +
+                          ", which python3 does not find; wanted: apt install python3-" + module
+                    : "this command needs the Python package burnish, which python3 does not find; "
+                      "wanted: apt install python3-burnish, or pip install . in the sources");
   std::vector<std::string> all{
       python, "-c", safely("from burnish.campaign.__main__ import main; sys.exit(main())")};
   all.insert(all.end(), words.begin(), words.end());

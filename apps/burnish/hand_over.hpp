@@ -1,4 +1,4 @@
-// What Python does for the command line.
+// Replacement of this process by a command of the Python package burnish.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace burnish::app {
 
-/// Becomes `python3 -m burnish.campaign WORDS...`, and does not return. Programs and modules are
-/// found through the absolute entries of PATH and PYTHONPATH alone, never through the working
-/// folder. Throws Error where there is no Python that has the package burnish and `module`, of
-/// Debian's package python3-MODULE, naming what to install.
+/// Replaces this process by `python3 -m burnish.campaign WORDS...` and does not return. Programs
+/// and modules are searched only in the absolute entries of PATH and PYTHONPATH, never in the
+/// working folder. Throws Error if no Python has both the package burnish and `module`, with the
+/// package to install (in Debian, python3-MODULE).
 [[noreturn]] void hand_over_to_python(const std::vector<std::string>& words,
                                       const std::string& module);
 

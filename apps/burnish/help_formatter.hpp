@@ -1,4 +1,4 @@
-// How --help looks.
+// Layout of the text that --help prints.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,11 +6,12 @@
 
 namespace burnish::app {
 
-/// The value's name without what CLI11 writes behind it: "N" of "N:POSITIVE".
+/// Returns the name of an option's value without the name of the check that CLI11 appends: "N" for
+/// "N:POSITIVE".
 std::string value_name(const CLI::Option& option);
 
-/// CLI11's, with names of values alone ("N" where CLI11 writes "N:POSITIVE"), defaults in brackets
-/// behind the description, and descriptions that end before column 100.
+/// CLI11's formatter with three changes: value names without checks, defaults in brackets after the
+/// description, and lines of at most 100 columns.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override;

@@ -1,9 +1,10 @@
-// burnish identify: what a robot carries or weighs, from a recorded motion.
+// burnish identify: estimation of a payload, or of inertias of links, from a recorded motion.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "base/whole_file.hpp"
 #include "burnish/identify/identification.hpp"
 #include "burnish/identify/trial.hpp"
@@ -22,11 +23,11 @@ struct IdentifyArguments {
   ExcitationSpec excitation;
   int seeds = 0, first_seed = 0;
   double period = 1e-3;
-  double torque_noise = 0.05;  // Nm (N), of the sensors in simulations
+  double torque_noise = 0.05;  // standard deviation of torque noise in simulations [Nm or N]
   bool json = false;
 };
 
-/// A table as the trace that it once was.
+/// Returns a trace with the columns of a CSV table.
 Trace trace_of(const files::CsvTable& table) {
   std::vector<TraceColumn> columns;
   for (const std::string& name : table.names) columns.push_back({name, "-"});
@@ -41,7 +42,8 @@ std::string estimate_text(double value, double sigma, double unit) {
   return fmt::format("{:.5g} +- {:.2g}", unit * value, unit * sigma);
 }
 
-/// Of each row of values what it is called and a unit that suits.
+/// Row of the printed table: name, range of parameters, unit, and factor from SI units to this
+/// unit.
 struct Row {
   const char* name;
   int first, count;
@@ -56,7 +58,7 @@ constexpr Row inertia_rows[] = {{"mass", 0, 1, "kg", 1.0},
 std::string table_of(const Model& model, const Identification& found) {
   std::string text;
   for (const EstimatedInertia& one : found.inertias) {
-    text += fmt::format("{}, in its axes; * what the motion does not show\n", one.frame);
+    text += fmt::format("{}, in its axes; *: not identifiable from this motion\n", one.frame);
     for (const Row& row : inertia_rows) {
       text += fmt::format("  {:<12}", row.name);
       for (int i = row.first; i < row.first + row.count; ++i)
@@ -79,7 +81,7 @@ std::string table_of(const Model& model, const Identification& found) {
                         found.rms_before[k], found.rms_after[k], found.rms_expected[k]);
     for (const auto* list : {&found.viscous, &found.coulomb, &found.armature, &found.offset})
       if (!list->empty()) {
-        const Estimate& e = (*list)[static_cast<std::size_t>(k)];
+        const Estimate& e = (*list)[to_size(k)];
         text += fmt::format(" {:>22}", estimate_text(e.value, e.sigma, 1.0));
       }
     text += "\n";
@@ -124,7 +126,8 @@ Json json_of(const Identification& found) {
   return json;
 }
 
-/// Whether the motion shows mass and centre: of less a file would hold what was assumed.
+/// Returns whether mass and centre of mass are identifiable. If not, the settings would only repeat
+/// the assumed values, and are omitted.
 bool shows_mass(const EstimatedInertia& one) {
   for (int i = 0; i < 4; ++i)
     if (!one.is_shown(i)) return false;
@@ -134,27 +137,27 @@ bool shows_any_mass(const Identification& found) {
   return std::any_of(found.inertias.begin(), found.inertias.end(), shows_mass);
 }
 
-/// Names of moments and products of inertia that the motion does not show.
+/// Returns the names of the moments and products of inertia that are not identifiable.
 std::string hidden_moments(const EstimatedInertia& one) {
   std::string text;
   for (const int i : one.not_shown())
-    if (i >= 4) text += fmt::format(" {}", estimate_names[static_cast<std::size_t>(i)]);
+    if (i >= 4) text += fmt::format(" {}", estimate_names[to_size(i)]);
   return text;
 }
 
 std::string inertia_line(const EstimatedInertia& one, bool of_payload) {
   const Vector10& x = one.values;
   const std::string hidden = hidden_moments(one);
-  // A payload's moments that were assumed are no payload's: the line is a comment.
+  // If all moments of inertia are assumed values, the line is written as a comment.
   const bool all_assumed = !one.is_shown(4) || !one.is_shown(7) || !one.is_shown(9);
   return fmt::format(
       "{}inertia: [{:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}]  # xx xy xz yy yz zz about com, "
       "kg m^2{}\n",
       of_payload && all_assumed ? "# " : "", x[4], x[5], x[6], x[7], x[8], x[9],
-      hidden.empty() ? "" : "; not shown by the motion:" + hidden);
+      hidden.empty() ? "" : "; not identifiable from the motion:" + hidden);
 }
 
-/// What robot.yaml takes: `payload`, or `inertias` of links.
+/// Returns lines for robot.yaml with the key `payload`, or with the key `inertias` for links.
 std::string settings_of(const Identification& found, bool of_payload) {
   std::string text = "# Estimated by burnish identify; the comments are standard deviations.\n";
   text += of_payload ? "payload:\n" : "inertias:\n";
@@ -162,7 +165,8 @@ std::string settings_of(const Identification& found, bool of_payload) {
     const Vector10 &x = one.values, &s = one.sigma;
     const std::string indent = of_payload ? "  " : "    ";
     if (!shows_mass(one)) {
-      text += fmt::format("  # {}: the motion does not show its mass and centre\n", one.frame);
+      text +=
+          fmt::format("  # {}: mass and centre are not identifiable from the motion\n", one.frame);
       continue;
     }
     text +=
@@ -190,7 +194,7 @@ Excitation excitation_of(const IdentifyArguments& a, const Robot& robot) {
 int excite(const IdentifyArguments& a, const Robot& robot) {
   const Excitation motion = excitation_of(a, robot);
   motion.trace(a.period).write_csv(std::filesystem::path(a.excite));
-  fmt::print("{}: {:g} s from rest to rest; look whether anything is in its way\n", a.excite,
+  fmt::print("{}: {:g} s from rest to rest; check it for collisions before use\n", a.excite,
              motion.duration());
   return exit_ok;
 }
@@ -218,12 +222,14 @@ int simulate(const IdentifyArguments& a, const Robot& robot) {
   return exit_ok;
 }
 
-/// "met" or "missed" of an aim.
+/// Returns "met" or "missed" for a value with an aim. `below`: true if the value must be below the
+/// limit.
 std::string aim_text(double value, double limit, bool below) {
   return (below ? value <= limit : value >= limit) ? "met" : "missed";
 }
 
-/// The warnings of the first trial that has some, and how many others have some.
+/// Prints the warnings of the first trial that has warnings, and the number of other trials with
+/// warnings.
 void print_first_warnings(const std::vector<Trial>& trials, int first_seed) {
   const auto has_some = [](const Trial& trial) { return !trial.warnings.empty(); };
   const auto first = std::find_if(trials.begin(), trials.end(), has_some);
@@ -231,7 +237,7 @@ void print_first_warnings(const std::vector<Trial>& trials, int first_seed) {
   for (const std::string& warning : first->warnings)
     fmt::print(stderr, "burnish: seed {}: {}\n", first_seed + (first - trials.begin()), warning);
   if (const auto more = std::count_if(first + 1, trials.end(), has_some); more > 0)
-    fmt::print(stderr, "burnish: {} more of {} trials leave the motion\n", more, trials.size());
+    fmt::print(stderr, "burnish: {} more of {} trials have warnings\n", more, trials.size());
 }
 
 int try_seeds(const IdentifyArguments& a, const Robot& robot) {
@@ -246,17 +252,15 @@ int try_seeds(const IdentifyArguments& a, const Robot& robot) {
   print_first_warnings(trials, a.first_seed);
   const TrialSummary all = summary_of(trials);
   fmt::print(
-      "{} payloads at {} of {}, {:g} s each, disturbances: {}, {:g} Nm of sensor "
-      "noise\n\n",
+      "{} payloads at {} of {}, {:g} s each, disturbances: {}, torque sensor noise: {:g} Nm\n\n",
       all.trials, a.spec.payload, robot.model.name, motion.duration(), a.disturbances,
       disturbances.torque_sensor_noise);
   fmt::print("| {:<6} | {:>10} | {:>10} |\n|:-------|-----------:|-----------:|\n", "", "rms error",
-             "rms stated");
+             "rms sigma");
   for (const Row& row : inertia_rows)
     for (int i = row.first; i < row.first + row.count; ++i)
-      fmt::print("| {:<6} | {:>10.3g} | {:>10.3g} | {}\n",
-                 estimate_names[static_cast<std::size_t>(i)], row.factor * all.rms_error[i],
-                 row.factor * all.rms_sigma[i], row.unit);
+      fmt::print("| {:<6} | {:>10.3g} | {:>10.3g} | {}\n", estimate_names[to_size(i)],
+                 row.factor * all.rms_error[i], row.factor * all.rms_sigma[i], row.unit);
   fmt::print("\n| {:<34} | {:>8} | {:>6} | {:<6} |\n|:{:-<34}-|-{:->8}:|-{:->6}:|:{:-<6}-|\n", "",
              "measured", "aim", "", "", "", "", "");
   const auto line = [](const char* what, double value, double limit, bool below) {
@@ -278,12 +282,15 @@ int identify_file(const IdentifyArguments& a, const Robot& robot) {
   });
   fmt::print("{}", a.json ? json_text(json_of(found)) + "\n" : table_of(robot.model, found));
   print_sentences(found.warnings);
-  const bool known = found.converged && shows_any_mass(found);
-  if (!a.out.empty() && known) write_whole_file(a.out, settings_of(found, a.spec.bodies.empty()));
-  if (!a.out.empty() && !known)
-    fmt::print(stderr, "burnish: '{}' is not written: the motion does not show mass and centre\n",
-               a.out);
-  return known ? exit_ok : exit_failed;
+  const bool identified = found.converged && shows_any_mass(found);
+  if (!a.out.empty() && identified)
+    write_whole_file(a.out, settings_of(found, a.spec.bodies.empty()));
+  if (!a.out.empty() && !identified)
+    fmt::print(
+        stderr,
+        "burnish: '{}' is not written: mass and centre are not identifiable from the motion\n",
+        a.out);
+  return identified ? exit_ok : exit_failed;
 }
 
 int identify_command(const IdentifyArguments& a) {
@@ -293,90 +300,108 @@ int identify_command(const IdentifyArguments& a) {
   if (a.seeds > 0) return try_seeds(a, robot);
   if (a.data.empty())
     throw Error(
-        "nothing to identify from; wanted DATA, a table of a motion, or --excite, --simulate "
-        "or --seeds");
+        "no data; wanted DATA, the table of a recorded motion, or --excite, --simulate or --seeds");
   return identify_file(a, robot);
 }
 
 void add_estimate(IdentifyArguments& a, CLI::App& command) {
-  command.add_option("DATA", a.data, "CSV with time, q_<joint> and tau_<joint>, or a run's trace")
+  command
+      .add_option(
+          "DATA", a.data,
+          "CSV file with the columns time, q_<joint> and tau_<joint>, or trace.csv of a run")
       ->type_name("");
   command
-      .add_option("--bodies", a.spec.bodies, "Links whose own masses are wanted, not a payload's")
+      .add_option("--bodies", a.spec.bodies,
+                  "Links whose inertias are estimated, in place of a payload")
       ->type_name("LINK,...")
       ->delimiter(',');
-  command.add_option("--payload", a.spec.payload, "Frame that the payload is written in [tool]")
+  command.add_option("--payload", a.spec.payload, "Frame in which the payload is expressed [tool]")
       ->type_name("FRAME");
   command.add_flag("--friction", a.spec.friction,
-                   "Joint friction too: for torques that motors give");
+                   "Estimate joint friction too, for torques measured at the motors");
   command.add_flag("--armature", a.spec.armature,
-                   "Inertias of the joints' rotors too, in place of the model's");
-  command.add_flag("--offset", a.spec.offset, "A constant error of each torque too");
+                   "Estimate rotor inertias too, in place of the model's values");
+  command.add_flag("--offset", a.spec.offset, "Estimate a constant offset of each torque too");
   command
       .add_option("--motion-window", a.spec.motion_window,
-                  "Seconds that a polynomial spans which differentiates the motion [0.04]")
+                  "Window of the polynomials that differentiate the motion, in seconds [0.04]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
-  command.add_option("--window", a.spec.window, "Seconds that torques are smoothed over [0.25]")
+  command
+      .add_option("--window", a.spec.window,
+                  "Window over which torques are smoothed, in seconds [0.25]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command
       .add_option("--torque-noise", a.spec.torque_noise,
-                  "Deviation of a torque sample's noise, Nm (N) [as neighbouring samples say]")
+                  "Standard deviation of a torque sample, Nm (N) [estimated from neighbouring "
+                  "samples]")
       ->type_name("NM")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--start", a.spec.start, "Seconds of the record that are left out first [0]")
+  command
+      .add_option("--start", a.spec.start,
+                  "Ignored time at the start of the record, in seconds [0]")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--out", a.out, "File for the lines that robot.yaml takes")->type_name("FILE");
-  command.add_flag("--json", a.json, "As JSON");
+  command.add_option("--out", a.out, "Output file with keys for robot.yaml")->type_name("FILE");
+  command.add_flag("--json", a.json, "Print JSON");
 }
 
 void add_motion(IdentifyArguments& a, CLI::App& command) {
   command
-      .add_option("--excite", a.excite, "Write a motion that shows a payload, as CSV, and no more")
+      .add_option("--excite", a.excite,
+                  "Write a motion from which a payload can be identified, as CSV, and exit")
       ->type_name("FILE");
   command
-      .add_option(
-          "--simulate", a.simulate,
-          "Write a simulated record of that motion with a payload that is drawn, and no more")
+      .add_option("--simulate", a.simulate,
+                  "Write a simulated record of a motion with a random payload, as CSV, and exit")
       ->type_name("FILE");
-  command.add_option("--posture", a.posture, "Posture that it begins at [the robot's default]")
+  command
+      .add_option("--posture", a.posture,
+                  "Posture at which the written motion begins [the robot's default posture]")
       ->type_name("NAME");
-  command.add_option("--duration", a.excitation.duration, "Seconds of that motion [10]")
+  command
+      .add_option("--duration", a.excitation.duration,
+                  "Duration of the written motion, in seconds [10]")
       ->type_name("S");
-  command.add_option("--highest", a.excitation.highest, "Hz of its fastest harmonic [0.7]")
+  command
+      .add_option("--highest", a.excitation.highest,
+                  "Frequency of the fastest harmonic, in Hz [0.7]")
       ->type_name("HZ");
   command
-      .add_option("--range", a.excitation.range, "Radians (m) that joints leave the start [0.8]")
+      .add_option("--range", a.excitation.range,
+                  "Largest displacement of a joint from the start, in rad (m) [0.8]")
       ->type_name("RAD");
-  command.add_option("--speed", a.excitation.speed, "Radians (m) per second of joints at most [2]")
+  command.add_option("--speed", a.excitation.speed, "Largest speed of a joint, in rad/s (m/s) [2]")
       ->type_name("RAD/S")
       ->check(CLI::PositiveNumber);
   command
       .add_option("--speed-share", a.excitation.speed_share,
-                  "Share of velocity limits that is used [0.4]")
+                  "Largest speed of a joint, as a fraction of its velocity limit [0.4]")
       ->type_name("SHARE")
       ->check(CLI::PositiveNumber);
   command
       .add_option("--effort-share", a.excitation.effort_share,
-                  "Share of effort limits that is used, without a payload [0.8]")
+                  "Largest effort without a payload, as a fraction of the effort limit [0.8]")
       ->type_name("SHARE")
       ->check(CLI::PositiveNumber);
   command.add_option("--joints", a.excitation.joints, "Joints that move [all]")
       ->type_name("JOINT,...")
       ->delimiter(',');
-  command.add_option("--seed", a.excitation.seed, "Of what is drawn: motion, payload, noise [1]")
+  command
+      .add_option("--seed", a.excitation.seed, "Seed of the random motion, payload and noise [1]")
       ->type_name("N");
   command
       .add_option("--seeds", a.seeds,
-                  "Try it: payloads that are drawn, carried in simulation and identified")
+                  "Number of random payloads to identify in simulation, as a test of the method")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  command.add_option("--first-seed", a.first_seed, "The first of these seeds [0]")
+  command.add_option("--first-seed", a.first_seed, "Seed of the first random payload [0]")
       ->type_name("N")
       ->check(CLI::Range(0, 1000000000));
-  command.add_option("--disturbances", a.disturbances, "Preset of these simulations [sensors]")
+  command
+      .add_option("--disturbances", a.disturbances,
+                  "Disturbance preset of the simulations [sensors]")
       ->type_name("NAME");
 }
 
@@ -384,7 +409,7 @@ void add_motion(IdentifyArguments& a, CLI::App& command) {
 
 void add_identify(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("identify", "What a robot carries or weighs, from a recorded motion");
+      app.add_subcommand("identify", "Estimate a payload or link inertias from a recorded motion");
   const auto arguments = std::make_shared<IdentifyArguments>();
   IdentifyArguments& a = *arguments;
   a.robot.add_to(*command);
@@ -397,9 +422,9 @@ void add_identify(CLI::App& app, int& exit_code) {
       "  burnish identify arm7 recorded.csv --bodies link_6,link_7 --friction\n"
       "  burnish identify arm7 --seeds 100\n"
       "\n"
-      "docs/identification.md has the method. Exit code 1: the motion does not show the mass, or "
-      "an aim\n"
-      "of --seeds was missed; 2: bad usage, or a record that cannot be right.");
+      "docs/identification.md describes the method.\n"
+      "Exit codes: 0 success; 1 the mass is not identifiable from the motion, or an aim of\n"
+      "--seeds was missed; 2 invalid usage, or an implausible record.");
   command->callback([arguments, &exit_code] { exit_code = identify_command(*arguments); });
 }
 

@@ -1,4 +1,4 @@
-// What is said of a polishing run before it begins.
+// Notes about a polishing run that are printed before it begins.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace burnish::app {
 
-/// Prints notes on what is probably not meant and, if it `talks`, what the arm has left on the
-/// path. `said`: the texts that the job's task comes from.
+/// Prints notes about probable mistakes in the task. If `talks`, also prints the arm's reserves
+/// along the path. `said`: texts from which the task was read.
 void describe_job(const polishing::PolishJob& job, const polishing::ReachReport& reach,
                   const std::vector<document::Reader>& said, bool talks);
 
-/// Prints how the robot gets to its start at a place: from `home`, or without one from which of its
-/// postures it could.
-void describe_way(const std::string& place, const std::optional<HomeMove>& home,
-                  const std::vector<polishing::FreeHome>& free_homes);
+/// Prints the motion from the posture `home` to the start of the path. Without `home`, prints the
+/// postures of `free_homes`; a motion from any of these is free of collisions.
+void describe_home_move(const std::string& place, const std::optional<HomeMove>& home,
+                        const std::vector<polishing::FreeHome>& free_homes);
 
 }  // namespace burnish::app

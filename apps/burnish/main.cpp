@@ -1,5 +1,4 @@
-// burnish: look at a robot, check derivatives on it, evaluate contact dynamics from JSON, solve
-// optimal control problems, run the polishing task and experiments with it.
+// Program `burnish`: selects the command, and reports errors of the command line by exit codes.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -33,9 +32,9 @@ constexpr const char* footer =
     "  burnish bench my_arm.urdf --tool flange\n"
     "\n"
     "A robot is a URDF or MJCF file, a folder with robot.yaml, or a name that burnish --robots\n"
-    "lists, with ':variant' behind it if wanted.\n"
-    "Exit codes: 0 fine; 1 a check failed, an evaluation had a bad status, a solve did not\n"
-    "converge or a run did not polish; 2 bad usage or input.";
+    "lists; ':variant' may follow.\n"
+    "Exit codes: 0 success; 1 a check failed, an evaluation had a bad status, a solver did not\n"
+    "converge or a run did not polish; 2 invalid usage or input.";
 
 std::string lower_first(std::string text) {
   if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1])) != 0) {
@@ -44,7 +43,7 @@ std::string lower_first(std::string text) {
   return text;
 }
 
-/// The command that the words on the command line chose, or the program itself.
+/// Returns the command that the command line selects; without a command, the program itself.
 const CLI::App& chosen(const CLI::App& app) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
   return commands.empty() ? app : *commands.front();
@@ -59,35 +58,36 @@ std::string usage_sentence(const CLI::App& app, const CLI::ParseError& error) {
   std::vector<std::string> strangers = app.remaining(true);
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
       !strangers.empty()) {
-    // Options before the words that were taken for their values.
+    // Moves unknown options to the front, because the words after them may be their values.
     std::stable_partition(strangers.begin(), strangers.end(),
                           [](const std::string& word) { return word.starts_with('-'); });
-    std::vector<std::string> known;
+    std::vector<std::string> options;
     for (const CLI::Option* option : command.get_options())
-      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
     sentence = fmt::format("unknown argument '{}'{}", strangers.front(),
-                           did_you_mean(strangers.front(), known));
+                           did_you_mean(strangers.front(), options));
   }
   const std::string name = &command == &app ? "" : " " + command.get_name();
-  return fmt::format("{} (burnish{} --help says more)", sentence, name);
+  return fmt::format("{} (see burnish{} --help)", sentence, name);
 }
 
-/// Refuses a first word that is no command, with the nearest one.
+/// Throws Error if the first word is not a command; the message names the nearest command.
 void check_command(const CLI::App& app, int count, char** words) {
   if (count < 2 || words[1][0] == '-') return;
-  std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
-  for (const std::string& name : known)
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  for (const std::string& name : commands)
     if (name == words[1]) return;
   throw Error(fmt::format("unknown command '{}'{} (burnish --help lists them{})", words[1],
-                          did_you_mean(words[1], known), other_commands));
+                          did_you_mean(words[1], commands), other_commands));
 }
 
 int run(int count, char** words) {
   CLI::App app(
       "Contact dynamics, optimal control and polishing: robots that press, slide and walk.",
       "burnish");
-  app.formatter(std::make_shared<HelpFormatter>());  // before the commands, which inherit it
+  // Set before the commands are added, because they inherit the formatter.
+  app.formatter(std::make_shared<HelpFormatter>());
   app.get_formatter()->column_width(34);
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.set_version_flag("--version", "burnish " BURNISH_VERSION, "Print the version and exit");
@@ -110,8 +110,8 @@ int run(int count, char** words) {
   return exit_code;
 }
 
-/// The standard output, which is taken back where not all of it could be written: half a table
-/// looks like a table.
+/// Standard output. If it cannot be written completely, it is truncated to its previous length, so
+/// that no partial table remains.
 class Output {
  public:
   Output() {
@@ -120,14 +120,14 @@ class Output {
         (fcntl(STDOUT_FILENO, F_GETFL) & O_APPEND) == 0)
       begin_ = lseek(STDOUT_FILENO, 0, SEEK_CUR);
   }
-  /// Throws Error where what was printed did not get through.
+  /// Throws Error if some of the output could not be written.
   void finish() const {
     errno = 0;
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) refuse(errno);
   }
   [[noreturn]] void refuse(int reason) const {
     [[maybe_unused]] const bool cut = begin_ >= 0 && ftruncate(STDOUT_FILENO, begin_) == 0;
-    // What is left in the buffer goes nowhere when the program ends.
+    // Redirects the rest of the buffer to /dev/null, because it is written when the program ends.
     if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
       dup2(nowhere, STDOUT_FILENO);
     throw Error(std::string("the output could not be written") +
@@ -135,7 +135,8 @@ class Output {
   }
 
  private:
-  off_t begin_ = -1;  ///< where a file was when the program began; -1: no file of its own
+  /// Length of the output file at the start; -1: not a file, or opened to append.
+  off_t begin_ = -1;
 };
 
 }  // namespace
@@ -146,7 +147,7 @@ int run_program(int count, char** words) {
     const int exit_code = run(count, words);
     output.finish();
     return exit_code;
-  } catch (const std::system_error& error) {  // fmt's, whose prints go to the standard output
+  } catch (const std::system_error& error) {  // fmt could not print
     if (std::ferror(stdout) == 0) throw;
     output.refuse(error.code().value());
   }
@@ -166,7 +167,7 @@ int main(int count, char** words) {
       fmt::print(stderr, "burnish: {}\n", sentence);
     return burnish::app::exit_usage;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "burnish: there is not enough memory for this\n");
+    fmt::print(stderr, "burnish: not enough memory\n");
     return burnish::app::exit_usage;
   } catch (const std::exception& error) {
     fmt::print(stderr, "burnish: {}\n", error.what());

@@ -1,4 +1,4 @@
-// The manual page of the program.
+// Generation of the manual page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace burnish::app {
 namespace {
 
-/// The text as roff prints it unchanged: its own characters, and those that it would make into
-/// typographic ones, are written by name.
+/// Escapes text so that roff prints it unchanged. Special characters are written by their roff
+/// names, as are characters that roff would replace by typographic ones.
 std::string roff(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -44,7 +44,7 @@ std::string roff(const std::string& text) {
   return result;
 }
 
-/// A line of text; none begins with a dot that roff takes for a macro.
+/// Returns a line of text; a leading dot, which roff would read as a macro, is escaped.
 std::string roff_line(const std::string& text) {
   return (text.starts_with('.') ? "\\&" : "") + roff(text) + "\n";
 }
@@ -56,8 +56,8 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-/// Lines as they stand in --help: those that are indented stay lines, others flow, and exit codes
-/// begin a paragraph.
+/// Converts the text of --help. Indented lines stay separate lines, other lines are joined to
+/// paragraphs, and each exit code begins a paragraph.
 std::string roff_prose(const std::string& text) {
   std::istringstream lines(text);
   std::string result;
@@ -86,7 +86,7 @@ std::string roff_entry(const OptionText& option) {
   if (!option.value.empty()) head += (head.empty() ? "" : " ") + italic(option.value);
   if (option.several) head += " ...";
   std::string text = ".TP\n" + head + "\n" + roff_line(option.meaning);
-  // Where the meaning names the choices, they need not be named again.
+  // Lists the choices only if the description does not list them already.
   const bool named = std::all_of(
       option.words.begin(), option.words.end(),
       [&](const std::string& word) { return option.meaning.find(word) != std::string::npos; });
@@ -139,10 +139,11 @@ std::string man_page(const ProgramText& program, const std::string& version) {
             roff_line(command.meaning + ".") + roff_entries(command, false) +
             roff_prose(command.footer);
   }
-  text += ".SH ENVIRONMENT\n.TP\n" + bold("BURNISH_ROBOTS") + "\n" +
-          roff_line(
-              "Folders with robots that are known by name, with colons between them; looked into "
-              "before those that come along.");
+  text +=
+      ".SH ENVIRONMENT\n.TP\n" + bold("BURNISH_ROBOTS") + "\n" +
+      roff_line(
+          "Folders with robots to find by name, separated by colons; searched before the bundled "
+          "robots.");
   return text;
 }
 

@@ -1,4 +1,4 @@
-// burnish merge: the tables of an experiment whose runs were made in shards.
+// burnish merge: tables of an experiment whose runs were made in shards.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,27 +23,29 @@ CampaignFile campaign_in(const std::string& folder) {
   const std::optional<CampaignFile> file = CampaignFile::read(folder);
   if (!file)
     throw Error(
-        fmt::format("'{}' holds no runs of an experiment: there is no {}; wanted a folder "
-                    "that `burnish experiment NAME --shard I/N` left",
+        fmt::format("'{}' holds no runs of an experiment: it has no file {}; wanted a folder "
+                    "that `burnish experiment NAME --shard I/N` wrote",
                     folder, CampaignFile::name));
   if (file->version != program_version())
     throw Error(
-        fmt::format("'{}' holds runs of burnish {}, and this is {}; wanted all of one version",
+        fmt::format("'{}' holds runs of burnish {}, and this is {}; wanted runs of one version",
                     folder, file->version, program_version()));
   return *file;
 }
 
-/// The campaign that all folders are of.
+/// Returns the campaign to which all folders belong. Throws Error if they belong to different
+/// campaigns.
 Campaign common_campaign(const std::vector<std::string>& folders) {
   const Campaign campaign = campaign_in(folders.front()).campaign;
   for (const std::string& folder : folders)
     if (const Campaign other = campaign_in(folder).campaign; !(other == campaign))
-      throw Error(fmt::format("'{}' holds runs of `{}`, and '{}' of `{}`; wanted shards of one",
-                              folder, other.command(), folders.front(), campaign.command()));
+      throw Error(
+          fmt::format("'{}' holds runs of `{}`, and '{}' of `{}`; wanted shards of one experiment",
+                      folder, other.command(), folders.front(), campaign.command()));
   return campaign;
 }
 
-/// Shards of which there is no folder: " shards 2/4 and 3/4 are missing" and the like.
+/// Returns the shards for which no folder was given, such as " (no folder holds 2/4, 3/4)".
 std::string missing_shards(const std::vector<std::string>& folders) {
   std::set<int> numbers;
   int count = 0;
@@ -58,21 +60,21 @@ std::string missing_shards(const std::vector<std::string>& folders) {
   std::vector<std::string> missing;
   for (int number = 1; number <= count; ++number)
     if (!numbers.contains(number)) missing.push_back(fmt::format("{}/{}", number, count));
-  return missing.empty() ? "" : fmt::format(" (no folder is of {})", fmt::join(missing, ", "));
+  return missing.empty() ? "" : fmt::format(" (no folder holds {})", fmt::join(missing, ", "));
 }
 
-/// Whether burnish sweep left it.
+/// Returns whether `burnish sweep` wrote the folder.
 bool is_sweep(const std::string& folder) {
   const std::optional<CampaignFile> file = CampaignFile::read(folder);
   return file && file->campaign.name == CampaignFile::sweep;
 }
 
-/// Python knows what a campaign's file says.
+/// Merges shards of `burnish sweep` with the Python package burnish; does not return.
 [[noreturn]] void merge_sweep(const MergeArguments& a) {
   if (a.force)
     throw Error(
-        "--force is not for campaigns that a file states; wanted another folder for --out, or that "
-        "of a shard");
+        "--force is not for campaigns of burnish sweep; wanted --out with another folder, or with "
+        "the folder of a shard");
   std::vector<std::string> words{"merge"};
   words.insert(words.end(), a.folders.begin(), a.folders.end());
   if (!a.out.empty()) words.insert(words.end(), {"--out", a.out});
@@ -96,11 +98,11 @@ int merge(const MergeArguments& a) {
       return polishing::experiment_named(campaign.name).perform(spec);
     } catch (const Error& error) {
       const std::string sentence = error.what();
-      const bool lacks_runs = sentence.find("are not there") != std::string::npos;
+      const bool lacks_runs = sentence.find("are missing") != std::string::npos;
       throw Error(sentence + (lacks_runs ? missing_shards(a.folders) : ""));
     }
   }();
-  // The tables may stand beside the runs.
+  // The folder for the tables may be the folder of a shard.
   const bool beside = std::any_of(a.folders.begin(), a.folders.end(), [&](const auto& each) {
     std::error_code ignored;
     return !a.out.empty() && fs::equivalent(each, a.out, ignored);
@@ -117,34 +119,34 @@ int merge(const MergeArguments& a) {
 
 void add_merge(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
-      "merge", "The tables of an experiment or a campaign whose runs were made in shards");
+      "merge", "Make the tables of an experiment or a campaign from runs made in shards");
   const auto arguments = std::make_shared<MergeArguments>();
   MergeArguments& a = *arguments;
   command
       ->add_option("SHARD", a.folders,
-                   "Folders that burnish experiment --shard, or burnish sweep --shard, left")
+                   "Folders that burnish experiment --shard or burnish sweep --shard wrote")
       ->required()
       ->type_name("DIR");
   command->add_flag("--mixed", a.mixed,
-                    "Merge runs that kernels for different processors made, and say so");
+                    "Accept runs made on different kinds of processors, which differ in the last "
+                    "digits; the results state it");
   command
-      ->add_option(
-          "--out", a.out,
-          "Folder for what is written [a new one: experiment_NAME, experiment_NAME_2, ...]")
+      ->add_option("--out", a.out,
+                   "Output folder [a new one: experiment_NAME, experiment_NAME_2, ...]")
       ->type_name("DIR");
-  command->add_flag("--force", a.force, "Replace the run that the folder of --out holds");
+  command->add_flag("--force", a.force, "Replace the results in the output folder");
   command->add_flag("--quiet", a.quiet, "Print nothing");
   command->footer(
       "Examples:\n"
       "  burnish experiment seeds --shard 1/2 --out part_1    # on one machine\n"
       "  burnish experiment seeds --shard 2/2 --out part_2    # on another\n"
       "  burnish merge part_1 part_2\n"
-      "  burnish sweep friction.yaml --shard 1/2 --out part_1 # and the same with these\n"
+      "  burnish sweep friction.yaml --shard 1/2 --out part_1 # works for sweeps too\n"
       "\n"
-      "What it writes is what one process would have written, byte for byte. Shards of other\n"
-      "experiments, words or versions are refused, and those that lack runs.\n"
-      "docs/campaigns.md has job arrays and the like.\n"
-      "Exit codes: 0 all runs polished; 1 some did not; 2 bad input.");
+      "The output equals that of one process, byte for byte. Shards of another experiment, with\n"
+      "other options or of another version, and shards with missing runs are rejected.\n"
+      "docs/campaigns.md describes job arrays and other schedulers.\n"
+      "Exit codes: 0 all runs polished; 1 some did not; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = merge(*arguments); });
 }
 

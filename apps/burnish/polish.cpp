@@ -1,4 +1,4 @@
-// burnish polish: the polishing task in closed loop, with its score, plots and records.
+// burnish polish: simulation of the polishing task in closed loop, with metrics, plots and records.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -38,8 +38,8 @@ using polishing::PlantKind;
 using polishing::PolishJob;
 using polishing::RunResult;
 
-files::Said<polishing::Task> make_task(const PolishArguments& arguments,
-                                       const std::string& surface) {
+files::SpecTexts<polishing::Task> make_task(const PolishArguments& arguments,
+                                            const std::string& surface) {
   std::vector<files::Override> words;
   const auto say = [&](const std::string& key, const char* option, const std::string& value) {
     if (!value.empty())
@@ -57,14 +57,15 @@ files::Said<polishing::Task> make_task(const PolishArguments& arguments,
   if (!arguments.file.empty())
     return polishing::parse_said_task(read_text(arguments.file, "YAML file"), arguments.file,
                                       words);
-  files::Said<polishing::Task> said;
+  files::SpecTexts<polishing::Task> said;
   said.spec.disturbances = disturbance_preset("mismatch");
   files::change(said, words);
   polishing::check_task(said.spec);
   return said;
 }
 
-/// Unless said, the first two, or the only one that can do the task.
+/// Returns the controllers to run. The default is MPC and baseline; it is MPC alone if the task
+/// needs plans.
 std::vector<ControllerKind> controllers_of(const PolishArguments& arguments,
                                            const polishing::Task& task) {
   using enum ControllerKind;
@@ -76,7 +77,7 @@ std::vector<ControllerKind> controllers_of(const PolishArguments& arguments,
   return {Admittance};
 }
 
-/// The words that make one run of all that were asked for.
+/// Returns the command line that repeats one of the runs.
 std::string command_of(const PolishArguments& arguments, const std::string& surface,
                        const PolishJob& job) {
   std::vector<std::string> words{"burnish", "polish"};
@@ -100,7 +101,7 @@ std::string command_of(const PolishArguments& arguments, const std::string& surf
   return text;
 }
 
-/// What said the tasks, by their places.
+/// Texts from which tasks were read, by the names of their places (surfaces).
 using Texts = std::map<std::string, std::vector<document::Reader>>;
 
 std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts) {
@@ -113,11 +114,11 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
   if (!arguments.file.empty()) refuse_other_file(arguments.file, "polish", "--robot");
   std::vector<PolishJob> jobs;
   for (const std::string& surface : surfaces) {
-    files::Said<polishing::Task> said = make_task(arguments, surface);
+    files::SpecTexts<polishing::Task> said = make_task(arguments, surface);
     polishing::Task& task = said.spec;
     std::string place =
         surface.empty() ? fs::path(arguments.file).stem().string() : place_name(surface, task);
-    if (texts.contains(place)) place = surface;  // two that settings made one
+    if (texts.contains(place)) place = surface;  // two surfaces got one name from the settings
     std::vector<int> seeds = arguments.seeds;
     if (seeds.empty()) seeds = {static_cast<int>(task.disturbances.seed)};
     for (const int seed : seeds) {
@@ -136,7 +137,7 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
         for (const PolishJob& other : jobs)
           if (other.name == job.name)
             throw Error(fmt::format(
-                "the run {} is asked for twice; wanted other surfaces and seeds", job.name));
+                "the run {} is requested twice; wanted different surfaces or seeds", job.name));
         texts[job.place] = said.texts;
         jobs.push_back(std::move(job));
       }
@@ -145,7 +146,7 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
   return jobs;
 }
 
-/// Each robot once: a pipe can be read but once.
+/// Loads each robot only once, because a robot from a pipe can be read only once.
 void load_robots(std::vector<PolishJob>& jobs, const Texts& texts, bool strict) {
   std::map<std::pair<std::string, std::string>, Robot> robots;
   for (PolishJob& job : jobs) {
@@ -162,36 +163,40 @@ void load_robots(std::vector<PolishJob>& jobs, const Texts& texts, bool strict) 
   }
 }
 
-/// What is known of a place before anything moves.
+/// Results of the checks at one place (surface), made before the first run.
 struct CheckedPlace {
-  PolishJob* job;  ///< the first one there
+  PolishJob* job;  ///< First job at the place.
   polishing::ReachReport reach = {};
-  std::optional<Posture> found = {};  ///< the start, where it was searched for
+  /// Start posture that the search found; empty without a search.
+  std::optional<Posture> found = {};
   std::optional<HomeMove> home = {};
-  std::vector<polishing::FreeHome> free_homes = {};  ///< where no home is stated
+  /// Postures from which a motion to the start is free of collisions, if the task states no home.
+  std::vector<polishing::FreeHome> free_homes = {};
   std::vector<LightJoint> light_joints = {};
   FittedController controller = {};
 };
 
-/// The posture that was searched for: added to the robot's settings where that is wanted, and said.
+/// Prints the start posture that the search found. With --write-posture, also adds it to the
+/// settings of the robot.
 void keep_posture(const CheckedPlace& place, const PolishArguments& arguments) {
   const PolishJob& job = *place.job;
   const std::string& name = arguments.write_posture;
   if (!place.found) {
     if (name.empty()) return;
-    throw Error(fmt::format(
-        "--write-posture {}: {} starts from a posture of the robot's own, and none is searched",
-        name, job.place));
+    throw Error(
+        fmt::format("--write-posture {}: the start posture at {} comes from the robot's settings; "
+                    "wanted a task that searches for its start posture",
+                    name, job.place));
   }
   const fs::path file = name.empty() ? fs::path() : settings_file_of(job.spec.task.robot);
   if (!name.empty()) add_posture(file, name, *place.found);
   if (!arguments.talks()) return;
-  fmt::print("{}: starts at {}, found for it\n", job.place, posture_text(*place.found));
-  if (!name.empty()) fmt::print("posture '{}' is in {}\n", name, file.string());
+  fmt::print("{}: start posture found by search: {}\n", job.place, posture_text(*place.found));
+  if (!name.empty()) fmt::print("posture '{}' was added to {}\n", name, file.string());
 }
 
-/// Gains that are fitted to the arm, and reach.
-void look_at(CheckedPlace& place, const std::vector<document::Reader>& said, bool unchecked) {
+/// Fits the gains to the arm, then checks the reach and the motion from home.
+void check_place(CheckedPlace& place, const std::vector<document::Reader>& said, bool unchecked) {
   polishing::Task& task = place.job->spec.task;
   const bool plans = place.job->spec.controller == ControllerKind::Mpc;
   if (unchecked && !plans) return;
@@ -204,10 +209,10 @@ void look_at(CheckedPlace& place, const std::vector<document::Reader>& said, boo
     place.reach = polishing::check_reach(task, setting);
     if (!place.reach.ok())
       throw Error(fmt::format("{} is out of reach: {}", name, place.reach.text));
-    const polishing::ReachReport way = polishing::check_home(task, setting);
-    if (!way.ok())
-      throw Error(
-          fmt::format("{}: the way from home to the start is not free: {}", name, way.text));
+    const polishing::ReachReport home_move = polishing::check_home(task, setting);
+    if (!home_move.ok())
+      throw Error(fmt::format("{}: the motion from home to the start is not possible: {}", name,
+                              home_move.text));
     place.home = setting.home;
     if (!place.home) place.free_homes = polishing::free_homes(task, setting);
     place.light_joints = polishing::light_joints(task, setting);
@@ -216,14 +221,14 @@ void look_at(CheckedPlace& place, const std::vector<document::Reader>& said, boo
   }
 }
 
-/// What the arm can do and what its controller tolerates is known before anything moves. All jobs
-/// of a place have the same controller.
+/// Checks all places (surfaces) before the first run, and prints notes and margins. The gains are
+/// fitted once per place, for all jobs of the place.
 void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArguments& arguments) {
   std::vector<CheckedPlace> places;
   for (PolishJob& job : jobs) {
     if (places.empty() || places.back().job->place != job.place) {
       places.push_back({.job = &job});
-      look_at(places.back(), texts.at(job.place), arguments.unchecked);
+      check_place(places.back(), texts.at(job.place), arguments.unchecked);
     }
     const polishing::Task& fitted = places.back().job->spec.task;
     job.spec.task.model_error = fitted.model_error;
@@ -235,7 +240,7 @@ void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArgumen
                  light_joints_text(place.light_joints));
     keep_posture(place, arguments);
     if (arguments.talks() && !arguments.unchecked)
-      describe_way(place.job->place, place.home, place.free_homes);
+      describe_home_move(place.job->place, place.home, place.free_homes);
     describe(place.controller, place.job->place, arguments.talks());
     describe_job(*place.job, place.reach, texts.at(place.job->place), arguments.talks());
   }
@@ -244,7 +249,7 @@ void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArgumen
 RunResult run_job(PolishJob& job, bool bar) {
   RunProgressText text(job.name, bar);
   job.spec.progress = [&text](double time, double end) {
-    text.tell(time, end);
+    text.show(time, end);
     return !StopRequest::asked();
   };
   RunResult result = polishing::run_task(job.spec);
@@ -252,15 +257,16 @@ RunResult run_job(PolishJob& job, bool bar) {
   return result;
 }
 
-/// What a call of the program makes: results, and files of them as long as these can be written.
+/// Results of all runs of this command, and the state of their files.
 struct Outcomes {
   PageWriter pages;
   std::vector<RunResult> results = {};
   nlohmann::ordered_json summary = nlohmann::ordered_json::array();
-  std::string unwritten = {};  ///< why files are missing, one sentence; empty: none are
+  std::string unwritten = {};  ///< Reason why files could not be written; empty: all were written.
   std::string page_note = {};
 
-  /// Nothing more is tried after the first failure: results are there to be printed all the same.
+  /// Calls work() unless an earlier call failed. An Error is kept in `unwritten`, so that the
+  /// results are still printed.
   template <class Write>
   void write(const Write& work) {
     if (!unwritten.empty()) return;
@@ -272,7 +278,8 @@ struct Outcomes {
   }
 };
 
-/// The files of the last result, and of all so far; the names of the former.
+/// Writes the files of the last run, and summary.json for all runs so far. Returns the names of the
+/// last run's files.
 std::vector<std::string> write_last(const PolishJob& job, const PolishArguments& arguments,
                                     const fs::path& folder, Outcomes& outcomes) {
   const RunResult& result = outcomes.results.back();
@@ -299,7 +306,8 @@ void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, con
     if (results[i].standing) stood.push_back({jobs[i].name, *results[i].standing});
     if (const std::string assumed = polishing::assumed_rotors_text(results[i].setting);
         !assumed.empty())
-      rotors += jobs[i].name + ": with assumed rotors, in the plant too: " + assumed + "\n";
+      rotors +=
+          jobs[i].name + ": assumed rotor inertias, in controller and plant: " + assumed + "\n";
   }
   if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
   for (std::size_t i = 0; i < results.size(); ++i)
@@ -334,14 +342,14 @@ void make_runs(std::vector<PolishJob>& jobs, const PolishArguments& arguments,
   outcomes.write([&] { outcomes.page_note = outcomes.pages.finish(folder); });
 }
 
-/// A posture is one surface's, and is known once it is checked.
+/// Throws Error if --write-posture is combined with --unchecked or with several surfaces.
 void check_write_posture(const PolishArguments& arguments, const std::vector<PolishJob>& jobs) {
   if (arguments.write_posture.empty()) return;
   const std::string option = "--write-posture " + arguments.write_posture;
-  if (arguments.unchecked) throw Error(option + " does not go with --unchecked");
+  if (arguments.unchecked) throw Error(option + " cannot be combined with --unchecked");
   for (const PolishJob& job : jobs)
     if (job.place != jobs.front().place)
-      throw Error(option + " is asked for on several surfaces; wanted one, as --surface says");
+      throw Error(option + " is given for several surfaces; wanted one --surface");
   settings_file_of(jobs.front().spec.task.robot);
 }
 
@@ -357,7 +365,7 @@ int polish(const PolishArguments& arguments) {
     load_robots(jobs, texts, arguments.strict);
     check(jobs, texts, arguments);
   });
-  const StopRequest stop("the run ends, and what there is of it is written");
+  const StopRequest stop("the run ends and its results so far are written");
   const std::string task =
       arguments.file.empty() ? "polishing" : fs::path(arguments.file).stem().string();
   RunFolder folder({.out = arguments.out, .name = task + "_run", .force = arguments.force});
@@ -380,27 +388,26 @@ int polish(const PolishArguments& arguments) {
 }  // namespace
 
 void add_polish(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("polish", "A robot polishes a surface: control, simulation, score");
+  CLI::App* command = app.add_subcommand(
+      "polish", "Simulate a robot that polishes a surface, and score the result");
   const auto arguments = std::make_shared<PolishArguments>();
   arguments->add_to(*command);
   command->footer(
       "Examples:\n"
       "  burnish polish                                    table and board, MPC and baseline\n"
       "  burnish polish --surface board --controller mpc --set force=20 --set path.rate=2\n"
-      "  burnish polish --robot my_arm.urdf --tool flange  a posture is searched for the table\n"
+      "  burnish polish --robot my_arm.urdf --tool flange  searches a start posture on the table\n"
       "  burnish polish my_task.yaml --disturbances joint_friction --seed 1 --seed 2\n"
-      "  burnish polish --controller all                   beside two controllers without a plan\n"
+      "  burnish polish --controller all                   MPC and two controllers without plans\n"
       "  burnish polish --surface table --write-task my_task.yaml\n"
       "\n"
-      "Each run leaves a folder: run.html, a page of all of it for any browser, trace.csv,\n"
-      "metrics.json, task.yaml, run.json, and after a fault fault.txt and last_second.csv; "
-      "several\n"
-      "runs leave comparison.html. Ctrl-C (or SIGTERM, or SIGHUP) ends the run and writes what\n"
-      "there is. docs/polishing.md and docs/run_page.md explain all of it.\n"
-      "Exit codes: 0 polished, as the task's `verdict` asks for; 1 not: a fault, no contact, a "
-      "figure\n"
-      "of the verdict, an interruption; 2 bad input.");
+      "Each run writes a folder with run.html (a page for any browser), trace.csv, metrics.json,\n"
+      "task.yaml, run.json and, after a fault, fault.txt and last_second.csv. Several runs also\n"
+      "write comparison.html. Ctrl-C (or SIGTERM, or SIGHUP) ends the run and writes the results\n"
+      "so far. docs/polishing.md and docs/run_page.md describe the files.\n"
+      "Exit codes: 0 polished, as the task's `verdict` requires; 1 not polished: a fault, no "
+      "contact,\n"
+      "a metric outside the verdict, or an interruption; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = polish(*arguments); });
 }
 

@@ -1,4 +1,4 @@
-// The command line of burnish polish.
+// Options of the command `burnish polish`.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@
 
 namespace burnish::app {
 
-/// Values of the options of the command; empty for options that the user did not give.
+/// Values of the command's options; members of options that were not given are empty.
 struct PolishArguments {
   std::string file, robot, tool, controller, plant, disturbances, out, write_task, write_posture;
   std::vector<std::string> surfaces, overrides;
@@ -18,9 +18,9 @@ struct PolishArguments {
   bool quiet = false, json = false, time = false, unchecked = false, assume_rotors = false;
   bool no_page = false, plots = false, mcap = false, force = false, strict = false;
 
-  /// Returns whether to print human-readable text to standard output.
+  /// Returns whether to print text for people on the standard output.
   bool talks() const { return !quiet && !json; }
-  /// Adds the options that set these members to `command`.
+  /// Adds the options to `command`; each sets one of the members above.
   void add_to(CLI::App& command);
 };
 

@@ -1,10 +1,11 @@
-// burnish report: pages of runs that were made before.
+// burnish report: HTML page of earlier runs.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 
+#include "base/renames.hpp"
 #include "burnish/base/error.hpp"
 #include "command.hpp"
 #include "record/page_files.hpp"
@@ -21,10 +22,10 @@ struct ReportArguments {
 };
 
 constexpr const char* wanted_run =
-    "wanted a folder that burnish polish, run or solve wrote, with run.json in it";
+    "wanted a folder with run.json, as burnish polish, run and solve write";
 
-/// The run.json files that an argument means: a file, a run's folder, or a folder with such at any
-/// depth.
+/// Returns the run.json files that an argument refers to: a single file, the file in a run's
+/// folder, or all files below a folder.
 std::vector<fs::path> files_of(const std::string& argument) {
   const fs::path path = argument;
   std::error_code ignored;
@@ -37,23 +38,47 @@ std::vector<fs::path> files_of(const std::string& argument) {
   for (fs::recursive_directory_iterator at(path, readable, ignored), end; at != end;
        at.increment(ignored))
     if (at->path().filename() == "run.json") files.push_back(at->path());
-  if (files.empty()) throw Error(fmt::format("'{}' is no run; {}", argument, wanted_run));
+  if (files.empty()) throw Error(fmt::format("'{}' holds no run; {}", argument, wanted_run));
   std::sort(files.begin(), files.end());
   return files;
 }
 
-/// The runs in a file.
+/// Renames the entries of a list that have a "name": columns, figures or phases.
+void rename_entries(Json& list, std::string_view (*current)(std::string_view)) {
+  if (!list.is_array()) return;
+  for (Json& entry : list)
+    if (entry.is_object() && entry.contains("name") && entry["name"].is_string()) {
+      const auto name = entry["name"].get<std::string>();
+      const std::size_t tail = name.rfind('.') + 1;  // figures are "solver.limits_outside"
+      entry["name"] = name.substr(0, tail) + std::string(current(name.substr(tail)));
+    }
+}
+
+/// Replaces names of columns, figures and phases from version 0.3 by the current names.
+Json with_current_names(Json runs) {
+  for (Json& run : runs) {
+    for (const char* table : {"series", "envelopes"})
+      if (run.contains(table) && run[table].is_object() && run[table].contains("columns"))
+        rename_entries(run[table]["columns"], current_column);
+    if (run.contains("metrics")) rename_entries(run["metrics"], current_column);
+    if (run.contains("phases")) rename_entries(run["phases"], current_phase);
+  }
+  return runs;
+}
+
+/// Returns the runs in a file.
 Json runs_in(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Error(fmt::format("'{}' cannot be opened", file.string()));
   const Json page = Json::parse(stream, nullptr, false);
   if (page.is_discarded() || !page.is_object())
-    throw Error(fmt::format("'{}' is no run: it holds no JSON object", file.string()));
+    throw Error(fmt::format("'{}' is not a run: it is not a JSON object", file.string()));
   const auto format = page.find("format");
   if (format == page.end() || !format->is_string())
-    throw Error(fmt::format("'{}' is no run: it has no format; {}", file.string(), wanted_run));
+    throw Error(fmt::format("'{}' is not a run: the key 'format' is missing; {}", file.string(),
+                            wanted_run));
   if (format->get<std::string>() != page_format)
-    throw Error(fmt::format("'{}' has the format '{}'; this program reads '{}'", file.string(),
+    throw Error(fmt::format("'{}' has the format '{}'; wanted '{}'", file.string(),
                             format->get<std::string>(), page_format));
   const auto runs = page.find("runs");
   if (runs == page.end() || !runs->is_array() || runs->empty())
@@ -61,12 +86,12 @@ Json runs_in(const fs::path& file) {
   for (const Json& run : *runs)
     if (!run.is_object() || !run.contains("name") || !run["name"].is_string() ||
         !run.contains("series"))
-      throw Error(fmt::format("'{}' holds something else than runs", file.string()));
-  return *runs;
+      throw Error(fmt::format("'{}' holds a run without name or series", file.string()));
+  return with_current_names(*runs);
 }
 
-/// Runs of one name are told apart by the folder above theirs, or else by a number.
-void tell_apart(std::vector<Json>& runs, const std::vector<fs::path>& files) {
+/// Makes the names of runs unique by adding the name of the parent folder, or else a number.
+void make_names_unique(std::vector<Json>& runs, const std::vector<fs::path>& files) {
   std::vector<std::string> names, given;
   for (const Json& run : runs) given.push_back(run["name"].get<std::string>());
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -92,7 +117,7 @@ void report(const ReportArguments& arguments) {
         runs.push_back(std::move(run));
         files.push_back(file);
       }
-  tell_apart(runs, files);
+  make_names_unique(runs, files);
   std::vector<std::string> names, texts;
   for (const Json& run : runs) {
     names.push_back(run["name"].get<std::string>());
@@ -105,14 +130,16 @@ void report(const ReportArguments& arguments) {
 }  // namespace
 
 void add_report(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("report", "One page of runs that were made before");
+  CLI::App* command = app.add_subcommand("report", "Write one page of earlier runs");
   const auto arguments = std::make_shared<ReportArguments>();
   command
-      ->add_option("RUN", arguments->runs,
-                   "Folder of a run, or of several, that burnish polish, run or solve wrote")
+      ->add_option(
+          "RUN", arguments->runs,
+          "Folders with runs of burnish polish, run or solve, searched with their subfolders")
       ->type_name("")
       ->required();
-  command->add_option("--out", arguments->out, "The page [report.html]")->type_name("FILE");
+  command->add_option("--out", arguments->out, "File for the page [report.html]")
+      ->type_name("FILE");
   command->footer(
       "Examples:\n"
       "  burnish report polishing_run/table_mpc\n"

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/contact/contact_set.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/model/state.hpp"
@@ -19,20 +20,20 @@ namespace {
 namespace fs = std::filesystem;
 using document::Reader;
 
-/// What requests of one list share.
-struct Shared {
+/// Data that all requests in a list have in common.
+struct RequestCache {
   fs::path folder;
-  std::map<std::string, Robot> robots = {};  ///< of earlier requests: often they are the same
+  std::map<std::string, Robot> robots = {};  ///< Robots loaded for earlier requests, by name.
   std::size_t state_bytes = 0;
 };
 
-/// Its numbers, and what memory is lost between them.
+/// Returns the memory that a state needs, its numbers and the overhead of allocation [bytes].
 std::size_t bytes_of_state(const Model& model, std::size_t rows) {
-  const auto numbers = static_cast<std::size_t>(model.nq + 3 * model.nv) + rows;
+  const auto numbers = to_size(model.nq + 3 * model.nv) + rows;
   return sizeof(EvalState) + 5 * 32 + numbers * sizeof(double);
 }
 
-Robot read_robot(const Reader& reader, Shared& shared) {
+Robot read_robot(const Reader& reader, RequestCache& shared) {
   std::string wanted;
   for (const char* key : {"robot", "base", "lock", "free", "lock_posture", "strict"})
     if (const auto value = reader.find(key)) wanted += key + document::json_text(value->node());
@@ -52,19 +53,19 @@ void add_frames(const Reader& list, Model& model) {
     frame.kind = FrameKind::User;
     const Reader parent = entry["parent"];
     const int index = parent.named([&] { return model.frame_index(parent.text()); });
-    const Frame& on = model.frames[static_cast<std::size_t>(index)];
+    const Frame& on = model.frames[to_size(index)];
     frame.body = on.body;
     frame.placement = on.placement * placement;
     model.frames.push_back(frame);
   }
 }
 
-/// The robot of the states to read, the names of their entries, and the state that states nothing.
+/// Context for reading states: the robot, the names of a state's entries, and the default state.
 struct StateSpace {
   const Robot& robot;
   Eigen::VectorXd q;
   std::vector<files::RowGroup> v_rows, contact_rows;
-  bool strict = false;  ///< refuse states about which something is odd
+  bool strict = false;  ///< True to reject states with warnings.
 };
 
 Eigen::VectorXd read_q(const Reader& state, const StateSpace& space) {
@@ -94,7 +95,7 @@ std::vector<files::RowGroup> rows_named(const std::vector<std::string>& names) {
   return rows;
 }
 
-/// Every word of a list, or the only one.
+/// Reads the value of `compute`: a single word or a list.
 std::set<std::string> read_compute(const Reader& reader) {
   std::set<std::string> wanted;
   if (!reader.is_list()) return {reader.word(computable())};
@@ -102,34 +103,37 @@ std::set<std::string> read_compute(const Reader& reader) {
   return wanted;
 }
 
-/// A contact without a target has it where the tool stands in the first state, as everywhere. Up to
-/// version 0.2 it was the identity: where that makes a difference, it has to be said.
+/// Reads the contacts. The default of `target` is the placement of the tool in the first state.
+/// Until version 0.2, the default was the identity. Therefore, `target` is required where the two
+/// defaults would give different results.
 void read_contacts(const Reader& reader, const Eigen::VectorXd& q, EvalRequest& request) {
   for (const auto& [name, entry] : files::contacts_in(reader)) {
     const ContactSpec spec = files::read_contact(name, entry, request.robot.model, q);
     const bool pulls = !spec.kp.isZero(0.0);
     if (!entry.has("target") && (pulls || request.compute.contains("contact_error")))
-      entry.refuse(std::string("key 'target' is missing, and ") +
-                   (pulls ? "kp is not 0" : "its contact_error is asked for") +
-                   "; wanted \"target\": \"here\" for where the tool stands in the first state, or "
-                   "\"target\": {\"xyz\": [0, 0, 0]} for the frame 'base', as up to version 0.2");
+      entry.refuse(
+          std::string("key 'target' is missing, and ") +
+          (pulls ? "kp is not 0" : "compute lists contact_error") +
+          "; wanted \"target\": \"here\" for the placement of the tool in the first state, "
+          "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base', as until version 0.2");
     request.contacts.push_back(spec);
   }
 }
 
-/// A reference, a list of them, each called what it is, or an object of them by names of their own.
+/// Reads a reference, a list of references, or an object. References in a list are named after
+/// their contents, references in an object by the keys that the user chooses.
 void read_forces_in(const Reader& reader, EvalRequest& request) {
   const auto add = [&](const std::string& own_name, const Reader& entry) {
     const Reference reference = files::read_reference(entry);
-    entry.named([&] {  // frames that there are
+    entry.named([&] {  // throws for unknown frames
       return compile_reference(request.robot.model, reference, world_frame(), world_frame());
     });
     const std::string name = own_name.empty() ? reference.name() : own_name;
     for (const auto& [taken, other] : request.forces_in)
       if (taken == name &&
           (other.rotation != reference.rotation || other.quadric || reference.quadric))
-        entry.refuse("two references are called " + in_quotes(name) +
-                     "; wanted an object of references by names of their own");
+        entry.refuse("two references have the name " + in_quotes(name) +
+                     "; wanted an object that names each reference");
     request.forces_in.emplace_back(name, reference);
   };
   const bool is_reference = reader.has("origin") || reader.has("axes") || reader.has("surface") ||
@@ -143,44 +147,49 @@ void read_forces_in(const Reader& reader, EvalRequest& request) {
   }
 }
 
-/// Returns the evaluation that forces belong to: `forward` if it is requested, else `inverse`, else
-/// a `forward` of their own. Refuses forces of a motion that is not the requested one.
+/// Returns the evaluation whose forces are reported. It is `forward` if requested, or else
+/// `inverse` if requested, or else an additional `forward`. Throws Error if the request wants
+/// forces for a motion that it does not evaluate.
 std::string forces_of(const EvalRequest& request, const Reader& reader) {
   const auto wants = [&](const char* word) { return request.compute.contains(word); };
   if (!wants("forces")) return "";
   if (wants("forward") || wants("forward_derivatives")) return "forward";
   if (wants("inverse") || wants("inverse_derivatives")) return "inverse";
   const std::string wanted =
-      "; wanted \"inverse\" in compute for the forces of a and lambda, or \"forward\" for those of "
-      "tau";
+      "; wanted \"inverse\" in compute for the forces that a and lambda require, or \"forward\" "
+      "for the forces that tau causes";
   if (wants("acceleration") || wants("acceleration_derivatives"))
-    reader.refuse("compute asks for forces beside an acceleration, which has none" + wanted);
+    reader.refuse("compute lists forces, and an acceleration, from which no forces follow" +
+                  wanted);
   const auto states = reader.find("states");
   if (!states || !states->is_list()) return "forward";
   for (const Reader& state : states->entries())
     for (const char* key : {"a", "lambda"})
       if (state.has(key))
-        state[key].refuse(std::string("it is stated, and compute asks for forces alone, which do "
-                                      "not use it") +
+        state[key].refuse(std::string("it is given, and compute lists only forces, which do not "
+                                      "use it") +
                           wanted);
   return "forward";
 }
 
-void read_states(const Reader& states, const StateSpace& space, Shared& shared,
+void read_states(const Reader& states, const StateSpace& space, RequestCache& shared,
                  EvalRequest& request) {
-  constexpr std::size_t megabyte = 1'000'000, most = 400 * megabyte;  // all are in memory at once
+  // Largest memory of all states [bytes]; chosen by hand. All states of a request are in memory at
+  // once.
+  constexpr std::size_t megabyte = 1'000'000, max_bytes = 400 * megabyte;
   shared.state_bytes +=
       states.size() * bytes_of_state(request.robot.model, space.contact_rows.size());
-  if (shared.state_bytes > most) {
-    states.refuse(fmt::format(
-        "its {} states and those before them take {} MB of memory; at most {} MB are read at once",
-        states.size(), shared.state_bytes / megabyte, most / megabyte));
+  if (shared.state_bytes > max_bytes) {
+    states.refuse(
+        fmt::format("its {} states, together with the states of earlier requests, need {} MB of "
+                    "memory; wanted at most {} MB",
+                    states.size(), shared.state_bytes / megabyte, max_bytes / megabyte));
   }
   for (const Reader& entry : states.entries()) request.states.push_back(read_state(entry, space));
 }
 
-/// Everything is read and checked before anything is computed.
-EvalRequest read_request(const Reader& reader, Shared& shared) {
+/// Reads and checks a complete request, before anything is computed.
+EvalRequest read_request(const Reader& reader, RequestCache& shared) {
   reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "strict", "frames", "gravity",
                      "payload", "states", "contacts", "solver", "compute", "forces_in"});
   EvalRequest request;
@@ -210,7 +219,7 @@ EvalRequest read_request(const Reader& reader, Shared& shared) {
   }
   request.contacts = reader.named([&] { return with_loops(model, request.contacts); });
   if (compute && request.compute.contains("loop_inverse") && model.loops.empty())
-    compute->refuse("it asks for loop_inverse, and robot " + in_quotes(model.name) +
+    compute->refuse("compute lists loop_inverse, and robot " + in_quotes(model.name) +
                     " has no loops; wanted \"inverse\"");
   const ContactSet set(model, request.contacts);
   std::vector<std::string> v_names;
@@ -249,14 +258,13 @@ EvalRequests read_requests(const std::string& text, const std::string& source,
                            const fs::path& folder) {
   const Reader reader = Reader::parse_json(text, source);
   EvalRequests result;
-  Shared shared{folder};
+  RequestCache shared{folder};
   result.is_list = reader.is_list();
-  // All robots are in memory at once.
-  constexpr std::size_t most = 1000;
-  if (result.is_list && reader.size() > most) {
-    reader.refuse(fmt::format(
-        "it has {} requests; at most {} are answered at once, and each may have many states",
-        reader.size(), most));
+  constexpr std::size_t max_requests = 1000;  // all robots are in memory at once
+  if (result.is_list && reader.size() > max_requests) {
+    reader.refuse(
+        fmt::format("it has {} requests; wanted at most {}, each of which may have many states",
+                    reader.size(), max_requests));
   }
   const std::vector<Reader> entries = result.is_list ? reader.entries() : std::vector{reader};
   for (const Reader& entry : entries)

@@ -1,4 +1,4 @@
-// A request of `burnish eval`: docs/eval.md as plain values.
+// Requests of `burnish eval` as plain data; docs/eval.md describes requests.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 namespace burnish::app {
 
 struct EvalState {
-  Eigen::VectorXd q, v, tau, a;            ///< nq, nv, nv, nv
-  Eigen::VectorXd lambda;                  ///< rows of all contacts
-  std::vector<std::string> warnings = {};  ///< what is odd about it, one sentence each
+  Eigen::VectorXd q, v, tau, a;            ///< Vectors with nq, nv, nv and nv entries.
+  Eigen::VectorXd lambda;                  ///< Contact forces, one entry per row of all contacts.
+  std::vector<std::string> warnings = {};  ///< Warnings about the state, one sentence each.
 };
 
 struct EvalRequest {
@@ -23,23 +23,25 @@ struct EvalRequest {
   ContactSolver solver;
   std::vector<EvalState> states;
   std::set<std::string> compute;
-  std::string forces_of;  ///< "forward" or "inverse": what `forces` belong to; empty without them
-  std::vector<std::pair<std::string, Reference>> forces_in;  ///< by what they are called
+  /// Which evaluation gives `forces`: "forward" or "inverse"; empty without forces.
+  std::string forces_of;
+  /// References in which forces are expressed, by name.
+  std::vector<std::pair<std::string, Reference>> forces_in;
 };
 
-/// What a file asks for: one request, or a list of them.
+/// Contents of a request file: one request or a list of requests.
 struct EvalRequests {
   std::vector<EvalRequest> requests;
   bool is_list = false;
 };
 
-/// Reads and checks everything, so that nothing is refused after the first state was evaluated.
-/// `source` stands for the text's name in error sentences. A robot's path is looked up beside the
-/// file in `folder` first, then where the program runs.
+/// Reads and checks all requests, so that errors are found before the first evaluation. `source`:
+/// name of the text in messages. Relative paths of robots are searched in `folder`, then in the
+/// working folder.
 EvalRequests read_requests(const std::string& text, const std::string& source,
                            const std::filesystem::path& folder);
 
-/// What `compute` may ask for.
+/// Returns the words that the key `compute` may list.
 const std::vector<std::string>& computable();
 
 }  // namespace burnish::app

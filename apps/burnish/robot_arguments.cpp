@@ -11,22 +11,28 @@
 namespace burnish::app {
 
 void RobotArguments::add_to(CLI::App& command) {
-  command.add_option("ROBOT", robot, "URDF or MJCF file, folder with robot.yaml, or known name")
+  command
+      .add_option(
+          "ROBOT", robot,
+          "URDF or MJCF file, folder with robot.yaml, or a name that burnish --robots lists")
       ->type_name("")
       ->required();
-  command.add_flag("--free-flyer", free_flyer, "Let the base float free");
-  command.add_flag("--fixed", fixed, "Hold the base");
-  command.add_option("--lock", locked, "Hold these joints as well")
+  command.add_flag("--free-flyer", free_flyer, "Let the base move freely");
+  command.add_flag("--fixed", fixed, "Fix the base to the world");
+  command
+      .add_option("--lock", locked,
+                  "Joints to lock, in addition to the locked joints of the settings")
       ->type_name("JOINT")
       ->delimiter(',');
-  command.add_option("--free", free, "Hold all joints but these")
+  command.add_option("--free", free, "Joints to leave free; all other joints are locked")
       ->type_name("JOINT")
       ->delimiter(',');
-  command.add_option("--lock-posture", lock_posture, "Posture at which joints are held")
+  command.add_option("--lock-posture", lock_posture, "Posture at which joints are locked")
       ->type_name("NAME");
   command
       .add_option("--srdf", srdf,
-                  "SRDF file whose group states are postures too [that of a URDF file's name]")
+                  "SRDF file whose group states become postures [the SRDF file with the name of "
+                  "the URDF file, in its folder]")
       ->type_name("FILE");
   add_strict(command, strict);
 }
@@ -48,7 +54,7 @@ Robot RobotArguments::load() const {
 }
 
 void add_strict(CLI::App& command, bool& strict) {
-  command.add_flag("--strict", strict, "Refuse a robot about which something is odd");
+  command.add_flag("--strict", strict, "Treat warnings about the robot's description as errors");
 }
 
 void print_warnings_of(const std::string& robot, bool strict) {
@@ -57,13 +63,13 @@ void print_warnings_of(const std::string& robot, bool strict) {
 
 void print_warnings(const Robot& robot, bool strict) {
   if (strict) refuse_warnings("", robot.warnings);
-  constexpr std::size_t most = 10;
+  constexpr std::size_t max_printed = 10;
   const std::size_t count = robot.warnings.size();
-  for (std::size_t i = 0; i < std::min(count, most); ++i)
+  for (std::size_t i = 0; i < std::min(count, max_printed); ++i)
     fmt::print(stderr, "burnish: warning: {}\n", robot.warnings[i]);
-  if (count > most)
-    fmt::print(stderr, "burnish: {} more warnings, all in burnish show ROBOT --json\n",
-               count - most);
+  if (count > max_printed)
+    fmt::print(stderr, "burnish: {} more warnings; burnish show ROBOT --json prints all\n",
+               count - max_printed);
   for (const std::string& note : robot.notes) fmt::print(stderr, "burnish: note: {}\n", note);
 }
 

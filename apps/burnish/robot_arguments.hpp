@@ -1,4 +1,4 @@
-// The arguments by which every command names a robot.
+// Arguments that select a robot, shared by the commands.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,20 +15,21 @@ struct RobotArguments {
   std::vector<std::string> locked, free;
   std::string lock_posture, srdf;
 
-  /// Adds ROBOT, --free-flyer, --fixed, --lock, --free, --lock-posture, --srdf and --strict.
+  /// Adds the arguments ROBOT, --free-flyer, --fixed, --lock, --free, --lock-posture, --srdf and
+  /// --strict.
   void add_to(CLI::App& command);
-  /// Throws Error as load_robot does; warnings go to standard error.
+  /// Loads the robot and prints its warnings to the standard error. Throws Error if load_robot()
+  /// fails.
   Robot load() const;
 };
 
-/// Adds --strict to a command whose robot is named elsewhere.
+/// Adds --strict to a command that selects the robot by arguments of its own.
 void add_strict(CLI::App& command, bool& strict);
 
-/// Prints the robot's warnings to standard error, of more than 10 how many more there are, and its
-/// notes. Throws
-/// Error with them where `strict`.
+/// Prints the robot's notes and at most 10 of its warnings to the standard error, with the number
+/// of omitted warnings. Throws Error with the warnings if `strict`.
 void print_warnings(const Robot& robot, bool strict = false);
-/// The same for a robot by name. Throws Error as load_robot does.
+/// Loads a robot by name and prints its warnings. Throws Error if load_robot() fails.
 void print_warnings_of(const std::string& robot, bool strict);
 
 }  // namespace burnish::app

@@ -1,11 +1,12 @@
-// The robots that are known by name, for those who look for one.
+// List of the robots that can be loaded by name.
 #pragma once
 
 #include <string>
 
 namespace burnish::app {
 
-/// A line for each robot and each variant of it: its name, and what the settings say about it.
+/// Returns one line for each robot and each of its variants: the name, and the description in the
+/// robot's settings.
 std::string robot_list();
 
 }  // namespace burnish::app

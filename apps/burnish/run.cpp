@@ -1,4 +1,5 @@
-// burnish run: a task that its file names, in closed loop, with its figures and page.
+// burnish run: closed-loop simulation of the task that a task file selects, with metrics and an
+// HTML page.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -40,7 +41,7 @@ struct RunArguments {
   bool unchecked = false, quiet = false, json = false;
 };
 
-/// What `--robot` and its like change in the file.
+/// Returns the overrides of task keys that --robot, --tool, --set and `seed` imply.
 std::vector<files::Override> changes_of(const RunArguments& a, std::optional<int> seed) {
   std::vector<files::Override> words;
   if (!a.robot.empty()) words.push_back({"robot=" + yaml_word(a.robot), "--robot " + a.robot});
@@ -51,7 +52,7 @@ std::vector<files::Override> changes_of(const RunArguments& a, std::optional<int
   return words;
 }
 
-/// That makes the run again.
+/// Returns the command line that repeats a run.
 std::string command_of(const RunArguments& a, std::optional<int> seed, PlantKind plant) {
   std::string text = "burnish run " + shell_word(a.file) + " --plant " + name_of(plant);
   if (!a.robot.empty()) text += " --robot " + shell_word(a.robot);
@@ -61,7 +62,7 @@ std::string command_of(const RunArguments& a, std::optional<int> seed, PlantKind
   return text + (a.unchecked ? " --unchecked" : "");
 }
 
-/// Joints whose rotors are missing are named before anything moves.
+/// Prints a note about joints whose description lacks a rotor inertia.
 template <class Task, class Setting>
 void note_light_joints(const Task& task, const Setting& setting) {
   const double period = 1.0 / task.tick_rate;
@@ -71,10 +72,10 @@ void note_light_joints(const Task& task, const Setting& setting) {
   if (!light.empty()) fmt::print(stderr, "burnish: note: {}\n", light_joints_text(light));
 }
 
-/// Prints what the loop of an arm tolerates with the disturbances `sensors`, and warns where it
-/// misses the required margins. Prints nothing where margins cannot be computed.
+/// Prints delay and gain margins of an arm's control loop under the disturbances `sensors`. Prints
+/// a warning if the margins are smaller than required, and nothing if they cannot be computed.
 template <class Task>
-void tell_margins(const std::string& name, const Task& task, const MpcSpec& spec, bool talks) {
+void print_margins(const std::string& name, const Task& task, const MpcSpec& spec, bool talks) {
   if (!without_margins(spec).empty()) return;
   const LoopChain chain =
       polishing::chain_of(disturbance_preset("sensors"), task.stiffness, task.damping);
@@ -87,14 +88,14 @@ void tell_margins(const std::string& name, const Task& task, const MpcSpec& spec
                                        contact.margins(spec.model_error)};
   if (!meets(air) || !meets(contact))
     fmt::print(stderr,
-               "burnish: {}: warning: the loop tolerates {}; wanted {:g} ms, and half and twice "
-               "the gain\n",
+               "burnish: {}: warning: the control loop tolerates {}; wanted {:g} ms of extra "
+               "delay, and half and twice the gain of each joint\n",
                name, margins.text(), 1e3 * wanted.delay);
   else if (talks)
-    fmt::print("{}: tolerates {}\n", name, margins.text());
+    fmt::print("{}: the control loop tolerates {}\n", name, margins.text());
 }
 
-/// Prints what is odd about a run that will be made.
+/// Prints notes and warnings about a run, before the run begins.
 template <class RunSpec>
 void print_notes(const RunArguments& a, const std::string& name, const RunSpec& spec,
                  bool states_disturbances) {
@@ -107,14 +108,15 @@ void print_notes(const RunArguments& a, const std::string& name, const RunSpec& 
     for (const std::string& note : setting_notes(spec.task, *spec.setting))
       fmt::print(stderr, "burnish: note: {}\n", note);
   if constexpr (requires { spec.task.stiffness; })
-    tell_margins(name, spec.task, make_mpc(spec.task, *spec.setting), !a.quiet && !a.json);
+    print_margins(name, spec.task, make_mpc(spec.task, *spec.setting), !a.quiet && !a.json);
 }
 
-/// A run with one seed, checked: what does not fit is said before there is a folder.
-template <class Named>
+/// Returns the run with one seed, after checking it. All checks are made before a folder is
+/// created.
+template <class TaskType>
 auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) {
-  using RunSpec = typename Named::RunSpec;
-  const auto said = files::read_said<typename Named::Task>(a.file, changes_of(a, seed));
+  using RunSpec = typename TaskType::RunSpec;
+  const auto said = files::read_said<typename TaskType::Task>(a.file, changes_of(a, seed));
   pressing::NamedRun<RunSpec> run{.name = std::filesystem::path(a.file).stem().string(),
                                   .spec = {.task = said.spec}};
   RunSpec& spec = run.spec;
@@ -143,7 +145,7 @@ auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) 
   return run;
 }
 
-/// Figures of the runs of a call, and what is said of them at the end.
+/// Metrics and HTML pages of all runs of this command.
 struct RunOutcomes {
   PageWriter pages;
   bool done = true;
@@ -159,7 +161,7 @@ void make_run(Run& run, const RunArguments& a, const std::filesystem::path& fold
   const bool talks = !a.quiet && !a.json, bar = talks && isatty(STDERR_FILENO) != 0;
   RunProgressText text(run.name, bar);
   run.spec.progress = [&](double time, double end) {
-    text.tell(time, end);
+    text.show(time, end);
     return !StopRequest::asked();
   };
   const auto result = run_task(run.spec);
@@ -176,7 +178,7 @@ void make_run(Run& run, const RunArguments& a, const std::filesystem::path& fold
   std::fflush(stdout);
 }
 
-/// Tables over the seeds, summary.json and the page of all.
+/// Writes summary.json and the HTML page of all seeds, and prints the tables of all seeds.
 void end_seeds(const RunArguments& a, const std::filesystem::path& folder,
                const RunOutcomes& outcomes) {
   write_text(folder / "summary.json", json_text(outcomes.summary));
@@ -187,28 +189,28 @@ void end_seeds(const RunArguments& a, const std::filesystem::path& folder,
   if (!a.quiet && !note.empty()) fmt::print("{}\n", note);
 }
 
-/// A task of the table: the functions are found by its types.
-template <class Named>
+/// Runs a task of the type `TaskType`, which selects the overloads of all functions.
+template <class TaskType>
 int run_as(const RunArguments& a) {
   std::vector<std::optional<int>> seeds(a.seeds.begin(), a.seeds.end());
   if (seeds.empty()) seeds.push_back(std::nullopt);
   for (auto seed = seeds.begin(); seed != seeds.end(); ++seed)
     if (std::count(seeds.begin(), seed, *seed) > 0)
-      throw Error(fmt::format("seed {} is asked for twice; wanted other seeds", **seed));
+      throw Error(fmt::format("seed {} is given twice; wanted different seeds", **seed));
   const bool several = seeds.size() > 1;
-  std::vector<decltype(checked_run<Named>(a, seeds[0], true))> runs;
+  std::vector<decltype(checked_run<TaskType>(a, seeds[0], true))> runs;
   std::vector<std::string> claimed =
       several ? std::vector<std::string>{"summary.json", "comparison.html"}
               : pressing::run_file_names();
   for (const std::optional<int>& seed : seeds) {
-    runs.push_back(checked_run<Named>(a, seed, runs.empty()));
+    runs.push_back(checked_run<TaskType>(a, seed, runs.empty()));
     if (!a.write_task.empty()) {
       write_whole_file(a.write_task, task_text(runs.front().spec.task));
       return exit_ok;
     }
     if (several) claimed.push_back(runs.back().name + "/");
   }
-  const StopRequest stop("the run ends, and what there is of it is written");
+  const StopRequest stop("the run ends and its results so far are written");
   RunFolder folder({.out = a.out,
                     .name = std::filesystem::path(a.file).stem().string() + "_run",
                     .force = a.force});
@@ -226,7 +228,8 @@ int run_as(const RunArguments& a) {
   return outcomes.done ? exit_ok : exit_failed;
 }
 
-/// A file that names no task is refused as one of the first of the table.
+/// Runs the task that the file selects. A file without the key `task` is read as the first task in
+/// the table; its reader then reports the missing key.
 int run(const RunArguments& arguments) {
   const std::string& file = arguments.file;
   refuse_other_file(file, "run", "burnish run TASK --robot");
@@ -234,18 +237,18 @@ int run(const RunArguments& arguments) {
   std::optional<int> code;
   std::function<int()> first;
   each_named_task([&](const auto& named) {
-    using Named = std::decay_t<decltype(named)>;
-    if (!first) first = [&] { return run_as<Named>(arguments); };
-    if (task && !code && task->is(named.name)) code = run_as<Named>(arguments);
+    using TaskType = std::decay_t<decltype(named)>;
+    if (!first) first = [&] { return run_as<TaskType>(arguments); };
+    if (task && !code && task->is(named.name)) code = run_as<TaskType>(arguments);
   });
   if (task && !code)
-    task->refuse("it is " + in_quotes(task->node().text) + ", another task; wanted " +
+    task->refuse("unknown task " + in_quotes(task->node().text) + "; wanted " +
                  fmt::format("{}", fmt::join(task_names(), " or ")) +
                  did_you_mean(task->node().text, task_names()));
   return code ? *code : first();
 }
 
-/// "`task: press_hold` presses ...; `task: ...".
+/// Returns the list of tasks for help texts: "`task: press_hold` presses ...; `task: ...".
 std::string what_tasks_do() {
   std::string text;
   each_named_task([&](const auto& named) {
@@ -254,28 +257,28 @@ std::string what_tasks_do() {
   return text;
 }
 
-/// What is run.
+/// Adds the options for what to run.
 void add_run_task_options(CLI::App* command, RunArguments& a) {
-  command->add_option("TASK", a.file, "Task file that says `task: press_hold` or another")
+  command->add_option("TASK", a.file, "Task file, with a key such as `task: press_hold`")
       ->type_name("")
       ->required();
   command
       ->add_option(
           "--robot", a.robot,
-          "Robot: a name, a URDF or MJCF file, a folder or a settings file, with :variant [the "
-          "file's]")
+          "Robot: name, URDF or MJCF file, folder or settings file; :variant may follow [from the "
+          "task file]")
       ->type_name("ROBOT");
   command
       ->add_option("--tool", a.tool,
-                   "Frame whose origin is the centre of the round tip [the file's]")
+                   "Frame with its origin at the centre of the round tip [from the task file]")
       ->type_name("FRAME");
   command
-      ->add_option("--set", a.overrides, "Any key of the task file, such as force=20; repeatable")
+      ->add_option("--set", a.overrides, "Set a key of the task file, such as force=20; repeatable")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command
       ->add_option("--seed", a.seeds,
-                   "Seed of what is drawn at random; again for more runs [the file's]")
+                   "Seed of the random disturbances; repeat for more runs [from the task file]")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber)
       ->allow_extra_args(false);
@@ -287,27 +290,25 @@ void add_run_task_options(CLI::App* command, RunArguments& a) {
       ->check(CLI::IsMember({"mujoco", "ideal"}));
 }
 
-/// What it leaves.
+/// Adds the options for what to write and print.
 void add_run_output_options(CLI::App* command, RunArguments& a) {
-  command
-      ->add_option("--out", a.out,
-                   "Folder for what is written [a new one: TASK_run, TASK_run_2, ...]")
+  command->add_option("--out", a.out, "Output folder [a new one: TASK_run, TASK_run_2, ...]")
       ->type_name("DIR");
-  command->add_flag("--force", a.force, "Replace the run that the folder of --out holds");
+  command->add_flag("--force", a.force, "Replace the run in the output folder");
   command
       ->add_option("--record-every", a.record_every,
-                   "Rows of trace.csv are so many plant steps apart [10]")
+                   "Number of plant steps between rows of trace.csv [10]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--no-page", a.no_page, "Write no run.json and run.html");
+  command->add_flag("--no-page", a.no_page, "Omit run.json and run.html");
   command->add_flag("--plots", a.plots,
-                    "Write force.svg, path.svg, torques.svg and solver.svg beside the page, which "
-                    "shows the same; without a page they are written in any case");
-  command->add_flag("--mcap", a.mcap, "Write run.mcap too, a recording that Foxglove opens");
-  command->add_flag("--unchecked", a.unchecked, "Run what the arm cannot reach, too");
+                    "Write force.svg, path.svg, torques.svg and solver.svg as well. The page "
+                    "shows the same curves; --no-page implies --plots");
+  command->add_flag("--mcap", a.mcap, "Write run.mcap as well, a recording for Foxglove");
+  command->add_flag("--unchecked", a.unchecked, "Run even if the reach check fails");
   command
       ->add_option("--write-task", a.write_task,
-                   "Write the task with every key explained to a file, and do nothing else")
+                   "Write the task to a file, with an explanation of every key, and exit")
       ->type_name("FILE");
   command->add_flag("--quiet", a.quiet, "Print nothing unless the run fails");
   command->add_flag("--json", a.json, "Print metrics.json and nothing else");
@@ -317,8 +318,8 @@ void add_run_output_options(CLI::App* command, RunArguments& a) {
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "run", "Run a task that its file names, such as press_hold: control, simulation");
+  CLI::App* command =
+      app.add_subcommand("run", "Simulate a task other than polishing, such as press_hold");
   const auto arguments = std::make_shared<RunArguments>();
   add_run_task_options(command, *arguments);
   add_run_output_options(command, *arguments);
@@ -334,13 +335,12 @@ void add_run(CLI::App& app, int& exit_code) {
       "\n"
       "The file names its task:\n" +
       what_tasks_do() +
-      ".\n\nLeaves trace.csv, metrics.json, task.yaml, run.html, run.json and\n"
-      "after a fault fault.txt and last_second.csv. Ctrl-C (or SIGTERM, or SIGHUP) ends the run "
-      "and "
-      "writes what\nthere is. Several seeds leave a folder each, a table over them, summary.json "
-      "and\n"
-      "comparison.html. docs/tasks.md explains it; burnish polish is for polishing.\n"
-      "Exit codes: 0 done; 1 not: a fault or an interruption; 2 bad input.");
+      ".\n\nWrites trace.csv, metrics.json, task.yaml, run.html, run.json and, after a fault,\n"
+      "fault.txt and last_second.csv. Ctrl-C (or SIGTERM, or SIGHUP) ends the run and writes the\n"
+      "results so far. With several seeds, writes a folder for each, summary.json and\n"
+      "comparison.html, and prints a table. docs/tasks.md describes tasks; for polishing, use\n"
+      "burnish polish.\n"
+      "Exit codes: 0 done; 1 not done: a fault or an interruption; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

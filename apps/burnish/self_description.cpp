@@ -1,4 +1,5 @@
-// What the program says of itself: known robots, its manual page, the completion of shells.
+// Options by which the program describes itself: list of robots, manual page, completion scripts of
+// shells.
 #include <fmt/format.h>
 
 #include <memory>
@@ -25,10 +26,10 @@ struct SelfDescription {
 
 void add_self_description(CLI::App& app) {
   const auto wanted = std::make_shared<SelfDescription>();
-  app.add_flag("--robots", wanted->robots, "Print the robots that are known by name");
+  app.add_flag("--robots", wanted->robots, "Print the robots that can be loaded by name");
   app.add_flag("--man", wanted->manual, "Print the manual page: burnish --man | man -l -");
   app.add_option("--completion", wanted->shell,
-                 "Print what teaches a shell to complete: bash, zsh or fish")
+                 "Print the completion script of a shell: bash, zsh or fish")
       ->type_name("SHELL");
   app.callback([&app, wanted] { wanted->print(app); });
 }

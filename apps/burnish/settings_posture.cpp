@@ -37,14 +37,16 @@ bool is_blank(const std::string& line) {
   return at == std::string::npos || line[at] == '#';
 }
 
-/// The text with a line `entry` as the first of the map under the key `postures`.
+/// Returns the settings text with the line `entry` inserted as the first entry under the key
+/// `postures`.
 std::string with_entry(const std::string& text, const std::string& entry) {
   std::vector<std::string> lines = lines_of(text);
   const std::string key = "postures:";
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].starts_with(key)) continue;
     if (!is_blank(lines[i].substr(key.size())))
-      throw Error("its key 'postures' is not a list of lines below it; add there: " + entry);
+      throw Error("the entries of the key 'postures' must be on lines below it; add by hand: " +
+                  entry);
     std::size_t next = i + 1, indent = 2;
     while (next < lines.size() && is_blank(lines[next])) ++next;
     if (next < lines.size() && indentation(lines[next]) > 0) indent = indentation(lines[next]);
@@ -68,7 +70,7 @@ Posture posture_of(const Model& model, const Eigen::VectorXd& q) {
       values.push_back(rounded(std::atan2(q[angle + 1], q[angle])));
       continue;
     }
-    // Quaternions keep their digits: they must have unit length.
+    // Writes quaternions with all digits, because rounded ones would not have unit length.
     for (int i = 0; i < joint.nq; ++i)
       values.push_back(joint.nq > 1 ? q[joint.q_index + i] : rounded(q[joint.q_index + i]));
   }
@@ -93,8 +95,8 @@ std::filesystem::path settings_file_of(const std::string& robot) {
     if (extension == ".yaml" || extension == ".yml") return *file;
   }
   throw Error(
-      fmt::format("robot '{}' has no settings that a posture could be added to; burnish "
-                  "show ROBOT --write-settings DIR --tool FRAME drafts some",
+      fmt::format("robot '{}' has no settings file to add a posture to; burnish show ROBOT "
+                  "--write-settings DIR --tool FRAME drafts one",
                   robot));
 }
 
@@ -104,8 +106,7 @@ void add_posture(const std::filesystem::path& settings, const std::string& name,
   const std::string text = read_text(settings, "settings file");
   const std::string entry = fmt::format("{}: {}", yaml_word(name), posture_text(posture));
   if (parse_robot_settings(text, origin).common.postures.contains(name))
-    throw Error(
-        fmt::format("{}: posture '{}' is there already; wanted another name", origin, name));
+    throw Error(fmt::format("{}: posture '{}' already exists; wanted another name", origin, name));
   try {
     const std::string changed = with_entry(text, entry);
     (void)parse_robot_settings(changed, origin);

@@ -1,11 +1,11 @@
-// Words of a command line as somebody would type them.
+// Quoting of words for a POSIX shell.
 #pragma once
 
 #include <string>
 
 namespace burnish::app {
 
-/// The word as it is where a POSIX shell leaves it alone, else in single quotes.
+/// Returns the word unchanged if a POSIX shell reads it literally, else in single quotes.
 inline std::string shell_word(const std::string& word) {
   constexpr const char* plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";

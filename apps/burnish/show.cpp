@@ -1,9 +1,10 @@
-// burnish show: what a robot is made of.
+// burnish show: tables of a robot, its HTML page, or a draft of its settings.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/polishing/margins.hpp"
@@ -27,28 +28,29 @@ namespace fs = std::filesystem;
 
 struct ShowArguments {
   RobotArguments robot;
-  std::string posture;  ///< to look at; empty for the default
-  std::string tool;     ///< frame whose margins are wanted or that a draft takes; empty for none
+  std::string posture;  ///< Name of the posture to show; empty: the default posture.
+  std::string tool;     ///< Frame of the tool, for margins or for a draft; empty: none.
   bool all_frames = false;
   bool json = false;
-  std::string html;      ///< file for a page; empty for none
-  std::string settings;  ///< folder for a draft of settings; empty for none
+  std::string html;      ///< File for the HTML page; empty: none.
+  std::string settings;  ///< Folder for the drafted settings; empty: none.
 };
 
-/// A number for people: four significant digits, "-" where there is no limit.
+/// Returns a number with four significant digits; "-" for infinity, which means that there is no
+/// limit.
 std::string brief(double value) {
   if (std::isinf(value)) return "-";
   const std::string text = fmt::format("{:.4g}", value);
   return text == "-0" ? "0" : text;
 }
 
-/// A length or angle to 0.1 mm or mrad.
+/// Returns a length or an angle as text, rounded to 0.1 mm or 0.1 mrad.
 std::string fixed_point(double value) {
   const std::string text = fmt::format("{:.4f}", value);
   return text == "-0.0000" ? "0.0000" : text;
 }
 
-/// Rows of cells with columns of equal width; the first `left` columns are aligned to the left.
+/// Table of text. The first `left` columns are aligned to the left, the others to the right.
 class Table {
  public:
   explicit Table(std::size_t left) : left_(left) {}
@@ -83,15 +85,15 @@ std::string entries(int first, int count) {
 
 void print_heading(const Robot& robot) {
   const Model& model = robot.model;
-  fmt::print("{}: {} moving joints, {} entries in q, {} in v, {:.2f} kg that move\n", model.name,
-             model.joints.size(), model.nq, model.nv, model.total_mass());
+  fmt::print("{}: {} moving joints, {} entries in q, {} in v, {:.2f} kg of moving mass\n",
+             model.name, model.joints.size(), model.nq, model.nv, model.total_mass());
   fmt::print("gravity ({}, {}, {}) m/s^2", brief(model.gravity.x()), brief(model.gravity.y()),
              brief(model.gravity.z()));
   fmt::print("\n");
 }
 
 void print_joints(const Model& model) {
-  fmt::print("\nJoints (rad, m, s, Nm, N, kg; mass: of the body on the joint)\n");
+  fmt::print("\nJoints (rad, m, s, Nm, N, kg; mass: body that the joint moves)\n");
   Table table(2);
   table.add({"joint", "kind", "q", "v", "lower", "upper", "velocity", "effort", "mass"});
   const std::vector<std::string> drawing = draw_tree(model);
@@ -113,9 +115,9 @@ void print_joints(const Model& model) {
   table.print();
 }
 
-/// "0.5 joint + 0.1"
+/// Returns how a joint follows another joint, as text: "0.5 joint + 0.1".
 std::string course_of(const Model& model, const Following& follows) {
-  const std::string& leader = model.joints[static_cast<std::size_t>(follows.leader)].name;
+  const std::string& leader = model.joints[to_size(follows.leader)].name;
   const std::string factor =
       follows.multiplier == 1.0 ? "" : fmt::format("{} ", brief(follows.multiplier));
   if (follows.offset == 0.0) return factor + leader;
@@ -126,18 +128,18 @@ std::string course_of(const Model& model, const Following& follows) {
 void print_followers(const Model& model) {
   Table table(2);
   table.add({"joint", "position"});
-  bool any = false;
+  bool has_followers = false;
   for (const Joint& joint : model.joints) {
     if (!joint.follows) continue;
     table.add({joint.name, course_of(model, *joint.follows)});
-    any = true;
+    has_followers = true;
   }
-  if (!any) return;
+  if (!has_followers) return;
   fmt::print("\nJoints that follow others (rad, m)\n");
   table.print();
 }
 
-/// The loops, and what they leave of the freedom at a posture.
+/// Prints the loops, and the degrees of freedom that they leave at a posture.
 void print_loops(const Model& model, const Eigen::VectorXd& q, const std::string& posture) {
   if (model.loops.empty()) return;
   const LoopFreedom freedom = loop_freedom(model, q);
@@ -149,8 +151,8 @@ void print_loops(const Model& model, const Eigen::VectorXd& q, const std::string
     const auto found = std::find_if(freedom.redundant.begin(), freedom.redundant.end(),
                                     [&](const auto& of) { return of.loop == loop.name; });
     const auto body = [&](const std::string& frame) {
-      const int of = model.frames[static_cast<std::size_t>(model.frame_index(frame))].body;
-      return of < 0 ? std::string("world") : model.joints[static_cast<std::size_t>(of)].name;
+      const int of = model.frames[to_size(model.frame_index(frame))].body;
+      return of < 0 ? std::string("world") : model.joints[to_size(of)].name;
     };
     table.add({loop.name, loop.directions.text(),
                found == freedom.redundant.end() ? "-" : found->directions.text(),
@@ -161,7 +163,7 @@ void print_loops(const Model& model, const Eigen::VectorXd& q, const std::string
 
 void print_held(const Model& model) {
   if (model.locked_joints.empty()) return;
-  fmt::print("\nHeld joints\n");
+  fmt::print("\nLocked joints\n");
   std::string line;
   for (const std::string& name : model.locked_joints) {
     if (!line.empty() && line.size() + name.size() > 98) {
@@ -173,7 +175,8 @@ void print_held(const Model& model) {
   fmt::print("  {}\n", line);
 }
 
-/// Frames of links and added ones; those of joints only where `all` are wanted.
+/// Prints the frames of links and the frames that the robot's files add. With `all`, prints the
+/// frames of joints too.
 void print_frames(const Model& model, const Eigen::VectorXd& q, const std::string& posture,
                   bool all) {
   fmt::print("\nFrames in the world at {} (m; roll, pitch, yaw in rad)\n", posture);
@@ -186,7 +189,7 @@ void print_frames(const Model& model, const Eigen::VectorXd& q, const std::strin
     const Eigen::Vector3d p = placements[i].translation();
     const Eigen::Vector3d angles = roll_pitch_yaw(placements[i].linear());
     table.add({frame.name, kind_text(frame.kind),
-               frame.body < 0 ? "world" : model.joints[static_cast<std::size_t>(frame.body)].name,
+               frame.body < 0 ? "world" : model.joints[to_size(frame.body)].name,
                fixed_point(p.x()), fixed_point(p.y()), fixed_point(p.z()), fixed_point(angles.x()),
                fixed_point(angles.y()), fixed_point(angles.z())});
   }
@@ -201,20 +204,22 @@ void print_postures(const Robot& robot) {
   }
 }
 
-/// The robot drawn in 3D.
+/// Writes an HTML page that shows the robot in 3D.
 void write_page(const Robot& robot, const Eigen::VectorXd& q, const ShowArguments& arguments) {
   const RobotDrawing drawing = drawing_of(robot, arguments.robot.robot, q);
   write_robot_page(drawing, arguments.html);
   fmt::print("{} in {}\n", robot.model.name, arguments.html);
   const std::vector<std::string> missing = missing_meshes(drawing);
   if (!missing.empty())
-    fmt::print("meshes that could not be read are left out: {}\n", fmt::join(missing, ", "));
+    fmt::print("omitted meshes, which could not be read: {}\n", fmt::join(missing, ", "));
 }
 
-/// Settings with a posture for a table, where the tool reaches one.
+/// Writes a draft of settings. If the tool can reach a table, the draft contains a posture for
+/// polishing the table.
 void draft(const Robot& robot, const ShowArguments& arguments) {
   const fs::path file = write_settings(robot, arguments.robot, arguments.settings, arguments.tool);
-  fmt::print("a draft in {}: burnish show {} reads it\n", file.string(), arguments.settings);
+  fmt::print("draft written to {}; to load it: burnish show {}\n", file.string(),
+             arguments.settings);
   polishing::Task task;
   polishing::put_on(task, "table");
   task.robot = arguments.settings;
@@ -226,21 +231,21 @@ void draft(const Robot& robot, const ShowArguments& arguments) {
     for (const std::string& note : notes) fmt::print(stderr, "burnish: note: {}\n", note);
     const Eigen::VectorXd q = polishing::find_posture(task, drafted).q;
     add_posture(file, "table", posture_of(drafted.model, q));
-    fmt::print("with a posture from which it polishes a table: burnish polish --robot {}\n",
+    fmt::print("added the posture 'table'; to polish a table: burnish polish --robot {}\n",
                arguments.settings);
   } catch (const Error& error) {
     fmt::print(stderr, "burnish: note: no posture for a table was added: {}\n", error.what());
   }
 }
 
-/// Margins of a tool, and what was fitted to have them.
+/// Stability margins with a tool, and the gains for which they were computed.
 struct ToolMargins {
   polishing::FittedGains fitted;
   polishing::TaskMargins margins;
 };
 
-/// What the pressing controller tolerates with a tool on a table, with the gains that `burnish
-/// polish` chooses for it.
+/// Returns the margins of the pressing controller with a tool on a table. The gains are those that
+/// `burnish polish` fits.
 ToolMargins margins_of(const Robot& robot, const ShowArguments& arguments) {
   polishing::Task task;
   task.robot = arguments.robot.robot;
@@ -250,13 +255,13 @@ ToolMargins margins_of(const Robot& robot, const ShowArguments& arguments) {
   const polishing::FittedGains fitted = polishing::fit_gains(task, setting);
   if (const auto margins = polishing::margins(task, setting)) return {fitted, *margins};
   const std::string why = without_margins(polishing::make_mpc(task, setting));
-  throw Error(why.empty() ? "margins: there is no plan from the posture" : why);
+  throw Error(why.empty() ? "margins: the controller found no plan from the posture" : why);
 }
 
 void print_margins(const ToolMargins& of, const std::string& tool) {
   fmt::print("\nMargins at {} on a table\n", tool);
   if (!of.fitted.changes.empty()) fmt::print("  {}\n", of.fitted.changes);
-  fmt::print("  tolerates {}\n", of.margins.text());
+  fmt::print("  the control loop tolerates {}\n", of.margins.text());
   Table table(1);
   table.add({"gain of joint", "in free air", "", "in contact", ""});
   for (std::size_t i = 0; i < of.margins.air.gains.size(); ++i) {
@@ -283,7 +288,7 @@ void show(const ShowArguments& arguments) {
       throw Error("--tool: " + pressing::none_of(robot.model, arguments.tool, true));
     try {
       margins = margins_of(robot, arguments);
-    } catch (const Error& error) {  // the table is worth having
+    } catch (const Error& error) {  // the tables follow without margins
       fmt::print(stderr, "burnish: note: no margins at {}: {}\n", arguments.tool, error.what());
     }
   }
@@ -308,25 +313,26 @@ void show(const ShowArguments& arguments) {
 }  // namespace
 
 void add_show(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("show", "Joints, limits, masses, frames and postures");
+  CLI::App* command = app.add_subcommand(
+      "show", "Print the joints, limits, masses, frames and postures of a robot");
   const auto arguments = std::make_shared<ShowArguments>();
   arguments->robot.add_to(*command);
   command->add_option("--posture", arguments->posture, "Posture at which frames are placed")
       ->type_name("NAME");
   command
       ->add_option("--tool", arguments->tool,
-                   "Frame of a tool: print what the pressing controller tolerates of delay and "
-                   "wrong gains with it; with --write-settings the frame that the draft takes")
+                   "Frame of the tool, for which delay and gain margins of the pressing controller "
+                   "are printed; with --write-settings, frame at which the draft places the tool")
       ->type_name("FRAME");
-  command->add_flag("--all-frames", arguments->all_frames, "Frames of joints as well");
-  command->add_flag("--json", arguments->json, "As JSON, numbers in full");
+  command->add_flag("--all-frames", arguments->all_frames, "Print the frames of joints as well");
+  command->add_flag("--json", arguments->json, "Print JSON, with all digits");
   command
       ->add_option("--html", arguments->html,
-                   "Write a page that draws the robot in 3D, and print no table")
+                   "Write a page with a 3D drawing of the robot, and print no table")
       ->type_name("FILE");
   command
       ->add_option("--write-settings", arguments->settings,
-                   "Draft robot.yaml for a URDF or MJCF file in this folder, and print no table")
+                   "Draft a robot.yaml for a URDF or MJCF file in this folder, and print no table")
       ->type_name("DIR");
   command->footer(
       "Examples:\n"
@@ -337,7 +343,7 @@ void add_show(CLI::App& app, int& exit_code) {
       "  burnish show <(xacro my_arm.urdf.xacro)\n"
       "  burnish show my_arm.urdf --write-settings my_arm --tool flange\n"
       "\n"
-      "docs/robots.md says what a robot's files need and what is odd about them.");
+      "docs/robots.md describes robot files and the warnings about them.");
   command->callback([arguments, &exit_code] {
     show(*arguments);
     exit_code = exit_ok;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "record/json_text.hpp"
@@ -12,40 +13,39 @@ namespace {
 Json follows_json(const Model& model, const Joint& joint) {
   if (!joint.follows) return nullptr;
   const Following& follows = *joint.follows;
-  return {{"leader", model.joints[static_cast<std::size_t>(follows.leader)].name},
+  return {{"leader", model.joints[to_size(follows.leader)].name},
           {"multiplier", follows.multiplier},
           {"offset", follows.offset}};
 }
 
 Json joint_json(const Model& model, const Joint& joint) {
   const int q = joint.q_index, v = joint.v_index;
-  return {{"name", joint.name},
-          {"kind", std::string(name_of(joint.kind))},
-          {"parent", joint.parent < 0
-                         ? Json("world")
-                         : Json(model.joints[static_cast<std::size_t>(joint.parent)].name)},
-          {"q_index", q},
-          {"nq", joint.nq},
-          {"v_index", v},
-          {"nv", joint.nv},
-          {"follows", follows_json(model, joint)},
-          {"lower", numbers_json(model.q_lower.segment(q, joint.nq))},
-          {"upper", numbers_json(model.q_upper.segment(q, joint.nq))},
-          {"velocity_limit", numbers_json(model.velocity_limit.segment(v, joint.nv))},
-          {"effort_limit", numbers_json(model.effort_limit.segment(v, joint.nv))},
-          {"damping", numbers_json(model.damping.segment(v, joint.nv))},
-          {"friction", numbers_json(model.friction.segment(v, joint.nv))},
-          {"armature", numbers_json(model.armature.segment(v, joint.nv))},
-          {"stiffness", numbers_json(model.stiffness.segment(v, joint.nv))},
-          {"spring_rest", numbers_json(model.spring_rest.segment(v, joint.nv))},
-          {"mass", joint.mass},
-          {"com", numbers_json(joint.com)}};
+  return {
+      {"name", joint.name},
+      {"kind", std::string(name_of(joint.kind))},
+      {"parent", joint.parent < 0 ? Json("world") : Json(model.joints[to_size(joint.parent)].name)},
+      {"q_index", q},
+      {"nq", joint.nq},
+      {"v_index", v},
+      {"nv", joint.nv},
+      {"follows", follows_json(model, joint)},
+      {"lower", numbers_json(model.q_lower.segment(q, joint.nq))},
+      {"upper", numbers_json(model.q_upper.segment(q, joint.nq))},
+      {"velocity_limit", numbers_json(model.velocity_limit.segment(v, joint.nv))},
+      {"effort_limit", numbers_json(model.effort_limit.segment(v, joint.nv))},
+      {"damping", numbers_json(model.damping.segment(v, joint.nv))},
+      {"friction", numbers_json(model.friction.segment(v, joint.nv))},
+      {"armature", numbers_json(model.armature.segment(v, joint.nv))},
+      {"stiffness", numbers_json(model.stiffness.segment(v, joint.nv))},
+      {"spring_rest", numbers_json(model.spring_rest.segment(v, joint.nv))},
+      {"mass", joint.mass},
+      {"com", numbers_json(joint.com)}};
 }
 
 Json names_json(const Directions& directions) {
   Json names = Json::array();
   for (int d = 0; d < 6; ++d)
-    if (directions.has(d)) names.push_back(direction_names[static_cast<std::size_t>(d)]);
+    if (directions.has(d)) names.push_back(direction_names[to_size(d)]);
   return names;
 }
 
@@ -79,7 +79,7 @@ Json margins_json(const polishing::TaskMargins& margins, const std::string& tool
           {"surface", "table"},
           {"fitted", fitted},
           {"delay", margins.delay()},
-          {"longest_delay", LoopAnalysis::longest_delay},
+          {"max_delay", LoopAnalysis::max_delay},
           {"air", loop_json(margins.air)},
           {"contact", loop_json(margins.contact)}};
 }
@@ -98,7 +98,8 @@ std::string kind_text(FrameKind kind) {
 
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& R) {
   const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
-  if (std::hypot(R(0, 0), R(1, 0)) < 1e-9) {  // upright: only the sum of roll and yaw counts
+  // Gimbal lock: only the sum of roll and yaw is defined.
+  if (std::hypot(R(0, 0), R(1, 0)) < 1e-9) {
     return {std::atan2(-R(1, 2), R(1, 1)), pitch, 0.0};
   }
   return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
@@ -126,9 +127,8 @@ Json show_json(const Robot& robot, const Eigen::VectorXd& q, const std::string& 
     const Frame& frame = model.frames[i];
     Json entry{{"name", frame.name},
                {"kind", kind_text(frame.kind)},
-               {"moved_by", frame.body < 0
-                                ? Json(nullptr)
-                                : Json(model.joints[static_cast<std::size_t>(frame.body)].name)}};
+               {"moved_by",
+                frame.body < 0 ? Json(nullptr) : Json(model.joints[to_size(frame.body)].name)}};
     entry.update(placement_json(placements[i]));
     result["frames"].push_back(entry);
   }

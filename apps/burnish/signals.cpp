@@ -12,13 +12,14 @@
 namespace burnish::app {
 namespace {
 
-/// What the first signal is answered with; null: it ends the program. Handlers read it.
+/// Text to print at the first signal; null: the first signal ends the program. Signal handlers read
+/// this variable.
 std::atomic<const char*> answer_to_first = nullptr;
 std::atomic<bool> stop_asked = false;
 static_assert(std::atomic<const char*>::is_always_lock_free);
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// With what a handler may call.
+/// Prints text with functions that a signal handler may call.
 void say(const char* text) {
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
 }
@@ -28,20 +29,20 @@ const char* name_of(int signal) {
 }
 
 extern "C" void take_signal(int signal) {
-  const int interrupted = errno;  // what the handler comes between may be about to read it
-  if (isatty(STDERR_FILENO) != 0) say("\r\033[K");  // over the line of progress
+  const int interrupted = errno;                    // the interrupted code may still use errno
+  if (isatty(STDERR_FILENO) != 0) say("\r\033[K");  // erases the progress bar
   say("burnish: ");
   say(name_of(signal));
   const char* answer = answer_to_first;
   if (answer != nullptr && !stop_asked.exchange(true)) {
     say(": ");
     say(answer);
-    say("; once more ends it at once\n");
+    say("; repeat it to end immediately\n");
     errno = interrupted;
     return;
   }
   mark_running_as_stopped();
-  say(answer != nullptr ? ": ended at once\n" : ": interrupted, nothing was written\n");
+  say(answer != nullptr ? ": ended immediately\n" : ": interrupted, nothing was written\n");
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }

@@ -1,22 +1,23 @@
-// What ends a program from outside: SIGINT (Ctrl-C), SIGTERM, and SIGHUP unless it is ignored, as
-// under nohup. All of them mean the same, and this is the one place that takes them.
+// Handling of the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP, which all end the program. SIGHUP
+// stays ignored if the program was started that way, as by nohup.
 #pragma once
 
 namespace burnish::app {
 
-/// From now on they end the program at once, with a sentence: for all that is not worth keeping.
+/// Makes these signals end the program immediately, with a sentence on the standard error.
 void end_on_signals();
 
-/// While it lives, the first of them asks for an end and the second ends the program at once.
+/// Graceful stop on signals, for the lifetime of this object. The first signal makes asked() true;
+/// the second ends the program immediately.
 class StopRequest {
  public:
-  /// `answer`: what is said when the first one comes, such as "the run ends, and is written".
+  /// `answer`: text printed at the first signal, such as "the run ends and is written".
   explicit StopRequest(const char* answer);
   ~StopRequest();
   StopRequest(const StopRequest&) = delete;
   StopRequest& operator=(const StopRequest&) = delete;
 
-  /// Whether one has come. From any thread.
+  /// Returns whether a signal has arrived. May be called from any thread.
   static bool asked() noexcept;
 };
 

@@ -1,4 +1,5 @@
-// burnish solve: an optimal control problem from a file to a trajectory, gains and plots.
+// burnish solve: solves an optimal control problem from a file; writes its trajectory, gains and
+// plots.
 #include <fmt/format.h>
 
 #include "burnish/ocp/check.hpp"
@@ -31,7 +32,8 @@ DdpOptions options_of(const ProblemFile& problem, const SolveArguments& argument
   if (arguments.iterations >= 0) options.max_iterations = arguments.iterations;
   if (arguments.threads >= 0) options.threads = arguments.threads;
   if (arguments.pin) options.pin_threads = true;
-  if (!(arguments.tolerance < 0.0)) options.stop_tolerance = arguments.tolerance;  // NaN as well
+  // Passes NaN on, so that options.check() rejects it.
+  if (!(arguments.tolerance < 0.0)) options.stop_tolerance = arguments.tolerance;
   options.check();
   const bool talks = !arguments.quiet && !arguments.json;
   options.callback = [talks](const DdpProgress& p) {
@@ -46,7 +48,8 @@ DdpOptions options_of(const ProblemFile& problem, const SolveArguments& argument
   return options;
 }
 
-/// False where the derivatives are wrong.
+/// Checks the derivatives of the problem and prints the result. Returns false if the derivatives
+/// are wrong.
 bool check(Problem& problem, const SolveArguments& arguments) {
   const ProblemReport report = check_problem(problem);
   if (!arguments.json) fmt::print("{}\n", report.text());
@@ -74,7 +77,7 @@ int solve(const SolveArguments& arguments) {
   const TrajectoryGuess guess =
       named_by(arguments.file, [&] { return make_guess(problem, file.guess); });
   solver.set_guess(guess.xs, guess.us);
-  const StopRequest stop("it ends after this iteration, and what there is is written");
+  const StopRequest stop("the solver ends after this iteration and its results are written");
   RunFolder folder({.out = arguments.out,
                     .name = fs::path(arguments.file).stem().string() + "_solution",
                     .force = arguments.force});
@@ -89,7 +92,7 @@ int solve(const SolveArguments& arguments) {
   const auto report = summary_json(arguments.file, problem, solver, steps);
   std::vector<std::string> names;
   PageWriter pages(!arguments.no_page, false);
-  std::string unwritten;  // why files are missing
+  std::string unwritten;  // reason why files are missing
   try {
     names = write_solution(problem, solver, report, folder.path());
     for (std::string& name : pages.write(folder.path(), [&] {
@@ -120,32 +123,33 @@ int solve(const SolveArguments& arguments) {
 }  // namespace
 
 void add_solve(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("solve", "An optimal control problem from a YAML file");
+  CLI::App* command =
+      app.add_subcommand("solve", "Solve an optimal control problem from a YAML file");
   const auto arguments = std::make_shared<SolveArguments>();
   command->add_option("PROBLEM", arguments->file, "Problem file")->type_name("")->required();
   command
-      ->add_option(
-          "--out", arguments->out,
-          "Folder for what is written [a new one: PROBLEM_solution, PROBLEM_solution_2, ...]")
+      ->add_option("--out", arguments->out,
+                   "Output folder [a new one: PROBLEM_solution, PROBLEM_solution_2, ...]")
       ->type_name("DIR");
-  command->add_flag("--force", arguments->force, "Replace the run that the folder of --out holds");
+  command->add_flag("--force", arguments->force, "Replace the results in the output folder");
   command
-      ->add_option("--iterations", arguments->iterations, "Iterations at most [the file's, or 100]")
+      ->add_option("--iterations", arguments->iterations,
+                   "Largest number of iterations [from the file, or 100]")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--threads", arguments->threads, "Threads [the file's, or 1]")
+  command->add_option("--threads", arguments->threads, "Number of threads [from the file, or 1]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--pin-threads", arguments->pin, "Keep each thread but the first on a core");
+  command->add_flag("--pin-threads", arguments->pin, "Pin each thread except the first to a core");
   command
       ->add_option("--tolerance", arguments->tolerance,
-                   "Converged when the expected improvement of the cost is below [1e-9]")
+                   "Expected improvement of the cost below which the solver has converged [1e-9]")
       ->type_name("T")
       ->check(CLI::PositiveNumber);
   command->add_flag("--check", arguments->check,
-                    "Check the problem's derivatives first; if they fail, do not solve");
-  command->add_flag("--no-page", arguments->no_page, "Write no run.json and run.html");
-  command->add_flag("--quiet", arguments->quiet, "Say nothing but how it ended");
+                    "Check the derivatives of the problem first, and stop if the check fails");
+  command->add_flag("--no-page", arguments->no_page, "Omit run.json and run.html");
+  command->add_flag("--quiet", arguments->quiet, "Print only the final result");
   command->add_flag("--json", arguments->json, "Print summary.json and nothing else");
   add_strict(*command, arguments->strict);
   command->footer(
@@ -153,12 +157,12 @@ void add_solve(CLI::App& app, int& exit_code) {
       "  burnish solve examples/problems/reaching.yaml\n"
       "  burnish solve examples/problems/polishing.yaml --out /tmp/polishing --threads 4\n"
       "\n"
-      "Writes run.html, a page with a replay of the planned motion for any browser, "
-      "trajectory.csv,\n"
-      "gains.json, summary.json, limits.csv where there are constraints, and plots. Ctrl-C (or "
-      "SIGTERM, or SIGHUP) stops after the iteration and writes what there is.\n"
+      "Writes run.html (a page for any browser, with a replay of the planned motion),\n"
+      "trajectory.csv, gains.json, summary.json, limits.csv (if the problem has constraints) and\n"
+      "plots. Ctrl-C (or SIGTERM, or SIGHUP) stops after the iteration and writes the results so\n"
+      "far.\n"
       "docs/optimal_control.md describes problem files.\n"
-      "Exit codes: 0 converged; 1 not converged; 2 bad input.");
+      "Exit codes: 0 converged; 1 not converged; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }
 

@@ -1,4 +1,5 @@
-// burnish sweep and burnish tune: campaigns that a file states, which Python does.
+// burnish sweep and burnish tune: campaigns that a file defines, executed by the Python package
+// burnish.
 #include <fmt/format.h>
 
 #include "command.hpp"
@@ -37,26 +38,28 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
   command->add_option("FILE", a.file, file)->type_name("")->required();
   command
       ->add_option("--scheduler", a.scheduler,
-                   "Leave the runs to the workers of a Dask scheduler, such as "
+                   "Distribute the runs to the workers of a Dask scheduler, such as "
                    "tcp://192.168.0.5:8786")
       ->type_name("ADDRESS");
   command
-      ->add_option("--threads", a.threads, "Runs at once, which changes no result [one per core]")
+      ->add_option("--threads", a.threads,
+                   "Number of parallel runs [one per core]; results do not depend on this number")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command
-      ->add_option("--time-limit", a.time_limit,
-                   "Computing time that a run may take, s [20 times the median of those before]")
+      ->add_option(
+          "--time-limit", a.time_limit,
+          "Largest computing time of a run, in seconds [20 times the median over earlier runs]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--out", a.out, "Folder for what is written [a new one, called after the file]")
+  command->add_option("--out", a.out, "Output folder [a new one, named after the file]")
       ->type_name("DIR");
-  command->add_flag("--resume", a.resume,
-                    "Go on with what the folder of --out holds: no run is made twice");
   command->add_flag(
-      "--mixed", a.mixed,
-      "Take runs too that kernels for other processors made, as the results then say");
+      "--resume", a.resume,
+      "Continue an earlier campaign in the output folder, and skip the runs that it contains");
+  command->add_flag("--mixed", a.mixed,
+                    "Accept runs made on other kinds of processors, which differ in the last "
+                    "digits; the results state it");
   command->add_flag("--quiet", a.quiet, "Print nothing");
   command->callback([arguments, name] {
     hand_over_to_python(arguments->words(name),
@@ -70,40 +73,38 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 void add_sweep(CLI::App& app) {
   const auto arguments = std::make_shared<SweepArguments>();
   CLI::App* command =
-      add_command(app, "sweep", "Runs of a task over values of its keys, as a file says",
-                  "Campaign: a task, and what its keys take", arguments);
+      add_command(app, "sweep", "Run a task over values of its keys, as a file defines",
+                  "Campaign file: a task, and values or ranges of its keys", arguments);
   command
       ->add_option("--shard", arguments->shard,
-                   "Make every Nth run alone, from the Ith on, and no table: burnish merge does; "
-                   "several: 1,3/4")
+                   "Make only part I of N of the runs, such as 2/4, or several parts, such as "
+                   "1,3/4; burnish merge then makes the table")
       ->type_name("I/N");
   command->footer(
       "Examples:\n"
       "  burnish sweep friction.yaml\n"
       "  burnish sweep friction.yaml --shard 2/4 --out part_2 --resume\n"
       "\n"
-      "Leaves results.csv (a row per run), results.h5, results.html with distributions, and "
-      "the\n"
-      "worst runs with the commands that repeat them. It is done by the Python package "
-      "burnish;\n"
-      "docs/campaigns.md says what the file states.\n"
-      "Exit codes: 0 all runs were done; 1 some were not; 2 bad input.");
+      "Writes results.csv (a row per run), results.h5, results.html with distributions, and the\n"
+      "worst runs with the commands that repeat them. Needs the Python package burnish.\n"
+      "docs/campaigns.md describes the file.\n"
+      "Exit codes: 0 all runs were done; 1 some were not; 2 invalid input.");
 }
 
 void add_tune(CLI::App& app) {
-  add_command(app, "tune", "Make a task better on some seeds, judged on others",
-              "Tuning: a task, keys with ranges, and what to minimise",
+  add_command(app, "tune", "Optimise keys of a task on some seeds, and test them on others",
+              "Tuning file: a task, keys with ranges, and the objective",
               std::make_shared<SweepArguments>())
       ->footer(
           "Examples:\n"
           "  burnish tune tuning.yaml\n"
           "\n"
-          "Leaves tuned.yaml (the task), tuning.md (what changed, what it bought with 95 % "
+          "Writes tuned.yaml (the task), tuning.md (changed keys, improvement with 95 % "
           "intervals,\n"
-          "which keys matter) and evaluations.csv. It is done by the Python package burnish, with "
-          "NLopt\n"
-          "or SciPy; docs/campaigns.md says what the file states.\n"
-          "Exit codes: 0 better on seeds that it was not tuned on; 1 not surely; 2 bad input.");
+          "sensitivity to keys) and evaluations.csv. Needs the Python package burnish, with NLopt\n"
+          "or SciPy. docs/campaigns.md describes the file.\n"
+          "Exit codes: 0 significantly better on the test seeds; 1 not significantly better;\n"
+          "2 invalid input.");
 }
 
 }  // namespace burnish::app

@@ -20,7 +20,7 @@ std::string place_name(const std::string& surface, const polishing::Task& task) 
   std::string name = surface;
   for (const polishing::NamedSurface& named : polishing::named_surfaces()) {
     if (named.name != surface) continue;
-    const Eigen::Vector3d normal = task.normal_world.normalized();
+    const Eigen::Vector3d normal = task.normal_base.normalized();
     const double tilt = std::acos(std::clamp(normal.z(), -1.0, 1.0)) * 180.0 / M_PI;
     if ((normal - named.normal_world.normalized()).norm() > 1e-6)
       name = fmt::format("tilt_{:.0f}", tilt);
@@ -31,11 +31,12 @@ std::string place_name(const std::string& surface, const polishing::Task& task) 
 
 namespace {
 
-/// What a YAML file is, and the command that takes it.
+/// Kind of a YAML file, with the command for this kind.
 struct FileKind {
   std::string what, command;
 };
-/// By the keys at the file's top; without a command where they do not tell.
+/// Returns the kind of a file, from its top-level keys. `command` is empty if the keys do not
+/// determine the kind.
 FileKind kind_of_file(const std::string& file) {
   const auto top = files::Reader::parse(read_text(file, "YAML file"), file);
   if (!top.is_map()) return {};
@@ -56,8 +57,8 @@ void refuse_robot(const std::string& file, const std::string& option) {
   std::error_code ignored;
   const bool is_description = kind == ".urdf" || kind == ".xml" || kind == ".mjcf";
   if (!is_description && (std::filesystem::exists(file, ignored) || !robot_file(file))) return;
-  throw Error(fmt::format("{} is a robot, and a task file was wanted; did you mean {} {}?",
-                          in_quotes(file), option, shell_word(file)));
+  throw Error(fmt::format("{} is a robot; wanted a task file; did you mean {} {}?", in_quotes(file),
+                          option, shell_word(file)));
 }
 std::string wanted_of(const std::string& command) {
   if (command == "show") return "a robot";
@@ -74,9 +75,8 @@ void refuse_file_of_another_command(const std::string& file, const std::string& 
     return;
   const FileKind kind = kind_of_file(file);
   if (kind.command.empty() || kind.command == wanted) return;
-  throw Error(fmt::format("{} is {}, and {} was wanted; did you mean burnish {} {}?",
-                          in_quotes(file), kind.what, wanted_of(wanted), kind.command,
-                          shell_word(file)));
+  throw Error(fmt::format("{} is {}; wanted {}; did you mean burnish {} {}?", in_quotes(file),
+                          kind.what, wanted_of(wanted), kind.command, shell_word(file)));
 }
 
 void refuse_other_file(const std::string& file, const std::string& wanted,

@@ -33,13 +33,13 @@ void print_timing(const std::vector<polishing::PolishJob>& jobs,
     const std::string used =
         task.solver_delay > 0.0
             ? fmt::format(
-                  "plans are used {:g} ms after their measurement, however long they take "
-                  "(controller.timing fixed)",
+                  "plans are used {:g} ms after their measurement, independent of their computing "
+                  "time (controller.timing fixed)",
                   1e3 * task.solver_delay)
             : "plans take no time in this simulation (controller.timing fixed, solver_delay 0)";
     const std::string late = std::isinf(task.limits.deadline) ? ", and none counts as late" : "";
-    return fmt::print("{}{}: with --set controller.timing=measured they take what the table says\n",
-                      used, late);
+    return fmt::print("{}{}: --set controller.timing=measured uses the times of the table\n", used,
+                      late);
   }
 }
 

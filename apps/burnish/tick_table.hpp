@@ -1,4 +1,4 @@
-// How long the ticks of controllers took.
+// Tables of the computing times of control ticks.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace burnish::app {
 
-/// Prints a row for each run, and below it one for the ticks that made a plan.
+/// Prints a row for each run, followed by a row for those of its ticks that computed a plan.
 void print_times(const std::vector<polishing::PolishJob>& jobs,
                  const std::vector<polishing::RunResult>& results);
 
-/// Prints what the times of plans stand beside: they do not pass in a simulation unless a task says
-/// so.
+/// Prints how the simulation accounts for the computing time of plans, if plans took longer than
+/// the delay that the task assumes.
 void print_timing(const std::vector<polishing::PolishJob>& jobs,
                   const std::vector<polishing::RunResult>& results);
 

@@ -1,5 +1,7 @@
 #include "tree_drawing.hpp"
 
+#include "base/to_size.hpp"
+
 namespace burnish::app {
 namespace {
 
@@ -9,19 +11,16 @@ class Drawing {
  public:
   explicit Drawing(const Model& model) : model_(model), children_(model.joints.size() + 1) {
     for (std::size_t i = 0; i < model.joints.size(); ++i)
-      children_[static_cast<std::size_t>(model.joints[i].parent + 1)].push_back(
-          static_cast<int>(i));
+      children_[to_size(model.joints[i].parent + 1)].push_back(static_cast<int>(i));
     lines.resize(model.joints.size());
     draw_children(root, "");
   }
   std::vector<std::string> lines;
 
  private:
-  const std::vector<int>& children(int joint) const {
-    return children_[static_cast<std::size_t>(joint + 1)];
-  }
+  const std::vector<int>& children(int joint) const { return children_[to_size(joint + 1)]; }
 
-  /// A chain goes straight down, so that depth of recursion is that of branches.
+  /// Draws all descendants of a joint. Chains are drawn in a loop; only forks need recursion.
   void draw_children(int joint, const std::string& before) {
     while (children(joint).size() == 1) {
       joint = children(joint).front();
@@ -33,13 +32,12 @@ class Drawing {
       draw_children(child, before + (last ? "   " : "│  "));
     }
   }
-  std::string& line(int joint) { return lines[static_cast<std::size_t>(joint)]; }
-  const std::string& name(int joint) const {
-    return model_.joints[static_cast<std::size_t>(joint)].name;
-  }
+  std::string& line(int joint) { return lines[to_size(joint)]; }
+  const std::string& name(int joint) const { return model_.joints[to_size(joint)].name; }
 
   const Model& model_;
-  std::vector<std::vector<int>> children_;  ///< of joint i at i + 1, of the world at 0
+  /// Children of joint i at index i + 1, children of the world at index 0.
+  std::vector<std::vector<int>> children_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A robot's tree of joints as lines of text.
+// Drawing of a robot's tree of joints as lines of text.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace burnish::app {
 
-/// One line per joint, in the model's order. A joint that is the only child of the one above stands
-/// below it; where the tree branches, each branch starts with a corner:
+/// Returns one line per joint, in the model's order. A joint that is the only child of its parent
+/// is written directly below the parent. At a fork, each branch starts with a corner:
 ///
 ///     rail_joint
 ///     slew_joint
@@ -17,13 +17,14 @@ namespace burnish::app {
 ///     |  left_wrist_joint
 ///     +- right_luff_joint
 ///
-/// drawn with box characters (UTF-8).
+/// with box-drawing characters (UTF-8) in place of these.
 std::vector<std::string> draw_tree(const Model& model);
 
-/// Characters of UTF-8 text.
+/// Returns the number of characters of UTF-8 text.
 std::size_t width_of(const std::string& text);
 
-/// `text` filled with blanks to `width` characters; right: blanks first.
+/// Returns `text` padded with blanks to `width` characters. `right`: true to put the blanks before
+/// the text.
 std::string padded(const std::string& text, std::size_t width, bool right = false);
 
 }  // namespace burnish::app

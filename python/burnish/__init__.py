@@ -1,7 +1,8 @@
-"""Contact dynamics and its derivatives in any reference frame, and optimal control on top.
+"""Contact dynamics and its derivatives in any reference frame, optimal control, and MPC.
 
-Values (specifications, results) are dataclasses; what computes is a class. SI units, linear parts
-first, quaternions x y z w, placements as 4 x 4 arrays."""
+Specifications and results are dataclasses. Functions and classes that compute are compiled.
+All values are in SI units. Spatial vectors have the linear part first. Quaternions are x, y, z, w.
+Placements are 4 x 4 arrays."""
 
 from . import campaign, dataset, plot, polishing, press_hold, push_wall, residual, stand
 from ._core import __version__ as __version__

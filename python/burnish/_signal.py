@@ -1,4 +1,4 @@
-"""Quantities that costs aim at, constant or over time."""
+"""Targets of costs, constant or as functions of time."""
 
 from __future__ import annotations
 
@@ -10,18 +10,31 @@ from numpy.typing import ArrayLike
 
 @dataclass(frozen=True)
 class OverTime:
-    """A function of time (s) that gives `size` numbers."""
+    """Function of time [s] with `size` values."""
 
     size: int
     function: Callable[[float], ArrayLike]
 
 
 Signal = Union[None, ArrayLike, Callable[[float], ArrayLike], OverTime]
-"""None: what that means is said where the signal is used. A number or a vector: constant. A function
-of time (s): asked once at time 0 for how many numbers it gives, and later whenever a knot is given its
-time; over_time() where it cannot be asked at 0."""
+"""Number or vector: a constant. Function of time [s]: called once at time 0, to find the number of its
+values, and then once for each knot. If the function is not defined at time 0, use over_time(). None: the
+entry that holds the signal defines its meaning."""
 
 
 def over_time(size: int, function: Callable[[float], ArrayLike]) -> OverTime:
-    """A signal of `size` entries that a function of time (s) gives."""
+    """Makes a signal from a function of time with a stated number of values.
+
+    Parameters
+    ----------
+    size : int
+        Number of values.
+    function : callable
+        Function of time [s]; returns an array of shape (size,).
+
+    Returns
+    -------
+    OverTime
+        Signal that is not called at time 0 to find its size.
+    """
     return OverTime(size, function)

@@ -1,4 +1,4 @@
-"""What all dataclasses of burnish have in common."""
+"""Base class of all dataclasses of burnish."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _names(of: type) -> Tuple[str, ...]:
 
 @functools.lru_cache(maxsize=None)
 def _meanings(module: str) -> Dict[str, Dict[str, str]]:
-    """Of a module's classes: what stands behind each entry, by class and entry."""
+    """Docstrings of the entries of a module's classes, by class and entry."""
     tree = ast.parse(inspect.getsource(sys.modules[module]))
     classes: Dict[str, Dict[str, str]] = {}
     for node in tree.body:
@@ -63,7 +63,7 @@ def _unknown(of: type, name: str) -> str:
 
 
 def _listed(of: type, values: Dict[str, str]) -> List[str]:
-    """A line for each entry, with its meaning below."""
+    """Lines with the value of each entry and, below it, its meaning."""
     lines = []
     meanings = _meanings(of.__module__).get(of.__name__, {})
     for name in _names(of):
@@ -83,8 +83,8 @@ def _text(value: Any, brief: bool = False) -> str:
 
 
 class _SpecType(type):
-    """Classes of values: their documentation lists their entries, and an entry that there is not is
-    answered with the nearest one."""
+    """Metaclass whose documentation lists the entries. An unknown entry raises a TypeError that names the
+    nearest entry."""
 
     @property
     def __doc__(cls) -> str:  # type: ignore[override]
@@ -108,17 +108,34 @@ class _SpecType(type):
 
 
 class Spec(metaclass=_SpecType):
-    """A plain value: compared entry by entry, printed with what differs from the defaults, copied
-    and pickled like any dataclass. Entries that it does not have cannot be set. describe() prints
-    all of it."""
+    """Base class of values, which are compared entry by entry and can be copied and pickled.
+
+    repr() shows the entries that differ from their defaults; describe() returns all entries. Setting an
+    unknown entry raises AttributeError."""
 
     __dataclass_fields__: ClassVar[Dict[str, dataclasses.Field[Any]]]
     __hash__ = None  # type: ignore[assignment]
     _brief = False
-    """Of results, that nobody pastes: six digits, and how many there are of a long list."""
+    """True for results: repr() then shows six digits, and only the lengths of long lists."""
 
     def replace(self: S, **changes: Any) -> S:
-        """A deep copy with these entries changed."""
+        """Returns a deep copy with changed entries.
+
+        Parameters
+        ----------
+        **changes
+            New values of entries, by name.
+
+        Returns
+        -------
+        Spec
+            Copy of the same class.
+
+        Raises
+        ------
+        TypeError
+            If an entry is unknown.
+        """
         return dataclasses.replace(copy.deepcopy(self), **changes)
 
     def __eq__(self, other: object) -> bool:
@@ -130,7 +147,7 @@ class Spec(metaclass=_SpecType):
         )
 
     def describe(self) -> str:
-        """All entries, with their values and meanings, a text."""
+        """Returns a text with the values and meanings of all entries."""
         values = {name: _text(getattr(self, name)) for name in _names(type(self))}
         return "\n".join(_listed(type(self), values))
 
@@ -143,6 +160,9 @@ class Spec(metaclass=_SpecType):
                 entries.append(f"{f.name}={_text(value, self._brief)}")
         return f"{type(self).__name__}({', '.join(entries)})"
 
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(_unknown(type(self), name))
+
     def __setattr__(self, name: str, value: Any) -> None:
         if name not in _names(type(self)):
             raise AttributeError(_unknown(type(self), name))
@@ -150,22 +170,22 @@ class Spec(metaclass=_SpecType):
 
 
 def zeros(n: int) -> Any:
-    """Default of an entry: n zeros."""
+    """Default of an entry: a vector of n zeros."""
     return dataclasses.field(default_factory=lambda: np.zeros(n))
 
 
 def identity(n: int) -> Any:
-    """Default of an entry: the identity of size n."""
+    """Default of an entry: the n x n identity matrix."""
     return dataclasses.field(default_factory=lambda: np.eye(n))
 
 
 def empty() -> Any:
-    """Default of an entry: a vector without entries, which stands for what its comment says."""
+    """Default of an entry: an empty vector, whose meaning the entry documents."""
     return dataclasses.field(default_factory=lambda: np.zeros(0))
 
 
 def vector(*values: float) -> Any:
-    """Default of an entry: these numbers."""
+    """Default of an entry: a vector of these numbers."""
     return dataclasses.field(default_factory=lambda: np.array(values, dtype=float))
 
 

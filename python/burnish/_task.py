@@ -1,4 +1,4 @@
-"""What the modules of tasks have in common."""
+"""Helper of the modules of tasks."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ def with_changes(
     override_task: Callable[[AnyTask, Sequence[str]], AnyTask],
     check_task: Callable[[AnyTask], None],
 ) -> AnyTask:
-    """The task with entries set, then overrides applied, and checked. Raises Error for what there is
-    not, and for what does not fit together."""
+    """Sets entries of a task, applies overrides, and checks the result. Raises Error for unknown keys and
+    for values that contradict each other."""
     for name, value in entries.items():
         setattr(task, name, value)
     task = override_task(task, overrides)

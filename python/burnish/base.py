@@ -1,4 +1,4 @@
-"""Errors, statuses, records of runs."""
+"""Errors, status codes, and recorded tables."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ __all__ = ["Error", "EvaluationError", "Status", "Trace", "describe", "read_trac
 
 
 def read_trace(file: str | Path) -> dict[str, NDArray[Any]]:
-    """Reads a table that a run or a solution left, such as trace.csv or trajectory.csv.
+    """Reads a recorded table, such as trace.csv of a run or trajectory.csv of a solution.
 
     Parameters
     ----------
-    file
-        The CSV file, whose header has names with units in brackets.
+    file : str or Path
+        CSV file. Its header has names with units in brackets.
 
     Returns
     -------
     dict of str to ndarray of shape (rows,)
-        Columns by their names without units, in SI units; empty cells are NaN. Columns that hold
-        text are arrays of strings. `pandas.DataFrame(read_trace(file))` is the table.
+        Columns by their names without units, in SI units. Empty cells are NaN. A column of text is an
+        array of strings. `pandas.DataFrame(read_trace(file))` makes a data frame.
 
     Raises
     ------
     Error
-        If the file has no header, or a row does not have as many cells as the header.
+        If the file has no header, or if a row and the header differ in their number of cells.
     """
     with open(file, newline="", encoding="utf-8") as stream:
         header, *rows = list(csv.reader(stream)) or [[]]
@@ -52,4 +52,4 @@ def _numbers_or_texts(cells: tuple[str, ...]) -> NDArray[Any]:
         return np.array(cells)
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.

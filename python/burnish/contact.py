@@ -1,4 +1,4 @@
-"""Contacts: what is held, in which reference, and forces that say what they are."""
+"""Contacts, references, curved surfaces, kinematic loops, and contact forces."""
 
 from __future__ import annotations
 
@@ -27,127 +27,402 @@ __all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "Loop
            "loop_freedom", "loop_misses", "project_onto_loops", "project_velocity_onto_loops"]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 @dataclass(eq=False, repr=False)
 class Quadric(Spec):
     @classmethod
     def plane(cls, point: ArrayLike, normal: ArrayLike) -> Quadric:
-        """Through a point, with a normal of any length out of the material."""
+        """Makes a plane.
+
+        Parameters
+        ----------
+        point : array_like, shape (3,)
+            Point of the plane [m].
+        normal : array_like, shape (3,)
+            Normal out of the material, of any length.
+
+        Returns
+        -------
+        Quadric
+
+        Raises
+        ------
+        Error
+            If an argument is not finite, or the normal has length 0.
+        """
         return _core.quadric_plane(point, normal)
 
     @classmethod
     def sphere(cls, center: ArrayLike, radius: float, hollow: bool = False) -> Quadric:
-        """Material inside, or outside of a hollow one: then the normal is towards the centre."""
+        """Makes a sphere.
+
+        Parameters
+        ----------
+        center : array_like, shape (3,)
+            Centre [m].
+        radius : float
+            Radius [m], above 0.
+        hollow : bool
+            If True, the material is outside, and the normal points to the centre.
+
+        Returns
+        -------
+        Quadric
+
+        Raises
+        ------
+        Error
+            If an argument is not finite, or the radius is not positive.
+        """
         return _core.quadric_sphere(center, radius, hollow)
 
     @classmethod
     def cylinder(cls, point: ArrayLike, axis: ArrayLike, radius: float, hollow: bool = False) -> Quadric:
-        """About the axis through a point, likewise."""
+        """Makes a cylinder.
+
+        Parameters
+        ----------
+        point : array_like, shape (3,)
+            Point of the axis [m].
+        axis : array_like, shape (3,)
+            Direction of the axis, of any length.
+        radius : float
+            Radius [m], above 0.
+        hollow : bool
+            If True, the material is outside.
+
+        Returns
+        -------
+        Quadric
+
+        Raises
+        ------
+        Error
+            If an argument is not finite, the axis has length 0, or the radius is not positive.
+        """
         return _core.quadric_cylinder(point, axis, radius, hollow)
 
     @classmethod
     def cone(cls, apex: ArrayLike, axis: ArrayLike, half_angle: float, hollow: bool = False) -> Quadric:
-        """On both sides of the apex; half_angle between axis and surface, rad."""
+        """Makes a double cone, with material on both sides of the apex.
+
+        Parameters
+        ----------
+        apex : array_like, shape (3,)
+            Apex [m].
+        axis : array_like, shape (3,)
+            Direction of the axis, of any length.
+        half_angle : float
+            Angle between axis and surface [rad], above 0 and below 1.57.
+        hollow : bool
+            If True, the material is outside.
+
+        Returns
+        -------
+        Quadric
+
+        Raises
+        ------
+        Error
+            If an argument is not finite, the axis has length 0, or the angle is out of range.
+        """
         return _core.quadric_cone(apex, axis, half_angle, hollow)
 
     @classmethod
     def ellipsoid(cls, center: ArrayLike, axes: ArrayLike, semi_axes: ArrayLike, hollow: bool = False) -> Quadric:
-        """semi_axes (3, m) along the columns of `axes` (3 x 3)."""
+        """Makes an ellipsoid.
+
+        Parameters
+        ----------
+        center : array_like, shape (3,)
+            Centre [m].
+        axes : array_like, shape (3, 3)
+            Rotation matrix; its columns are the directions of the semi-axes.
+        semi_axes : array_like, shape (3,)
+            Lengths of the semi-axes [m], above 0.
+        hollow : bool
+            If True, the material is outside.
+
+        Returns
+        -------
+        Quadric
+
+        Raises
+        ------
+        Error
+            If `axes` is not a rotation matrix, or a length is not positive.
+        """
         return _core.quadric_ellipsoid(center, axes, semi_axes, hollow)
 
     @classmethod
     def osculating(cls, point: ArrayLike, axes: ArrayLike, k_xx: float, k_xy: float, k_yy: float) -> Quadric:
-        """A surface to second order at its point: (k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2 along the
-        third column of `axes` (3 x 3) over the first two; 1/m, -1/R for a ball of radius R."""
+        """Makes the second-order approximation of a surface at a point.
+
+        The height along the normal is (k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2.
+
+        Parameters
+        ----------
+        point : array_like, shape (3,)
+            Point of the surface [m].
+        axes : array_like, shape (3, 3)
+            Rotation matrix. x and y are coordinates along its first two columns; the third column is the
+            normal.
+        k_xx, k_xy, k_yy : float
+            Curvatures [1/m]: k_xx = k_yy = -1/R for a ball of radius R, positive for a bowl.
+
+        Returns
+        -------
+        Quadric
+
+        Raises
+        ------
+        Error
+            If `axes` is not a rotation matrix, or an argument is not finite.
+        """
         return _core.quadric_osculating(point, axes, k_xx, k_xy, k_yy)
 
     def value(self, x: ArrayLike) -> float:
-        """phi at a point (3)."""
+        """Evaluates phi at a point.
+
+        Parameters
+        ----------
+        x : array_like, shape (3,)
+            Point [m].
+
+        Returns
+        -------
+        float
+            phi(x); 0 on the surface, positive outside the material.
+        """
         return _core.quadric_value(self, x)
 
     def normal(self, x: ArrayLike) -> NDArray[np.float64]:
-        """Of unit length (3). Raises Error where the surface has none, as on the axis of a cylinder."""
+        """Returns the unit normal at a point.
+
+        Parameters
+        ----------
+        x : array_like, shape (3,)
+            Point [m].
+
+        Returns
+        -------
+        ndarray, shape (3,)
+
+        Raises
+        ------
+        Error
+            If the gradient of phi is zero, for example on the axis of a cylinder.
+        """
         return _core.quadric_normal(self, x)
 
 
 @dataclass(eq=False, repr=False)
 class Reference(Spec):
-    """Where motions and forces are written: an origin and axes. See docs/frames.md."""
+    """Origin and axes in which motions and forces are written. See docs/frames.md."""
 
     origin: str = "tool"
-    """"tool", "base", "world" or the name of a frame; a frame called so itself: "frame tool\""""
+    """"tool", "base", "world", or the name of a frame; "frame tool" for a frame named "tool\""""
     axes: str = "world"
-    """what the axes are fixed in, likewise"""
+    """Frame in which the axes are fixed: "tool", "base", "world", or the name of a frame"""
     rotation: ArrayLike = identity(3)
-    """3 x 3, from the reference's axes to the axes that it is fixed in"""
+    """Rotation matrix (3 x 3) from the axes of the reference to those of the frame `axes`"""
     rotation_over_time: Signal = None
-    """quaternions x, y, z, w of length 1 in place of `rotation`, of which q and -q are one rotation. For
-    the knots of a problem, each of which holds the rotation of its time; None: `rotation`"""
+    """Rotation as a function of time, in place of `rotation`, for the knots of a problem. Values: unit
+    quaternions x, y, z, w; q and -q are the same rotation. None: `rotation`"""
     quadric: Optional[Quadric] = None
-    """a surface in the frame that the axes are fixed in, which they follow as the tool moves over it: at a
-    normal n they are `rotation` turned by the least rotation that takes its third column to n. Those of
-    contacts are at the tool, with axes fixed in the base; others may have any origin, and axes fixed in
-    all but the tool"""
+    """Curved surface, in the frame `axes`, whose normal n the axes follow as the tool moves. At each point,
+    the axes are `rotation`, turned by the smallest rotation that maps its third column to n. In contacts,
+    `origin` must be "tool" and `axes` must be "base". In other uses, `axes` must not be "tool\""""
 
     @classmethod
     def local(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
-        """The tool's own axes at the tool's origin (the paper's LOCAL), turned by `rotation`."""
+        """Makes a reference at the origin of the tool, with the axes of the tool (LOCAL in the paper).
+
+        Parameters
+        ----------
+        rotation : array_like, shape (3, 3)
+            Rotation of the axes relative to the tool.
+
+        Returns
+        -------
+        Reference
+        """
         return cls("tool", "tool", np.array(rotation, dtype=float))
 
     @classmethod
     def centered(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
-        """World axes at the tool's origin (the paper's heart frame), or the columns of `rotation`."""
+        """Makes a reference at the origin of the tool, with world axes (the heart frame of the paper).
+
+        Parameters
+        ----------
+        rotation : array_like, shape (3, 3)
+            Rotation matrix; its columns are the axes, in the world.
+
+        Returns
+        -------
+        Reference
+        """
         return cls("tool", "world", np.array(rotation, dtype=float))
 
     @classmethod
     def surface(cls, rotation: ArrayLike) -> Reference:
-        """Axes fixed in the base frame, at the tool's origin; the columns of `rotation` (3 x 3) are
-        the axes of the surface in the base."""
+        """Makes a reference at the origin of the tool, with axes fixed in the base frame.
+
+        Parameters
+        ----------
+        rotation : array_like, shape (3, 3)
+            Rotation matrix; its columns are the axes of the surface, in the base.
+
+        Returns
+        -------
+        Reference
+        """
         return cls("tool", "base", np.array(rotation, dtype=float))
 
     @classmethod
     def surface_with_normal(cls, normal: ArrayLike) -> Reference:
-        """A surface with the given normal (3) as its z axis; x is the horizontal-most tangent."""
+        """Makes a reference at the origin of the tool, with the z axis along a normal of the base.
+
+        Parameters
+        ----------
+        normal : array_like, shape (3,)
+            Normal in the axes of the base, of any length. The x axis is perpendicular to it and to the z
+            axis of the base.
+
+        Returns
+        -------
+        Reference
+
+        Raises
+        ------
+        Error
+            If the normal has length 0.
+        """
         return _core.surface_with_normal(normal)
 
     @classmethod
     def on(cls, surface: Quadric, near: ArrayLike, along: Optional[ArrayLike] = None) -> Reference:
-        """Axes that follow a curved surface of the base: those of surface_with_normal() at `near` (3), a
-        point in the axes of the base where the tool is to be, and turned with the normal elsewhere.
-        `along` (3): the tangent that leads along it, as the first axis at `near`."""
+        """Makes a reference whose axes follow a curved surface of the base.
+
+        Parameters
+        ----------
+        surface : Quadric
+            Surface, in the axes of the base.
+        near : array_like, shape (3,)
+            Point where the tool will touch [m], in the axes of the base. There, the axes are those of
+            surface_with_normal(). At other points, they turn with the normal.
+        along : array_like, shape (3,), optional
+            Direction of the x axis at `near`, such as the direction of travel.
+
+        Returns
+        -------
+        Reference
+
+        Raises
+        ------
+        Error
+            If `along` is parallel to the normal.
+        """
         return _core.reference_on(surface, near, along)
 
     @classmethod
     def world(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
-        """The same at the world's origin."""
+        """Makes a reference at the origin of the world, with world axes.
+
+        Parameters
+        ----------
+        rotation : array_like, shape (3, 3)
+            Rotation matrix; its columns are the axes, in the world.
+
+        Returns
+        -------
+        Reference
+        """
         return cls("world", "world", np.array(rotation, dtype=float))
 
     def at(self, time: float) -> Reference:
-        """As it is at a time, s, with that rotation. Raises Error where it has none there, to 1e-6."""
+        """Returns a copy with the constant rotation of one time.
+
+        Parameters
+        ----------
+        time : float
+            Time [s] at which `rotation_over_time` is evaluated.
+
+        Returns
+        -------
+        Reference
+
+        Raises
+        ------
+        Error
+            If the value is not a quaternion of unit length, to 1e-6.
+        """
         return _core.reference_at(self, time)
 
     def at_point(self, point: ArrayLike) -> Reference:
-        """As it is with the tool at a point (3) of the frame that the axes are fixed in, m: axes that
-        follow no surface. Raises Error where that has no normal, or one half a turn away."""
+        """Returns a copy with the constant axes of one point; they no longer follow the surface.
+
+        Parameters
+        ----------
+        point : array_like, shape (3,)
+            Point [m], in the frame `axes`.
+
+        Returns
+        -------
+        Reference
+
+        Raises
+        ------
+        Error
+            If the surface has no normal at the point, or a normal opposite to the third column of
+            `rotation`.
+        """
         return _core.reference_at_point(self, point)
 
     @classmethod
     def parse(cls, name: str) -> Reference:
-        """Reads "local", "centered", "surface" (with the identity) or "world"."""
+        """Makes a reference from its name.
+
+        Parameters
+        ----------
+        name : str
+            "local", "centered", "surface" (with the identity as rotation), or "world".
+
+        Returns
+        -------
+        Reference
+
+        Raises
+        ------
+        Error
+            If the name is unknown; the message has the nearest name.
+        """
         return _core.parse_reference(name)
 
     @property
     def name(self) -> str:
-        """ "local", "centered", "surface" or "world"; of others such as "axes of torso at the tool"."""
+        """Name: "local", "centered", "surface" or "world", or a text such as "axes of torso at the tool"."""
         return _core.reference_name(self)
 
 
 @dataclass(eq=False, repr=False)
 class ContactSpec(Spec):
     def with_gains(self, kp_all: float, kd_all: float) -> ContactSpec:
-        """A copy with the same gains in every direction: kp in 1/s^2, kd in 1/s."""
+        """Returns a copy with equal gains in all six directions.
+
+        Parameters
+        ----------
+        kp_all : float
+            Position gain [1/s^2].
+        kd_all : float
+            Velocity gain [1/s].
+
+        Returns
+        -------
+        ContactSpec
+        """
         return self.replace(kp=np.full(6, float(kp_all)), kd=np.full(6, float(kd_all)))
 
 
@@ -155,14 +430,24 @@ class ContactSpec(Spec):
 class LoopGains(Spec):
     @classmethod
     def for_step(cls, step: float) -> LoopGains:
-        """For semi-implicit Euler steps of that length, s: a step takes away what the loop misses at its start."""
+        """Makes gains that remove the error of a loop in one semi-implicit Euler step.
+
+        Parameters
+        ----------
+        step : float
+            Length of the step [s].
+
+        Returns
+        -------
+        LoopGains
+        """
         return _core.loop_gains_for_step(step)
 
 
 @dataclass(eq=False, repr=False)
 class LoopProjection(Spec):
     def explanation(self) -> str:
-        """Which loop is not closed, and what is left of it; empty where all are."""
+        """Returns a sentence with the open loops and their errors; empty if all loops are closed."""
         return _core.loop_projection_explanation(self)
 
 
@@ -171,18 +456,32 @@ class ContactForce(Spec):
     DIRECTIONS: ClassVar[Tuple[str, ...]] = ("x", "y", "z", "rx", "ry", "rz")
 
     def in_(self, other: Reference) -> ContactForce:
-        """The same wrench written in another reference. Raises Error where that names a frame: ask
-        ContactDynamics.force(contact, reference)."""
+        """Returns the same wrench in another reference.
+
+        Parameters
+        ----------
+        other : Reference
+            Reference without the name of a frame.
+
+        Returns
+        -------
+        ContactForce
+
+        Raises
+        ------
+        Error
+            If the reference names a frame; use ContactDynamics.force(contact, reference) instead.
+        """
         return _core.force_in(self, other)
 
     def axes(self) -> NDArray[np.float64]:
-        """3 x 3, rotation of the reference's axes to the world."""
+        """Returns the rotation matrix (3 x 3) from the axes of the reference to the world."""
         return _core.force_axes(self)
 
     def origin(self) -> NDArray[np.float64]:
-        """3, origin of the reference in the world, m."""
+        """Returns the origin of the reference in the world, shape (3,) [m]."""
         return _core.force_origin(self)
 
     def text(self) -> str:
-        """A sentence such as "30.0 N along +z of the world, on tool, by the world, ..."."""
+        """Returns a sentence such as "30.0 N along +z of the world, on tool, by the world, ..."."""
         return _core.force_text(self)

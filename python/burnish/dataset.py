@@ -1,13 +1,15 @@
-"""Trajectories for learning, in HDF5: solutions of optimal control problems with their gains, value
-functions and contact schedules, and closed-loop runs with all signals.
+"""Data sets of trajectories in HDF5, for learning.
+
+Solutions of optimal control problems have gains, value functions and contact schedules. Closed-loop runs have
+all signals.
 
     dataset.write_solutions("data.h5", "examples/problems/reaching.yaml", initial_states)
     dataset.write_runs("runs.h5", [polishing.make_task("table", seed=seed) for seed in range(20)])
     record = dataset.load("data.h5")[0]
     record.arrays["x"], record.arrays["K"]           # plain NumPy
-    dataset.replay(record)                           # the same, computed again
+    dataset.replay(record)                           # computes the record again
 
-docs/campaigns.md lists what is in a file. h5py is needed (Debian: python3-h5py)."""
+docs/campaigns.md lists the contents of a file. This module needs h5py (Debian: python3-h5py)."""
 
 from __future__ import annotations
 
@@ -35,18 +37,18 @@ File = Union[str, Path]
 
 @dataclass
 class Record:
-    """A solution or a run: numbers, what they are called, and what makes them again."""
+    """Solution or run: arrays, names of their columns, and the text that repeats it."""
 
     kind: str
-    """`solution` or `run`"""
+    """"solution" or "run\""""
     text: str
-    """of the problem's file, or of the task with every key"""
+    """Text of the problem file, or of the task with all keys"""
     arrays: Dict[str, Array]
-    """by the names that docs/campaigns.md lists"""
+    """Arrays by name; docs/campaigns.md lists the names"""
     names: Dict[str, List[str]]
-    """of the columns of some of them"""
+    """Names of the columns of some arrays, by name of the array"""
     attributes: Dict[str, str] = field(default_factory=dict)
-    """outcome, version and what else repeats it"""
+    """Outcome, version, and other data for replay()"""
 
 
 def _h5py() -> Any:
@@ -57,7 +59,7 @@ def _h5py() -> Any:
 
 
 def _padded(rows: Sequence[ArrayLike]) -> Array:
-    """Arrays of different sizes in one, NaN where they have nothing."""
+    """Stacks arrays of different sizes, padded with NaN."""
     arrays = [np.asarray(row, dtype=np.float64) for row in rows]
     shape = [max(sizes) for sizes in zip(*(array.shape for array in arrays))]
     out = np.full([len(arrays), *shape], np.nan)
@@ -67,8 +69,24 @@ def _padded(rows: Sequence[ArrayLike]) -> Array:
 
 
 def make_solution(problem_file: File, initial_state: Optional[ArrayLike] = None) -> Record:
-    """Solves a problem of a file, from its own initial state or another one (nx). Raises Error as
-    read_problem_file() and Problem do."""
+    """Solves a problem and records the solution.
+
+    Parameters
+    ----------
+    problem_file : str or Path
+        Problem file.
+    initial_state : array_like, shape (nx,), optional
+        Initial state; default: the one of the file.
+
+    Returns
+    -------
+    Record
+
+    Raises
+    ------
+    Error
+        If the file or its problem is invalid.
+    """
     file = read_problem_file(problem_file)
     problem = Problem(file.spec)
     if initial_state is not None:
@@ -88,7 +106,7 @@ def make_solution(problem_file: File, initial_state: Optional[ArrayLike] = None)
     force = np.full((problem.knots, len(rows)), np.nan)
     for k in knots:
         values = problem.forces(k, xs[k], us[k, : problem.controls(k)])
-        for name, value in zip(problem.force_names(k), values):  # none where nothing solves for them
+        for name, value in zip(problem.force_names(k), values):  # NaN for contacts without a force
             force[k, rows.index(name)] = value
     arrays: Dict[str, Array] = {
         "time": np.array([problem.time_of(k) for k in range(problem.knots + 1)]),
@@ -116,8 +134,27 @@ _RUN_VIEWS = {"q": "q_", "v": "v_", "tau": "tau_applied_", "force": "tool_force_
 
 def make_run(task: polishing.Task, controller: str = "mpc", plant: Optional[str] = None,
              plan_rate: float = 20.0) -> Record:
-    """Runs a polishing task, with all signals of every plant step but measured times, and plans of the
-    controller at plan_rate, Hz. Raises Error as run_task() does."""
+    """Runs a polishing task and records all signals of every plant step, except measured times.
+
+    Parameters
+    ----------
+    task : polishing.Task
+    controller : str
+        "mpc", "baseline" or "admittance".
+    plant : str, optional
+        "mujoco" or "ideal"; default: MuJoCo if this build has it, else ideal.
+    plan_rate : float
+        Rate at which plans are recorded [Hz].
+
+    Returns
+    -------
+    Record
+
+    Raises
+    ------
+    Error
+        If the task is contradictory, or this build does not have the plant.
+    """
     result = polishing.run(task, controller=controller, plant=plant, plan_rate=plan_rate)
     trace = result.trace
     columns = [name for name in trace.columns if name != "solve_time"]
@@ -138,8 +175,21 @@ def make_run(task: polishing.Task, controller: str = "mpc", plant: Optional[str]
 
 
 def replay(record: Record) -> Record:
-    """The record computed again: the same bits on the same machine and version. Raises Error where what
-    it needs, such as its robot, is not there any more."""
+    """Computes a record again, bit by bit equal on the same machine with the same version of burnish.
+
+    Parameters
+    ----------
+    record : Record
+
+    Returns
+    -------
+    Record
+
+    Raises
+    ------
+    Error
+        If a file that the record needs, such as its robot, is missing.
+    """
     if record.kind == "run":
         task = _from_text(record, lambda file: polishing.read_task(file))
         return make_run(task, record.attributes["controller"], record.attributes["plant"],
@@ -151,8 +201,8 @@ def replay(record: Record) -> Record:
 
 
 def _from_text(record: Record, use: Any) -> Any:
-    """What `use` makes of the record's file: its own where it still says the same, as files that it names
-    are seen from there."""
+    """Calls `use` with the original file if its text is unchanged, else with a temporary copy. Paths in the file
+    are relative to its folder."""
     own = Path(record.attributes.get("file", ""))
     if own.is_file() and own.read_text() == record.text:
         return use(own)
@@ -163,7 +213,19 @@ def _from_text(record: Record, use: Any) -> Any:
 
 
 def write(file: File, records: Sequence[Record]) -> None:
-    """Writes records into a new file, whole or not at all. Raises Error where it cannot be written."""
+    """Writes records to a new file. If writing fails, no file is left.
+
+    Parameters
+    ----------
+    file : str or Path
+        HDF5 file; an existing file is replaced.
+    records : sequence of Record
+
+    Raises
+    ------
+    Error
+        If the file cannot be written.
+    """
     h5py = _h5py()
     data = io.BytesIO()
     with h5py.File(data, "w", track_order=True) as book:
@@ -191,7 +253,26 @@ def write(file: File, records: Sequence[Record]) -> None:
 
 
 def write_solutions(file: File, problem_file: File, initial_states: Sequence[ArrayLike] = ()) -> List[Record]:
-    """make_solution() from each of these states (none: the problem's own), written."""
+    """Solves a problem from several initial states with make_solution(), and writes the records.
+
+    Parameters
+    ----------
+    file : str or Path
+        HDF5 file.
+    problem_file : str or Path
+        Problem file.
+    initial_states : sequence of array_like, shape (nx,)
+        Initial states; empty: the one of the problem file.
+
+    Returns
+    -------
+    list of Record
+
+    Raises
+    ------
+    Error
+        If the problem is invalid, or the file cannot be written.
+    """
     records = [make_solution(problem_file, state) for state in initial_states] if len(initial_states) else [
         make_solution(problem_file)]
     write(file, records)
@@ -200,19 +281,52 @@ def write_solutions(file: File, problem_file: File, initial_states: Sequence[Arr
 
 def write_runs(file: File, tasks: Sequence[polishing.Task], controller: str = "mpc",
                plant: Optional[str] = None, plan_rate: float = 20.0) -> List[Record]:
-    """make_run() of each task, written."""
+    """Runs tasks with make_run(), and writes the records.
+
+    Parameters
+    ----------
+    file : str or Path
+        HDF5 file.
+    tasks : sequence of polishing.Task
+    controller, plant, plan_rate
+        Arguments of make_run().
+
+    Returns
+    -------
+    list of Record
+
+    Raises
+    ------
+    Error
+        If a task is contradictory, or the file cannot be written.
+    """
     records = [make_run(task, controller, plant, plan_rate) for task in tasks]
     write(file, records)
     return records
 
 
 def load(file: File) -> List[Record]:
-    """The records of a file, all in memory, as NumPy arrays. Raises Error for a file that is none."""
+    """Reads all records of a file into memory.
+
+    Parameters
+    ----------
+    file : str or Path
+        HDF5 file.
+
+    Returns
+    -------
+    list of Record
+
+    Raises
+    ------
+    Error
+        If the file cannot be read, or is not a data set of burnish.
+    """
     h5py = _h5py()
     try:
         with h5py.File(file, "r") as book:
             if book.attrs.get("format") != FORMAT:
-                raise Error(f"'{file}' is no data set of burnish; wanted the format '{FORMAT}'")
+                raise Error(f"'{file}' is not a data set of burnish; wanted the format '{FORMAT}'")
             return [_read(book[name]) for name in sorted(book)]
     except OSError as error:
         raise Error(f"cannot read the data set '{file}': {error}") from error

@@ -1,5 +1,5 @@
-"""Contact dynamics with all derivatives, batches of states, the state of a robot alone, the checker
-of derivatives and the diagnosis of contacts."""
+"""Contact dynamics with all derivatives, batches of states, kinematics and dynamics without contacts,
+the check of derivatives, and the diagnosis of contacts."""
 
 from __future__ import annotations
 
@@ -31,54 +31,53 @@ __all__ = [
 ]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 @dataclass(eq=False, repr=False)
 class CheckOptions(Spec):
-    """What check_derivatives() checks: one tool in every combination of references or surfaces,
-    directions, accelerations and gains, or the contacts given."""
+    """Options of check_derivatives(). It checks one tool in all combinations of references or surfaces,
+    directions, accelerations and gains. If `contacts` is set, it checks these contacts instead."""
 
     tool: str = ""
-    """frame; empty: the frame named "tool" if it moves, or else the last frame of the model that is
-    fixed to a body without children"""
+    """Tool frame. Empty: the frame "tool" if it moves, else the last frame on a body without children"""
     base: str = "world"
-    """frame; on a moving body, every row is a contact between two bodies"""
+    """Base frame. If it is on a moving body, every row is a contact between two bodies"""
     references: List[Reference] = field(default_factory=lambda: default_check_references())
     surfaces: List[SurfaceShape] = field(default_factory=lambda: default_check_surfaces())
-    """curved surfaces of the base, which the axes of further contacts follow: at each state one of that
-    shape is within 2 cm of the tool"""
+    """Shapes of curved surfaces of the base, whose normals the axes of further contacts follow. In each
+    state, the surface is within 2 cm of the tool"""
     directions: List[str] = field(default_factory=lambda: default_check_directions())
     accelerations: List[Acceleration] = field(default_factory=lambda: [Acceleration.TIME_DERIVATIVE])
     gains: List[CheckGains] = field(default_factory=lambda: default_check_gains())
     contacts: List[ContactSpec] = items()
-    """when not empty: these, all at once, in one row instead of the sweep"""
+    """Contacts to check simultaneously, in one row; empty: the combinations above"""
     states: int = 20
-    """random states per row, at least 1"""
+    """Number of random states per row, at least 1"""
     seed: int = 1
-    """the same seed gives the same states on every machine"""
+    """Seed of the random states, which are the same on every machine"""
     tolerance: float = 1e-6
-    """on |derivative - difference| over the block's largest entry"""
+    """Largest |derivative - finite difference|, relative to the largest entry of the block"""
     progress: Optional[Callable[[int, int], None]] = None
-    """called after each row with the number of rows done and the number of all rows"""
+    """Function that is called after each row, with the number of finished rows and of all rows"""
 
 
 @dataclass(eq=False, repr=False)
 class CheckReport(Spec):
     def text(self) -> str:
-        """A table of all rows, the worst entries of those that fail, and the verdict."""
+        """Returns a table of all rows, the worst entries of failed rows, and the verdict."""
         return _core.check_report_text(self)
 
 
 @dataclass(eq=False, repr=False)
 class RedundantRow(Spec):
     def text(self) -> str:
-        """Such as "contact 'pad_b', direction z: already held by pad_a/z"."""
+        """Returns a text such as "contact 'pad_b', direction z: already held by pad_a/z"."""
         return _core.redundant_row_text(self)
 
 
 @dataclass(eq=False, repr=False)
 class ContactDiagnosis(Spec):
     def text(self) -> str:
-        """One line per row."""
+        """Returns a text with one line per row."""
         return _core.contact_diagnosis_text(self)

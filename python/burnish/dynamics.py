@@ -1,4 +1,4 @@
-"""Where frames are."""
+"""Placements of frames."""
 
 from __future__ import annotations
 

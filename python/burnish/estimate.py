@@ -1,4 +1,4 @@
-"""The state of a base on feet."""
+"""Estimators of the base state, contacts and forces of robots with feet."""
 
 from __future__ import annotations
 
@@ -10,4 +10,4 @@ __all__ = [
 ]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.

@@ -1,4 +1,4 @@
-"""Problems in files."""
+"""Optimal control problems in files."""
 
 from __future__ import annotations
 
@@ -12,4 +12,4 @@ __all__ = ["ProblemFile", "TrajectoryGuess", "WarmStart", "WarmStartKind", "make
            "read_problem_file"]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.

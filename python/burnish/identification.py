@@ -1,4 +1,4 @@
-"""Mass distributions: as numbers, and from recorded motions."""
+"""Inertial parameters, and their identification from recorded motions."""
 
 from ._core import (
     EstimatedInertia,

@@ -31,24 +31,34 @@ from ._core import (
 )
 from ._spec import Spec, items
 
-__all__ = [
-    "Base", "BoxShape", "CylinderShape", "Following", "Frame", "FrameKind", "FrameSpec", "InertiaSpec", "Joint",
-    "JointConvention", "JointKind", "JointOrder", "JointSpec", "JointType", "LinkSpec", "Loop", "LoopSpec",
-    "MeshShape", "MimicSpec", "Model", "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape",
-    "SiblingOrder", "SphereShape", "StatedJoint", "Tendon", "TendonEntry", "TendonPart", "TendonSpec",
-    "TreeSpec", "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",
-    "difference", "integrate", "load_robot", "normalized", "parse_mjcf", "parse_urdf", "placement",
-    "random_configuration", "read_mjcf", "read_urdf", "robot_search_path", "tangent_map",
-]
+__all__ = ["Base", "BoxShape", "CylinderShape", "FileJoint", "Following", "Frame", "FrameKind", "FrameSpec",
+           "InertiaSpec", "Joint", "JointConvention", "JointKind", "JointOrder", "JointSpec", "JointType", "LinkSpec",
+           "Loop", "LoopSpec", "MeshShape", "MimicSpec", "Model", "ModelOptions", "Posture", "Robot", "RobotOverrides",
+           "Shape", "SiblingOrder", "SphereShape", "Tendon", "TendonEntry", "TendonPart", "TendonSpec", "TreeSpec",
+           "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",
+           "difference", "integrate", "load_robot", "normalized", "parse_mjcf", "parse_urdf", "placement",
+           "random_configuration", "read_mjcf", "read_urdf", "robot_search_path", "tangent_map"]
 
 Posture = Dict[str, List[float]]
-"""Values of joints by name, a list per joint (URDF coordinates); the free-flyer base goes by
+"""Joint coordinates by name: a list per joint, as in URDF. The name of a free-flyer base is
 "root_joint"."""
 
 
 def placement(xyz: ArrayLike = (0.0, 0.0, 0.0), rpy: ArrayLike = (0.0, 0.0, 0.0)) -> NDArray[np.float64]:
-    """A placement as a 4 x 4 array: position (m) and roll, pitch, yaw (rad) about the fixed axes x,
-    y, z, as URDF has them."""
+    """Makes a placement from a position and roll-pitch-yaw angles, as in URDF.
+
+    Parameters
+    ----------
+    xyz : array_like, shape (3,)
+        Position [m].
+    rpy : array_like, shape (3,)
+        Roll, pitch, yaw [rad] about the fixed axes x, y, z.
+
+    Returns
+    -------
+    ndarray, shape (4, 4)
+        Homogeneous transformation matrix.
+    """
     r, p, y = (float(a) for a in np.asarray(rpy, dtype=float))
     cr, sr, cp, sp, cy, sy = (math.cos(r), math.sin(r), math.cos(p), math.sin(p), math.cos(y), math.sin(y))
     result = np.eye(4)
@@ -61,7 +71,7 @@ def placement(xyz: ArrayLike = (0.0, 0.0, 0.0), rpy: ArrayLike = (0.0, 0.0, 0.0)
     return result
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 Shape = Union[BoxShape, CylinderShape, SphereShape, MeshShape]
@@ -69,19 +79,20 @@ Shape = Union[BoxShape, CylinderShape, SphereShape, MeshShape]
 
 @dataclass(eq=False, repr=False)
 class RobotOverrides(Spec):
-    """Changes to what a robot's settings file says."""
+    """Changes to the settings file of a robot."""
 
     base: Optional[Base] = None
     locked: List[str] = items()
-    """in addition to what the settings lock"""
+    """Joints to lock in addition to the locked joints of the settings"""
     free: List[str] = items()
-    """these alone move, whatever the settings lock or free"""
+    """The only joints that move; replaces `lock` and `free` of the settings"""
     carrying: str = ""
-    """a link or joint: of a robot without settings only what carries it moves; empty or unknown: all"""
+    """Link, joint or frame to which a tool is attached. For a robot without a settings file, joints that do
+    not move the tool are locked. Empty or unknown: all joints move"""
     posture: str = ""
-    """named posture at which joints are locked; empty: the settings' own"""
+    """Name of the posture in which joints are locked; empty: the posture of the settings"""
     srdf: str = ""
-    """file whose group_states are postures too; empty: the one that the settings name or that lies beside
-    the URDF file"""
+    """SRDF file whose group_states become postures; empty: the file that the settings name, or an SRDF file
+    beside the URDF file"""
     strict: bool = False
-    """refuse what would be a warning"""
+    """Treat warnings about the robot as errors"""

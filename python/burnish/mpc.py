@@ -17,7 +17,7 @@ from .estimate import ImuReading
 from .ocp import ProblemSpec
 from .solver import DdpOptions, LimitOptions, StepUpdate
 
-if TYPE_CHECKING:  # it imports what is here
+if TYPE_CHECKING:  # .pressing imports this module
     from .pressing import PressingTask
 
 __all__ = [
@@ -27,35 +27,46 @@ __all__ = [
 ]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 @dataclass(eq=False, repr=False)
 class FaultReport(Spec):
     def text(self) -> str:
-        """One sentence, such as "speed limit at 3.2140 s: joint 'wrist_3': 3.9 rad/s, allowed 3.6
+        """Returns a sentence such as "speed limit at 3.2140 s: joint 'wrist_3': 3.9 rad/s, allowed 3.6
         rad/s"."""
         return _core.fault_text(self)
 
 
 class Controller(abc.ABC):
-    """What a controller is to the simulation: measurements in, a torque out, at a fixed period. The
-    library's controllers are of this class; so is one of your own, which has the attribute `nv` and
-    these two methods. What they raise ends the run and is raised by the loop's methods."""
+    """Controller of the simulation, which maps measurements to torques at a fixed period.
+
+    The controllers of the library are of this class. Your own controller needs the attribute `nv` and
+    the two methods below. An exception of a method ends the run, and the methods of the loop raise it."""
 
     if TYPE_CHECKING:
 
         @property
         def nv(self) -> int:
-            """Torques of a command."""
+            """Number of torques in a command."""
 
     @abc.abstractmethod
     def reset(self) -> None:
-        """Forgets all ticks before."""
+        """Resets the controller to its state before the first tick."""
 
     @abc.abstractmethod
     def tick(self, measurement: Measurement) -> Union[Command, NDArray[np.float64]]:
-        """The command that follows a measurement; the torque (nv,; Nm, N) alone will do."""
+        """Computes the command for a measurement.
+
+        Parameters
+        ----------
+        measurement : Measurement
+
+        Returns
+        -------
+        Command or ndarray, shape (nv,)
+            Command, or only its torques [Nm or N].
+        """
 
 
 Controller.register(_core.CompiledController)

@@ -1,4 +1,4 @@
-"""Optimal control problems: costs, stages, horizons, the checker. Residuals are in burnish.residual."""
+"""Optimal control problems: costs, stages, horizons, checks. Residuals are in burnish.residual."""
 
 from __future__ import annotations
 
@@ -24,30 +24,76 @@ __all__ = ["ActuationSpec", "Constraint", "CostTerm", "Discretization", "Horizon
            "check_problem", "check_steps", "complaints", "over_time", "step_complaints"]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 @dataclass(eq=False, repr=False)
 class Penalty(Spec):
     @classmethod
-    def square(cls) -> Penalty:
+    def quadratic(cls) -> Penalty:
+        """Makes a quadratic penalty."""
         return cls()
 
     @classmethod
     def barrier(cls, lower: ArrayLike, upper: ArrayLike) -> Penalty:
+        """Makes a quadratic barrier, which is zero between its limits.
+
+        Parameters
+        ----------
+        lower, upper : array_like, shape (rows,) or (1,)
+            Limits of the rows, or one limit for all rows.
+
+        Returns
+        -------
+        Penalty
+        """
         return cls(PenaltyKind.BARRIER, lower, upper)
 
     @classmethod
     def at_least(cls, lower: float) -> Penalty:
-        """A barrier with a lower limit for all rows."""
+        """Makes a quadratic barrier with one lower limit for all rows.
+
+        Parameters
+        ----------
+        lower : float
+            Limit of all rows.
+
+        Returns
+        -------
+        Penalty
+        """
         return cls(PenaltyKind.BARRIER, np.array([lower], dtype=float))
 
     @classmethod
     def smooth_absolute(cls, width: float) -> Penalty:
+        """Makes a smooth absolute value.
+
+        Parameters
+        ----------
+        width : float
+            Width of the smooth region around 0, in the unit of the rows.
+
+        Returns
+        -------
+        Penalty
+        """
         return cls(PenaltyKind.SMOOTH_ABSOLUTE, width=width)
 
     @classmethod
     def log_barrier(cls, lower: ArrayLike, upper: ArrayLike, width: float) -> Penalty:
+        """Makes a relaxed logarithmic barrier.
+
+        Parameters
+        ----------
+        lower, upper : array_like, shape (rows,) or (1,)
+            Limits of the rows, or one limit for all rows.
+        width : float
+            Distance from a limit below which the barrier is quadratic, in the unit of the rows.
+
+        Returns
+        -------
+        Penalty
+        """
         return cls(PenaltyKind.LOG_BARRIER, lower, upper, width)
 
 
@@ -55,64 +101,70 @@ class Penalty(Spec):
 class StateLayout(Spec):
     @property
     def nx(self) -> int:
-        """Entries of a state."""
-        return self.nq + self.nv + self.filtered + self.remembered
+        """Number of entries of a state."""
+        return self.nq + self.nv + self.filtered + self.force_states
 
     @property
     def ndx(self) -> int:
-        """Entries of a tangent of a state."""
-        return 2 * self.nv + self.filtered + self.remembered
+        """Number of entries of a tangent vector of the state."""
+        return 2 * self.nv + self.filtered + self.force_states
 
     @property
     def nz(self) -> int:
+        """Number of entries of z = (du, dx)."""
         return self.nu + self.ndx
 
     @property
     def acts_from_state(self) -> bool:
-        """What acts is the torque in the state."""
+        """True if the torques that act are entries of the state."""
         return self.filtered > 0 and not self.holds_torque
 
     @property
     def column_q(self) -> int:
-        """First column of dq in z; column_v, column_tau and column_force likewise."""
+        """First column of dq in z."""
         return self.nu
 
     @property
     def column_v(self) -> int:
+        """First column of dv in z."""
         return self.nu + self.nv
 
     @property
     def column_tau(self) -> int:
+        """First column of dtau in z, the torques in the state."""
         return self.nu + 2 * self.nv
 
     @property
     def column_force(self) -> int:
+        """First column of the force states in z."""
         return self.nu + 2 * self.nv + self.filtered
 
 
 @dataclass(eq=False, repr=False)
 class TrajectoryValues(Spec):
-    """All knots of a horizon, evaluated at given states and controls."""
+    """Values of all knots of a horizon at given states and controls."""
 
     costs: NDArray[np.float64]
-    """N + 1, of each knot, the terminal one last"""
+    """Costs of the knots, N + 1 entries; the terminal cost is the last one"""
     next_states: NDArray[np.float64]
-    """N x nx, where the dynamics lead from each knot"""
+    """Next states according to the dynamics, N x nx"""
     statuses: List[Status]
-    """N + 1"""
+    """Status of each knot, N + 1 entries"""
     terms: List[int]
-    """N + 1, first cost term that is not finite, -1: none, or the dynamics"""
+    """Index of the first cost term that is not finite, N + 1 entries; -1: none, or the dynamics"""
 
     @property
     def cost(self) -> float:
-        """Of all knots."""
+        """Sum of the costs of all knots."""
         return float(np.sum(self.costs))
 
 
 @dataclass(eq=False, repr=False)
 class TrajectoryExpansion(TrajectoryValues):
-    """Values and derivatives of all knots by z = (du, dx), controls first, dx the right tangent
-    increment; nz = nu + ndx. Where a knot has no controls (impacts, the end) their columns are zero."""
+    """Values of all knots of a horizon, and their derivatives with respect to z = (du, dx).
+
+    du is an increment of the controls, dx a right tangent increment of the state; nz = nu + ndx. For knots
+    without controls (impacts, the last knot), the columns of du are zero."""
 
     gradients: NDArray[np.float64]
     """(N + 1) x nz: d(cost)/dz"""
@@ -125,16 +177,17 @@ class TrajectoryExpansion(TrajectoryValues):
 @dataclass(eq=False, repr=False)
 class ProblemReport(Spec):
     def text(self) -> str:
-        """A table of all rows, the worst entries of those that fail, and the verdict."""
+        """Returns a table of all rows, the worst entries of failed rows, and the verdict."""
         return _core.problem_report_text(self)
 
 
 @dataclass(eq=False, repr=False)
 class StepReport(Spec):
     def text(self) -> str:
-        """One sentence with both errors."""
+        """Returns a sentence with both errors."""
         return _core.step_report_text(self)
 
     def warning(self) -> str:
-        """One sentence that says where and by how much the steps are too coarse; empty: they are not."""
+        """Returns a sentence with the place and the size of the largest error; empty if all steps are short
+        enough."""
         return _core.step_report_warning(self)

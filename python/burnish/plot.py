@@ -1,10 +1,9 @@
-"""Figures with matplotlib: of polishing runs forces and paths, as figures 2 and 4 of the paper show
-them, and an overview of one run; of an optimal control problem its solution.
+"""Figures with matplotlib: forces, paths and an overview of polishing runs, and solutions of problems.
 
-forces(), paths() and overview() take a run (RunResult) or a dict of names and runs, solution() a
-solver. All draw into the axes that they are given or into a new figure, and return an array of the
-matplotlib axes, one per panel: forces(runs)[0].figure.savefig("forces.png").
-Colours are told apart by people of any colour vision."""
+forces() and paths() draw figures 2 and 4 of the paper; their argument is a run (RunResult) or a dict of runs by
+name. overview() draws one run, solution() the solution of a solver. All functions draw into given axes or into a
+new figure, and return an array of axes, one per panel: forces(runs)[0].figure.savefig("forces.png").
+The colours suit people with colour vision deficiencies."""
 
 from __future__ import annotations
 
@@ -23,9 +22,9 @@ Runs = Union[RunResult, Mapping[str, RunResult]]
 Array = NDArray[np.float64]
 
 PALETTE = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-"""Colours of runs, in order (Okabe and Ito, 2008); targets and limits are black and dashed."""
+"""Colours of runs, in order (Okabe and Ito, 2008). Targets and limits are black and dashed."""
 
-_RAMP, _TRACK, _RETREAT = 2.0, 3.0, 4.0  # of Phase, as a trace has them
+_RAMP, _TRACK, _RETREAT = 2.0, 3.0, 4.0  # values of Phase in a trace
 
 
 def _pyplot() -> Any:
@@ -41,7 +40,7 @@ def _named(runs: Runs) -> Dict[str, RunResult]:
 
 
 def _by_surface(runs: Dict[str, RunResult]) -> List[Tuple[str, Dict[str, RunResult]]]:
-    """Runs on surfaces of the same orientation, with the name of the surface."""
+    """Groups runs by the orientation of their surfaces, with the name of the surface."""
     groups: List[Tuple[Array, str, Dict[str, RunResult]]] = []
     for name, result in runs.items():
         normal = np.asarray(result.setting.scene.surface.normal)
@@ -66,11 +65,11 @@ def _vector(v: Array) -> str:
 
 
 def _axes(given: Any, count: int, size: Tuple[float, float], columns: int = 1) -> NDArray[Any]:
-    """The axes to draw in: those given, or of a new figure with `count` panels of `size` (in)."""
+    """Axes to draw in: the given ones, or those of a new figure with `count` panels of `size` [inch]."""
     if given is not None:
         axes = np.atleast_1d(np.asarray(given, dtype=object)).ravel()
         if len(axes) != count:
-            raise ValueError(f"plot: given are {len(axes)} axes; wanted are {count}, one per panel")
+            raise ValueError(f"plot: axes has {len(axes)} entries; wanted {count}, one per panel")
         return np.asarray(axes)
     rows = -(-count // columns)
     _, made = _pyplot().subplots(rows, columns, squeeze=False, constrained_layout=True,
@@ -81,17 +80,17 @@ def _axes(given: Any, count: int, size: Tuple[float, float], columns: int = 1) -
 
 
 def _along(result: RunResult, what: str, direction: Array) -> Array:
-    """A vector of the trace along a direction in the world."""
+    """Component of a vector of the trace along a direction in the world."""
     trace = result.trace
     parts = np.stack([trace[f"{what}_{axis}_world"] for axis in "xyz"])
     return np.asarray(direction @ parts)
 
 
 def _averaged(values: Array, dt: float) -> Array:
-    """Mean over 10 ms about every row."""
+    """Moving mean over 10 ms around each row."""
     half = max(1, round(0.005 / dt))
     window, here = np.ones(2 * half), slice(half - 1, half - 1 + len(values))
-    # Each sum by itself: differences of running sums would lose the digits of long signals.
+    # Sums each window separately, because differences of running sums lose digits in long signals.
     sums, counts = (np.convolve(x, window)[here] for x in (values, np.ones(len(values))))
     return np.asarray(sums / counts)
 
@@ -102,13 +101,13 @@ def _time_step(result: RunResult) -> float:
 
 
 def _path_begin(result: RunResult) -> float:
-    """s, when the path began; where it did not, when it was to."""
+    """Time of the beginning of the path [s]; the planned time if the path did not begin."""
     on_path = np.flatnonzero(result.trace["phase"] == _TRACK)
     return float(result.trace["time"][on_path[0]]) if len(on_path) else result.setting.ramp_end
 
 
 def _finish(axis: Any, title: str, x: str, y: str, **legend: Any) -> None:
-    """Labels, and a legend where something is named."""
+    """Adds labels, a grid, and a legend if a curve has a label."""
     axis.set_title(title, fontsize="medium")
     axis.set_xlabel(x)
     axis.set_ylabel(y)
@@ -120,12 +119,28 @@ def _finish(axis: Any, title: str, x: str, y: str, **legend: Any) -> None:
 
 
 def forces(runs: Runs, axes: Any = None, *, estimated: bool = False) -> NDArray[Any]:
-    """Contact force along the surface's normal over time, against its target, from the first ramp
-    on; a panel for each surface, a line for each run (the paper's figure 2).
+    """Draws the normal force and its target over time (figure 2 of the paper).
 
-    The force is the true one, mean over 10 ms; with `estimated`, what the controller believes. Time
-    counts from the moment when the path begins. axes: one or several, as many as surfaces. Returns
-    the axes, (surfaces,)."""
+    Each surface has a panel, and each run a curve. Time is relative to the beginning of the path.
+
+    Parameters
+    ----------
+    runs : RunResult or mapping of str to RunResult
+        One run, or runs by name.
+    axes : Axes or sequence of Axes, optional
+        Axes to draw in, one per surface.
+    estimated : bool
+        If True, draws the estimated force of the controller, else the mean of the true force over 10 ms.
+
+    Returns
+    -------
+    ndarray of Axes, shape (surfaces,)
+
+    Raises
+    ------
+    ValueError
+        If the number of axes is wrong.
+    """
     groups = _by_surface(_named(runs))
     panels = _axes(axes, len(groups), (7.0, 2.6))
     for axis, (surface, group) in zip(panels, groups):
@@ -146,20 +161,20 @@ def forces(runs: Runs, axes: Any = None, *, estimated: bool = False) -> NDArray[
 
 
 def _force_over_time(result: RunResult, estimated: bool) -> Tuple[Array, Array, Array]:
-    """Time on the path, force and target, from the ramp to the end of the path."""
+    """Returns time since the beginning of the path, force and target, from the ramp to the end of the path."""
     trace = result.trace
     normal = np.asarray(result.setting.surface_axes)[:, 2]
     force = _along(result, "estimated_force" if estimated else "tool_force", normal)
     shown = (trace["phase"] >= _RAMP) & (trace["phase"] < _RETREAT)
     if not estimated:
         force = _averaged(force, _time_step(result))
-        # Before the retreat the mean reaches into it.
+        # The last rows are left out, because their moving mean includes the retreat.
         shown[np.flatnonzero(shown)[-round(0.01 / _time_step(result)):]] = False
     return (trace["time"][shown] - _path_begin(result), force[shown], trace["target_force"][shown])
 
 
 def _same_line(a: Tuple[Array, Array], b: Tuple[Array, Array]) -> bool:
-    """Whether two targets cannot be told apart where both are."""
+    """Returns whether two targets differ by less than 0.5 N in their common time."""
     if not len(a[0]) or not len(b[0]):
         return False
     first, last = max(a[0][0], b[0][0]) + 0.02, min(a[0][-1], b[0][-1])
@@ -168,9 +183,26 @@ def _same_line(a: Tuple[Array, Array], b: Tuple[Array, Array]) -> bool:
 
 
 def paths(runs: Runs, axes: Any = None) -> NDArray[Any]:
-    """The end effector in the plane of the surface, on the path asked for, with equal scales; a
-    panel for each surface, a line for each run (the paper's figure 4). axes: one or several, as many
-    as surfaces. Returns the axes, (surfaces,)."""
+    """Draws the paths of the tool and the target in the plane of the surface (figure 4 of the paper).
+
+    Each surface has a panel with equal scales, and each run a curve.
+
+    Parameters
+    ----------
+    runs : RunResult or mapping of str to RunResult
+        One run, or runs by name.
+    axes : Axes or sequence of Axes, optional
+        Axes to draw in, one per surface.
+
+    Returns
+    -------
+    ndarray of Axes, shape (surfaces,)
+
+    Raises
+    ------
+    ValueError
+        If the number of axes is wrong.
+    """
     groups = _by_surface(_named(runs))
     panels = _axes(axes, len(groups), (5.0, 3.8), columns=2 if len(groups) > 1 else 1)
     for axis, (surface, group) in zip(panels, groups):
@@ -178,8 +210,8 @@ def paths(runs: Runs, axes: Any = None) -> NDArray[Any]:
             u, w = (1e3 * x for x in _in_plane(result, "tool"))
             axis.plot(u, w, color=PALETTE[i % len(PALETTE)], linewidth=1.2, label=name or "tool")
         first = next(iter(group.values()))
-        asked = 1e3 * _asked_for(first)
-        axis.plot(asked[:, 0], asked[:, 1], "--", color="black", linewidth=0.9, label="asked for")
+        target = 1e3 * _target_path(first)
+        axis.plot(target[:, 0], target[:, 1], "--", color="black", linewidth=0.9, label="target")
         axis.set_aspect("equal", adjustable="datalim")
         tangents = np.asarray(first.setting.surface_axes).T
         _finish(axis, surface, f"along {_vector(tangents[0])} [mm]",
@@ -189,7 +221,7 @@ def paths(runs: Runs, axes: Any = None) -> NDArray[Any]:
 
 
 def _in_plane(result: RunResult, what: str) -> Tuple[Array, Array]:
-    """Positions on the path along the two tangents, from the path's centre, m."""
+    """Positions along the two tangents, relative to the centre of the path [m]."""
     on_path = result.trace["phase"] == _TRACK
     axes, center = np.asarray(result.setting.surface_axes), np.asarray(result.setting.p_center)
     u, w = (
@@ -198,15 +230,29 @@ def _in_plane(result: RunResult, what: str) -> Tuple[Array, Array]:
     return u, w
 
 
-def _asked_for(result: RunResult) -> Array:
+def _target_path(result: RunResult) -> Array:
     task = result.task
     return SurfacePath(task.path).positions(np.linspace(0.0, task.polish_duration, 2000))
 
 
 def overview(result: RunResult, axes: Any = None) -> NDArray[Any]:
-    """One run on four panels: normal force, distance from the path, torques as shares of their
-    limits, and computing times (of plans of the MPC; of the whole run's ticks without). axes: four.
-    Returns the axes, (4,)."""
+    """Draws one run: normal force, path error, torques relative to their limits, computing times of plans.
+
+    Parameters
+    ----------
+    result : RunResult
+    axes : sequence of Axes, optional
+        Four axes to draw in.
+
+    Returns
+    -------
+    ndarray of Axes, shape (4,)
+
+    Raises
+    ------
+    ValueError
+        If the number of axes is not 4.
+    """
     panels = _axes(axes, 4, (6.0, 2.6), columns=2)
     trace = result.trace
     _draw_force(panels[0], result)
@@ -243,7 +289,7 @@ def _draw_torques(axis: Any, result: RunResult) -> None:
                       linestyle="-" if i < len(PALETTE) else ":")
     for side in (-100.0, 100.0):
         axis.axhline(side, linestyle="--", color="black", linewidth=0.9)
-    _finish(axis, "joint torques", "time [s]", "of their limits [%]",
+    _finish(axis, "joint torques", "time [s]", "torque / limit [%]",
             fontsize="x-small", ncol=2, loc="upper right", bbox_to_anchor=(1.0, 0.93))
 
 
@@ -251,21 +297,39 @@ def _draw_plans(axis: Any, result: RunResult) -> None:
     trace, task = result.trace, result.task
     planned = (trace["tick"] != 0.0) & (trace["solve_time"] > 0.0)
     if not planned.any():
-        axis.text(0.5, 0.5, "no plans: nothing is optimised", ha="center", va="center",
+        axis.text(0.5, 0.5, "no plans: this controller does not optimize", ha="center", va="center",
                   transform=axis.transAxes)
         axis.set(xticks=[], yticks=[], title="computing time")
         return
     axis.semilogy(trace["time"][planned], 1e3 * trace["solve_time"][planned], ".", markersize=1.5,
                   color=PALETTE[0], rasterized=True, label="plan")
     axis.axhline(1e3 / task.update_rate, linestyle="--", color="black", linewidth=0.9,
-                 label="between two plans")
-    _finish(axis, "computing time", "time [s]", "per plan [ms]")
+                 label="update period")
+    _finish(axis, "computing time", "time [s]", "time per plan [ms]")
 
 
 def solution(solver: DdpSolver, axes: Any = None) -> NDArray[Any]:
-    """What a solver returned, on three panels over time: coordinates q, velocities v, controls.
-    Controls hold from their knot to the next; bounds of the first knot are dashed, where they are near.
-    axes: three. Returns the axes, (3,)."""
+    """Draws the solution of a solver over time: coordinates q, velocities v, controls u.
+
+    Controls are constant between knots. Bounds of the first knot are dashed if they are within 120 % of the largest
+    control.
+
+    Parameters
+    ----------
+    solver : DdpSolver
+        Solver with a solution.
+    axes : sequence of Axes, optional
+        Three axes to draw in.
+
+    Returns
+    -------
+    ndarray of Axes, shape (3,)
+
+    Raises
+    ------
+    ValueError
+        If the number of axes is not 3.
+    """
     panels = _axes(axes, 3, (6.0, 2.4))
     problem = solver.problem
     nq, nv = problem.model.nq, problem.model.nv
@@ -282,20 +346,20 @@ def solution(solver: DdpSolver, axes: Any = None) -> NDArray[Any]:
         for side in (problem.control_lower(0), problem.control_upper(0)):
             if side is not None and i < len(side):
                 bounds.append((float(side[i]), _line_of(i)["color"]))
-    most = 1.2 * np.nanmax(np.abs(solver.us), initial=0.0)
+    max_shown = 1.2 * np.nanmax(np.abs(solver.us), initial=0.0)
     for value, colour in bounds:
-        if abs(value) <= most:
+        if abs(value) <= max_shown:
             panels[2].axhline(value, linestyle="--", linewidth=0.7, color=colour)
     _finish(panels[2], "controls", "time [s]", "u [Nm or N]", **_beside())
     return panels
 
 
 def _line_of(i: int) -> Dict[str, Any]:
-    """Colour and dashes of the line number i."""
+    """Colour and dashes of curve number i."""
     return {"color": PALETTE[i % len(PALETTE)], "linewidth": 0.9,
             "linestyle": ("-", ":", "--", "-.")[i // len(PALETTE) % 4]}
 
 
 def _beside() -> Dict[str, Any]:
-    """A legend to the right of its panel."""
+    """Options of a legend to the right of its panel."""
     return {"fontsize": "x-small", "loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}

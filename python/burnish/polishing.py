@@ -1,4 +1,4 @@
-"""The polishing task: what it is, its runs, its experiments.
+"""Polishing task, its runs and experiments.
 
     from burnish import plot, polishing
     result = polishing.run("board", seed=1)
@@ -87,22 +87,37 @@ __all__ = [
     "run", "run_task", "task_notes", "task_point", "task_text", "task_units", "write_task",
 ]
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 ResultCell = Union[None, float, str]
-"""Nothing, a number or text. A number that is not finite is written as nothing."""
+"""None, a number or a text. A number that is not finite is written as an empty cell."""
 
 
 @dataclass(eq=False, repr=False)
 class ResultTable(Spec):
     @property
     def names(self) -> List[str]:
-        """Of the columns."""
+        """Names of the columns."""
         return [column.name for column in self.columns]
 
     def column(self, name: str) -> List[ResultCell]:
-        """The cells of a column."""
+        """Returns the cells of a column.
+
+        Parameters
+        ----------
+        name : str
+            Name of the column.
+
+        Returns
+        -------
+        list of None, float or str
+
+        Raises
+        ------
+        Error
+            If the table has no such column.
+        """
         if name not in self.names:
             raise _core.Error(f"table '{self.name}' has no column '{name}'; wanted one of "
                               f"{', '.join(self.names)}")
@@ -110,11 +125,11 @@ class ResultTable(Spec):
         return [row[place] for row in self.rows]
 
     def markdown(self) -> str:
-        """As a Markdown table: units below names, numbers to the right."""
+        """Returns a Markdown table, with units below names and numbers aligned to the right."""
         return _core.table_markdown(self)
 
     def csv(self) -> str:
-        """First line `name [unit],...`; text with commas or quotes is quoted."""
+        """Returns CSV text with the header `name [unit],...`; quotes cells with commas or quotes."""
         return _core.table_csv(self)
 
 
@@ -122,31 +137,56 @@ class ResultTable(Spec):
 class TaskMargins(Spec):
     @property
     def delay(self) -> float:
-        """The smaller one of both, s."""
+        """Smaller delay margin of both, without and with contact [s]."""
         return min(self.air.delay, self.contact.delay)
 
 
 @dataclass(eq=False, repr=False)
 class ExperimentReport(Spec):
     def table(self, name: str) -> ResultTable:
-        """A table by its name."""
+        """Returns a table.
+
+        Parameters
+        ----------
+        name : str
+            Name of the table.
+
+        Returns
+        -------
+        ResultTable
+
+        Raises
+        ------
+        Error
+            If the report has no such table.
+        """
         for table in self.tables:
             if table.name == name:
                 return table
-        raise _core.Error(f"there is no table '{name}'; wanted one of "
+        raise _core.Error(f"the report has no table '{name}'; wanted one of "
                           f"{', '.join(table.name for table in self.tables)}")
 
 
 @dataclass(eq=False, repr=False)
 class Experiment(Spec):
-    """One of experiments()."""
+    """An experiment, as experiments() lists them."""
 
     name: str
     summary: str
-    """one line"""
+    """Summary, one line"""
 
     def perform(self, spec: Optional[ExperimentSpec] = None) -> ExperimentReport:
-        """perform_experiment() of this one."""
+        """Performs this experiment with perform_experiment().
+
+        Parameters
+        ----------
+        spec : ExperimentSpec, optional
+            Options of the experiment.
+
+        Returns
+        -------
+        ExperimentReport
+        """
         return perform_experiment(self.name, spec)
 
 
@@ -158,13 +198,32 @@ def make_task(
     overrides: Sequence[str] = (),
     **entries: Any,
 ) -> Task:
-    """A task: on one of named_surfaces(), from a task file (a path, or a text that ends in .yaml or
-    .yml), or a copy of another.
+    """Makes a task from a named surface, a task file, or another task.
 
-    disturbances: one of disturbance_presets() or a value; None: the file's or the task's own, on a
-    named surface "mismatch". seed: of what is drawn at random. overrides: as override_task() takes
-    them, "path.radius=0.04". entries: of Task, such as force=20 or weights=Weights(rotation=10).
-    Raises Error for what does not fit together."""
+    Parameters
+    ----------
+    where : str, Path or Task
+        Name of one of named_surfaces(), task file (a Path, or a text that ends in .yaml or .yml), or task
+        to copy.
+    disturbances : str, Disturbances or None
+        Name of one of disturbance_presets(), or a value. None: the disturbances of the file or task; on a
+        named surface "mismatch".
+    seed : int, optional
+        Seed of the random disturbances.
+    overrides : sequence of str
+        Changes as for override_task(), such as "path.radius=0.04".
+    **entries
+        Entries of Task, such as force=20 or weights=Weights(rotation=10).
+
+    Returns
+    -------
+    Task
+
+    Raises
+    ------
+    Error
+        If the file cannot be read, a key is unknown, or values contradict each other.
+    """
     if isinstance(where, Task):
         task = where.replace()
     elif isinstance(where, Path) or where.endswith((".yaml", ".yml")):
@@ -194,16 +253,40 @@ def run(
     progress: Optional[Callable[[float, float], Optional[bool]]] = None,
     **entries: Any,
 ) -> RunResult:
-    """Polishes: run_task() of make_task().
+    """Makes a task with make_task() and runs it with run_task().
 
-    controller: "mpc", "baseline" or "admittance". plant: "mujoco" or "ideal"; None: MuJoCo where this build has
-    it. The rest is make_task()'s and RunSpec's.
+    Parameters
+    ----------
+    where, disturbances, seed, overrides, **entries
+        Arguments of make_task().
+    controller : str or ControllerKind
+        "mpc", "baseline" or "admittance".
+    plant : str, PlantKind or None
+        "mujoco" or "ideal"; None: MuJoCo if this build has it, else ideal.
+    check_reach : bool
+        If False, run even if the reach check fails.
+    plan_rate : float
+        Rate at which plans are recorded [Hz].
+    progress : callable or None
+        Function of the simulated time and the duration [s]; the run stops if it returns False.
 
-        polishing.run("board", seed=1, polish_duration=4, overrides=["path.radius=0.04"])
+    Returns
+    -------
+    RunResult
+        Result of the run. Faults are in the result.
+
+    Raises
+    ------
+    Error
+        If the task is contradictory, or this build does not have the plant.
+
+    Examples
+    --------
+    >>> polishing.run("board", seed=1, polish_duration=4, overrides=["path.radius=0.04"])
     """
     task = make_task(where, disturbances=disturbances, seed=seed, overrides=overrides, **entries)
     spec = RunSpec(task=task, check_reach=check_reach, plan_rate=plan_rate, progress=progress)
-    spec.controller = controller  # type: ignore[assignment]  # names are taken for members
+    spec.controller = controller  # type: ignore[assignment]  # Spec accepts names of enumerators
     if plant is not None:
         spec.plant = plant  # type: ignore[assignment]
     return run_task(spec)

@@ -1,4 +1,4 @@
-"""The task of pressing at a point while the rest of the arm moves aside, and its runs.
+"""Task of pressing at a point while the other joints of the arm move aside, and its runs.
 
     from burnish import press_hold
     result = press_hold.run("tasks/press_hold/arm7.yaml", force=15.0)
@@ -36,7 +36,7 @@ __all__ = [
 ]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 def make_task(
@@ -45,10 +45,26 @@ def make_task(
     overrides: Sequence[str] = (),
     **entries: Any,
 ) -> Task:
-    """A task: from a file, a copy of another, or the defaults.
+    """Makes a task from a task file, another task, or the defaults.
 
-    overrides: as override_task() takes them, "tool.frame=flange". entries: of Task, such as
-    force=15 or aside={"joint_3": 0.4}. Raises Error for what does not fit together."""
+    Parameters
+    ----------
+    where : str, Path, Task or None
+        Task file, task to copy, or None for the defaults.
+    overrides : sequence of str
+        Changes as for override_task(), such as "tool.frame=flange".
+    **entries
+        Entries of Task, such as force=15 or aside={"joint_3": 0.4}.
+
+    Returns
+    -------
+    Task
+
+    Raises
+    ------
+    Error
+        If the file cannot be read, a key is unknown, or values contradict each other.
+    """
     if where is None:
         task = Task()
     else:
@@ -65,11 +81,38 @@ def run(
     progress: Optional[Callable[[float, float], Optional[bool]]] = None,
     **entries: Any,
 ) -> RunResult:
-    """run_task() of make_task(). plant: "mujoco" or "ideal"; None: MuJoCo where this build has it.
+    """Makes a task with make_task() and runs it with run_task().
 
-        press_hold.run("my_task.yaml", plant="ideal", overrides=["disturbances=sensors"])
+    Parameters
+    ----------
+    where, overrides, **entries
+        Arguments of make_task().
+    plant : str, PlantKind or None
+        "mujoco" or "ideal"; None: MuJoCo if this build has it, else ideal.
+    check_reach : bool
+        If False, run even if the reach check fails.
+    progress : callable or None
+        Function of the simulated time and the duration [s]; the run stops if it returns False.
 
-    With another robot the task goes through fit_to_robot(), whose changes are warnings."""
+    Returns
+    -------
+    RunResult
+        Result of the run. Faults are in the result.
+
+    Raises
+    ------
+    Error
+        If the task is contradictory, or this build does not have the plant.
+
+    Warns
+    -----
+    UserWarning
+        For each change by fit_to_robot(), which is called if `robot` is set in `entries` or `overrides`.
+
+    Examples
+    --------
+    >>> press_hold.run("my_task.yaml", plant="ideal", overrides=["disturbances=sensors"])
+    """
     task = make_task(where, overrides=overrides, **entries)
     if "robot" in entries or any(change.startswith("robot=") for change in overrides):
         task, changes = fit_to_robot(task)
@@ -77,5 +120,5 @@ def run(
             warnings.warn(change, stacklevel=2)
     spec = RunSpec(task=task, check_reach=check_reach, progress=progress)
     if plant is not None:
-        spec.plant = plant  # type: ignore[assignment]  # names are taken for members
+        spec.plant = plant  # type: ignore[assignment]  # Spec accepts names of enumerators
     return run_task(spec)

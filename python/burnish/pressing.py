@@ -1,5 +1,5 @@
-"""What tasks that press a tool on a surface share: what they tell an MpcController, from which posture
-they reach, and what their runs leave."""
+"""Common parts of tasks that press a tool on a surface: options for an MpcController, search for postures,
+and records of runs."""
 
 from __future__ import annotations
 
@@ -25,12 +25,13 @@ __all__ = [
 ]
 
 SEARCHED_POSTURE = "search"
-"""In a task, in place of a posture's name: let find_posture() find one."""
+"""Value of a posture's name in a task, for which find_posture() finds a posture."""
 
 
 class Phase(enum.IntEnum):
-    """The phases of a tool that comes to a surface, presses on it, follows a path there and leaves,
-    as Command.phase and traces of polishing count them."""
+    """Phases of a polishing run: the numbers in Command.phase and in traces.
+
+    The tool approaches a surface, presses on it, follows a path on it, and retreats."""
 
     REACH = 0
     APPROACH = 1
@@ -38,45 +39,45 @@ class Phase(enum.IntEnum):
     TRACK = 3
     RETREAT = 4
     HOME = 5
-    """first where there is one: see HomeSpec"""
+    """Motion from the home posture, the first phase if a home is set (see HomeSpec)"""
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 @dataclass(eq=False, repr=False)
 class ReachReport(Spec):
     @property
     def ok(self) -> bool:
-        """Whether nothing is in the way."""
+        """True if the check found no problem."""
         return self.problem == ReachProblem.NONE
 
 
 @dataclass(eq=False, repr=False)
 class PlanRecord(Spec):
-    """Plans of model predictive control, now and then along a run; empty without plans."""
+    """Recorded plans of a model predictive controller; empty without plans."""
 
     time: NDArray[np.float64]
-    """(plans,), s, of each plan's first knot"""
+    """Time of the first knot of each plan [s], shape (plans,)"""
     terms: List[str]
-    """of the costs of all stages that were planned with"""
+    """Names of the cost terms of all planned stages"""
     costs: NDArray[np.float64]
-    """(terms, plans), summed over the plan, terminal costs included"""
+    """Costs, summed over each plan with its terminal cost, shape (terms, plans)"""
     step: float
-    """s between the knots that are kept"""
+    """Time between recorded knots [s]"""
     q: NDArray[np.float32]
-    """(plans, knots, nq)"""
+    """Configurations, shape (plans, knots, nq)"""
     x: NDArray[np.float64]
-    """(plans, nx), of the first knot: the state that the plan was made for"""
+    """State at the first knot, from which the plan starts, shape (plans, nx)"""
     u: NDArray[np.float64]
-    """(plans, nu), of the first knot"""
+    """Controls at the first knot, shape (plans, nu)"""
     K: NDArray[np.float64]
-    """(plans, nu, ndx), Riccati gains of the first knot"""
+    """Riccati gains at the first knot, shape (plans, nu, ndx)"""
     Vx: NDArray[np.float64]
-    """(plans, ndx), gradient of the value function at the first knot"""
+    """Gradient of the value function at the first knot, shape (plans, ndx)"""
     Vxx: NDArray[np.float64]
-    """(plans, ndx, ndx), its Hessian"""
+    """Hessian of the value function at the first knot, shape (plans, ndx, ndx)"""
 
 
-# What MpcSpec.task says, for who asks for its types: that module is there before this one.
+# The annotation of MpcSpec.task names this class. Module mpc is imported before this module.
 setattr(_mpc, "PressingTask", PressingTask)

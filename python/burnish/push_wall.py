@@ -1,4 +1,4 @@
-"""The task of pushing with both hands against a wall, and its runs.
+"""Task of pushing against a wall with both hands, and its runs.
 
     from burnish import push_wall
     result = push_wall.run("tasks/push_wall/talos.yaml", force=40.0)
@@ -28,13 +28,13 @@ from .pressing import PlanLimits, PlantKind, Standing
 from .sim import Disturbances, SceneSpec
 
 __all__ = [
-    "Lean", "Limit", "PushFigures", "RunResult", "RunSpec", "Setting", "Task", "Wall", "Weights",
+    "ForceSearch", "Limit", "PushFigures", "RunResult", "RunSpec", "Setting", "Task", "Wall", "Weights",
     "check_task", "make_controller", "make_setting", "make_task", "override_task", "phase_names",
     "read_task", "refuse_out_of_reach", "run", "run_task", "task_text", "task_units",
 ]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 def make_task(
@@ -43,10 +43,26 @@ def make_task(
     overrides: Sequence[str] = (),
     **entries: Any,
 ) -> Task:
-    """A task: from a file, a copy of another, or the defaults.
+    """Makes a task from a task file, another task, or the defaults.
 
-    overrides: as override_task() takes them, "lean.rate=5". entries: of Task, such as
-    force=40 or hands=["left_tool", "tool"]. Raises Error for what does not fit together."""
+    Parameters
+    ----------
+    where : str, Path, Task or None
+        Task file, task to copy, or None for the defaults.
+    overrides : sequence of str
+        Changes as for override_task(), such as "force_search.rate=5".
+    **entries
+        Entries of Task, such as force=40 or hands=["left_tool", "tool"].
+
+    Returns
+    -------
+    Task
+
+    Raises
+    ------
+    Error
+        If the file cannot be read, a key is unknown, or values contradict each other.
+    """
     if where is None:
         task = Task()
     else:
@@ -63,12 +79,35 @@ def run(
     progress: Optional[Callable[[float, float], Optional[bool]]] = None,
     **entries: Any,
 ) -> RunResult:
-    """run_task() of make_task(). plant: "mujoco", which alone has feet to stand on.
+    """Makes a task with make_task() and runs it with run_task().
 
-        push_wall.run("my_task.yaml", overrides=["disturbances=sensors"])
+    Parameters
+    ----------
+    where, overrides, **entries
+        Arguments of make_task().
+    plant : str, PlantKind or None
+        "mujoco" or None; the other plant does not simulate feet.
+    check_reach : bool
+        If False, run even if the reach check fails.
+    progress : callable or None
+        Function of the simulated time and the duration [s]; the run stops if it returns False.
+
+    Returns
+    -------
+    RunResult
+        Result of the run. Faults are in the result.
+
+    Raises
+    ------
+    Error
+        If the task is contradictory, or this build does not have the plant.
+
+    Examples
+    --------
+    >>> push_wall.run("my_task.yaml", overrides=["disturbances=sensors"])
     """
     task = make_task(where, overrides=overrides, **entries)
     spec = RunSpec(task=task, check_reach=check_reach, progress=progress)
     if plant is not None:
-        spec.plant = plant  # type: ignore[assignment]  # names are taken for members
+        spec.plant = plant  # type: ignore[assignment]  # Spec accepts names of enumerators
     return run_task(spec)

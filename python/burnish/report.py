@@ -1,4 +1,4 @@
-"""Metrics, plots."""
+"""Metrics and plots of runs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["Curve", "Metrics", "MetricsSpec", "NamedMetrics", "Panel", "PlotSpec
            "StandingFigures", "measure", "measure_standing", "metrics_table", "plot_palette", "svg_plot", "write_svg_plot"]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 @dataclass(eq=False, repr=False)
@@ -27,5 +27,5 @@ class Metrics(Spec):
     _brief = True
 
     def text(self) -> str:
-        """All figures, one per line: name, value, unit, what it means."""
+        """Returns a text with a line per figure: name, value, unit, meaning."""
         return _core.metrics_text(self)

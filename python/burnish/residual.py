@@ -1,6 +1,6 @@
-"""What a cost term measures: one dataclass per residual; rows, their units and axes are said in each.
+"""Residuals of cost terms: one dataclass per residual, which documents its rows, units and axes.
 
-A target may be left None where that is said; its size is the residual's unless said otherwise."""
+The size of a target is the size of its residual, unless documented otherwise."""
 
 from __future__ import annotations
 
@@ -20,28 +20,32 @@ __all__ = ["CenterOfMass", "CenterOfPressure", "CentroidalMomentum", "ContactFor
            "State", "SupportMargin", "UserResidual", "custom"]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 @dataclass(eq=False, repr=False)
 class Custom(Spec):
-    """A residual of one's own: functions of a NodeView, which is valid inside the call only. They are
-    called by the threads that solve, and what they raise reaches the caller of solve()."""
+    """User-defined residual: functions of a NodeView, which is valid only during the call. The threads of the
+    solver call these functions. Their exceptions reach the caller of solve()."""
 
     name: str = ""
+    """Name in reports and messages"""
     rows: int = 0
+    """Number of rows"""
     frames: List[str] = items()
-    """that value and jacobian ask for, by name or by place in this list"""
+    """Names of frames that `value` and `jacobian` use, by name or by index in this list"""
     contacts: List[str] = items()
-    """likewise"""
+    """Names of contacts that `value` and `jacobian` use, by name or by index in this list"""
     value: Optional[Callable[[NodeView], ArrayLike]] = None
-    """at -> `rows` numbers"""
+    """Function of a NodeView; returns the residual, shape (rows,)"""
     jacobian: Optional[Callable[[NodeView], ArrayLike]] = None
-    """at -> d(value)/dz, rows x nz, z = (du, dq, dv, dtau); None: central differences"""
+    """Function of a NodeView; returns d(value)/dz, shape (rows, nz), with z = (du, dq, dv, dtau). None: central
+    differences"""
 
 
 class UserResidual(Protocol):
-    """What custom() takes. It may also have `name`, `frames`, `contacts` and jacobian(at)."""
+    """Interface of the argument of custom(). It may also have `name`, `frames`, `contacts` and
+    jacobian(at)."""
 
     rows: int
 
@@ -49,8 +53,17 @@ class UserResidual(Protocol):
 
 
 def custom(user: UserResidual) -> Custom:
-    """A residual from any object with `rows` and `value(at)`, and if wanted `name`, `frames`,
-    `contacts` and `jacobian(at)`; see Custom and examples/06_your_own_cost.py."""
+    """Makes a residual from an object of your own. See examples/06_your_own_cost.py.
+
+    Parameters
+    ----------
+    user : UserResidual
+        Object with `rows` and `value(at)`, and optionally `name`, `frames`, `contacts` and `jacobian(at)`.
+
+    Returns
+    -------
+    Custom
+    """
     given: Any = user
     return Custom(
         name=getattr(given, "name", ""),

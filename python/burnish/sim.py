@@ -1,4 +1,4 @@
-"""Plants, disturbances, closed loops."""
+"""Plants, disturbances, controllers, closed loops."""
 
 from __future__ import annotations
 
@@ -43,75 +43,106 @@ __all__ = [
 ]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 class Plant(abc.ABC):
-    """A robot and a surface, advanced by a fixed step. The library's plants are of this class; so is
-    one of your own, which has the attributes below and the methods reset() and step(). Only `model`,
-    `dt`, `q` and `v` have to be there; the scene is otherwise SceneSpec(), time counts steps, and
-    there are no forces. The tip's frame in `scene` has to be one of the model's.
+    """Simulation of a robot and a surface with a fixed time step.
 
-    A loop asks for `model`, `dt` and `scene` when it is made, and for the rest after every reset and
-    step. What a method raises ends the run, and is raised by the loop's methods. A step in Python
-    takes some 10 us besides what it computes."""
+    The plants of the library are of this class. Your own plant needs the attributes `model`, `dt`, `q` and
+    `v`, and the methods reset() and step(). The other attributes are optional. By default, the scene is
+    SceneSpec(), the time is the number of steps times dt, and forces are zero. The frame of the tip in
+    `scene` must be a frame of the model.
+
+    A loop reads `model`, `dt` and `scene` when it is made, and the other attributes after each reset and
+    step. An exception of a method ends the run, and the methods of the loop raise it. A call of step() takes
+    about 10 us in addition to its own computing time."""
 
     if TYPE_CHECKING:
 
         @property
         def model(self) -> Model:
-            """The robot as it is."""
+            """True model of the robot."""
 
         @property
         def dt(self) -> float:
-            """s, of a step."""
+            """Time step [s]."""
 
         @property
         def q(self) -> NDArray[np.float64]:
-            """Configuration (nq,)."""
+            """Configuration, shape (nq,)."""
 
         @property
         def v(self) -> NDArray[np.float64]:
-            """Velocity (nv,)."""
+            """Velocity, shape (nv,)."""
 
         @property
         def scene(self) -> SceneSpec:
-            """Surface and tip as they are."""
+            """True surface and tool tip."""
 
         @property
         def time(self) -> float:
-            """s since reset()."""
+            """Time since reset() [s]."""
 
         @property
         def contact_force_world(self) -> NDArray[np.float64]:
-            """Force of the surface on the tip during the last step (3,), N, world axes."""
+            """Force of the surface on the tip during the last step, world axes, shape (3,) [N]."""
 
         @property
         def in_contact(self) -> bool:
-            """Whether the surface pushed during the last step."""
+            """True if the surface exerted a force on the tip during the last step."""
 
         @property
         def friction_torque(self) -> NDArray[np.float64]:
-            """Torque of joint friction during the last step (nv,), Nm or N: against the motion."""
+            """Torques of joint friction during the last step, against the motion, shape (nv,) [Nm or N]."""
 
     @abc.abstractmethod
     def reset(self, q: Any, v: Any = None) -> Optional[Status]:
-        """Starts at the configuration q (nq,) with the velocity v (nv,), None: at rest, at time zero,
-        without force. A Status above NOT_CONVERGED, or an exception, says that it did not."""
+        """Sets the state, at time zero and without forces.
+
+        Parameters
+        ----------
+        q : array_like, shape (nq,)
+            Configuration.
+        v : array_like, shape (nv,), or None
+            Velocity; None: at rest.
+
+        Returns
+        -------
+        Status or None
+            A Status above NOT_CONVERGED reports a failure.
+        """
 
     @abc.abstractmethod
     def step(self, tau: Any, push_world: Any = None) -> Optional[Status]:
-        """Advances by dt with the torques tau (nv,; Nm, N; entries of a floating base act as a wrench
-        in its body axes) and a force on the tip (3,; N, world axes, at the tip frame's origin), held
-        over the step. A Status above NOT_CONVERGED, or an exception, says that it did not."""
+        """Advances by dt, with constant torques and a constant force on the tip.
+
+        Parameters
+        ----------
+        tau : array_like, shape (nv,)
+            Torques [Nm or N]. The entries of a floating base are a wrench in the axes of the base.
+        push_world : array_like, shape (3,), or None
+            Force at the origin of the tip frame, in world axes [N].
+
+        Returns
+        -------
+        Status or None
+            A Status above NOT_CONVERGED reports a failure.
+        """
 
     def save(self) -> PlantSnapshot:
-        """A snapshot of all that the future depends on, and of the readings."""
-        raise NotImplementedError(f"{type(self).__name__} cannot be saved")
+        """Returns a snapshot: all data on which future steps depend, and the forces of the last step."""
+        raise NotImplementedError(f"{type(self).__name__} has no method save()")
 
     def restore(self, snapshot: PlantSnapshot) -> None:
-        """Goes back: the same torques then give the same bits."""
-        raise NotImplementedError(f"{type(self).__name__} cannot be restored")
+        """Restores a saved state. The same torques then give the same motion, bit by bit.
+
+        Parameters
+        ----------
+        snapshot : PlantSnapshot
+            Result of save() of this plant.
+        """
+        raise NotImplementedError(f"{type(self).__name__} has no method restore()")
 
 
 Plant.register(_core.CompiledPlant)
@@ -120,5 +151,15 @@ Plant.register(_core.CompiledPlant)
 @dataclass(eq=False, repr=False)
 class CirclePath(Spec):
     def at(self, t: float) -> TaskPoint:
-        """The task at t s from the start; before it, the start."""
+        """Returns the point of the path at a time.
+
+        Parameters
+        ----------
+        t : float
+            Time since the start of the path [s]; the first point for t < 0.
+
+        Returns
+        -------
+        TaskPoint
+        """
         return _core.circle_path_at(self, t)

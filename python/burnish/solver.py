@@ -1,4 +1,4 @@
-"""Differential dynamic programming."""
+"""Differential dynamic programming (DDP) for optimal control problems."""
 
 from __future__ import annotations
 
@@ -14,13 +14,19 @@ __all__ = ["ActiveLimit", "CostEntry", "CostKnot", "CostReport", "DdpOptions", "
            "RowPlace", "StartRow", "StepUpdate", "StopReason"]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 @dataclass(eq=False, repr=False)
 class DdpOptions(Spec):
     def check(self) -> None:
-        """Raises Error with a sentence naming the option that is out of range."""
+        """Checks the options.
+
+        Raises
+        ------
+        Error
+            If an option is out of range; the message names the option.
+        """
         _core.check_ddp_options(self)
 
 
@@ -29,13 +35,23 @@ class DdpSummary(Spec):
     _brief = True
 
     def text(self, problem: Problem) -> str:
-        """One sentence that says why the solver stopped, with names from the problem."""
+        """Returns a sentence with the reason why the solver stopped.
+
+        Parameters
+        ----------
+        problem : Problem
+            Problem that was solved; the sentence uses its names.
+
+        Returns
+        -------
+        str
+        """
         return _core.summary_text(self, problem)
 
 
 @dataclass(eq=False, repr=False)
 class CostReport(Spec):
     def text(self) -> str:
-        """A table for people: terms from the largest down, and the five most expensive knots, and the
-        five rows that are furthest outside their limits."""
+        """Returns a text: the cost terms in descending order, the five knots with the largest costs, and the five
+        constraint rows with the largest violations."""
         return _core.cost_report_text(self)

@@ -1,8 +1,8 @@
-"""The task of standing on feet and swaying, and its runs.
+"""Task of standing on feet and swaying, and its runs.
 
     from burnish import stand
     result = stand.run("tasks/stand/quadruped.yaml", overrides=["disturbances=joint_friction"])
-    print(result.outcome, result.fell, result.sway.com_rmse, result.standing.least_load)
+    print(result.outcome, result.fell, result.sway.com_rmse, result.standing.min_load)
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ __all__ = [
 ]
 
 
-# Described classes stand here (scripts/describe).
+# scripts/describe inserts the described classes here.
 
 
 def make_task(
@@ -43,10 +43,26 @@ def make_task(
     overrides: Sequence[str] = (),
     **entries: Any,
 ) -> Task:
-    """A task: from a file, a copy of another, or the defaults.
+    """Makes a task from a task file, another task, or the defaults.
 
-    overrides: as override_task() takes them, "sway.rise=2". entries: of Task, such as
-    robot="my_robot.urdf" or sway_duration=4.0. Raises Error for what does not fit together."""
+    Parameters
+    ----------
+    where : str, Path, Task or None
+        Task file, task to copy, or None for the defaults.
+    overrides : sequence of str
+        Changes as for override_task(), such as "sway.rise=2".
+    **entries
+        Entries of Task, such as robot="my_robot.urdf" or sway_duration=4.0.
+
+    Returns
+    -------
+    Task
+
+    Raises
+    ------
+    Error
+        If the file cannot be read, a key is unknown, or values contradict each other.
+    """
     if where is None:
         task = Task()
     else:
@@ -63,12 +79,35 @@ def run(
     progress: Optional[Callable[[float, float], Optional[bool]]] = None,
     **entries: Any,
 ) -> RunResult:
-    """run_task() of make_task(). plant: "mujoco", which alone has feet to stand on.
+    """Makes a task with make_task() and runs it with run_task().
 
-        stand.run("my_task.yaml", overrides=["disturbances=sensors"])
+    Parameters
+    ----------
+    where, overrides, **entries
+        Arguments of make_task().
+    plant : str, PlantKind or None
+        "mujoco" or None; the other plant does not simulate feet.
+    check_reach : bool
+        If False, run even if the reach check fails.
+    progress : callable or None
+        Function of the simulated time and the duration [s]; the run stops if it returns False.
+
+    Returns
+    -------
+    RunResult
+        Result of the run. Faults are in the result.
+
+    Raises
+    ------
+    Error
+        If the task is contradictory, or this build does not have the plant.
+
+    Examples
+    --------
+    >>> stand.run("my_task.yaml", overrides=["disturbances=sensors"])
     """
     task = make_task(where, overrides=overrides, **entries)
     spec = RunSpec(task=task, check_reach=check_reach, progress=progress)
     if plant is not None:
-        spec.plant = plant  # type: ignore[assignment]  # names are taken for members
+        spec.plant = plant  # type: ignore[assignment]  # Spec accepts names of enumerators
     return run_task(spec)

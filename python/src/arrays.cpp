@@ -29,8 +29,9 @@ bool load_placement(py::handle from, Eigen::Isometry3d& placement) {
   if (!(R.transpose() * R).isIdentity(tolerance) || !(R.determinant() > 0.0) ||
       !matrix.row(3).isApprox(Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0), tolerance))
     throw Error(
-        "placement: the 4 x 4 array is no placement; wanted are a rotation matrix and a position "
-        "above the row 0, 0, 0, 1");
+        "placement: the 4 x 4 array is not a placement; wanted a rotation matrix and a position "
+        "above "
+        "the row 0, 0, 0, 1");
   placement.matrix() = matrix;
   return true;
 }

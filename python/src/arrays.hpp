@@ -1,5 +1,4 @@
-// NumPy arrays and Eigen: placements as 4 x 4 arrays, results as copies or as views that say whose
-// memory they are.
+// Conversion between NumPy and Eigen: placements as 4 x 4 arrays, results as copies or views.
 #pragma once
 
 #include <pybind11/eigen.h>
@@ -13,16 +12,17 @@ namespace burnish::python {
 
 namespace py = pybind11;
 
-/// A copy, Python's own.
+/// Copy in memory of Python.
 py::array_t<double> copied(const VectorView& view);
 py::array_t<double> copied(const MatrixView& view);
 
-/// An array on memory that `owner` keeps alive; nobody can write to it. Sizes and strides (bytes),
-/// one per dimension.
+/// Read-only view of memory that `owner` keeps alive. One size and one stride [bytes] per
+/// dimension.
 py::array_t<double> view_of(const double* data, std::vector<py::ssize_t> sizes,
                             std::vector<py::ssize_t> strides, py::handle owner);
 
-/// Reads a 4 x 4 homogeneous matrix. False for another shape; throws Error if its rotation is none.
+/// Reads a 4 x 4 homogeneous matrix. Returns false for another shape. Throws Error for an invalid
+/// rotation or last row.
 bool load_placement(py::handle from, Eigen::Isometry3d& placement);
 
 }  // namespace burnish::python

@@ -1,4 +1,4 @@
-// One function per layer, each in its bind_*.cpp, in the order of the layers.
+// Functions that bind the layers, one per layer, in the order of the layers.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,7 +7,7 @@ namespace burnish::python {
 
 namespace py = pybind11;
 
-void bind_specs(py::module_& m);  ///< what all dataclasses have
+void bind_specs(py::module_& m);  ///< Binds functions for all dataclasses
 void bind_described(py::module_& m);
 void bind_base(py::module_& m);
 void bind_model(py::module_& m);

@@ -1,8 +1,9 @@
-// Errors, statuses, records of runs.
+// Bindings of errors, statuses, signals and traces.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 
+#include "base/renames.hpp"
 #include "bind.hpp"
 #include "burnish/base/trace.hpp"
 #include "machine.hpp"
@@ -12,7 +13,20 @@ namespace burnish::python {
 
 namespace {
 
-/// The rows of a trace as a structured array on the trace's own memory.
+// Docstrings.
+
+constexpr const char* describe_doc =
+    R"(Returns a sentence with the meaning of a status and a remedy.
+
+Parameters
+----------
+status : Status
+
+Returns
+-------
+str)";
+
+/// Structured array of the rows of a trace, in the memory of the trace.
 py::array rows_of(const Trace& trace, py::handle owner) {
   py::list fields;
   for (const TraceColumn& column : trace.columns())
@@ -25,7 +39,7 @@ py::array rows_of(const Trace& trace, py::handle owner) {
   return array;
 }
 
-/// A trace of one's own: columns with their units, and their rows.
+/// Makes a trace from columns with units, and rows.
 Trace trace_of(const py::dict& units, const std::optional<Eigen::Ref<const RowMatrix>>& rows) {
   std::vector<TraceColumn> columns;
   for (const auto& [name, unit] : units)
@@ -46,7 +60,7 @@ py::dict units_of(const Trace& trace) {
   return units;
 }
 
-/// Its units and rows. How many rows were dropped is not kept.
+/// Units and rows of a trace, for pickling; without the number of dropped rows.
 py::tuple trace_state(const Trace& trace) {
   const auto columns = static_cast<Eigen::Index>(trace.columns().size());
   RowMatrix rows(trace.rows(), columns);
@@ -54,7 +68,7 @@ py::tuple trace_state(const Trace& trace) {
   return py::make_tuple(units_of(trace), rows);
 }
 
-/// To the last bit.
+/// Whether two traces are equal, bit by bit.
 bool same(const Trace& a, const Trace& b) {
   if (a.rows() != b.rows() || !units_of(a).equal(units_of(b))) return false;
   for (int column = 0; column < static_cast<int>(a.columns().size()); ++column)
@@ -71,19 +85,28 @@ bool same(const Trace& a, const Trace& b) {
 void bind_errors(py::module_& m) {
   const py::object error = py::register_exception<Error>(m, "Error", PyExc_ValueError);
   error.attr("__doc__") =
-      "A specification, a file or an argument that cannot be used: one sentence that names what, "
-      "what came and what was wanted.";
+      "Invalid specification, file or argument. The message is one sentence with the object, its "
+      "value and the requirement.";
   const py::object evaluation =
       py::register_exception<EvaluationError>(m, "EvaluationError", error);
   evaluation.attr("__doc__") =
-      "An evaluation that has no result: singular contacts, a state that is not finite, ...";
+      "Evaluation without a result, for example with singular contacts or a state that is not "
+      "finite.";
 
   m.def(
       "describe", [](Status status) { return std::string(describe(status)); }, py::arg("status"),
-      "One sentence that says what the status means and what to do about it.");
+      describe_doc);
   m.def("did_you_mean", &did_you_mean, py::arg("name"), py::arg("known"),
-        "The end of a sentence that refuses a name: \"; did you mean 'x'?\", or nothing where none "
-        "is near.");
+        "Returns the end of an error message: \"; did you mean 'x'?\", or an empty text if no "
+        "known name is similar.");
+  m.def(
+      "renames",
+      [] {
+        std::vector<std::pair<std::string, std::string>> all;
+        for (const Rename& rename : renames()) all.emplace_back(rename.old_name, rename.new_name);
+        return all;
+      },
+      "Names of version 0.3 and the names that replaced them, as pairs.");
 }
 
 void bind_trace(py::class_<Trace>& of) {
@@ -96,16 +119,16 @@ void bind_trace(py::class_<Trace>& of) {
         },
         "Names of the columns.")
       .def(py::init(&trace_of), py::arg("units") = py::dict(), py::arg("rows") = py::none(),
-           "A record of your own: `units` by column name, in their order, and rows (n, columns).")
-      .def_property_readonly("units", &units_of,
-                             "Unit of each column by its name; '-' for counts and flags.")
+           "Makes a record: `units` by column name, in the order of the columns, and rows, shape "
+           "(n, columns).")
+      .def_property_readonly("units", &units_of, "Units by column name; '-' for counts and flags.")
       .def_property_readonly("dropped", &Trace::dropped,
-                             "Rows that came when the record was full, and are not in it.")
+                             "Number of rows that were dropped because the record was full.")
       .def(
           "write_csv",
           [](const Trace& trace, const std::filesystem::path& file) { trace.write_csv(file); },
           py::arg("file"), py::call_guard<py::gil_scoped_release>(),
-          "Writes `name [unit],...` and one line per row. Raises Error if that fails.")
+          "Writes a CSV file with the header `name [unit],...`. Raises Error if writing fails.")
       .def("__copy__", [](const Trace& trace) { return trace; })
       .def("__deepcopy__", [](const Trace& trace, const py::dict&) { return trace; })
       .def(py::pickle(&trace_state,
@@ -119,7 +142,7 @@ void bind_trace(py::class_<Trace>& of) {
       });
 }
 
-/// What is in it, as a dictionary of arrays would have it.
+/// Binds access to the columns, as in a dictionary of arrays.
 void bind_columns(py::class_<Trace>& of) {
   of.def("__len__", &Trace::rows)
       .def("__contains__",
@@ -134,13 +157,13 @@ void bind_columns(py::class_<Trace>& of) {
             return view_of(column.data(), {trace.rows()}, {stride}, self);
           },
           py::arg("column"),
-          "One column, (rows,), a read-only view of the record. Raises Error with the nearest "
-          "known name.")
+          "Returns a read-only view of one column, shape (rows,). Raises Error with the nearest "
+          "name for an unknown column.")
       .def(
           "array",
           [](const py::object& self) { return rows_of(py::cast<const Trace&>(self), self); },
-          "All rows as a structured array with a field per column, (rows,): a read-only view of "
-          "the record, ready for pandas.DataFrame(trace.array()).");
+          "Returns a read-only view of all rows as a structured array with a field per column, "
+          "shape (rows,). pandas.DataFrame(trace.array()) makes a data frame.");
 }
 
 }  // namespace
@@ -148,7 +171,7 @@ void bind_columns(py::class_<Trace>& of) {
 void bind_base(py::module_& m) {
   bind_errors(m);
   py::class_<SignalFunction>(m, "SignalFunction",
-                             "A function of time (s) that C++ made, such as one of a problem file.")
+                             "Function of time [s] from C++, for example from a problem file.")
       .def(
           "__call__",
           [](const SignalFunction& self, double time) {
@@ -156,13 +179,14 @@ void bind_base(py::module_& m) {
             self.signal.at(time, value);
             return value;
           },
-          py::arg("time"), "Its numbers at a time in s.")
+          py::arg("time"), "Returns the values at a time [s].")
       .def("__copy__", [](const SignalFunction& self) { return self; })
       .def("__deepcopy__", [](const SignalFunction& self, const py::dict&) { return self; });
   py::class_<Trace> trace(
       m, "Trace",
-      "A record of a run: named columns with units, one row per sample.\n\n"
-      "len(trace) is the number of rows, trace['time'] a column; array() has all.");
+      "Record of a run: named columns with units, and a row per sample.\n"
+      "\n"
+      "len(trace) is the number of rows, trace['time'] a column, and trace.array() all rows.");
   bind_trace(trace);
   bind_columns(trace);
 }

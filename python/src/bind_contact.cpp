@@ -1,9 +1,105 @@
-// References, directions and forces: what their dataclasses ask the library for.
+// Bindings of references, surfaces, loops and contact forces: functions that their dataclasses
+// call.
 #include "bind.hpp"
 #include "specs_contact.hpp"
 
 namespace burnish::python {
 namespace {
+
+// Docstrings.
+
+constexpr const char* loop_contacts_doc =
+    R"(Makes one contact per loop of the robot, with the name of the loop.
+
+Parameters
+----------
+model : Model
+gains : LoopGains, optional
+    Gains that stabilize the loops.
+all_directions : bool
+    If False, each contact has independent rows. If True, it has all directions of the description.
+
+Returns
+-------
+list of ContactSpec)";
+
+constexpr const char* loop_freedom_doc = R"(Counts the degrees of freedom that the loops leave.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,)
+    Configuration.
+
+Returns
+-------
+LoopFreedom
+    Rows of all loops, their rank, remaining degrees of freedom, and redundant rows.)";
+
+constexpr const char* project_onto_loops_doc =
+    R"(Closes the loops of a configuration by damped Gauss-Newton steps of minimum norm.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,)
+    Configuration.
+options : LoopProjectionOptions, optional
+
+Returns
+-------
+LoopProjection
+    Configuration, and a status that is not OK if the loops are still open.)";
+
+constexpr const char* loop_misses_doc = R"(Returns the closure error of each loop.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,)
+    Configuration.
+
+Returns
+-------
+list of LoopMiss)";
+
+constexpr const char* project_velocity_doc =
+    R"(Projects a velocity onto the velocities that the loops allow.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,)
+    Velocity.
+metric : LoopMetric, optional
+    Metric of the distance to v; default: PLAIN.
+keep : sequence of str
+    Joints whose velocities are kept if the other joints can close the loops.
+
+Returns
+-------
+ndarray, shape (nv,))";
+
+constexpr const char* closed_configuration_doc =
+    R"(Makes a configuration from a posture, and closes the loops.
+
+Parameters
+----------
+model : Model
+posture : dict of str to list of float
+    Joint coordinates by name. The joints in it keep their values if the other joints can close
+    the loops.
+
+Returns
+-------
+ndarray, shape (nq,)
+
+Raises
+------
+Error
+    If the loops cannot be closed.)";
 
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 
@@ -14,21 +110,15 @@ void bind_loops(py::module_& m) {
         return loop_contacts(model, gains.value_or(LoopGains{}), all_directions);
       },
       py::arg("model"), py::arg("gains") = py::none(), py::arg("all_directions") = false,
-      "One contact per loop of the robot, called as it, with independent rows; with "
-      "all_directions those of the description.");
-  m.def("loop_freedom", &loop_freedom, py::arg("model"), py::arg("q"),
-        "Rows of all loops, their rank, the degrees of freedom left and what is redundant, at a "
-        "configuration (nq,).");
+      loop_contacts_doc);
+  m.def("loop_freedom", &loop_freedom, py::arg("model"), py::arg("q"), loop_freedom_doc);
   m.def(
       "project_onto_loops",
       [](const Model& model, const Vector& q, const std::optional<LoopProjectionOptions>& options) {
         return project_onto_loops(model, q, options.value_or(LoopProjectionOptions{}));
       },
-      py::arg("model"), py::arg("q"), py::arg("options") = py::none(),
-      "Moves a configuration (nq,) onto the loops by damped Gauss-Newton steps, each of them the "
-      "least one. Its status says whether they are closed.");
-  m.def("loop_misses", &loop_misses, py::arg("model"), py::arg("q"),
-        "What is left of each loop at a configuration (nq,).");
+      py::arg("model"), py::arg("q"), py::arg("options") = py::none(), project_onto_loops_doc);
+  m.def("loop_misses", &loop_misses, py::arg("model"), py::arg("q"), loop_misses_doc);
   m.def(
       "project_velocity_onto_loops",
       [](const Model& model, const Vector& q, const Vector& v,
@@ -36,17 +126,13 @@ void bind_loops(py::module_& m) {
         return project_velocity_onto_loops(model, q, v, metric.value_or(LoopMetric::Plain), keep);
       },
       py::arg("model"), py::arg("q"), py::arg("v"), py::arg("metric") = py::none(),
-      py::arg("keep") = std::vector<std::string>{},
-      "The velocity (nv,) nearest to v that the loops allow at q, by the plain metric unless said; "
-      "joints of `keep` keep theirs as far as the others can follow.");
+      py::arg("keep") = std::vector<std::string>{}, project_velocity_doc);
   m.def(
       "closed_configuration",
       [](const Model& model, const Posture& posture) {
         return closed_configuration(model, posture);
       },
-      py::arg("model"), py::arg("posture"),
-      "configuration() of the posture, moved onto the loops: joints that it names stay if the "
-      "others can close them. Raises Error where they cannot be closed.");
+      py::arg("model"), py::arg("posture"), closed_configuration_doc);
   m.def("loop_gains_for_step", &LoopGains::for_step, py::arg("step"));
   m.def("loop_projection_explanation", &LoopProjection::explanation, py::arg("projection"));
 }

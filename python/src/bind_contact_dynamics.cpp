@@ -1,4 +1,4 @@
-// Contact dynamics of one state, with all derivatives.
+// Bindings of the contact dynamics of one state, with all derivatives.
 #include "bind_derivatives.hpp"
 #include "machine.hpp"
 #include "specs_model.hpp"
@@ -7,9 +7,221 @@ namespace burnish::python {
 
 namespace {
 
+// Docstrings.
+
+constexpr const char* dynamics_forward_doc =
+    R"(Computes a, lambda_, mass_matrix, bias and jacobian (forward dynamics).
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,)
+    Velocity [rad/s or m/s].
+tau : array_like, shape (nv,)
+    Torques [Nm or N].
+
+Returns
+-------
+Status
+    OK or NOT_CONVERGED.
+
+Raises
+------
+EvaluationError
+    If contacts are singular, joints move no mass, or the state is not finite or not normalized.
+Error
+    If sizes are wrong.)";
+
+constexpr const char* dynamics_inverse_doc =
+    R"(Computes tau = M a + b - J^T lambda_ (inverse dynamics).
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,)
+    Velocity [rad/s or m/s].
+a : array_like, shape (nv,)
+    Acceleration [rad/s^2 or m/s^2].
+lambda_ : array_like, shape (rows,)
+    Contact forces [N or Nm].
+
+Returns
+-------
+Status
+    OK or NOT_CONVERGED.
+
+Raises
+------
+EvaluationError
+    If contacts are singular, joints move no mass, or the state is not finite or not normalized.
+Error
+    If sizes are wrong.)";
+
+constexpr const char* dynamics_acceleration_doc =
+    R"(Computes alpha = J a + alpha_0 + kd nu + kp e, the stabilized contact acceleration.
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,)
+    Velocity [rad/s or m/s].
+a : array_like, shape (nv,)
+    Acceleration [rad/s^2 or m/s^2].
+
+Returns
+-------
+Status
+    OK or NOT_CONVERGED.
+
+Raises
+------
+EvaluationError
+    If contacts are singular, joints move no mass, or the state is not finite or not normalized.
+Error
+    If sizes are wrong.)";
+
+constexpr const char* dynamics_force_doc =
+    R"(Returns the force of a contact at the last forward(), or lambda_ of the last inverse().
+
+Parameters
+----------
+contact : str or int
+    Name or index.
+reference : Reference or str, optional
+    Default: the reference of the contact.
+
+Returns
+-------
+ContactForce
+    Zero for an inactive contact.
+
+Raises
+------
+EvaluationError
+    If the last evaluation was another one.)";
+
+constexpr const char* dynamics_wrench_doc =
+    R"(Returns the wrench of a contact, as force() does, as an array.
+
+Parameters
+----------
+contact : str or int
+    Name or index.
+reference : Reference or str
+
+Returns
+-------
+ndarray, shape (6,)
+    Force [N], moment [Nm].)";
+
+constexpr const char* dynamics_wrench_derivatives_doc =
+    R"(Returns the derivatives of wrench() at the last forward_derivatives().
+
+Parameters
+----------
+contact : str or int
+    Name or index.
+reference : Reference or str
+
+Returns
+-------
+WrenchDerivatives
+    Arrays of shape (6, nv).)";
+
+constexpr const char* dynamics_regressor_doc =
+    R"(Returns the regressor Y of inertial parameters at the last forward() or inverse().
+
+Parameters
+----------
+bodies : sequence of int
+    Indices of joints.
+
+Returns
+-------
+ndarray, shape (nv, 10 * bodies)
+    With theta, the inertia_parameters() of all bodies: M a + b = Y theta + armature * a.)";
+
+constexpr const char* dynamics_inertia_derivatives_doc =
+    R"(Returns derivatives with respect to inertial parameters at the last forward_derivatives().
+
+Parameters
+----------
+bodies : sequence of int
+    Indices of joints.
+
+Returns
+-------
+tuple of ndarray
+    Derivatives of a (nv, 10 * bodies) and lambda_ (rows, 10 * bodies), at constant torques.)";
+
+constexpr const char* dynamics_payload_doc =
+    R"(Sets the payload at a frame. Invalidates previous results.
+
+The payload replaces that of the body of the frame.
+
+Parameters
+----------
+frame : str
+payload : InertiaSpec
+    Inertia of the payload, in the axes of the frame.)";
+
+constexpr const char* dynamics_active_doc =
+    R"(Activates or deactivates a contact. Invalidates previous results.
+
+Parameters
+----------
+contact : str or int
+    Name or index.
+active : bool)";
+
+constexpr const char* dynamics_rotation_doc =
+    R"(Sets the rotation of the reference of a contact. Invalidates previous results.
+
+Parameters
+----------
+contact : str or int
+    Name or index.
+rotation : array_like, shape (3, 3))";
+
+constexpr const char* dynamics_surface_doc =
+    R"(Sets the surface that the reference of a contact follows. Invalidates previous results.
+
+Parameters
+----------
+contact : str or int
+    Name or index.
+surface : Quadric
+    Surface, in the axes of the base.)";
+
+constexpr const char* dynamics_friction_doc =
+    R"(Sets the friction coefficient of a contact. Invalidates previous results.
+
+Parameters
+----------
+contact : str or int
+    Name or index.
+coefficient : float
+    Friction coefficient, at least 0.)";
+
+constexpr const char* dynamics_init_doc = R"(Compiles contacts for a model.
+
+Parameters
+----------
+model : Model
+contacts : sequence of ContactSpec
+solver : ContactSolver, optional
+
+Raises
+------
+Error
+    If a contact is invalid.)";
+
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 
-/// Evaluations and the derivatives of each: results belong to the last ones made.
+/// Evaluations, and their derivatives. Results belong to the last evaluation.
 enum : unsigned { forward = 1, inverse = 2, acceleration = 4, derivatives = 8 };
 constexpr unsigned any = forward | inverse | acceleration;
 
@@ -19,8 +231,8 @@ struct Dynamics {
     for (const ContactSpec& contact : machine.contacts().specs()) names.push_back(contact.name);
   }
 
-  /// Runs `evaluate` with the interpreter's lock released. Throws for all but Ok and NotConverged,
-  /// which forward dynamics alone may answer.
+  /// Runs `evaluate` without the GIL. Throws for a status other than Ok and NotConverged; only
+  /// forward dynamics returns NotConverged.
   Status run(unsigned what, const char* name, const auto& evaluate) {
     const Busy::Lock lock(busy, name);
     if ((what & derivatives) == 0) evaluated = 0;
@@ -39,8 +251,8 @@ struct Dynamics {
     require_size(name, "q", q.size(), nq);
     require_size(name, "v", v.size(), machine.nv());
   }
-  /// Throws EvaluationError unless the last evaluation was one of `by`, differentiated if
-  /// `differentiated`.
+  /// Throws EvaluationError unless the last evaluation is in `by`, and has derivatives if
+  /// `differentiated` is true.
   void require_result(const char* name, unsigned by, bool differentiated) const {
     if ((evaluated & by) != 0 && (!differentiated || (evaluated & derivatives) != 0)) return;
     std::string wanted;
@@ -63,7 +275,7 @@ struct Dynamics {
 
 using DynamicsClass = py::class_<Dynamics>;
 
-/// A property that copies a result of the calls `by`.
+/// Binds a property that copies a result of the evaluations `by`.
 template <class View>
 void result(DynamicsClass& of, const char* name, View (ContactDynamics::*view)() const, unsigned by,
             bool differentiated, const char* text) {
@@ -86,19 +298,15 @@ void bind_forward(DynamicsClass& of) {
           require_size(name, "tau", tau.size(), self.machine.nv());
           return self.run(forward, name, [&](auto& machine) { return machine.forward(q, v, tau); });
         },
-        py::arg("q"), py::arg("v"), py::arg("tau"),
-        "Fills a, lambda_, mass_matrix, bias, jacobian. q: (nq,), v: (nv,), tau: (nv,), Nm or N. "
-        "Returns OK or NOT_CONVERGED; raises EvaluationError for singular contacts and joints that "
-        "move no mass, which it names, and for a state that is not finite or not normalized, Error "
-        "for wrong sizes.")
+        py::arg("q"), py::arg("v"), py::arg("tau"), dynamics_forward_doc)
       .def(
           "forward_derivatives",
           [](Dynamics& self) {
             return self.run(forward | derivatives, "ContactDynamics.forward_derivatives",
                             [](auto& machine) { return machine.forward_derivatives(); });
           },
-          "Fills the six derivative blocks of a and lambda_ at the last forward(). Returns what "
-          "that returned; raises EvaluationError if another evaluation came between.");
+          "Computes the six derivative blocks of a and lambda_ at the last forward(). Returns the "
+          "status of forward(). Raises EvaluationError if the last evaluation was not forward().");
 }
 
 void bind_inverse(DynamicsClass& of) {
@@ -113,17 +321,16 @@ void bind_inverse(DynamicsClass& of) {
           return self.run(inverse, name,
                           [&](auto& machine) { return machine.inverse(q, v, a, lambda); });
         },
-        py::arg("q"), py::arg("v"), py::arg("a"), py::arg("lambda_"),
-        "Fills tau = M a + b - J^T lambda_. q: (nq,), v: (nv,), a: (nv,), lambda_: (rows,), N or "
-        "Nm. Returns and raises as forward().")
+        py::arg("q"), py::arg("v"), py::arg("a"), py::arg("lambda_"), dynamics_inverse_doc)
       .def(
           "inverse_derivatives",
           [](Dynamics& self) {
             return self.run(inverse | derivatives, "ContactDynamics.inverse_derivatives",
                             [](auto& machine) { return machine.inverse_derivatives(); });
           },
-          "Fills dtau_dq and dtau_dv at the last inverse(); dtau/da is mass_matrix, dtau/dlambda "
-          "is -jacobian.T. Returns as forward_derivatives().")
+          "Computes dtau_dq and dtau_dv at the last inverse(). dtau/da is mass_matrix, and "
+          "dtau/dlambda is -jacobian.T. Raises EvaluationError if the last evaluation was not "
+          "inverse().")
       .def(
           "acceleration",
           [](Dynamics& self, const Vector& q, const Vector& v, const Vector& a) {
@@ -133,68 +340,80 @@ void bind_inverse(DynamicsClass& of) {
             return self.run(acceleration, name,
                             [&](auto& machine) { return machine.acceleration(q, v, a); });
           },
-          py::arg("q"), py::arg("v"), py::arg("a"),
-          "Fills alpha, the contact acceleration J a + alpha_0 plus kd nu + kp e. q: (nq,), v: "
-          "(nv,), a: (nv,). Returns and raises as forward().")
+          py::arg("q"), py::arg("v"), py::arg("a"), dynamics_acceleration_doc)
       .def(
           "acceleration_derivatives",
           [](Dynamics& self) {
             return self.run(acceleration | derivatives, "ContactDynamics.acceleration_derivatives",
                             [](auto& machine) { return machine.acceleration_derivatives(); });
           },
-          "Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian. "
-          "Returns "
-          "as forward_derivatives().");
+          "Computes dalpha_dq and dalpha_dv at the last acceleration(). dalpha/da is jacobian. "
+          "Raises EvaluationError if the last evaluation was not acceleration().");
 }
 
 void bind_results(DynamicsClass& of) {
   using D = ContactDynamics;
   result(of, "a", &D::a, any, false,
-         "(nv,), rad/s^2 or m/s^2: of forward(), or as given to inverse() or acceleration().");
+         "Joint accelerations, shape (nv,) [rad/s^2 or m/s^2]: result of forward(), or argument "
+         "of inverse() or acceleration().");
   result(of, "lambda_", &D::lambda, forward | inverse, false,
-         "(rows,), N or Nm: of forward(), or as given to inverse().");
-  result(of, "tau", &D::tau, inverse, false, "(nv,), Nm or N: of inverse().");
+         "Contact forces, shape (rows,) [N or Nm]: result of forward(), or argument of inverse().");
+  result(of, "tau", &D::tau, inverse, false,
+         "Torques, shape (nv,) [Nm or N]: result of inverse().");
   result(of, "alpha", &D::alpha, acceleration, false,
-         "(rows,), m/s^2 or rad/s^2: of acceleration().");
-  result(of, "bias", &D::bias, any, false, "(nv,), b(q, v) of the last evaluation, Nm or N.");
-  result(of, "mass_matrix", &D::mass_matrix, any, false, "(nv, nv), armature included.");
-  result(of, "jacobian", &D::jacobian, any, false, "(rows, nv), of the active contacts.");
+         "Contact acceleration with its stabilization, shape (rows,) [m/s^2 or rad/s^2]: result "
+         "of acceleration().");
+  result(of, "bias", &D::bias, any, false,
+         "Bias b(q, v) of the last evaluation: Coriolis, centrifugal and gravity torques, shape "
+         "(nv,) [Nm or N].");
+  result(of, "mass_matrix", &D::mass_matrix, any, false,
+         "Mass matrix with armature, shape (nv, nv).");
+  result(of, "jacobian", &D::jacobian, any, false,
+         "Jacobian of the active contacts, shape (rows, nv).");
   result(of, "da_dq", &D::da_dq, forward, true,
-         "(nv, nv), by the right tangent increment of q; of forward_derivatives().");
-  result(of, "da_dv", &D::da_dv, forward, true, "(nv, nv), of forward_derivatives().");
-  result(of, "da_dtau", &D::da_dtau, forward, true, "(nv, nv), of forward_derivatives().");
-  result(of, "dlambda_dq", &D::dlambda_dq, forward, true, "(rows, nv), of forward_derivatives().");
-  result(of, "dlambda_dv", &D::dlambda_dv, forward, true, "(rows, nv), of forward_derivatives().");
+         "da/dq with respect to the right tangent increment of q, shape (nv, nv): result of "
+         "forward_derivatives().");
+  result(of, "da_dv", &D::da_dv, forward, true,
+         "da/dv, shape (nv, nv): result of forward_derivatives().");
+  result(of, "da_dtau", &D::da_dtau, forward, true,
+         "da/dtau, shape (nv, nv): result of forward_derivatives().");
+  result(of, "dlambda_dq", &D::dlambda_dq, forward, true,
+         "dlambda/dq, shape (rows, nv): result of forward_derivatives().");
+  result(of, "dlambda_dv", &D::dlambda_dv, forward, true,
+         "dlambda/dv, shape (rows, nv): result of forward_derivatives().");
   result(of, "dlambda_dtau", &D::dlambda_dtau, forward, true,
-         "(rows, nv), of forward_derivatives().");
-  result(of, "dtau_dq", &D::dtau_dq, inverse, true, "(nv, nv), of inverse_derivatives().");
-  result(of, "dtau_dv", &D::dtau_dv, inverse, true, "(nv, nv), of inverse_derivatives().");
+         "dlambda/dtau, shape (rows, nv): result of forward_derivatives().");
+  result(of, "dtau_dq", &D::dtau_dq, inverse, true,
+         "dtau/dq, shape (nv, nv): result of inverse_derivatives().");
+  result(of, "dtau_dv", &D::dtau_dv, inverse, true,
+         "dtau/dv, shape (nv, nv): result of inverse_derivatives().");
   result(of, "dalpha_dq", &D::dalpha_dq, acceleration, true,
-         "(rows, nv), of acceleration_derivatives().");
+         "dalpha/dq, shape (rows, nv): result of acceleration_derivatives().");
   result(of, "dalpha_dv", &D::dalpha_dv, acceleration, true,
-         "(rows, nv), of acceleration_derivatives().");
+         "dalpha/dv, shape (rows, nv): result of acceleration_derivatives().");
   result(of, "contact_velocity", &D::contact_velocity, any, false,
-         "(rows,), nu of the active rows at the last state, m/s or rad/s.");
+         "Contact velocity nu of the active rows at the last state, shape (rows,) [m/s or rad/s].");
   result(of, "contact_error", &D::contact_error, any, false,
-         "(rows,), pose error e of the active rows at the last state, m or rad.");
+         "Pose error e of the active rows at the last state, shape (rows,) [m or rad].");
   of.def_property_readonly(
         "proximal_iterations",
         [](const Dynamics& self) {
           self.require_result("proximal_iterations", forward, false);
           return self.machine.proximal_iterations();
         },
-        "Proximal iterations of the last forward().")
+        "Number of proximal iterations of the last forward().")
       .def_property_readonly(
           "proximal_residual",
           [](const Dynamics& self) {
             self.require_result("proximal_residual", forward, false);
             return self.machine.proximal_residual();
           },
-          "Contact acceleration that the proximal iterations left, m/s^2.");
+          "Remaining contact acceleration after the proximal iterations [m/s^2].");
   result(of, "unmet", &D::unmet, forward, false,
-         "(rows,), m/s^2 or rad/s^2: contact acceleration that no force can meet at the last "
-         "forward(), where redundant rows contradict each other. The status is then "
-         "NOT_CONVERGED, lambda_ the least-squares forces, of least norm. Zeros otherwise.");
+         "Contact acceleration that no force can achieve at the last forward(), because redundant "
+         "rows contradict each other; shape (rows,) [m/s^2 or rad/s^2]. The status is then "
+         "NOT_CONVERGED, and lambda_ has the least-squares forces of minimum norm. Zero "
+         "otherwise.");
 }
 
 void bind_forces(DynamicsClass& of) {
@@ -207,10 +426,7 @@ void bind_forces(DynamicsClass& of) {
           self.require_result("force", forward | inverse, false);
           return reference ? self.machine.force(number, *reference) : self.machine.force(number);
         },
-        py::arg("contact"), py::arg("reference") = py::none(),
-        "The force of a contact (name or number) at the last forward(), or of the lambda_ given to "
-        "the last inverse(), in a reference, by default the contact's own; zero for one that is "
-        "not active.")
+        py::arg("contact"), py::arg("reference") = py::none(), dynamics_force_doc)
       .def(
           "wrench",
           [](Dynamics& self, const NumberOrName& contact, const Reference& reference) {
@@ -220,8 +436,7 @@ void bind_forces(DynamicsClass& of) {
             self.require_result("wrench", forward | inverse, false);
             return self.machine.wrench(number, reference);
           },
-          py::arg("contact"), py::arg("reference"),
-          "The same as numbers (6,) in any reference: force (N), then moment (Nm).")
+          py::arg("contact"), py::arg("reference"), dynamics_wrench_doc)
       .def(
           "wrench_derivatives",
           [](Dynamics& self, const NumberOrName& contact, const Reference& reference) {
@@ -233,11 +448,10 @@ void bind_forces(DynamicsClass& of) {
             self.machine.wrench_derivatives(number, reference, result);
             return result;
           },
-          py::arg("contact"), py::arg("reference"),
-          "Derivatives of wrench(), (6, nv) each, at the last forward_derivatives().");
+          py::arg("contact"), py::arg("reference"), dynamics_wrench_derivatives_doc);
 }
 
-/// Derivatives by mass distributions.
+/// Binds derivatives with respect to inertial parameters.
 void bind_parameters(DynamicsClass& of) {
   of.def(
         "regressor",
@@ -248,9 +462,7 @@ void bind_parameters(DynamicsClass& of) {
           require(self.machine.regressor(bodies, Y), "ContactDynamics.regressor");
           return Y;
         },
-        py::arg("bodies"),
-        "(nv, 10 per body) at the last forward() or inverse(): with the inertia_parameters() theta "
-        "of all bodies (numbers of the model's joints), M a + b = Y theta + armature * a.")
+        py::arg("bodies"), dynamics_regressor_doc)
       .def(
           "inertia_derivatives",
           [](Dynamics& self, const std::vector<int>& bodies) {
@@ -261,12 +473,10 @@ void bind_parameters(DynamicsClass& of) {
                     "ContactDynamics.inertia_derivatives");
             return std::pair{d.a, d.lambda};
           },
-          py::arg("bodies"),
-          "Derivatives of a (nv, 10 per body) and lambda_ (rows, 10 per body) by those parameters, "
-          "torques held, at the last forward_derivatives().");
+          py::arg("bodies"), dynamics_inertia_derivatives_doc);
 }
 
-/// What the robot carries.
+/// Binds payloads.
 void bind_payload(DynamicsClass& of) {
   of.def(
       "set_payload",
@@ -277,12 +487,10 @@ void bind_payload(DynamicsClass& of) {
         require(self.machine.set_payload(frame, payload), call);
         self.evaluated = 0;
       },
-      py::arg("frame"), py::arg("payload"),
-      "What the robot carries at a frame from now on, an InertiaSpec in the frame's axes, in "
-      "the place of what that frame's body carried before. Results before it are gone.");
+      py::arg("frame"), py::arg("payload"), dynamics_payload_doc);
 }
 
-/// Which contacts hold, and how.
+/// Binds changes of contacts: activation, reference, surface, friction.
 void bind_contacts(DynamicsClass& of) {
   of.def(
         "set_active",
@@ -292,8 +500,7 @@ void bind_contacts(DynamicsClass& of) {
           self.machine.set_active(number, active);
           self.evaluated = 0;
         },
-        py::arg("contact"), py::arg("active"),
-        "Makes or breaks a contact (name or number). Results before it are gone.")
+        py::arg("contact"), py::arg("active"), dynamics_active_doc)
       .def(
           "set_reference_rotation",
           [](Dynamics& self, const NumberOrName& contact, const Eigen::Matrix3d& rotation) {
@@ -304,9 +511,7 @@ void bind_contacts(DynamicsClass& of) {
             if (self.machine.set_reference_rotation(number, rotation) != Status::Ok)
               throw Error(std::string(call) + ": this is not a rotation matrix");
           },
-          py::arg("contact"), py::arg("rotation"),
-          "Another rotation (3, 3) in the place of that of a contact's reference (name or number), "
-          "for states evaluated from then on. Results before it are gone.")
+          py::arg("contact"), py::arg("rotation"), dynamics_rotation_doc)
       .def(
           "set_surface",
           [](Dynamics& self, const NumberOrName& contact, const Quadric& surface) {
@@ -317,9 +522,7 @@ void bind_contacts(DynamicsClass& of) {
             if (self.machine.set_surface(number, surface) != Status::Ok)
               throw Error(std::string(call) + ": the surface holds a NaN or an infinity");
           },
-          py::arg("contact"), py::arg("surface"),
-          "Another Quadric in the place of the one that a contact's reference follows (name or "
-          "number; Reference.on), for states evaluated from then on. Results before it are gone.")
+          py::arg("contact"), py::arg("surface"), dynamics_surface_doc)
       .def(
           "set_friction",
           [](Dynamics& self, const NumberOrName& contact, double coefficient) {
@@ -331,16 +534,14 @@ void bind_contacts(DynamicsClass& of) {
               throw Error(std::string(call) + ": the coefficient is " +
                           std::to_string(coefficient) + "; wanted at least 0");
           },
-          py::arg("contact"), py::arg("coefficient"),
-          "Another coefficient of the friction of a contact (name or number), for states evaluated "
-          "from then on. Results before it are gone.")
+          py::arg("contact"), py::arg("coefficient"), dynamics_friction_doc)
       .def(
           "is_active",
           [](const Dynamics& self, const NumberOrName& contact) {
             return self.machine.is_active(
                 contact_number("ContactDynamics.is_active", contact, self.names));
           },
-          py::arg("contact"), "Whether a contact (name or number) is made.");
+          py::arg("contact"), "Returns whether a contact (name or index) is active.");
 }
 
 }  // namespace
@@ -348,26 +549,29 @@ void bind_contacts(DynamicsClass& of) {
 void bind_contact_dynamics(py::module_& m) {
   DynamicsClass of(
       m, "ContactDynamics",
-      "Dynamics of a robot in contact, one state at a time, with all derivatives.\n\n"
-      "M a + b = tau + J^T lambda_; linear parts first; d/dq is by the right increment "
-      "q (+) dq of nv entries; rows are those of the active contacts, in the order given. "
-      "Results are copies. They belong to the last evaluation: others are refused with "
-      "EvaluationError. One thread at a time.");
+      "Dynamics of a robot in contact, one state at a time, with all derivatives.\n"
+      "\n"
+      "M a + b = tau + J^T lambda_. Linear parts come first. d/dq is the derivative with respect "
+      "to the right increment q (+) dq with nv entries. Rows are those of the active contacts, in "
+      "the given order. Results are copies of the last evaluation. Reading a result that the last "
+      "evaluation did not compute raises EvaluationError. Only one thread may use an object at a "
+      "time.");
   of.def(py::init([](const Model& model, const std::vector<ContactSpec>& contacts,
                      const std::optional<ContactSolver>& solver) {
            return std::make_unique<Dynamics>(model, contacts, solver.value_or(ContactSolver{}));
          }),
          py::arg("model"), py::arg("contacts") = py::tuple(), py::arg("solver") = py::none(),
-         "Compiles the contacts against the model. Raises Error with one sentence.")
+         dynamics_init_doc)
       .def_property_readonly(
           "contacts", [](const Dynamics& self) { return self.machine.contacts().specs(); },
-          "The contacts, in the order given, all named.")
-      .def_readonly("nq", &Dynamics::nq, "Entries of q.")
+          "Contacts with their names, in the given order.")
+      .def_readonly("nq", &Dynamics::nq, "Number of entries of q.")
       .def_property_readonly(
-          "nv", [](const Dynamics& self) { return self.machine.nv(); }, "Entries of v, tau and a.")
+          "nv", [](const Dynamics& self) { return self.machine.nv(); },
+          "Number of entries of v, tau and a.")
       .def_property_readonly(
           "rows", [](const Dynamics& self) { return self.machine.rows(); },
-          "Rows of the active contacts: entries of lambda_ and alpha.")
+          "Number of rows of the active contacts, and of entries of lambda_ and alpha.")
       .def_property_readonly(
           "row_names", [](const Dynamics& self) { return self.machine.row_names(); },
           "Names of the active rows, such as 'pad/z'.")
@@ -378,8 +582,8 @@ void bind_contact_dynamics(py::module_& m) {
             self.require_result("explanation", any, false);
             return self.machine.explanation();
           },
-          "The status of the last evaluation in one sentence that names what is to blame, such as "
-          "the contact rows that contradict each other.")
+          "Returns a sentence with the status of the last evaluation and its cause, such as "
+          "contact rows that contradict each other.")
       .def("__repr__", [](const Dynamics& self) {
         std::string text = "<ContactDynamics of '" + self.robot +
                            "': nv = " + std::to_string(self.machine.nv()) + ", rows";

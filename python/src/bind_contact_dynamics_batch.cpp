@@ -1,4 +1,4 @@
-// Contact dynamics of many states at once.
+// Bindings of the contact dynamics of many states.
 #include <cstdint>
 
 #include "bind_derivatives.hpp"
@@ -9,7 +9,96 @@ namespace burnish::python {
 
 namespace {
 
-/// A state per row. Its transpose is what the library takes: the same memory, a state per column.
+// Docstrings.
+
+constexpr const char* batch_forward_doc = R"(Computes a and lambda_ of several states.
+
+Rows of float64 are read without a copy.
+
+Parameters
+----------
+q : array_like, shape (n, nq)
+    Configurations, with n at most the capacity.
+v : array_like, shape (n, nv)
+    Velocities.
+tau : array_like, shape (n, nv)
+    Torques [Nm or N].
+
+Returns
+-------
+Status
+    Most severe status; `statuses` has those of all states.
+
+Raises
+------
+Error
+    If sizes are wrong.)";
+
+constexpr const char* batch_forward_derivatives_doc =
+    R"(Computes the results of forward() and the six derivative blocks.
+
+Parameters
+----------
+q : array_like, shape (n, nq)
+    Configurations, with n at most the capacity.
+v : array_like, shape (n, nv)
+    Velocities.
+tau : array_like, shape (n, nv)
+    Torques [Nm or N].
+
+Returns
+-------
+Status
+    Most severe status; `statuses` has those of all states.
+
+Raises
+------
+Error
+    If sizes are wrong.)";
+
+constexpr const char* batch_active_doc =
+    R"(Activates or deactivates a contact. Invalidates previous results.
+
+Parameters
+----------
+contact : str or int
+    Name or index.
+active : bool)";
+
+constexpr const char* batch_init_doc =
+    R"(Compiles contacts for a model, and allocates memory for several states.
+
+Parameters
+----------
+model : Model
+contacts : sequence of ContactSpec
+capacity : int
+    Largest number of states.
+solver : ContactSolver, optional
+threads : int
+    Number of threads that share the states, including the calling one.
+pin_threads : bool
+    If True, each other thread runs on one core (Linux only).
+
+Raises
+------
+Error
+    If an argument is invalid.)";
+
+constexpr const char* batch_explanation_doc = R"(Explains the status of a state.
+
+Parameters
+----------
+state : int
+    Index of the state.
+
+Returns
+-------
+str
+    Sentence with the cause: joints that move no mass, or contact rows that cannot be satisfied.)";
+
+/// Array with a state per row. The library uses the same memory as a matrix with a state per
+/// column.
 using Rows = Eigen::Ref<const RowMatrix>;
 
 struct Batch {
@@ -67,7 +156,7 @@ struct Batch {
 using BatchClass = py::class_<Batch>;
 constexpr py::ssize_t number_size = sizeof(double);
 
-/// A property that shows a result of all states where the batch keeps it.
+/// Binds a property with a view of a result of all states, in the memory of the batch.
 template <class View>
 void result(BatchClass& of, const char* name, View (ContactDynamicsBatch::*view)(int) const,
             bool of_derivatives, const char* text) {
@@ -78,7 +167,7 @@ void result(BatchClass& of, const char* name, View (ContactDynamicsBatch::*view)
         const Busy::Lock lock(batch.busy, name);
         batch.require_result(name, of_derivatives);
         const View first = (batch.machine.*view)(0);
-        // With one state only, there is no second to tell the stride from.
+        // With a single state, the stride between states is arbitrary.
         const py::ssize_t stride =
             batch.states > 1 ? (batch.machine.*view)(1).data() - first.data() : first.size();
         std::vector<py::ssize_t> sizes{batch.states, first.rows()}, strides{stride * number_size};
@@ -94,15 +183,21 @@ void result(BatchClass& of, const char* name, View (ContactDynamicsBatch::*view)
 
 void bind_results(BatchClass& of) {
   using B = ContactDynamicsBatch;
-  result(of, "a", &B::a, false, "(n, nv), rad/s^2 or m/s^2: a read-only view.");
-  result(of, "lambda_", &B::lambda, false, "(n, rows), N or Nm: a read-only view.");
+  result(of, "a", &B::a, false,
+         "Joint accelerations, shape (n, nv) [rad/s^2 or m/s^2], a read-only view.");
+  result(of, "lambda_", &B::lambda, false,
+         "Contact forces, shape (n, rows) [N or Nm], a read-only view.");
   result(of, "da_dq", &B::da_dq, true,
-         "(n, nv, nv), by the right tangent increment of q: a read-only view.");
-  result(of, "da_dv", &B::da_dv, true, "(n, nv, nv): a read-only view.");
-  result(of, "da_dtau", &B::da_dtau, true, "(n, nv, nv): a read-only view.");
-  result(of, "dlambda_dq", &B::dlambda_dq, true, "(n, rows, nv): a read-only view.");
-  result(of, "dlambda_dv", &B::dlambda_dv, true, "(n, rows, nv): a read-only view.");
-  result(of, "dlambda_dtau", &B::dlambda_dtau, true, "(n, rows, nv): a read-only view.");
+         "da/dq with respect to the right tangent increment of q, shape (n, nv, nv), a read-only "
+         "view.");
+  result(of, "da_dv", &B::da_dv, true, "da/dv, shape (n, nv, nv), a read-only view.");
+  result(of, "da_dtau", &B::da_dtau, true, "da/dtau, shape (n, nv, nv), a read-only view.");
+  result(of, "dlambda_dq", &B::dlambda_dq, true,
+         "dlambda/dq, shape (n, rows, nv), a read-only view.");
+  result(of, "dlambda_dv", &B::dlambda_dv, true,
+         "dlambda/dv, shape (n, rows, nv), a read-only view.");
+  result(of, "dlambda_dtau", &B::dlambda_dtau, true,
+         "dlambda/dtau, shape (n, rows, nv), a read-only view.");
   of.def_property_readonly(
         "statuses",
         [](Batch& self) {
@@ -114,14 +209,15 @@ void bind_results(BatchClass& of) {
             out[i] = static_cast<std::uint8_t>(self.machine.status(i));
           return all;
         },
-        "(n,) of uint8, values of Status: a copy. Results of a state above NOT_CONVERGED are zero.")
+        "Statuses of the states, shape (n,), uint8 values of Status, a copy. Results of a state "
+        "with a status above NOT_CONVERGED are zero.")
       .def_property_readonly(
           "status",
           [](const Batch& self) {
             self.require_result("status", false);
             return self.most_severe;
           },
-          "The most severe of them.")
+          "Most severe status of all states.")
       .def(
           "explanation",
           [](const Batch& self, int state) {
@@ -132,9 +228,7 @@ void bind_results(BatchClass& of) {
                           std::to_string(self.states));
             return self.machine.explanation(state);
           },
-          py::arg("state"),
-          "The status of a state in one sentence that names what is to blame: the joints that move "
-          "no mass, the contact rows that cannot be held.");
+          py::arg("state"), batch_explanation_doc);
 }
 
 std::unique_ptr<Batch> make_batch(const Model& model, const std::vector<ContactSpec>& contacts,
@@ -148,29 +242,28 @@ std::unique_ptr<Batch> make_batch(const Model& model, const std::vector<ContactS
 
 void bind_contact_dynamics_batch(py::module_& m) {
   m.def("pack_width", &pack_width,
-        "States that one register of the processor this library was built for holds.");
+        "Returns the number of states in one SIMD register of the target processor.");
   BatchClass of(
       m, "ContactDynamicsBatch",
-      "Contact dynamics of many states with the same contacts, packed, one state per SIMD "
-      "lane.\n\n"
-      "Results are read-only views, a row per state, on memory of the batch, which they keep "
-      "alive: the next call writes over them. Copy what has to last. One call at a time.");
+      "Contact dynamics of many states with common contacts, one state per SIMD lane.\n"
+      "\n"
+      "Results are read-only views with a row per state. They keep the memory of the batch alive, "
+      "and the next call overwrites them: copy results that must last. Only one call at a time is "
+      "allowed.");
   of.def(py::init(&make_batch), py::arg("model"), py::arg("contacts"), py::arg("capacity"),
          py::arg("solver") = py::none(), py::arg("threads") = 1, py::arg("pin_threads") = false,
-         "Room for `capacity` states, shared out among `threads`, the calling one included; with "
-         "`pin_threads` the others stay on a core each (Linux alone). Raises Error with one "
-         "sentence.")
-      .def_readonly("nq", &Batch::nq, "Columns of q.")
-      .def_readonly("nv", &Batch::nv, "Columns of v and tau.")
+         batch_init_doc)
+      .def_readonly("nq", &Batch::nq, "Number of entries of q.")
+      .def_readonly("nv", &Batch::nv, "Number of entries of v and tau.")
       .def_property_readonly(
           "rows", [](const Batch& self) { return self.machine.rows(); },
-          "Rows of the active contacts.")
+          "Number of rows of the active contacts.")
       .def_property_readonly(
           "capacity", [](const Batch& self) { return self.machine.capacity(); },
-          "States that there is room for.")
+          "Largest number of states.")
       .def_property_readonly(
           "threads", [](const Batch& self) { return self.machine.threads(); },
-          "Threads that share the states, the calling one included.")
+          "Number of threads that share the states, including the calling one.")
       .def(
           "set_active",
           [](Batch& self, const NumberOrName& contact, bool active) {
@@ -179,23 +272,19 @@ void bind_contact_dynamics_batch(py::module_& m) {
             self.machine.set_active(contact_number(name, contact, self.names), active);
             self.states = 0;
           },
-          py::arg("contact"), py::arg("active"),
-          "Makes or breaks a contact (name or number). Results before it are gone.")
+          py::arg("contact"), py::arg("active"), batch_active_doc)
       .def(
           "forward",
           [](Batch& self, const Rows& q, const Rows& v, const Rows& tau) {
             return self.run("ContactDynamicsBatch.forward", q, v, tau, false);
           },
-          py::arg("q"), py::arg("v"), py::arg("tau"),
-          "Fills a and lambda_. q: (n, nq), v: (n, nv), tau: (n, nv), Nm or N, n at most the "
-          "capacity; float64 rows are read in place. Returns the most severe status and raises for "
-          "none of them: see statuses. Raises Error for wrong sizes.")
+          py::arg("q"), py::arg("v"), py::arg("tau"), batch_forward_doc)
       .def(
           "forward_with_derivatives",
           [](Batch& self, const Rows& q, const Rows& v, const Rows& tau) {
             return self.run("ContactDynamicsBatch.forward_with_derivatives", q, v, tau, true);
           },
-          py::arg("q"), py::arg("v"), py::arg("tau"), "The same, and the six derivative blocks.")
+          py::arg("q"), py::arg("v"), py::arg("tau"), batch_forward_derivatives_doc)
       .def("__repr__", [](const Batch& self) {
         return "<ContactDynamicsBatch of '" + self.robot +
                "': " + std::to_string(self.machine.capacity()) + " states, " +

@@ -1,4 +1,4 @@
-// The checker, the diagnosis of contacts, and what the classes of this layer have in common.
+// Bindings of the check of derivatives and of the diagnosis of contacts, and helpers of this layer.
 #include "bind_derivatives.hpp"
 
 #include <algorithm>
@@ -27,11 +27,55 @@ int contact_number(const char* what, const NumberOrName& contact,
 
 namespace {
 
+// Docstrings.
+
+constexpr const char* check_derivatives_doc =
+    R"(Compares all derivative blocks of ContactDynamics with finite differences at random states.
+
+Parameters
+----------
+model : Model
+options : CheckOptions, optional
+
+Returns
+-------
+CheckReport
+
+Raises
+------
+Error
+    If the options are invalid.)";
+
+constexpr const char* diagnose_doc =
+    R"(Finds redundant contact rows: rows that depend on previous rows.
+
+A row is redundant if the part of it that is independent of the previous rows has at most
+`tolerance` of its length, in the metric M^-1.
+
+Parameters
+----------
+model : Model
+contacts : sequence of ContactSpec
+q : array_like, shape (nq,)
+    Configuration.
+active : sequence of str or int
+    Names or indices of the active contacts; empty: all contacts.
+tolerance : float
+
+Returns
+-------
+ContactDiagnosis
+
+Raises
+------
+Error
+    If q is invalid, or a contact is unknown.)";
+
 CheckReport check(const Model& model, const std::optional<CheckOptions>& options) {
   CheckOptions used = options.value_or(CheckOptions{});
-  const auto told = used.progress;
-  used.progress = [&told](int done, int total) {
-    if (told) told(done, total);
+  const auto report_progress = used.progress;
+  used.progress = [&report_progress](int done, int total) {
+    if (report_progress) report_progress(done, total);
     const py::gil_scoped_acquire lock;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   };
@@ -59,27 +103,22 @@ void bind_derivatives(py::module_& m) {
   bind_rigid_body(m);
 
   m.def("check_derivatives", &check, py::arg("model"), py::arg("options") = py::none(),
-        "Compares every derivative block of ContactDynamics at random states with differences of "
-        "the values. Raises Error for options that cannot be used.");
+        check_derivatives_doc);
   m.def("default_check_references", &default_check_references,
-        "References that check_derivatives() tries: all four, the surface tilted.");
+        "Returns the default references of check_derivatives(): all four kinds; the surface is "
+        "tilted.");
   m.def("default_check_surfaces", &default_check_surfaces,
-        "Curved surfaces that check_derivatives() tries: a saddle.");
+        "Returns the default curved surfaces of check_derivatives(): a saddle.");
   m.def("default_check_directions", &default_check_directions,
-        "Directions that check_derivatives() tries.");
+        "Returns the default directions of check_derivatives().");
   m.def("default_check_gains", &default_check_gains,
-        "Gains that check_derivatives() tries: none; SPLIT; LOG6, unequal by direction.");
+        "Returns the default gains of check_derivatives(): none, SPLIT, and LOG6 with unequal "
+        "gains per direction.");
   m.def("check_report_text", &CheckReport::text, py::arg("report"));
 
-  m.def(
-      "diagnose", &diagnosis, py::arg("model"), py::arg("contacts"), py::arg("q"),
-      py::arg("active") = std::vector<NumberOrName>{},
-      py::arg("tolerance") = independence_tolerance,
-      "Which rows of the contacts (of the `active` ones, by name or number; all if empty) depend "
-      "on rows before them at q (nq,): no more than `tolerance` of their length in the metric "
-      "M^-1, "
-      "or of what the joints could move along them, is left beside those. Raises Error for a bad q "
-      "and unknown names.");
+  m.def("diagnose", &diagnosis, py::arg("model"), py::arg("contacts"), py::arg("q"),
+        py::arg("active") = std::vector<NumberOrName>{},
+        py::arg("tolerance") = independence_tolerance, diagnose_doc);
   m.def("redundant_row_text", &RedundantRow::text, py::arg("row"));
   m.def("contact_diagnosis_text", &ContactDiagnosis::text, py::arg("diagnosis"));
 }

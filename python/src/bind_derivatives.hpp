@@ -1,4 +1,4 @@
-// Parts of the derivatives layer, each in a file of its own, and what they have in common.
+// Bindings of the parts of the derivatives layer, and their common helpers.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ void bind_contact_dynamics(py::module_& m);
 void bind_contact_dynamics_batch(py::module_& m);
 void bind_rigid_body(py::module_& m);
 
-/// A contact or a frame as Python names it.
+/// Contact or frame, by index or by name.
 using NumberOrName = std::variant<int, std::string>;
 
-/// "ContactDynamics.forward: tau has 5 entries; wanted 6", as Error, unless they agree.
+/// Throws Error("ContactDynamics.forward: tau has 5 entries; wanted 6") unless the sizes are equal.
 void require_size(const char* what, const char* argument, Eigen::Index entries, int wanted);
 
-/// Number of a contact. Throws Error naming what there is.
+/// Index of a contact. Throws Error with the known contacts for an unknown one.
 int contact_number(const char* what, const NumberOrName& contact,
                    const std::vector<std::string>& names);
 

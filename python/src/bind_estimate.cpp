@@ -1,4 +1,4 @@
-// The state of a base on feet.
+// Bindings of the estimators of base state, foot contacts and foot forces.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
@@ -13,6 +13,69 @@
 namespace burnish::python {
 
 namespace {
+
+// Docstrings.
+
+constexpr const char* foot_contacts_update_doc =
+    R"(Updates the contacts from measured normal forces.
+
+Parameters
+----------
+normal_forces : array_like, shape (feet,)
+    Normal forces [N].
+dt : float
+    Time since the previous call [s].)";
+
+constexpr const char* foot_forces_update_doc = R"(Updates the forces from a state and torques.
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,)
+    Velocity [rad/s or m/s].
+tau : array_like, shape (nv,)
+    Torques since the previous call [Nm or N]; entries of the base are ignored.
+dt : float
+    Time since the previous call [s].
+
+Raises
+------
+EvaluationError
+    If the input is invalid.)";
+
+constexpr const char* base_estimator_reset_doc =
+    R"(Resets the estimate to a state of the whole robot.
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,), optional
+    Velocity; default: at rest.
+covariance : array_like, shape (15, 15), optional
+    Order: rotation vector, velocity, position of the measurement unit in world axes, bias of the
+    gyroscope, bias of the accelerometer. Default: the standard deviations of the options.)";
+
+constexpr const char* base_estimator_update_doc = R"(Updates the estimate with measurements.
+
+Parameters
+----------
+imu : ImuReading
+    Means of the measurement unit since the previous call.
+q : array_like, shape (nq,)
+    Joint positions; entries of the base are ignored.
+v : array_like, shape (nv,)
+    Joint velocities; entries of the base are ignored.
+standing : sequence of bool
+    Whether each foot stands.
+dt : float
+    Time since the previous call [s].
+
+Raises
+------
+EvaluationError
+    If the input is invalid; the estimate does not change.)";
 
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 
@@ -62,19 +125,20 @@ using EstimatorClass = py::class_<EstimatorMachine>;
 void bind_estimates(EstimatorClass& c) {
   c.def_property_readonly(
        "q", [](const EstimatorMachine& self) { return self.estimator.q(); },
-       "(nq,), with the joints as they were read.")
+       "Estimated configuration, shape (nq,), with the measured joint positions.")
       .def_property_readonly(
-          "v", [](const EstimatorMachine& self) { return self.estimator.v(); }, "(nv,), likewise.")
+          "v", [](const EstimatorMachine& self) { return self.estimator.v(); },
+          "Estimated velocity, shape (nv,), with the measured joint velocities.")
       .def_property_readonly(
           "covariance", [](const EstimatorMachine& self) { return self.estimator.covariance(); },
-          "(15, 15), as reset() takes it.")
+          "Covariance, shape (15, 15), in the order of reset().")
       .def_property_readonly(
           "gyro_bias", [](const EstimatorMachine& self) { return self.estimator.gyro_bias(); },
-          "(3,), rad/s.")
+          "Bias of the gyroscope, shape (3,) [rad/s].")
       .def_property_readonly(
           "accelerometer_bias",
           [](const EstimatorMachine& self) { return self.estimator.accelerometer_bias(); },
-          "(3,), m/s^2.")
+          "Bias of the accelerometer, shape (3,) [m/s^2].")
       .def_property_readonly(
           "feet_that_count",
           [](const EstimatorMachine& self) {
@@ -86,21 +150,22 @@ void bind_estimates(EstimatorClass& c) {
           [](const EstimatorMachine& self) {
             return self.list_of(self.estimator.feet_that_slip());
           },
-          "One bool per foot: it stands and is left out.")
+          "One bool per foot: True if the foot stands but is rejected as an outlier.")
       .def_property_readonly(
           "innovation", [](const EstimatorMachine& self) { return self.estimator.innovation(); },
-          "EstimatorInnovation of the last update.");
+          "Innovation of the last update, an EstimatorInnovation.");
 }
 
 void bind_contacts(py::module_& m) {
-  py::class_<ContactsMachine>(m, "FootContacts", "A foot's normal force with hysteresis.")
+  py::class_<ContactsMachine>(m, "FootContacts",
+                              "Contact detection of feet from normal forces, with hysteresis.")
       .def(py::init(
                [](const Model& model, int feet, const std::optional<FootContactOptions>& options) {
                  return std::make_unique<ContactsMachine>(model, feet,
                                                           options.value_or(FootContactOptions{}));
                }),
            py::arg("model"), py::arg("feet"), py::arg("options") = py::none(),
-           "Raises Error for options out of range, and for noise that would reach across the "
+           "Raises Error for options out of range, and for noise that is larger than the "
            "hysteresis.")
       .def(
           "update",
@@ -108,8 +173,7 @@ void bind_contacts(py::module_& m) {
             const Busy::Lock lock(self.busy, "FootContacts.update");
             require(self.contacts.update(normal_forces, dt), "FootContacts.update");
           },
-          py::arg("normal_forces"), py::arg("dt"),
-          "Normal forces, N, one per foot, dt s after the last ones.")
+          py::arg("normal_forces"), py::arg("dt"), foot_contacts_update_doc)
       .def_property_readonly(
           "standing",
           [](const ContactsMachine& self) {
@@ -119,32 +183,30 @@ void bind_contacts(py::module_& m) {
           "One bool per foot.")
       .def_property_readonly(
           "forces", [](const ContactsMachine& self) { return self.contacts.forces(); },
-          "N, behind the low-pass.");
+          "Low-pass filtered normal forces [N].");
   py::class_<ForcesMachine>(
       m, "FootForces",
-      "The force on each foot where no sensor measures it: from joint torques "
-      "through the dynamics.")
+      "Estimator of foot forces without force sensors, from joint torques and the dynamics.")
       .def(py::init([](const Model& model, const std::vector<FootSpec>& feet, double bandwidth) {
              return std::make_unique<ForcesMachine>(model, feet, bandwidth);
            }),
            py::arg("model"), py::arg("feet"), py::arg("bandwidth") = 150.0,
-           "bandwidth: rad/s. Raises Error for feet that are unknown or fixed to the world.")
+           "`bandwidth` of the estimator [rad/s]. Raises Error for unknown feet, and for feet "
+           "that are fixed to the world.")
       .def(
           "update",
           [](ForcesMachine& self, const Vector& q, const Vector& v, const Vector& tau, double dt) {
             const Busy::Lock lock(self.busy, "FootForces.update");
             require(self.forces.update(q, v, tau, dt), "FootForces.update");
           },
-          py::arg("q"), py::arg("v"), py::arg("tau"), py::arg("dt"),
-          "The state and the torques (nv,; Nm or N, none in the base's entries) that acted in the "
-          "dt s since the last one. Raises EvaluationError for what cannot be used.")
+          py::arg("q"), py::arg("v"), py::arg("tau"), py::arg("dt"), foot_forces_update_doc)
       .def_property_readonly(
           "forces_world",
           [](const ForcesMachine& self) { return Eigen::MatrixXd(self.forces.forces_world()); },
-          "(3, feet), of the ground on each foot, N, world axes.")
+          "Forces of the ground on the feet, shape (3, feet), in world axes [N].")
       .def_property_readonly(
           "normal_forces", [](const ForcesMachine& self) { return self.forces.normal_forces(); },
-          "(feet,), against gravity, N.");
+          "Vertical forces of the ground on the feet, shape (feet,) [N].");
 }
 
 }  // namespace
@@ -152,11 +214,11 @@ void bind_contacts(py::module_& m) {
 void bind_estimate(py::module_& m) {
   bind_contacts(m);
   EstimatorClass c(m, "BaseEstimator",
-                   "Where a robot on its feet is and how it moves: its floating base from a "
-                   "gyroscope, an accelerometer, encoders and which feet stand. See "
+                   "Estimator of the floating base of a robot with feet, from a gyroscope, an "
+                   "accelerometer, encoders, and the contacts of the feet. See "
                    "docs/state_estimation.md.");
   c.def(py::init<const Model&, const BaseEstimatorOptions&>(), py::arg("model"), py::arg("options"),
-        "Raises Error for a robot without a floating base, unknown frames and options out of "
+        "Raises Error for a robot without a floating base, unknown frames, and options out of "
         "range.")
       .def(
           "reset",
@@ -169,9 +231,7 @@ void bind_estimate(py::module_& m) {
                     "BaseEstimator.reset");
           },
           py::arg("q"), py::arg("v") = py::none(), py::arg("covariance") = py::none(),
-          "Starts at q (nq,) and v (nv,; None: at rest) of the whole robot; covariance (15, 15), "
-          "of the unit, world axes: rotation vector, velocity, position, biases of gyroscope and "
-          "accelerometer; None: the options' deviations.")
+          base_estimator_reset_doc)
       .def(
           "update",
           [](EstimatorMachine& self, const ImuReading& imu, const Vector& q, const Vector& v,
@@ -181,10 +241,7 @@ void bind_estimate(py::module_& m) {
                     "BaseEstimator.update");
           },
           py::arg("imu"), py::arg("q"), py::arg("v"), py::arg("standing"), py::arg("dt"),
-          "What was read dt s after the last update: the unit's means over that time, and the "
-          "joints' entries of q (nq,) and v (nv,) now; entries of the base are passed over. "
-          "standing: one bool per foot. Raises EvaluationError for what cannot be used; it then "
-          "changes nothing.");
+          base_estimator_update_doc);
   bind_estimates(c);
 }
 

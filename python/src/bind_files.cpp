@@ -1,4 +1,4 @@
-// Problems in files.
+// Bindings of problem files and YAML.
 #include "base/parse_number.hpp"
 #include "bind.hpp"
 #include "document/reader.hpp"
@@ -9,7 +9,42 @@
 namespace burnish::python {
 namespace {
 
-/// Dictionaries, lists, texts, numbers, True, False and None.
+// Docstrings.
+
+constexpr const char* read_problem_file_doc = R"(Reads a problem file (YAML).
+
+Parameters
+----------
+file : str or Path
+    Problem file. Paths in it are relative to its folder.
+
+Returns
+-------
+ProblemFile
+
+Raises
+------
+Error
+    If the file is invalid; the message has the file, line, keys and requirement.)";
+
+constexpr const char* make_guess_doc = R"(Makes the initial trajectory of a solve.
+
+Parameters
+----------
+problem : Problem
+start : WarmStart, optional
+
+Returns
+-------
+TrajectoryGuess
+    States xs (N + 1, nx) and controls us (N, max_controls).
+
+Raises
+------
+Error
+    If a file cannot be read, or does not fit the problem.)";
+
+/// Python object of a document: dictionaries, lists, texts, numbers, True, False, None.
 py::object object_of(const document::Node& node) {
   switch (node.kind) {
     case document::Kind::Null:
@@ -44,34 +79,30 @@ void bind_documents(py::module_& m) {
         return object_of(document::Reader::load(file).node());
       },
       py::arg("file"),
-      "A file of YAML as dictionaries, lists, texts, numbers, True, False and None. Raises Error "
-      "naming file and line.");
+      "Reads a YAML file into dictionaries, lists, texts, numbers, True, False and None. Raises "
+      "Error with file and line.");
   m.def(
       "parse_yaml",
       [](const std::string& text, const std::string& name) {
         return object_of(document::parse_yaml(text, name));
       },
       py::arg("text"), py::arg("name") = "the text",
-      "The same of a text, called `name` in refusals.");
+      "Reads a YAML text, called `name` in messages.");
   m.def(
       "json_as_yaml",
       [](const std::string& json) {
         return document::yaml_text(document::parse_json(json, "the value"));
       },
       py::arg("json"),
-      "A value of JSON in one line of YAML, without the quotes that it does not need.");
+      "Returns a JSON value as one line of YAML, with quotes only where YAML needs them.");
 }
 
 }  // namespace
 
 void bind_files(py::module_& m) {
   bind_documents(m);
-  m.def(
-      "read_problem_file", &read_problem_file, py::arg("file"),
-      py::call_guard<py::gil_scoped_release>(),
-      "Reads a problem file (YAML): a ProblemFile. Relative names in it are looked up in its "
-      "folder. Raises Error with one sentence that names the file, the line, the keys that lead to "
-      "the place, and what was wanted.");
+  m.def("read_problem_file", &read_problem_file, py::arg("file"),
+        py::call_guard<py::gil_scoped_release>(), read_problem_file_doc);
   m.def(
       "make_guess",
       [](ProblemMachine& machine, const std::optional<WarmStart>& start) {
@@ -79,8 +110,7 @@ void bind_files(py::module_& m) {
         return make_guess(machine.problem, start.value_or(WarmStart{}));
       },
       py::arg("problem"), py::arg("start") = py::none(), py::call_guard<py::gil_scoped_release>(),
-      "States (N + 1, nx) and controls (N, max_controls) to start from: a TrajectoryGuess. Raises "
-      "Error where a file cannot be read or does not fit the problem.");
+      make_guess_doc);
 }
 
 }  // namespace burnish::python

@@ -1,4 +1,4 @@
-// Robots: descriptions, compiled models, configurations.
+// Bindings of robots: descriptions, compiled models, configurations.
 #include "bind.hpp"
 #include "burnish/mjcf/mjcf.hpp"
 #include "burnish/model/joint_order.hpp"
@@ -10,7 +10,238 @@ namespace burnish::python {
 
 namespace {
 
-/// Everything of a model by name, for pickling.
+// Docstrings.
+
+constexpr const char* load_robot_doc = R"(Loads a robot.
+
+Parameters
+----------
+name : str
+    One of: a URDF or MJCF file ("arm.urdf", "arm.xml") or a pipe; a settings file
+    ("robots/talos/robot.yaml") or its folder; the name of a robot of the library ("talos", "arm7",
+    "crane", "quadruped", "pendulum"). A variant is appended as in "talos:right_arm".
+overrides : RobotOverrides, optional
+    Changes to the settings.
+
+Returns
+-------
+Robot
+    Robot; its `warnings` has one sentence for each suspicious value.
+
+Raises
+------
+Error
+    If a file is invalid; the message has all problems of a URDF file. With strict overrides, also
+    for warnings.)";
+
+constexpr const char* configuration_doc = R"(Makes a configuration from a posture.
+
+Parameters
+----------
+model : Model
+posture : dict of str to list of float
+    Joint coordinates by joint name. Other joints have their neutral values.
+
+Returns
+-------
+ndarray, shape (nq,)
+
+Raises
+------
+Error
+    If a name is unknown, or a joint has the wrong number of coordinates.)";
+
+constexpr const char* integrate_doc =
+    R"(Computes q (+) dq: each joint moves with its velocity dq for unit time.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,) or (n, nq)
+    Configuration, or one per row.
+dq : array_like, shape (nv,) or (n, nv)
+    Tangent vector, or one per row.
+
+Returns
+-------
+ndarray, shape (nq,) or (n, nq)
+
+Raises
+------
+Error
+    If the sizes are wrong.)";
+
+constexpr const char* difference_doc =
+    R"(Computes the dq with q0 (+) dq = q1, the shortest one for rotations.
+
+Parameters
+----------
+model : Model
+q0, q1 : array_like, shape (nq,) or (n, nq)
+    Configurations, or one per row.
+
+Returns
+-------
+ndarray, shape (nv,) or (n, nv)
+
+Raises
+------
+Error
+    If the sizes are wrong.)";
+
+constexpr const char* tangent_map_doc = R"(Computes d(q (+) dq)/d(dq) at dq = 0.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,)
+    Configuration.
+
+Returns
+-------
+ndarray, shape (nq, nv))";
+
+constexpr const char* normalized_doc = R"(Scales quaternions and (cos, sin) pairs to unit length.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,)
+    Configuration.
+
+Returns
+-------
+ndarray, shape (nq,))";
+
+constexpr const char* random_configuration_doc =
+    R"(Draws random configurations, uniform within position limits.
+
+Joints without limits use +-pi or +-1 m. Rotations are uniform.
+
+Parameters
+----------
+model : Model
+seed : int
+    Seed; the result is equal on every machine.
+count : int, optional
+    Number of configurations.
+
+Returns
+-------
+ndarray, shape (nq,) or (count, nq))";
+
+constexpr const char* check_configuration_doc = R"(Checks a configuration.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,)
+argument : str
+    Name of q in messages.
+
+Raises
+------
+Error
+    If q has a wrong size, an entry that is not finite, or a quaternion that is not normalized.)";
+
+constexpr const char* check_tangent_doc = R"(Checks a tangent vector.
+
+Parameters
+----------
+model : Model
+v : array_like, shape (nv,)
+argument : str
+    Name of v in messages.
+
+Raises
+------
+Error
+    If v does not have nv finite entries.)";
+
+constexpr const char* build_model_doc = R"(Compiles a tree.
+
+Parameters
+----------
+tree : TreeSpec
+options : ModelOptions, optional
+
+Returns
+-------
+Model
+    Model; its `warnings` has one sentence for each suspicious value.
+
+Raises
+------
+Error
+    If the tree is invalid; the message has the source, the element and the reason of each problem.
+    With strict options, also for warnings.)";
+
+constexpr const char* read_urdf_doc = R"(Reads a URDF file.
+
+Parameters
+----------
+file : str or Path
+
+Returns
+-------
+TreeSpec
+
+Raises
+------
+Error
+    If the file is invalid.)";
+
+constexpr const char* parse_urdf_doc = R"(Reads a URDF text.
+
+Parameters
+----------
+xml : str
+source : str
+    Name of the text in messages.
+
+Returns
+-------
+TreeSpec
+
+Raises
+------
+Error
+    If the text is invalid.)";
+
+constexpr const char* read_mjcf_doc = R"(Reads an MJCF file and the files that it includes.
+
+Parameters
+----------
+file : str or Path
+
+Returns
+-------
+TreeSpec
+    Tree with the root link "world".
+
+Raises
+------
+Error
+    If the file is invalid.)";
+
+constexpr const char* parse_mjcf_doc = R"(Reads an MJCF text, without opening other files.
+
+Parameters
+----------
+xml : str
+source : str
+    Name of the text in messages.
+
+Returns
+-------
+TreeSpec
+
+Raises
+------
+Error
+    If the text is invalid.)";
+
+/// All members of a model by name, for pickling.
 template <class Visit>
 void for_each_member(Visit&& visit) {
   visit("name", &Model::name);
@@ -35,7 +266,7 @@ void for_each_member(Visit&& visit) {
   visit("joint_of_v", &Model::joint_of_v);
   visit("parent_of_v", &Model::parent_of_v);
   visit("locked_joints", &Model::locked_joints);
-  visit("stated_joints", &Model::stated_joints);
+  visit("file_joints", &Model::file_joints);
   visit("warnings", &Model::warnings);
   visit("notes", &Model::notes);
   visit("support_entries", &Model::support_entries);
@@ -57,7 +288,7 @@ Model model_of(const py::dict& state) {
   return model;
 }
 
-/// Everything is equal, entry by entry.
+/// Whether all members of two models are equal.
 bool same(const py::object& a, const py::object& b) {
   return py::module_::import("burnish._spec").attr("_same")(a, b).cast<bool>();
 }
@@ -70,14 +301,14 @@ bool equal(const Robot& a, const Robot& b) {
          same(py::cast(a.collisions), py::cast(b.collisions)) && a.warnings == b.warnings &&
          a.notes == b.notes;
 }
-/// Against another of the class; Python decides about the rest.
+/// Comparison with an object of the same class; NotImplemented for other objects.
 template <class Machine>
 py::object equals(const Machine& self, const py::object& other) {
   if (!py::isinstance<Machine>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
   return py::bool_(equal(self, py::cast<const Machine&>(other)));
 }
 
-/// f(row of a, row of b) for one state or for rows of states; `size` entries each.
+/// f(row of a, row of b), with `size` entries, for one state or for rows of states.
 template <class Function>
 py::array_t<double> by_rows(const py::array_t<double, py::array::c_style | py::array::forcecast>& a,
                             const py::array_t<double, py::array::c_style | py::array::forcecast>& b,
@@ -89,8 +320,9 @@ py::array_t<double> by_rows(const py::array_t<double, py::array::c_style | py::a
   if (a.ndim() == 1 && b.ndim() == 1)
     return py::cast(Eigen::VectorXd(f(vector(a, 0), vector(b, 0))));
   if (a.ndim() != 2 || b.ndim() != 2 || a.shape(0) != b.shape(0))
-    throw Error(std::string(what) +
-                ": wanted are two vectors, or two arrays with the same number of rows");
+    throw Error(
+        std::string(what) +
+        ": the arrays do not match; wanted two vectors, or two arrays with equal numbers of rows");
   py::array_t<double> result({a.shape(0), static_cast<py::ssize_t>(size)});
   for (py::ssize_t row = 0; row < a.shape(0); ++row)
     Eigen::Map<Eigen::VectorXd>(result.mutable_data(row), size) = f(vector(a, row), vector(b, row));
@@ -102,7 +334,7 @@ py::array_t<double> random_rows(const Model& model, std::uint64_t seed, std::opt
   if (!count) return py::cast(random_configuration(model, generator));
   if (*count < 0)
     throw Error("random_configuration: count is " + std::to_string(*count) +
-                "; wanted is a number of states");
+                "; wanted a number of at least 0");
   py::array_t<double> states(
       {static_cast<py::ssize_t>(*count), static_cast<py::ssize_t>(model.nq)});
   for (int row = 0; row < *count; ++row)
@@ -112,33 +344,32 @@ py::array_t<double> random_rows(const Model& model, std::uint64_t seed, std::opt
 }
 
 void bind_robot(py::module_& m) {
-  py::class_<Robot>(m, "Robot", "A compiled robot with its named postures.")
+  py::class_<Robot>(m, "Robot", "Compiled robot with its named postures.")
       .def_property_readonly(
           "model", [](const Robot& robot) -> const Model& { return robot.model; },
-          py::return_value_policy::reference_internal, "The compiled robot.")
+          py::return_value_policy::reference_internal, "Compiled model.")
       .def_property_readonly(
           "postures", [](const Robot& robot) { return robot.postures; },
-          "Named postures: values by joint.")
+          "Named postures: joint coordinates by joint name.")
       .def_property_readonly(
           "default_posture", [](const Robot& robot) { return robot.default_posture; },
-          "Name in postures, or empty.")
+          "Name of the default posture, or empty.")
       .def_property_readonly(
           "collisions", [](const Robot& robot) { return robot.collisions; },
-          "Collision geometry of a URDF file; no dynamics uses it.")
+          "Collision geometry of a URDF file; dynamics does not use it.")
       .def_property_readonly(
           "warnings", [](const Robot& robot) { return robot.warnings; },
-          "What is odd about its files but computes, one sentence each.")
+          "Warnings about the files of the robot, one sentence each.")
       .def_property_readonly(
           "notes", [](const Robot& robot) { return robot.notes; },
-          "What its files hold that dynamics does not need, one sentence each: never refused.")
+          "Notes about content of the files that dynamics does not need, one sentence each. "
+          "Strict overrides do not reject them.")
       .def("posture", &Robot::posture, py::arg("name"),
-           "Configuration (nq,) of a named posture, loops closed. Raises Error with the nearest "
-           "known "
-           "name, and where loops cannot be closed.")
+           "Returns the configuration (nq,) of a named posture, with closed loops. Raises Error "
+           "for an unknown name, with the nearest name, and if loops cannot be closed.")
       .def("reference_configuration", &Robot::reference_configuration,
-           "Configuration (nq,) of the default posture, or the neutral one when there is none, "
-           "loops "
-           "closed.")
+           "Returns the configuration (nq,) of the default posture, or else the neutral one, with "
+           "closed loops.")
       .def("__repr__",
            [](const Robot& robot) {
              return "<Robot '" + robot.model.name + "': " + std::to_string(robot.postures.size()) +
@@ -169,20 +400,13 @@ void bind_loading(py::module_& m) {
         return load_robot(name, overrides.value_or(RobotOverrides{}));
       },
       py::arg("name"), py::arg("overrides") = py::none(), py::call_guard<py::gil_scoped_release>(),
-      "Loads a robot by a URDF or MJCF file ('arm.urdf', 'arm.xml'), a settings file "
-      "('robots/talos/robot.yaml'), a "
-      "folder that holds one, or the name of a robot that came with the library ('talos', "
-      "'talos:right_arm', 'arm7', 'crane', 'quadruped', 'pendulum'), with ':variant' behind it if "
-      "wanted. A path may also be a pipe. Raises Error, with all problems of a URDF file at once; "
-      "what "
-      "is odd but computes is in the robot's `warnings`, and refused with strict overrides.");
-  m.def("robot_search_path", &robot_search_path, "Folders searched for robots by name, in order.");
+      load_robot_doc);
+  m.def("robot_search_path", &robot_search_path,
+        "Returns the folders in which load_robot() searches for names, in order.");
 }
 
 void bind_configurations(py::module_& m) {
-  m.def("configuration", &configuration, py::arg("model"), py::arg("posture"),
-        "The posture (values by joint) as a configuration (nq,): joints it doesn't name stay "
-        "neutral. Raises Error for unknown names and wrong sizes.");
+  m.def("configuration", &configuration, py::arg("model"), py::arg("posture"), configuration_doc);
   m.def(
       "integrate",
       [](const Model& model,
@@ -191,9 +415,7 @@ void bind_configurations(py::module_& m) {
         return by_rows(q, dq, model.nq, "integrate",
                        [&](const auto& a, const auto& b) { return integrate(model, a, b); });
       },
-      py::arg("model"), py::arg("q"), py::arg("dq"),
-      "q (+) dq: moves every joint along its own twist dq for unit time. q: (nq,), dq: (nv,), or "
-      "(n, nq) and (n, nv). Raises Error on wrong sizes.");
+      py::arg("model"), py::arg("q"), py::arg("dq"), integrate_doc);
   m.def(
       "difference",
       [](const Model& model,
@@ -202,73 +424,65 @@ void bind_configurations(py::module_& m) {
         return by_rows(q0, q1, model.nv, "difference",
                        [&](const auto& a, const auto& b) { return difference(model, a, b); });
       },
-      py::arg("model"), py::arg("q0"), py::arg("q1"),
-      "The dq with q0 (+) dq = q1, shortest for rotations: (nv,), or (n, nv) for rows of states.");
-  m.def("tangent_map", &tangent_map, py::arg("model"), py::arg("q"),
-        "d(q (+) dq)/d(dq) at dq = 0: (nq, nv).");
-  m.def("normalized", &normalized, py::arg("model"), py::arg("q"),
-        "Scales quaternions and (cos, sin) pairs to unit length.");
+      py::arg("model"), py::arg("q0"), py::arg("q1"), difference_doc);
+  m.def("tangent_map", &tangent_map, py::arg("model"), py::arg("q"), tangent_map_doc);
+  m.def("normalized", &normalized, py::arg("model"), py::arg("q"), normalized_doc);
   m.def("random_configuration", &random_rows, py::arg("model"), py::arg("seed") = 0,
-        py::arg("count") = py::none(),
-        "A random configuration (nq,), or `count` of them (count, nq): uniform within position "
-        "limits (+-pi or +-1 m where there are none), uniform rotations; the same for a seed on "
-        "every machine.");
+        py::arg("count") = py::none(), random_configuration_doc);
   m.def(
       "check_configuration",
       [](const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
          const std::string& argument) { check_configuration(model, q, argument); },
-      py::arg("model"), py::arg("q"), py::arg("argument") = "q",
-      "Raises Error with a sentence if q (nq,) is no configuration.");
+      py::arg("model"), py::arg("q"), py::arg("argument") = "q", check_configuration_doc);
   m.def(
       "check_tangent",
       [](const Model& model, const Eigen::Ref<const Eigen::VectorXd>& v,
          const std::string& argument) { check_tangent(model, v, argument); },
-      py::arg("model"), py::arg("v"), py::arg("argument") = "v",
-      "Raises Error with a sentence if v has not nv finite entries.");
+      py::arg("model"), py::arg("v"), py::arg("argument") = "v", check_tangent_doc);
 }
 
 void bind_joint_order(py::module_& m) {
   py::class_<JointOrder>(
       m, "JointOrder",
-      "Maps vectors between a list of joint names and a model: q, v and tau of another program to "
-      "those of the model, and back. Followers and held joints may be in the list; the model has "
-      "no entries for them.")
-      .def(
-          py::init([](const Model& model, std::vector<std::string> names,
-                      std::optional<JointConvention> convention) {
-            return JointOrder(model, std::move(names),
-                              convention.value_or(JointConvention::Angles));
-          }),
-          py::arg("model"), py::arg("names"), py::arg("convention") = py::none(),
-          "Order of `names`; `convention` is \"angles\" (None), \"same\" or \"mujoco\". Raises "
-          "Error with "
-          "the nearest known name for a joint that the model does not have, and for a name that is "
-          "empty or listed twice.")
+      "Maps q, v and tau of another program, in the order of its joint names, to those of a "
+      "model, and back. The names may include mimic joints and locked joints, for which the model "
+      "has no entries.")
+      .def(py::init([](const Model& model, std::vector<std::string> names,
+                       std::optional<JointConvention> convention) {
+             return JointOrder(model, std::move(names),
+                               convention.value_or(JointConvention::Angles));
+           }),
+           py::arg("model"), py::arg("names"), py::arg("convention") = py::none(),
+           "`names` has the joints in order. `convention` is \"angles\" (None), \"same\" or "
+           "\"mujoco\". Raises Error for an unknown joint, with the nearest name, and for an "
+           "empty or repeated name.")
       .def_static("mujoco", &JointOrder::mujoco, py::arg("model"),
-                  "Order and values of MuJoCo's qpos, qvel and qfrc for a model that was read from "
+                  "Makes the order and values of MuJoCo's qpos, qvel and qfrc for a model from "
                   "MJCF.")
-      .def_property_readonly("names", &JointOrder::names, "As given.")
-      .def_property_readonly("nq", &JointOrder::nq, "Entries of a vector of positions.")
-      .def_property_readonly("nv", &JointOrder::nv, "Entries of a vector of velocities or torques.")
+      .def_property_readonly("names", &JointOrder::names, "Names of the joints, in order.")
+      .def_property_readonly("nq", &JointOrder::nq, "Number of entries of a position vector.")
+      .def_property_readonly("nv", &JointOrder::nv,
+                             "Number of entries of a velocity or torque vector.")
       .def("q_from", &JointOrder::q_from, py::arg("positions"),
            py::arg("tolerance") = coupling_tolerance,
-           "q of the model (nq,). Raises Error for a wrong size, a number that is not finite, a "
-           "joint of the model that the names leave out, and a follower or held joint that is "
-           "further than `tolerance` (rad or m) from where the model has it.")
+           "Returns q of the model (nq,). Raises Error for a wrong size, an entry that is not "
+           "finite, a missing joint of the model, and a mimic or locked joint that differs from "
+           "its value in the model by more than `tolerance` [rad or m].")
       .def("q_to", &JointOrder::q_to, py::arg("q"),
-           "Positions in this order; of followers and held joints where the model has them.")
+           "Returns positions in this order. Mimic joints and locked joints have their values in "
+           "the model.")
       .def("v_from", &JointOrder::v_from, py::arg("velocities"), py::arg("q"),
-           "v of the model (nv,) at its configuration q. Velocities of followers and held joints "
-           "are passed over.")
-      .def(
-          "v_to", &JointOrder::v_to, py::arg("v"), py::arg("q"),
-          "Velocities in this order: of held joints zero, of followers as their leaders move them.")
+           "Returns v of the model (nv,) at its configuration q. Velocities of mimic joints and "
+           "locked joints are ignored.")
+      .def("v_to", &JointOrder::v_to, py::arg("v"), py::arg("q"),
+           "Returns velocities in this order. Velocities of locked joints are zero; those of "
+           "mimic joints follow their leading joints.")
       .def("tau_from", &JointOrder::tau_from, py::arg("torques"), py::arg("q"),
-           "tau of the model (nv,) at its configuration q: zero for joints that the names leave "
-           "out. "
-           "The torque of a follower, times its multiplier, is added to its leader's.")
+           "Returns tau of the model (nv,) at its configuration q; missing joints have zero "
+           "torque. The torque of a mimic joint, times its multiplier, is added to that of its "
+           "leading joint.")
       .def("tau_to", &JointOrder::tau_to, py::arg("tau"), py::arg("q"),
-           "Torques in this order: of followers and held joints zero.")
+           "Returns torques in this order. Torques of mimic joints and locked joints are zero.")
       .def("__repr__", [](const JointOrder& order) {
         return "<JointOrder: " + std::to_string(order.names().size()) +
                " joints, nq = " + std::to_string(order.nq()) +
@@ -283,18 +497,11 @@ void bind_descriptions(py::module_& m) {
         return build_model(tree, options.value_or(ModelOptions{}));
       },
       py::arg("tree"), py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
-      "Compiles a tree. Raises Error naming the source, the element and the reason, with all "
-      "problems "
-      "at once; what is odd but computes is in the model's `warnings`, and refused with strict "
-      "options.");
-  m.def("read_urdf", &read_urdf, py::arg("file"), "Reads a URDF file into a TreeSpec.");
-  m.def("parse_urdf", &parse_urdf, py::arg("xml"), py::arg("source") = "<string>",
-        "Reads URDF from a text; `source` stands for the file's name in error sentences.");
-  m.def("read_mjcf", &read_mjcf, py::arg("file"),
-        "Reads an MJCF file into a TreeSpec, with what it includes; the root link is 'world'.");
-  m.def("parse_mjcf", &parse_mjcf, py::arg("xml"), py::arg("source") = "<string>",
-        "Reads MJCF from a text, which opens no file; `source` stands for the file's name in error "
-        "sentences.");
+      build_model_doc);
+  m.def("read_urdf", &read_urdf, py::arg("file"), read_urdf_doc);
+  m.def("parse_urdf", &parse_urdf, py::arg("xml"), py::arg("source") = "<string>", parse_urdf_doc);
+  m.def("read_mjcf", &read_mjcf, py::arg("file"), read_mjcf_doc);
+  m.def("parse_mjcf", &parse_mjcf, py::arg("xml"), py::arg("source") = "<string>", parse_mjcf_doc);
 }
 
 void bind_vectors(py::class_<Model>& model) {
@@ -303,17 +510,21 @@ void bind_vectors(py::class_<Model>& model) {
         name, [member](const Model& self) { return self.*member; }, text);
   };
   vector("q_neutral", &Model::q_neutral,
-         "(nq,): zero angles, unit quaternions, base at its placement.");
+         "Neutral configuration, shape (nq,): zero angles, unit quaternions, base at its "
+         "placement.");
   vector("q_lower", &Model::q_lower, "(nq,): position limits, infinite where there are none.");
   vector("q_upper", &Model::q_upper, "(nq,): position limits, infinite where there are none.");
   vector("velocity_limit", &Model::velocity_limit,
-         "(nv,): rad/s or m/s, infinite where there is none.");
-  vector("effort_limit", &Model::effort_limit, "(nv,): Nm or N, infinite where there is none.");
-  vector("damping", &Model::damping, "(nv,): viscous, Nms/rad or Ns/m.");
-  vector("friction", &Model::friction, "(nv,): Coulomb, Nm or N.");
-  vector("armature", &Model::armature, "(nv,): kg m^2 or kg.");
-  vector("stiffness", &Model::stiffness, "(nv,): of springs in joints, Nm/rad or N/m.");
-  vector("spring_rest", &Model::spring_rest, "(nv,): where they are at rest, rad or m.");
+         "Velocity limits, shape (nv,) [rad/s or m/s]; infinite without a limit.");
+  vector("effort_limit", &Model::effort_limit,
+         "Effort limits, shape (nv,) [Nm or N]; infinite without a limit.");
+  vector("damping", &Model::damping, "Viscous joint friction, shape (nv,) [Nms/rad or Ns/m].");
+  vector("friction", &Model::friction, "Coulomb joint friction, shape (nv,) [Nm or N].");
+  vector("armature", &Model::armature, "Armature, shape (nv,) [kg m^2 or kg].");
+  vector("stiffness", &Model::stiffness,
+         "Stiffness of joint springs, shape (nv,) [Nm/rad or N/m].");
+  vector("spring_rest", &Model::spring_rest,
+         "Rest positions of joint springs, shape (nv,) [rad or m].");
 }
 
 void bind_look_up(py::class_<Model>& model) {
@@ -326,13 +537,15 @@ void bind_look_up(py::class_<Model>& model) {
             const auto entries = self.support(body);
             return std::vector<int>(entries.begin(), entries.end());
           },
-          py::arg("body"), "Entries of v that move a body, ascending; none for the world (-1).")
+          py::arg("body"),
+          "Returns the indices of the entries of v that move a body, ascending; empty for the "
+          "world (-1).")
       .def("frame_index", &Model::frame_index, py::arg("name"),
            "Index by name. Raises Error with the nearest known name.")
       .def("joint_index", &Model::joint_index, py::arg("name"),
            "Index by name. Raises Error with the nearest known name.")
       .def("has_frame", &Model::has_frame, py::arg("name"),
-           "Whether there is a frame of that name.");
+           "Returns whether the model has a frame of this name.");
 }
 
 void bind_names(py::class_<Model>& model) {
@@ -360,35 +573,39 @@ void bind_names(py::class_<Model>& model) {
 void bind_model(py::module_& m) {
   py::class_<Model> model(
       m, "Model",
-      "A compiled robot: joints in depth-first order, bodies, frames, limits. It cannot be "
-      "changed; it can be shared between threads, copied and pickled.");
-  model.def_readonly("name", &Model::name, "Of the robot.")
-      .def_readonly("nq", &Model::nq, "Entries of a configuration.")
-      .def_readonly("nv", &Model::nv, "Entries of a velocity.")
+      "Compiled robot: joints in depth-first order, bodies, frames, limits. A model is constant, "
+      "and can be shared between threads, copied and pickled.");
+  model.def_readonly("name", &Model::name, "Name of the robot.")
+      .def_readonly("nq", &Model::nq, "Number of entries of a configuration.")
+      .def_readonly("nv", &Model::nv, "Number of entries of a velocity.")
       .def_property_readonly(
-          "joints", [](const Model& self) { return self.joints; }, "Moving joints, depth-first.")
+          "joints", [](const Model& self) { return self.joints; },
+          "Moving joints, in depth-first order.")
       .def_property_readonly(
-          "frames", [](const Model& self) { return self.frames; }, "Named frames.")
+          "frames", [](const Model& self) { return self.frames; }, "Frames of the model.")
       .def_property_readonly(
           "tendons", [](const Model& self) { return self.tendons; },
-          "Those with a spring or a damper on a joint that moves.")
+          "Tendons with a spring or a damper on a moving joint.")
       .def_property_readonly(
-          "visuals", [](const Model& self) { return self.visuals; }, "Solids to draw.")
+          "visuals", [](const Model& self) { return self.visuals; }, "Visual geometry.")
       .def_property_readonly(
-          "loops", [](const Model& self) { return self.loops; }, "Loops that close chains.")
+          "loops", [](const Model& self) { return self.loops; }, "Loop closures.")
       .def_property_readonly(
-          "gravity", [](const Model& self) { return self.gravity; }, "(3,), m/s^2, world.")
+          "gravity", [](const Model& self) { return self.gravity; },
+          "Gravity in the world, shape (3,) [m/s^2].")
       .def_readonly("locked_joints", &Model::locked_joints,
-                    "Moving joints of the description that were locked.")
+                    "Names of joints of the description that are locked.")
       .def_property_readonly(
-          "stated_joints", [](const Model& self) { return self.stated_joints; },
-          "All joints with a position in the description, followers and held ones too, in the "
-          "order of `joints`.")
+          "file_joints", [](const Model& self) { return self.file_joints; },
+          "All joints of the description with a position, including mimic joints and locked "
+          "joints, in the order of `joints`.")
       .def_readonly("warnings", &Model::warnings,
-                    "What is odd about the description but computes, one sentence each.")
+                    "Warnings about the description, one sentence each.")
       .def_readonly("notes", &Model::notes,
-                    "What the description holds that dynamics does not need, one sentence each.")
-      .def_property_readonly("total_mass", &Model::total_mass, "Of all moving bodies, kg.");
+                    "Notes about content of the description that dynamics does not need, one "
+                    "sentence each.")
+      .def_property_readonly("total_mass", &Model::total_mass,
+                             "Total mass of the moving bodies [kg].");
   bind_names(model);
   bind_look_up(model);
   bind_vectors(model);

@@ -1,4 +1,4 @@
-// Model predictive control.
+// Bindings of model predictive control.
 #include "bind.hpp"
 #include "burnish/mpc/plan_check.hpp"
 #include "loop_parts.hpp"
@@ -8,14 +8,141 @@ namespace burnish::python {
 
 namespace {
 
+// Docstrings.
+
+constexpr const char* controller_tick_doc = R"(Computes the command for a measurement.
+
+If a function of the specification raised an exception, the tick continues without it, and then
+raises the exception.
+
+Parameters
+----------
+measurement : Measurement
+
+Returns
+-------
+Command
+    Command with a status. Its torque can always be applied.)";
+
+constexpr const char* schedule_advance_doc = R"(Advances the clock.
+
+Parameters
+----------
+dt : float
+    Time step [s].
+happened : int or bool
+    Bit e is set if event e of `events` has happened; True is accepted for a single event.
+
+Returns
+-------
+bool
+    True if the clock jumped or stood still.)";
+
+constexpr const char* observer_update_doc =
+    R"(Updates the observer with a measurement. The first call after reset() only sets the velocity.
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,)
+    Velocity [rad/s or m/s].
+tau : array_like, shape (nv,)
+    Joint torques since the previous call [Nm or N].
+force_world : array_like, shape (3,)
+    Force on the tool since the previous call, in world axes [N].
+dt : float
+    Time since the previous call [s].
+
+Raises
+------
+EvaluationError
+    If the measurement is invalid; the observer does not change.)";
+
+constexpr const char* plan_at_doc = R"(Returns the policy at a time.
+
+Parameters
+----------
+time : float
+    Time [s].
+
+Returns
+-------
+LinearFeedback
+    Controls and gains of the knot before the time, and a state interpolated between that knot
+    and the next one. Before and after the plan, it is the policy of the first or last knot.
+
+Raises
+------
+Error
+    If the plan is empty.)";
+
+constexpr const char* plan_control_doc =
+    R"(Returns u = feedforward + gain (x (-) state) of the policy at a time.
+
+Parameters
+----------
+time : float
+    Time [s].
+x : array_like, shape (nx,)
+    State.
+
+Returns
+-------
+ndarray, shape (nu,)
+    Controls [Nm or N].
+
+Raises
+------
+Error
+    If the plan is empty, or the size of x is wrong.)";
+
+constexpr const char* plan_load_doc = R"(Copies the trajectory and gains of a solver.
+
+Parameters
+----------
+solver : DdpSolver
+    Solver of the same problem.
+time : float
+    Start of the plan [s].)";
+
+constexpr const char* mpc_payload_doc = R"(Sets the payload at a frame from the next tick.
+
+The payload replaces that of the body of the frame.
+
+Parameters
+----------
+frame : str
+payload : InertiaSpec
+    Inertia of the payload, in the axes of the frame.
+
+Raises
+------
+Error
+    If the base is estimated (ClosedLoop.estimate_base), because the estimator does not support
+    payloads.)";
+
+constexpr const char* plan_complaints_doc =
+    R"(Returns sentences about steps that are too long for the plans of a controller.
+
+Solves the first plan, and compares its steps with check_steps().
+
+Parameters
+----------
+spec : MpcSpec
+
+Returns
+-------
+list of str)";
+
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 
 void bind_controller(py::module_& m) {
   py::class_<BoundController>(m, "CompiledController",
-                              "A controller of the library; see burnish.Controller.")
+                              "Controller of the library; see burnish.Controller.")
       .def_property_readonly(
           "nv", [](const BoundController& self) { return self.controller->nv(); },
-          "Torques of a command.")
+          "Number of torques of a command.")
       .def(
           "reset",
           [](BoundController& self) {
@@ -23,7 +150,7 @@ void bind_controller(py::module_& m) {
             self.controller->reset();
             (void)self.take_exception();
           },
-          "Forgets all ticks before.")
+          "Resets the controller to its state before the first tick.")
       .def(
           "tick",
           [](BoundController& self, const Measurement& measurement) {
@@ -35,10 +162,7 @@ void bind_controller(py::module_& m) {
               std::rethrow_exception(thrown);
             return command;
           },
-          py::arg("measurement"),
-          "The command that follows a measurement, at once. Numerical trouble shows in its "
-          "status, and its torque is one that can be applied. What a function of the "
-          "specification raised is raised here, after the tick went on without it.")
+          py::arg("measurement"), controller_tick_doc)
       .def("__repr__", [](const BoundController& self) {
         return "<Controller of " + std::to_string(self.controller->nv()) + " torques>";
       });
@@ -46,10 +170,11 @@ void bind_controller(py::module_& m) {
 
 void bind_schedule(py::module_& m) {
   py::class_<Schedule>(m, "Schedule",
-                       "A clock that runs along phases. Its time is the time of a task's targets.")
+                       "Clock that runs through the phases of a task. Targets of the task are "
+                       "functions of its time.")
       .def(py::init<std::vector<SchedulePhase>>(), py::arg("phases"),
-           "Raises Error for no phases, durations that are not positive, an infinite one before "
-           "the last, and a hold that is not a positive time where an event is waited for.")
+           "Raises Error for an empty list, a duration that is not positive, an infinite duration "
+           "before the last phase, and a hold time that is not positive in a phase with an event.")
       .def_property_readonly(
           "phases", [](const Schedule& self) { return self.phases(); }, "As given.")
       .def(
@@ -59,15 +184,12 @@ void bind_schedule(py::module_& m) {
               throw Error("Schedule.start_of: there is no phase " + std::to_string(phase));
             return self.start_of(phase);
           },
-          py::arg("phase"), "Planned start of a phase, s.")
-      .def("reset", &Schedule::reset, "Back to time zero.")
+          py::arg("phase"), "Returns the planned start of a phase [s].")
+      .def("reset", &Schedule::reset, "Resets the clock to time zero.")
       .def_property_readonly(
           "events", [](const Schedule& self) { return self.events(); },
-          "Those that phases wait for, in their order.")
-      .def("advance", &Schedule::advance, py::arg("dt"), py::arg("happened"),
-           "Lets dt s pass. happened: bit e for entry e of `events`; of one event True will do. "
-           "True "
-           "if the clock jumped or stood still.")
+          "Events that phases wait for, in the order of the phases.")
+      .def("advance", &Schedule::advance, py::arg("dt"), py::arg("happened"), schedule_advance_doc)
       .def(
           "jump_to",
           [](Schedule& self, int phase) {
@@ -75,15 +197,17 @@ void bind_schedule(py::module_& m) {
               throw Error("Schedule.jump_to: there is no phase " + std::to_string(phase));
             self.jump_to(phase);
           },
-          py::arg("phase"), "Goes to the start of a phase; past the last one, to the last one.")
+          py::arg("phase"), "Sets the clock to the start of a phase, at most of the last one.")
       .def_property_readonly("time", &Schedule::time, "s.")
       .def_property_readonly("waits", &Schedule::waits,
-                             "The last advance() found the clock standing still for an event.")
-      .def_property_readonly("phase", &Schedule::phase, "Index of the phase now.")
+                             "True if the clock stood still in the last advance(), waiting for an "
+                             "event.")
+      .def_property_readonly("phase", &Schedule::phase, "Index of the current phase.")
       .def("phase_at", &Schedule::phase_at, py::arg("time"),
-           "Index of the phase at a time of the clock; the last one after the end.")
+           "Returns the index of the phase at a time of the clock [s]; the last one after the "
+           "end.")
       .def_property_readonly("finished", &Schedule::finished,
-                             "All phases of finite duration are over.")
+                             "True if all phases of finite duration have ended.")
       .def("__copy__", [](const Schedule& self) { return self; })
       .def("__deepcopy__", [](const Schedule& self, const py::dict&) { return self; })
       .def("__repr__", [](const Schedule& self) {
@@ -101,24 +225,24 @@ struct ObserverMachine {
 void bind_observer(py::module_& m) {
   py::class_<ObserverMachine>(
       m, "TorqueErrorObserver",
-      "An observer of the joint velocity with the torque error d of M a + b = tau + J^T f + d as "
-      "its disturbance state, critically damped at the bandwidth: after 4.8 / bandwidth s a "
-      "constant error is known to 5 %.")
+      "Observer of the joint velocity and the torque error d in M a + b = tau + J^T f + d. It is "
+      "critically damped: the estimate of a constant error reaches 95 % after 4.8 / bandwidth "
+      "[s].")
       .def(py::init([](const Model& model, const std::string& tool,
                        const std::optional<ModelErrorOptions>& options) {
              return std::make_unique<ObserverMachine>(
                  TorqueErrorObserver(model, tool, options.value_or(ModelErrorOptions{})));
            }),
            py::arg("model"), py::arg("tool") = "tool", py::arg("options") = py::none(),
-           "tool: frame that the force acts at. Raises Error for an unknown frame and options out "
-           "of range.")
+           "`tool` is the frame at which the force acts. Raises Error for an unknown frame and "
+           "options out of range.")
       .def(
           "reset",
           [](ObserverMachine& self) {
             const Busy::Lock lock(self.busy, "TorqueErrorObserver.reset");
             self.observer.reset();
           },
-          "Forgets all measurements.")
+          "Resets the observer.")
       .def(
           "update",
           [](ObserverMachine& self, const Vector& q, const Vector& v, const Vector& tau,
@@ -130,17 +254,14 @@ void bind_observer(py::module_& m) {
             return status;
           },
           py::arg("q"), py::arg("v"), py::arg("tau"), py::arg("force_world"), py::arg("dt"),
-          "A measurement, dt s after the last one: q (nq,), v (nv,), and what has acted since: "
-          "joint torques tau (nv,) and the force on the tool (3,; N, world axes). The first one "
-          "after reset() only sets the velocity. Raises EvaluationError for a measurement that "
-          "cannot be evaluated; it then changes nothing.")
+          observer_update_doc)
       .def_property_readonly(
           "torque_error",
           [](ObserverMachine& self) {
             const Busy::Lock lock(self.busy, "TorqueErrorObserver.torque_error");
             return self.observer.torque_error();
           },
-          "d (nv,), Nm or N.")
+          "Estimated torque error d, shape (nv,) [Nm or N].")
       .def("__repr__", [](const ObserverMachine& self) {
         return "<TorqueErrorObserver of " + std::to_string(self.observer.torque_error().size()) +
                " torques>";
@@ -152,19 +273,16 @@ using PlanClass = py::class_<FeedbackPlan>;
 void bind_plan_policy(PlanClass& c) {
   c.def(
        "at",
-       [](const FeedbackPlan& self, double time) {
+       [](FeedbackPlan& self, double time) {
          if (self.empty()) throw Error("FeedbackPlan.at: there is no plan; load one first");
          LinearFeedback feedback = self.make_feedback();
          self.at(time, feedback);
          return feedback;
        },
-       py::arg("time"),
-       "The policy at a time (s), a LinearFeedback: the controls and gains of the knot that it "
-       "falls into, about a state between that knot's and the next one's; the first and the "
-       "last beyond the ends. Raises Error while the plan is empty.")
+       py::arg("time"), plan_at_doc)
       .def(
           "control",
-          [](const FeedbackPlan& self, double time, const Vector& x) {
+          [](FeedbackPlan& self, double time, const Vector& x) {
             if (self.empty()) throw Error("FeedbackPlan.control: there is no plan; load one first");
             LinearFeedback feedback = self.make_feedback();
             if (x.size() != feedback.state.size())
@@ -175,28 +293,26 @@ void bind_plan_policy(PlanClass& c) {
             self.control(feedback, Eigen::VectorXd(x), u);
             return u;
           },
-          py::arg("time"), py::arg("x"),
-          "u = feedforward + gain (x (-) state) of that policy (nu,), Nm or N; x: (nx,).");
+          py::arg("time"), py::arg("x"), plan_control_doc);
 }
 
 void bind_feedback_plan(py::module_& m) {
-  PlanClass c(
-      m, "FeedbackPlan",
-      "The plan of a solve as a controller between two solves: a copy of the first knots of a "
-      "solution and their policy, for a controller of your own.");
+  PlanClass c(m, "FeedbackPlan",
+              "Controller between two solves: a copy of the first knots of a solution and of "
+              "their policy, for controllers of your own.");
   c.def(py::init([](const ProblemMachine& machine, int knots, double step) {
           return FeedbackPlan(machine.problem, knots, step);
         }),
         py::arg("problem"), py::arg("knots"), py::arg("step"), py::keep_alive<1, 2>(),
-        "Room for `knots` knots of the problem's horizon, all of them if there are no more; "
-        "step: s between them. Raises Error for fewer than one knot and for a step that is not "
+        "Allocates memory for `knots` knots, at most those of the problem; `step` is the time "
+        "between knots [s]. Raises Error for fewer than one knot, and a step that is not "
         "positive.")
       .def(py::init([](const ProblemMachine& machine, const std::vector<double>& steps) {
              return FeedbackPlan(machine.problem, steps);
            }),
            py::arg("problem"), py::arg("steps"), py::keep_alive<1, 2>(),
-           "Room for a knot per step (s), whose lengths may differ; all of the horizon's if there "
-           "are no more. Raises Error for no steps and for one that is not positive.")
+           "Allocates memory for one knot per entry of `steps`, which are the times between knots "
+           "[s]. Raises Error for an empty list, and a step that is not positive.")
       .def(
           "load",
           [](FeedbackPlan& self, SolverMachine& machine, double time) {
@@ -208,12 +324,10 @@ void bind_feedback_plan(py::module_& m) {
               throw Error("FeedbackPlan.load: the solver is of another problem");
             self.load(machine.solver, time);
           },
-          py::arg("solver"), py::arg("time"),
-          "Copies the trajectory and gains of a DdpSolver of the plan's problem, to hold from "
-          "`time` (s) on.")
-      .def("clear", &FeedbackPlan::clear, "Forgets the plan.")
-      .def_property_readonly("empty", &FeedbackPlan::empty, "Whether there is no plan.")
-      .def_property_readonly("knots", &FeedbackPlan::knots, "Knots that it has room for.")
+          py::arg("solver"), py::arg("time"), plan_load_doc)
+      .def("clear", &FeedbackPlan::clear, "Deletes the plan.")
+      .def_property_readonly("empty", &FeedbackPlan::empty, "True if there is no plan.")
+      .def_property_readonly("knots", &FeedbackPlan::knots, "Largest number of knots.")
       .def_property_readonly("start", &FeedbackPlan::start, "s.")
       .def(
           "time_of",
@@ -223,7 +337,8 @@ void bind_feedback_plan(py::module_& m) {
                           std::to_string(self.knots()));
             return self.time_of(knot);
           },
-          py::arg("knot"), "s, of a knot, 0 to knots; the last is the end.");
+          py::arg("knot"),
+          "Returns the time of a knot, 0 to knots [s]; the last one is the end of the plan.");
   bind_plan_policy(c);
   c.def("__repr__", [](const FeedbackPlan& self) {
     return "<FeedbackPlan of " + std::to_string(self.knots()) + " knots" +
@@ -231,7 +346,7 @@ void bind_feedback_plan(py::module_& m) {
   });
 }
 
-/// Reads what a controller holds, which no other thread may be changing.
+/// Reads a member of a controller under its lock.
 template <class Get>
 auto reading(const char* what, Get get) {
   return [what, get](BoundMpc& self) {
@@ -245,8 +360,8 @@ using MpcClass = py::class_<BoundMpc, BoundController>;
 void bind_mpc_plan(MpcClass& c) {
   c.def("plan",
         reading("MpcController.plan", [](const MpcController& mpc) { return copied(mpc.plan()); }),
-        "States of the plan as solved last (N + 1, nx), a copy; with a solver delay not in use "
-        "yet.")
+        "Returns a copy of the states of the last plan, shape (N + 1, nx). With a solver delay, "
+        "this plan is not yet in use.")
       .def(
           "plan_costs",
           [](BoundMpc& self, int knot) {
@@ -262,58 +377,60 @@ void bind_mpc_plan(MpcClass& c) {
             return named;
           },
           py::arg("knot"),
-          "Cost of each term by its name at a knot of that plan; the knots' steps are in it.");
+          "Returns the cost of each term at a knot of the last plan, by name; includes the length "
+          "of the step.");
 }
 
 void bind_mpc_readings(MpcClass& c) {
   c.def_property_readonly("torque_error",
                           reading("MpcController.torque_error",
                                   [](const MpcController& mpc) { return mpc.torque_error(); }),
-                          "(nv,), estimated, Nm or N.")
+                          "Estimated torque error, shape (nv,) [Nm or N].")
       .def_property_readonly("force_error",
                              reading("MpcController.force_error",
                                      [](const MpcController& mpc) { return mpc.force_error(); }),
-                             "N, estimated (ModelErrorKind.FORCE).")
+                             "Estimated force error, with ModelErrorKind.FORCE [N].")
       .def_property_readonly(
           "support_friction",
           reading("MpcController.support_friction",
                   [](const MpcController& mpc) { return mpc.support_friction(); }),
-          "Per support that holds always: the coefficient of friction that plans reckon with, "
-          "SlipOptions; infinite without a cone.")
+          "Friction coefficients that plans use for the permanent supports (see SlipOptions); "
+          "infinite without a friction cone.")
       .def_property_readonly("schedule",
                              reading("MpcController.schedule",
                                      [](const MpcController& mpc) { return mpc.schedule(); }),
-                             "A copy of the schedule with its clock as it is now.")
+                             "Copy of the schedule with its present time.")
       .def_property_readonly("plan_age",
                              reading("MpcController.plan_age",
                                      [](const MpcController& mpc) { return mpc.plan_age(); }),
-                             "s from the measurement that the plan in use was made from to the "
-                             "last good one; infinite while there is none.");
+                             "Age of the plan in use: time from its measurement to the last valid "
+                             "measurement [s]; infinite without a plan.");
 }
 
 void bind_mpc_controller(py::module_& m) {
   MpcClass c(
       m, "MpcController",
-      "Model predictive control of a task. A new controller is ready; reset() makes it so "
-      "again, and the same measurements then give the same torques to the last bit. tick() is to "
-      "be called once per tick_period; the first call solves the problem to its end. An update "
-      "that fails is bridged by the plan before it; the first fault latches the fallback until "
-      "reset(). What targets and residuals raise fails the update, and is raised by tick(), or by "
-      "the run of a ClosedLoop.");
+      "Model predictive controller of a task.\n"
+      "\n"
+      "A new controller, and a controller after reset(), gives equal torques, bit by bit, for "
+      "equal measurements. tick() must be called once per tick_period; the first call solves the "
+      "problem to convergence. After a failed update, the controller uses the previous plan. The "
+      "first fault activates the fallback until reset(). Exceptions of targets and residuals fail "
+      "the update; tick(), or the run of a ClosedLoop, raises them.");
   c.def(py::init([](const MpcSpec& spec) {
           const py::gil_scoped_release release;
           return std::make_unique<BoundMpc>(spec);
         }),
-        py::arg("spec"),
-        "Raises Error with one sentence for a specification that does not fit together.")
+        py::arg("spec"), "Raises Error for a contradictory specification.")
       .def_property_readonly(
-          "spec", [](const BoundMpc& self) { return self.spec(); }, "As given: a copy.")
+          "spec", [](const BoundMpc& self) { return self.spec(); }, "Specification, a copy.")
       .def_property_readonly(
           "problem",
           [](const BoundMpc& self) {
             return std::make_unique<ProblemMachine>(self.spec().problem);
           },
-          "A Problem of the specification; the controller's own moves with its schedule.")
+          "Makes a Problem from the specification. The problem of the controller itself moves "
+          "with its schedule.")
       .def(
           "set_payload",
           [](BoundMpc& self, const std::string& frame, const InertiaSpec& payload) {
@@ -322,18 +439,14 @@ void bind_mpc_controller(py::module_& m) {
             check_payload(call, payload);
             require(self.mpc().set_payload(frame, payload), call);
           },
-          py::arg("frame"), py::arg("payload"),
-          "What the robot carries at a frame from the next tick on: an InertiaSpec in the frame's "
-          "axes, in the place of what that frame's body carried before. Raises Error where the "
-          "base "
-          "is estimated (ClosedLoop.estimate_base), which a payload does not reach.")
+          py::arg("frame"), py::arg("payload"), mpc_payload_doc)
       .def("fault",
            reading("MpcController.fault", [](const MpcController& mpc) { return mpc.fault(); }),
-           "A FaultReport; its kind is NONE until there is a fault.")
+           "FaultReport; its kind is NONE without a fault.")
       .def("feedback",
            reading("MpcController.feedback",
                    [](const MpcController& mpc) { return mpc.feedback(); }),
-           "The policy of the last tick, a LinearFeedback.");
+           "Policy of the last tick, a LinearFeedback.");
   bind_mpc_readings(c);
   bind_mpc_plan(c);
 }
@@ -353,8 +466,7 @@ void bind_mpc(py::module_& m) {
         const py::gil_scoped_release release;
         return step_complaints(spec);
       },
-      py::arg("spec"),
-      "The same of a controller's plans, and of the first one what check_steps() says. Solves it.");
+      py::arg("spec"), plan_complaints_doc);
 }
 
 }  // namespace burnish::python

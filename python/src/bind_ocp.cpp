@@ -1,4 +1,4 @@
-// Optimal control problems: residuals, costs, stages, horizons, the checker.
+// Bindings of optimal control problems: view of a knot, checks.
 #include "bind_ocp.hpp"
 
 #include "bind.hpp"
@@ -9,15 +9,83 @@ namespace burnish::python {
 
 namespace {
 
+// Docstrings.
+
+constexpr const char* check_problem_doc =
+    R"(Compares the derivatives of a problem with finite differences at random states.
+
+The check covers the next state, all residuals and all costs, for each stage and the terminal knot.
+
+Parameters
+----------
+problem : Problem
+options : ProblemCheckOptions, optional
+
+Returns
+-------
+ProblemReport
+
+Raises
+------
+Error
+    If the options are invalid, or the states of a stage cannot be evaluated.)";
+
+constexpr const char* complaints_doc = R"(Checks a problem for probable mistakes.
+
+The check covers targets that are not finite or out of reach, initial states outside limits, control
+bounds that cannot hold the initial posture, and redundant contacts with mu = 0.
+
+Parameters
+----------
+problem : Problem
+
+Returns
+-------
+list of str
+    One sentence per problem; empty if none was found.)";
+
+constexpr const char* check_steps_doc =
+    R"(Compares the step of each knot of a trajectory with an integration in small steps.
+
+Parameters
+----------
+problem : Problem
+xs : array_like, shape (N + 1, nx)
+    States; each step starts at its state.
+us : array_like, shape (N, nu)
+    Controls, constant during a step.
+
+Returns
+-------
+StepReport
+
+Raises
+------
+Error
+    If the sizes are wrong.)";
+
+constexpr const char* step_complaints_doc =
+    R"(Returns the complaints() about steps that are too long.
+
+Reasons are gains of contacts, friction of tools, and damping, friction and springs of joints.
+
+Parameters
+----------
+problem : Problem
+
+Returns
+-------
+list of str)";
+
 void bind_node_view(py::module_& m) {
   py::class_<NodeHandle, std::shared_ptr<NodeHandle>>(
       m, "NodeView",
-      "One knot as a residual of the user's own sees it. Valid inside the call that it comes with; "
-      "frames and contacts go by name, or by place in the lists that the residual declares. Arrays "
-      "are copies.")
+      "View of one knot for a user-defined residual. It is valid only during the call. Frames and "
+      "contacts are selected by name, or by index in the lists of the residual. Arrays are "
+      "copies.")
       .def_property_readonly(
           "layout", [](const NodeHandle& at) { return at.view().layout(); },
-          "Where the parts of z = (du, dq, dv, dtau) start: a StateLayout.")
+          "StateLayout with the first columns of the parts of z = (du, dq, dv, dtau).")
       .def_property_readonly(
           "time", [](const NodeHandle& at) { return at.view().time(); }, "s.")
       .def_property_readonly(
@@ -26,48 +94,52 @@ void bind_node_view(py::module_& m) {
           "v", [](const NodeHandle& at) { return copied(at.view().v()); }, "(nv,).")
       .def_property_readonly(
           "u", [](const NodeHandle& at) { return copied(at.view().u()); },
-          "(nu,), zero at the end of the horizon.")
+          "Controls, shape (nu,); zero at the end of the horizon.")
       .def_property_readonly(
           "tau", [](const NodeHandle& at) { return copied(at.view().tau()); },
-          "(nv,), what the actuators apply, Nm (N).")
+          "Torques of the actuators, shape (nv,) [Nm or N].")
       .def_property_readonly(
           "acceleration", [](const NodeHandle& at) { return copied(at.view().acceleration()); },
-          "(nv,), rad/s^2 (m/s^2); zero where nothing solves for it (impacts, the end of the "
-          "horizon).")
+          "Joint accelerations, shape (nv,) [rad/s^2 or m/s^2]; zero for impacts and at the end "
+          "of the horizon.")
       .def(
           "placement",
           [](const NodeHandle& at, const NodeHandle::Place& frame) {
             return at.view().placement(at.frame(frame));
           },
-          py::arg("frame"), "(4, 4), of the frame in the world, m.")
+          py::arg("frame"), "Returns the placement of a frame in the world, shape (4, 4) [m].")
       .def(
           "velocity",
           [](const NodeHandle& at, const NodeHandle::Place& frame, const Reference& reference) {
             return at.view().velocity(at.frame(frame), reference);
           },
-          py::arg("frame"), py::arg("reference"), "(6,), m/s and rad/s, in that reference.")
+          py::arg("frame"), py::arg("reference"),
+          "Returns the velocity of a frame in a reference, shape (6,) [m/s, rad/s].")
       .def(
           "force",
           [](const NodeHandle& at, const NodeHandle::Place& contact) {
             return copied(at.view().force(at.contact(contact)));
           },
-          py::arg("contact"), "(rows held,), force of a contact in its own reference, N and Nm.")
+          py::arg("contact"),
+          "Returns the force of a contact in its own reference, shape (rows,) [N, Nm].")
       .def(
           "jacobian",
           [](const NodeHandle& at, const NodeHandle::Place& frame, const Reference& reference) {
             return copied(at.view().jacobian(at.frame(frame), reference));
           },
           py::arg("frame"), py::arg("reference"),
-          "(6, nv), d(velocity)/dv in that reference; its linear rows in 'centered' are dp/dq.")
+          "Returns d(velocity)/dv of a frame in a reference, shape (6, nv). Its linear rows in "
+          "\"centered\" are dp/dq.")
       .def(
           "force_derivative",
           [](const NodeHandle& at, const NodeHandle::Place& contact) {
             const int place = at.contact(contact);
             if (!at.with_derivatives())
-              throw Error("NodeView.force_derivative: asked for by value; only jacobian has it");
+              throw Error("NodeView.force_derivative: called in value(); only jacobian() has it");
             return copied(at.view().force_derivative(place));
           },
-          py::arg("contact"), "(rows held, nz), d(force)/dz; inside jacobian only.")
+          py::arg("contact"),
+          "Returns d(force)/dz of a contact, shape (rows, nz); only in jacobian().")
       .def("__repr__", [](const NodeHandle&) { return "<NodeView>"; });
 }
 
@@ -84,21 +156,14 @@ void bind_check(py::module_& m) {
         const py::gil_scoped_release release;
         return check_problem(machine.problem, options);
       },
-      py::arg("problem"), py::arg("options") = py::none(),
-      "Compares at random states, for every stage and the terminal state, the derivatives of the "
-      "next state, of every residual and of the costs with differences of the values: a "
-      "ProblemReport. Raises Error for options that cannot be used, and when the states of a stage "
-      "cannot be evaluated.");
+      py::arg("problem"), py::arg("options") = py::none(), check_problem_doc);
   m.def(
       "complaints",
       [](ProblemMachine& machine) {
         const Busy::Lock lock(machine.busy, "complaints");
         return complaints(machine.problem);
       },
-      py::arg("problem"), py::call_guard<py::gil_scoped_release>(),
-      "Sentences about what will not go well: targets that are not finite or out of reach, initial "
-      "states outside limits, bounds that cannot hold the initial posture, redundant contacts with "
-      "mu = 0. Empty when nothing was found.");
+      py::arg("problem"), py::call_guard<py::gil_scoped_release>(), complaints_doc);
   m.def("problem_report_text", &ProblemReport::text, py::arg("report"));
   m.def(
       "check_steps",
@@ -109,19 +174,14 @@ void bind_check(py::module_& m) {
         return check_steps(machine.problem, {xs.data(), xs.rows(), xs.cols()},
                            {us.data(), us.rows(), us.cols()});
       },
-      py::arg("problem"), py::arg("xs"), py::arg("us"),
-      "Integrates every knot of a trajectory (xs: (N + 1, nx), us: (N, nu)) again in small steps, "
-      "from its state with its control held, and compares with the problem's own step: a "
-      "StepReport. Raises Error for other sizes.");
+      py::arg("problem"), py::arg("xs"), py::arg("us"), check_steps_doc);
   m.def(
       "step_complaints",
       [](ProblemMachine& machine) {
         const Busy::Lock lock(machine.busy, "step_complaints");
         return step_complaints(machine.problem);
       },
-      py::arg("problem"), py::call_guard<py::gil_scoped_release>(),
-      "Of the complaints() those about what the steps of a stage are too long for: gains of "
-      "contacts, friction of tools, damping, friction and springs of joints.");
+      py::arg("problem"), py::call_guard<py::gil_scoped_release>(), step_complaints_doc);
   m.def("step_report_text", &StepReport::text, py::arg("report"));
   m.def("step_report_warning", &StepReport::warning, py::arg("report"));
 }

@@ -1,4 +1,4 @@
-// The parts of bind_ocp.cpp that are files of their own.
+// Bindings of the parts of the ocp layer, in separate files.
 #pragma once
 
 #include "arrays.hpp"

@@ -1,4 +1,4 @@
-// Problem: what it is, its knots, targets and states, evaluations of one knot.
+// Bindings of Problem: sizes, names, knots, targets, states, and evaluations of one knot.
 #include "bind_derivatives.hpp"
 #include "bind_ocp.hpp"
 #include "specs_model.hpp"
@@ -7,6 +7,169 @@
 namespace burnish::python {
 
 namespace {
+
+// Docstrings.
+
+constexpr const char* problem_surface_doc =
+    R"(Sets the surface that the reference of a contact follows at a knot.
+
+It applies until the knot is set or advanced. Stages without the contact ignore it.
+
+Parameters
+----------
+knot : int
+contact : str or int
+    Name or index.
+surface : Quadric
+    Surface, in the axes of the base.)";
+
+constexpr const char* problem_term_surface_doc =
+    R"(Sets the surface that the reference of a cost term follows at a knot.
+
+It applies until the knot is set or advanced.
+
+Parameters
+----------
+knot : int
+term : str or int
+    Name or index of the cost term.
+surface : Quadric
+    Surface, in the axes of the base.)";
+
+constexpr const char* problem_friction_doc =
+    R"(Sets the friction coefficient of a contact at a knot.
+
+It applies until the knot is set or advanced.
+
+Parameters
+----------
+knot : int
+contact : str or int
+    Name or index.
+coefficient : float
+    Friction coefficient, at least 0.)";
+
+constexpr const char* problem_initial_state_doc = R"(Sets the initial state.
+
+Targets that are the initial state of the specification do not change.
+
+Parameters
+----------
+x : array_like, shape (nx,)
+    State.
+
+Raises
+------
+EvaluationError
+    If the state has a NaN or a quaternion that is not normalized; nothing changes.)";
+
+constexpr const char* problem_set_knot_doc =
+    R"(Sets the stage and the time of a knot, and evaluates its signals at this time.
+
+Parameters
+----------
+knot : int
+    The terminal knot keeps its stage.
+stage : str or int
+    Name or index.
+time : float
+    Time [s].)";
+
+constexpr const char* problem_set_step_doc =
+    R"(Sets the length of the step of a knot, independent of its stage.
+
+Times of later knots do not change; set them with set_knot().
+
+Parameters
+----------
+knot : int
+step : float
+    Length of the step [s].
+
+Raises
+------
+Error
+    If the knot is an impact or the terminal knot, or the step is not positive.)";
+
+constexpr const char* problem_advance_doc =
+    R"(Removes knot 0, shifts the other knots, and appends a knot.
+
+The new knot has the step length of the previous last knot if set_step() has set it.
+
+Parameters
+----------
+stage : str or int
+    Name or index.)";
+
+constexpr const char* problem_set_target_doc = R"(Sets the target of a cost term at a knot.
+
+It applies until the knot is set or advanced.
+
+Parameters
+----------
+knot : int
+term : str or int
+    Name or index of the cost term.
+target : array_like
+    Target; the residual documents its entries.)";
+
+constexpr const char* problem_payload_doc = R"(Sets the payload at a frame for all knots.
+
+The payload replaces that of the body of the frame.
+
+Parameters
+----------
+frame : str
+payload : InertiaSpec
+    Inertia of the payload, in the axes of the frame.)";
+
+constexpr const char* problem_torque_doc =
+    R"(Sets a constant torque on the joints in addition to the model; zero by default.
+
+Parameters
+----------
+torque : array_like, shape (nv,)
+    Torque [Nm or N].)";
+
+constexpr const char* problem_quasi_static_doc =
+    R"(Computes controls of minimum norm, and forces, that hold a state at rest.
+
+Parameters
+----------
+stage : str or int
+    Name or index.
+x : array_like, shape (nx,)
+    State.
+force : array_like, shape (rows,), optional
+    Prescribed contact forces; only the controls are then free.
+
+Returns
+-------
+QuasiStatic)";
+
+constexpr const char* problem_integrate_doc = R"(Returns x (+) dx.
+
+Parameters
+----------
+x : array_like, shape (nx,) or (n, nx)
+    State, or one per row.
+dx : array_like, shape (ndx,) or (n, ndx)
+    Tangent vector, or one per row.
+
+Returns
+-------
+ndarray, shape (nx,) or (n, nx))";
+
+constexpr const char* problem_difference_doc = R"(Returns the dx with x0 (+) dx = x1.
+
+Parameters
+----------
+x0, x1 : array_like, shape (nx,) or (n, nx)
+    States, or one per row.
+
+Returns
+-------
+ndarray, shape (ndx,) or (n, ndx))";
 
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 using Name = std::variant<int, std::string>;
@@ -27,7 +190,7 @@ int stage_index(const Problem& problem, const char* call, const Name& stage) {
   return index;
 }
 
-/// Empty where there are no rows, which have no limits to read.
+/// Copy of limits; empty without rows.
 Eigen::VectorXd limits_of(const double* limits, int rows) {
   if (rows == 0) return {};
   return Eigen::Map<const Eigen::VectorXd>(limits, rows);
@@ -45,27 +208,28 @@ int term_index(const Problem& problem, const char* call, int knot, const Name& t
   return index;
 }
 
-/// The control of a knot: what came, or none where the knot has none.
+/// Control of a knot: the argument, or an empty vector for a knot without controls.
 Eigen::VectorXd control_at(const Problem& problem, const char* call, int knot, const Vector& x,
                            const std::optional<Eigen::VectorXd>& u) {
   check_knot(call, knot, problem.knots());
   check_size(call, "x", x.size(), problem.layout().nx());
   if (problem.controls(knot) == 0) return Eigen::VectorXd::Zero(problem.max_controls());
   if (!u)
-    throw Error(std::string(call) + ": u is missing; wanted are " +
+    throw Error(std::string(call) + ": u is missing; wanted " +
                 std::to_string(problem.controls(knot)) + " entries");
   check_size(call, "u", u->size(), problem.controls(knot));
   return *u;
 }
 
-/// f(row of a, row of b, row of the result) for one state or for rows of states.
+/// Calls f(row of a, row of b, row of the result) for one state or for rows of states.
 template <class Function>
 py::array_t<double> by_rows(const char* call, const Numbers& a, int a_size, const Numbers& b,
                             int b_size, int size, Function&& f) {
   const bool rows = a.ndim() == 2 && b.ndim() == 2 && a.shape(0) == b.shape(0);
   if (!rows && (a.ndim() != 1 || b.ndim() != 1))
-    throw Error(std::string(call) +
-                ": wanted are two vectors, or two arrays with the same number of rows");
+    throw Error(
+        std::string(call) +
+        ": the arrays do not match; wanted two vectors, or two arrays with equal numbers of rows");
   check_size(call, "a row of the first", a.shape(a.ndim() - 1), a_size);
   check_size(call, "a row of the second", b.shape(b.ndim() - 1), b_size);
   const py::ssize_t count = rows ? a.shape(0) : 1;
@@ -97,29 +261,29 @@ std::string shown(const ProblemMachine& self) {
 void bind_what_it_is(ProblemClass& c) {
   c.def(py::init([](const ProblemSpec& spec) { return std::make_unique<ProblemMachine>(spec); }),
         py::arg("spec"), py::call_guard<py::gil_scoped_release>(),
-        "Compiles the specification. Raises Error with one sentence that names the stage and the "
-        "term.")
+        "Compiles a specification. Raises Error with the stage and the term for an invalid "
+        "specification.")
       .def_property_readonly(
           "spec", [](const ProblemMachine& self) { return self.problem.spec(); },
-          "What it was made from, a copy.")
+          "Specification, a copy.")
       .def_property_readonly(
           "model", [](const ProblemMachine& self) -> const Model& { return self.problem.model(); },
-          py::return_value_policy::reference_internal, "The robot.")
+          py::return_value_policy::reference_internal, "Model of the robot.")
       .def_property_readonly(
           "layout", [](const ProblemMachine& self) { return self.problem.layout(); },
-          "Where the parts of z = (du, dq, dv, dtau) start: a StateLayout.")
+          "StateLayout with the first columns of the parts of z = (du, dq, dv, dtau).")
       .def_property_readonly(
           "knots", [](const ProblemMachine& self) { return self.problem.knots(); },
-          "N; there are N + 1 states, the last one terminal.")
+          "Number N of knots with a step; there are N + 1 states, the last one terminal.")
       .def_property_readonly(
           "nx", [](const ProblemMachine& self) { return self.problem.layout().nx(); },
-          "Entries of a state x = (q, v), or (q, v, tau) with a torque model.")
+          "Number of entries of a state x = (q, v), or x = (q, v, tau) with a torque model.")
       .def_property_readonly(
           "ndx", [](const ProblemMachine& self) { return self.problem.layout().ndx(); },
-          "Entries of a tangent dx of a state.")
+          "Number of entries of a tangent vector dx of a state.")
       .def_property_readonly(
           "max_controls", [](const ProblemMachine& self) { return self.problem.max_controls(); },
-          "Columns of us; knots have this many controls, or none.")
+          "Number of columns of us. A knot has this number of controls, or none.")
       .def_property_readonly(
           "stage_names", [](const ProblemMachine& self) { return self.problem.stage_names(); },
           "Names of the stages, the last one 'terminal'.")
@@ -134,7 +298,8 @@ void bind_what_it_is(ProblemClass& c) {
           [](const ProblemMachine& self, const std::string& name) {
             return self.problem.stage_index(name);
           },
-          py::arg("name"), "Index of a stage. Raises Error with the nearest known name.")
+          py::arg("name"),
+          "Returns the index of a stage. Raises Error with the nearest name for an unknown stage.")
       .def(
           "term_index",
           [](const ProblemMachine& self, const Name& stage, const std::string& name) {
@@ -142,11 +307,12 @@ void bind_what_it_is(ProblemClass& c) {
                                            name);
           },
           py::arg("stage"), py::arg("name"),
-          "Index of a cost term in a stage. Raises Error with the nearest known name.")
+          "Returns the index of a cost term in a stage. Raises Error with the nearest name for an "
+          "unknown term.")
       .def("__repr__", &shown);
 }
 
-/// A property of each knot.
+/// Binds a property of a knot.
 template <class Get>
 void of_knot(ProblemClass& c, const char* name, Get get, const char* text) {
   c.def(
@@ -161,33 +327,36 @@ void of_knot(ProblemClass& c, const char* name, Get get, const char* text) {
 void bind_knots(ProblemClass& c) {
   of_knot(
       c, "stage_of", [](const Problem& p, int k) { return p.stage_of(k); },
-      "Index of the stage of a knot.");
+      "Returns the index of the stage of a knot.");
   of_knot(
-      c, "time_of", [](const Problem& p, int k) { return p.time_of(k); }, "Of a knot, s.");
+      c, "time_of", [](const Problem& p, int k) { return p.time_of(k); },
+      "Returns the time of a knot [s].");
   of_knot(
       c, "step_of", [](const Problem& p, int k) { return p.step_of(k); },
-      "Of a knot, s; 0 at impacts and at the end.");
+      "Returns the length of the step of a knot [s]; 0 for impacts and the terminal knot.");
   of_knot(
       c, "controls", [](const Problem& p, int k) { return p.controls(k); },
-      "Controls of a knot; 0 at impacts and at the end.");
+      "Returns the number of controls of a knot; 0 for impacts and the terminal knot.");
   of_knot(
       c, "term_names", [](const Problem& p, int k) { return p.term_names(k); },
-      "Names of the cost terms of a knot.");
+      "Returns the names of the cost terms of a knot.");
   of_knot(
       c, "row_names", [](const Problem& p, int k) { return p.row_names(k); },
-      "Names of the rows of a knot's constraints, such as 'force/z'.");
+      "Returns the names of the constraint rows of a knot, such as 'force/z'.");
   of_knot(
       c, "row_lower", [](const Problem& p, int k) { return limits_of(p.row_lower(k), p.rows(k)); },
-      "Lower limits of the rows of a knot, (rows,); infinite where there is none.");
+      "Returns the lower limits of the constraint rows of a knot, shape (rows,); infinite without "
+      "a limit.");
   of_knot(
       c, "row_upper", [](const Problem& p, int k) { return limits_of(p.row_upper(k), p.rows(k)); },
-      "Upper limits likewise.");
+      "Returns the upper limits of the constraint rows of a knot, shape (rows,); infinite without "
+      "a limit.");
   of_knot(
       c, "force_names", [](const Problem& p, int k) { return p.force_names(k); },
-      "Names of the entries of forces(), such as 'tool/z'.");
+      "Returns the names of the entries of forces(), such as 'tool/z'.");
   of_knot(
       c, "knot_name", [](const Problem& p, int k) { return p.knot_name(k); },
-      "Such as 'press, knot 12'.");
+      "Returns a text such as 'press, knot 12'.");
   of_knot(
       c, "control_lower",
       [](const Problem& p, int k) {
@@ -218,10 +387,7 @@ void bind_contacts_of_knots(ProblemClass& c) {
         const int number = contact_number(call, contact, contact_names(self.problem));
         require(self.problem.set_surface(knot, number, surface), call);
       },
-      py::arg("knot"), py::arg("contact"), py::arg("surface"),
-      "Gives a knot another Quadric, in the axes of the base, in the place of the one that the "
-      "reference of a contact (index or name) follows (Reference.on), until the knot is set or "
-      "advanced again; a stage that does not hold the contact passes it over.");
+      py::arg("knot"), py::arg("contact"), py::arg("surface"), problem_surface_doc);
   c.def(
       "set_term_surface",
       [](ProblemMachine& self, int knot, const Name& term, const Quadric& surface) {
@@ -231,8 +397,7 @@ void bind_contacts_of_knots(ProblemClass& c) {
                                               surface),
                 call);
       },
-      py::arg("knot"), py::arg("term"), py::arg("surface"),
-      "The same of the surface that the reference of one term (index or name) follows.");
+      py::arg("knot"), py::arg("term"), py::arg("surface"), problem_term_surface_doc);
   c.def(
       "set_friction",
       [](ProblemMachine& self, int knot, const Name& contact, double coefficient) {
@@ -241,8 +406,7 @@ void bind_contacts_of_knots(ProblemClass& c) {
         const int number = contact_number(call, contact, contact_names(self.problem));
         require(self.problem.set_friction(knot, number, coefficient), call);
       },
-      py::arg("knot"), py::arg("contact"), py::arg("coefficient"),
-      "Gives a knot another coefficient of the friction of a contact (index or name), likewise.");
+      py::arg("knot"), py::arg("contact"), py::arg("coefficient"), problem_friction_doc);
 }
 
 void bind_setters(ProblemClass& c) {
@@ -251,7 +415,7 @@ void bind_setters(ProblemClass& c) {
        [](const ProblemMachine& self) {
          return copied(VectorView(self.problem.initial_state(), self.problem.layout().nx()));
        },
-       "(nx,), a copy.")
+       "Initial state, shape (nx,), a copy.")
       .def(
           "set_initial_state",
           [](ProblemMachine& self, const Vector& x) {
@@ -260,39 +424,28 @@ void bind_setters(ProblemClass& c) {
             check_size(call, "x", x.size(), self.problem.layout().nx());
             require(self.problem.set_initial_state(x), call);
           },
-          py::arg("x"),
-          "x: (nx,). Raises EvaluationError for a NaN or a quaternion that is not of unit length; "
-          "nothing is changed then. Targets that are the specification's initial state stay that.")
+          py::arg("x"), problem_initial_state_doc)
       .def(
           "set_knot",
           [](ProblemMachine& self, int knot, const Name& stage, double time) {
             const Busy::Lock lock(self.busy, "Problem.set_knot");
             self.problem.set_knot(knot, stage_index(self.problem, "Problem.set_knot", stage), time);
           },
-          py::arg("knot"), py::arg("stage"), py::arg("time"),
-          "Gives a knot another stage (index or name) and time (s); signals are asked for their "
-          "values there. The terminal knot keeps its stage.")
+          py::arg("knot"), py::arg("stage"), py::arg("time"), problem_set_knot_doc)
       .def(
           "set_step",
           [](ProblemMachine& self, int knot, double step) {
             const Busy::Lock lock(self.busy, "Problem.set_step");
             self.problem.set_step(knot, step);
           },
-          py::arg("knot"), py::arg("step"),
-          "Gives a knot a step of its own (s), whatever its stage, from then on. Times stay: "
-          "set_knot() gives them to the knots that are now earlier or later. Raises Error for a "
-          "knot where no time passes, and for a step that is not positive.")
+          py::arg("knot"), py::arg("step"), problem_set_step_doc)
       .def(
           "advance",
           [](ProblemMachine& self, const Name& stage) {
             const Busy::Lock lock(self.busy, "Problem.advance");
             self.problem.advance(stage_index(self.problem, "Problem.advance", stage));
           },
-          py::arg("stage"),
-          "Drops knot 0, moves the others one forward and appends one of this stage (index or "
-          "name) "
-          "at the time after the last one, as long as that was if it has a step of its own; the "
-          "terminal knot follows.")
+          py::arg("stage"), problem_advance_doc)
       .def(
           "set_target",
           [](ProblemMachine& self, int knot, const Name& term, const Vector& target) {
@@ -302,12 +455,10 @@ void bind_setters(ProblemClass& c) {
                 self.problem.set_target(knot, term_index(self.problem, call, knot, term), target),
                 call);
           },
-          py::arg("knot"), py::arg("term"), py::arg("target"),
-          "Writes the target of one term (index or name) at one knot until the knot is set or "
-          "advanced again: entries as the residual says.");
+          py::arg("knot"), py::arg("term"), py::arg("target"), problem_set_target_doc);
 }
 
-/// What the robot carries, and what it does not know of its joints.
+/// Binds payloads and additional joint torques.
 void bind_loads(ProblemClass& c) {
   c.def(
        "set_payload",
@@ -317,9 +468,7 @@ void bind_loads(ProblemClass& c) {
          check_payload(call, payload);
          require(self.problem.set_payload(frame, payload), call);
        },
-       py::arg("frame"), py::arg("payload"),
-       "What the robot carries at a frame from now on, at all knots: an InertiaSpec in the "
-       "frame's axes, in the place of what that frame's body carried before.")
+       py::arg("frame"), py::arg("payload"), problem_payload_doc)
       .def(
           "set_torque_bias",
           [](ProblemMachine& self, const Vector& torque) {
@@ -328,12 +477,10 @@ void bind_loads(ProblemClass& c) {
             check_size(call, "torque", torque.size(), self.problem.layout().nv);
             require(self.problem.set_torque_bias(torque), call);
           },
-          py::arg("torque"),
-          "(nv,), Nm (N): a constant torque on the joints that the model does not know of, zero at "
-          "first.");
+          py::arg("torque"), problem_torque_doc);
 }
 
-/// Something of one knot at (x, u).
+/// Binds an evaluation of one knot at (x, u).
 template <class Get>
 void at_knot(ProblemClass& c, const char* name, Get get, const char* text) {
   c.def(
@@ -369,13 +516,14 @@ void bind_terms(ProblemClass& c) {
       [](Problem& p, int knot, int term, const Vector& x, const Eigen::VectorXd& u) {
         return p.residual(knot, term, x, u);
       },
-      "r (rows,) of one term (index or name) of a knot at x (nx,), u (nu,).");
+      "Returns the residual r (rows,) of a cost term (index or name) of a knot at x (nx,) and u "
+      "(nu,).");
   at_term(
       c, "residual_derivative",
       [](Problem& p, int knot, int term, const Vector& x, const Eigen::VectorXd& u) {
         return p.residual_derivative(knot, term, x, u);
       },
-      "dr/dz (rows, nz) of one term of a knot, z = (u, dq, dv, dtau).");
+      "Returns dr/dz (rows, nz) of a cost term of a knot, with z = (u, dq, dv, dtau).");
 }
 
 void bind_values_at_knots(ProblemClass& c) {
@@ -384,26 +532,27 @@ void bind_values_at_knots(ProblemClass& c) {
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
         return p.forces(knot, x, u);
       },
-      "Contact forces of a knot: rows of its stage's contacts, N and Nm; empty where nothing "
-      "solves for them.");
+      "Returns the contact forces of a knot, rows of the contacts of its stage [N, Nm]; empty if "
+      "the knot has none.");
   at_knot(
       c, "acceleration",
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
         return p.acceleration(knot, x, u);
       },
-      "(nv,), rad/s^2 (m/s^2); empty where nothing solves for it.");
+      "Returns the joint accelerations of a knot, shape (nv,) [rad/s^2 or m/s^2]; empty for "
+      "impacts and the terminal knot.");
   at_knot(
       c, "term_costs",
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
         return p.term_costs(knot, x.data(), u.data());
       },
-      "Cost of each term of a knot, in the order of term_names.");
+      "Returns the costs of the terms of a knot, in the order of term_names().");
   at_knot(
       c, "row_values",
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
         return p.row_values(knot, x.data(), u.data());
       },
-      "Value of each row of a knot's constraints, in the order of row_names.");
+      "Returns the values of the constraint rows of a knot, in the order of row_names().");
   at_knot(
       c, "roll",
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
@@ -412,8 +561,8 @@ void bind_values_at_knots(ProblemClass& c) {
         require(value.status, "Problem.roll");
         return std::pair(knot < p.knots() ? std::optional(next) : std::nullopt, value.cost);
       },
-      "The next state (nx,), None at the end, and the cost of a knot. Raises EvaluationError where "
-      "it cannot be evaluated.");
+      "Returns the next state (nx,), None for the terminal knot, and the cost of a knot. Raises "
+      "EvaluationError if the knot cannot be evaluated.");
 }
 
 void bind_statics(ProblemClass& c) {
@@ -427,10 +576,7 @@ void bind_statics(ProblemClass& c) {
          const py::gil_scoped_release release;
          return self.problem.quasi_static(index, x, force.value_or(Eigen::VectorXd()));
        },
-       py::arg("stage"), py::arg("x"), py::arg("force") = py::none(),
-       "The control of least norm that with the contacts of a stage (index or name) holds x (nx,) "
-       "at rest, with the forces: a QuasiStatic. `force` (rows of the contacts), when given, "
-       "prescribes them, and only the control is free.")
+       py::arg("stage"), py::arg("x"), py::arg("force") = py::none(), problem_quasi_static_doc)
       .def(
           "prepare",
           [](ProblemMachine& self, int workers) {
@@ -438,7 +584,7 @@ void bind_statics(ProblemClass& c) {
             self.problem.prepare(workers);
           },
           py::arg("workers"),
-          "Makes room for this many threads, before the first call that has them.");
+          "Allocates memory for a number of threads, before the first call with this number.");
 }
 
 void bind_arithmetic(ProblemClass& c) {
@@ -451,7 +597,7 @@ void bind_arithmetic(ProblemClass& c) {
                           self.problem.integrate(a, b, out);
                         });
        },
-       py::arg("x"), py::arg("dx"), "x (+) dx: (nx,) and (ndx,), or rows of them.")
+       py::arg("x"), py::arg("dx"), problem_integrate_doc)
       .def(
           "difference",
           [](const ProblemMachine& self, const Numbers& x0, const Numbers& x1) {
@@ -461,16 +607,15 @@ void bind_arithmetic(ProblemClass& c) {
                              self.problem.difference(a, b, out);
                            });
           },
-          py::arg("x0"), py::arg("x1"), "The dx with x0 (+) dx = x1: (ndx,), or rows of them.");
+          py::arg("x0"), py::arg("x1"), problem_difference_doc);
 }
 
 }  // namespace
 
 void bind_problem(py::module_& m) {
   ProblemClass problem(m, "Problem",
-                       "An optimal control problem of a robot in contact, compiled: what a solver "
-                       "solves. One thread "
-                       "at a time.");
+                       "Compiled optimal control problem of a robot in contact, for a solver. "
+                       "Only one thread may use it at a time.");
   bind_what_it_is(problem);
   bind_knots(problem);
   bind_setters(problem);

@@ -1,8 +1,82 @@
-// The measures of a run, and plots.
+// Bindings of metrics and plots of runs.
 #include "bind.hpp"
 #include "specs_report.hpp"
 
 namespace burnish::python {
+
+// Docstrings.
+
+constexpr const char* measure_doc = R"(Computes the metrics of a polishing run.
+
+Parameters
+----------
+trace : Trace
+    Trace of a ClosedLoop.
+model : Model
+spec : MetricsSpec, optional
+
+Returns
+-------
+Metrics
+
+Raises
+------
+Error
+    If a column is missing, the normal is zero, or the window has no rows.)";
+
+constexpr const char* measure_standing_doc = R"(Computes the figures of a standing robot.
+
+Parameters
+----------
+trace : Trace
+    Trace of a ClosedLoop.
+model : Model
+    Model of the plant.
+supports : sequence of SupportSpec
+    Supports of the plant, at least one.
+
+Returns
+-------
+StandingFigures
+
+Raises
+------
+Error
+    If a column is missing, the trace has no rows, its first row is not a valid state, or the
+    supports do not fit.)";
+
+constexpr const char* metrics_table_doc =
+    R"(Returns a table with a line per figure and a column per run, in N, mm, degrees, ms and %.
+
+Parameters
+----------
+runs : sequence of NamedMetrics
+
+Returns
+-------
+str)";
+
+constexpr const char* svg_plot_doc = R"(Returns a plot as the text of an SVG file.
+
+Parameters
+----------
+spec : PlotSpec
+
+Returns
+-------
+str)";
+
+constexpr const char* write_svg_plot_doc = R"(Writes a plot to an SVG file.
+
+Parameters
+----------
+spec : PlotSpec
+file : str or Path
+
+Raises
+------
+Error
+    If the file cannot be written.)";
 
 void bind_report(py::module_& m) {
   m.def(
@@ -11,23 +85,15 @@ void bind_report(py::module_& m) {
         return measure(trace, model, spec.value_or(MetricsSpec{}));
       },
       py::arg("trace"), py::arg("model"), py::arg("spec") = py::none(),
-      py::call_guard<py::gil_scoped_release>(),
-      "How well a run polished, from a trace of ClosedLoop. Raises Error for a missing column, a "
-      "zero normal, and a window without rows.");
+      py::call_guard<py::gil_scoped_release>(), measure_doc);
   m.def("measure_standing", &measure_standing, py::arg("trace"), py::arg("model"),
-        py::arg("supports"), py::call_guard<py::gil_scoped_release>(),
-        "How a robot stood (StandingFigures), from a trace of ClosedLoop; model and supports "
-        "(SupportSpec) as the plant has them. Raises Error for a missing column, a trace without "
-        "rows or whose first one is no state, no supports, and supports that do not fit.");
-  m.def("metrics_table", &metrics_table, py::arg("runs"),
-        "One line per figure, under its name in files, and a column per run (NamedMetrics): N, mm, "
-        "degrees, ms, %.");
+        py::arg("supports"), py::call_guard<py::gil_scoped_release>(), measure_standing_doc);
+  m.def("metrics_table", &metrics_table, py::arg("runs"), metrics_table_doc);
   m.def("metrics_text", &metrics_text, py::arg("metrics"));
-  m.def("svg_plot", &svg_plot, py::arg("spec"), "The text of an SVG file.");
-  m.def("write_svg_plot", &write_svg_plot, py::arg("spec"), py::arg("file"),
-        "Writes an SVG file. Raises Error if that fails.");
+  m.def("svg_plot", &svg_plot, py::arg("spec"), svg_plot_doc);
+  m.def("write_svg_plot", &write_svg_plot, py::arg("spec"), py::arg("file"), write_svg_plot_doc);
   m.def("plot_palette", &plot_palette,
-        "The colours of curves, told apart by people of any colour vision.");
+        "Returns the colours of curves, which suit people with colour vision deficiencies.");
 }
 
 }  // namespace burnish::python

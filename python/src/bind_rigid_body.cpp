@@ -1,4 +1,4 @@
-// What a robot's state alone says: frames, centre of mass, momentum, energy.
+// Bindings of kinematics and dynamics without contacts: frames, centre of mass, momentum, energy.
 #include "bind_derivatives.hpp"
 #include "machine.hpp"
 #include "specs_model.hpp"
@@ -6,6 +6,136 @@
 namespace burnish::python {
 
 namespace {
+
+// Docstrings.
+
+constexpr const char* body_frame_doc =
+    R"(Returns the index of a frame, which makes repeated calls faster.
+
+Parameters
+----------
+name : str
+    Name of a frame, or "world".
+
+Returns
+-------
+int
+
+Raises
+------
+Error
+    If the frame is unknown; the message has the nearest name.)";
+
+constexpr const char* body_placement_doc = R"(Returns the placement of a frame in the world.
+
+Parameters
+----------
+frame : str or int
+    Name or index.
+
+Returns
+-------
+ndarray, shape (4, 4))";
+
+constexpr const char* body_velocity_doc = R"(Returns the velocity of a frame in a reference.
+
+Parameters
+----------
+frame : str or int
+    Name or index.
+reference : Reference or str
+
+Returns
+-------
+ndarray, shape (6,)
+    Linear part [m/s], angular part [rad/s].)";
+
+constexpr const char* body_acceleration_doc = R"(Returns the time derivative of velocity().
+
+Parameters
+----------
+frame : str or int
+    Name or index.
+reference : Reference or str
+
+Returns
+-------
+ndarray, shape (6,)
+    Linear part [m/s^2], angular part [rad/s^2].)";
+
+constexpr const char* body_derivatives_doc =
+    R"(Returns the derivatives of velocity() and acceleration().
+
+Parameters
+----------
+frame : str or int
+    Name or index.
+reference : Reference or str
+
+Returns
+-------
+FrameDerivatives
+    Arrays of shape (6, nv).)";
+
+constexpr const char* body_error_doc =
+    R"(Returns the SE(3) logarithm of the placement of a frame in a target.
+
+The result is in the axes of the target.
+
+Parameters
+----------
+frame : str or int
+    Name or index.
+target : array_like, shape (4, 4)
+    Target placement.
+
+Returns
+-------
+ndarray, shape (6,)
+    Linear part [m], angular part [rad].)";
+
+constexpr const char* body_placement_derivatives_doc =
+    R"(Returns the derivatives of placement(), and of its error relative to a target.
+
+Parameters
+----------
+frame : str or int
+    Name or index.
+target : array_like, shape (4, 4)
+    Target placement.
+
+Returns
+-------
+PlacementDerivatives)";
+
+constexpr const char* body_update_doc = R"(Evaluates a state.
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,), optional
+    Velocity; default: at rest.
+a : array_like, shape (nv,), optional
+    Acceleration; default: zero.
+
+Raises
+------
+EvaluationError
+    If the state is not finite or not normalized; results do not change.
+Error
+    If sizes are wrong.)";
+
+constexpr const char* body_payload_doc =
+    R"(Sets the payload at a frame, and updates the results of the last state.
+
+The payload replaces that of the body of the frame. Derivatives become invalid.
+
+Parameters
+----------
+frame : str
+payload : InertiaSpec
+    Inertia of the payload, in the axes of the frame.)";
 
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 
@@ -15,7 +145,7 @@ struct Body {
         robot(model.name),
         frames(static_cast<int>(model.frames.size())) {}
 
-  /// Number of a frame. One more than there are frames is the world.
+  /// Index of a frame; the number of frames is the index of the world.
   int frame(const char* name, const NumberOrName& of) const {
     if (const auto* text = std::get_if<std::string>(&of)) return machine.frame(*text);
     const int number = std::get<int>(of);
@@ -50,7 +180,7 @@ struct Body {
 
 using BodyClass = py::class_<Body>;
 
-/// A property that copies a result.
+/// Binds a property that copies a result.
 template <class Result>
 void result(BodyClass& of, const char* name, Result (RigidBody::*get)() const, const char* text) {
   of.def_property_readonly(
@@ -66,7 +196,7 @@ void result(BodyClass& of, const char* name, Result (RigidBody::*get)() const, c
       text);
 }
 
-/// The same of update_derivatives().
+/// Binds a property that copies a result of update_derivatives().
 template <class View>
 void derivative(BodyClass& of, const char* name, View (RigidBody::*get)() const, const char* text) {
   of.def_property_readonly(
@@ -85,31 +215,28 @@ void derivative(BodyClass& of, const char* name, View (RigidBody::*get)() const,
 void bind_frames(BodyClass& of) {
   of.def(
         "frame", [](const Body& self, const std::string& name) { return self.machine.frame(name); },
-        py::arg("name"),
-        "Number of a frame of the model, for calls that come often; 'world' is always known. "
-        "Raises Error with the nearest known name.")
+        py::arg("name"), body_frame_doc)
       .def(
           "placement",
           [](Body& self, const NumberOrName& frame) {
             const Busy::Lock lock(self.busy, "RigidBody.placement");
             return self.machine.placement(self.frame("placement", frame));
           },
-          py::arg("frame"), "(4, 4), of a frame (name or number) in the world.")
+          py::arg("frame"), body_placement_doc)
       .def(
           "velocity",
           [](Body& self, const NumberOrName& frame, const Reference& reference) {
             const Busy::Lock lock(self.busy, "RigidBody.velocity");
             return self.machine.velocity(self.frame("velocity", frame), reference);
           },
-          py::arg("frame"), py::arg("reference"), "(6,), m/s and rad/s, in the reference.")
+          py::arg("frame"), py::arg("reference"), body_velocity_doc)
       .def(
           "acceleration",
           [](Body& self, const NumberOrName& frame, const Reference& reference) {
             const Busy::Lock lock(self.busy, "RigidBody.acceleration");
             return self.machine.acceleration(self.frame("acceleration", frame), reference);
           },
-          py::arg("frame"), py::arg("reference"),
-          "(6,), time derivative of velocity(): m/s^2 and rad/s^2.")
+          py::arg("frame"), py::arg("reference"), body_acceleration_doc)
       .def(
           "frame_derivatives",
           [](Body& self, const NumberOrName& frame, const Reference& reference) {
@@ -119,16 +246,14 @@ void bind_frames(BodyClass& of) {
                                            result);
             return result;
           },
-          py::arg("frame"), py::arg("reference"),
-          "Derivatives of velocity() and acceleration(), (6, nv) each.")
+          py::arg("frame"), py::arg("reference"), body_derivatives_doc)
       .def(
           "placement_error",
           [](Body& self, const NumberOrName& frame, const Eigen::Isometry3d& target) {
             const Busy::Lock lock(self.busy, "RigidBody.placement_error");
             return self.machine.placement_error(self.frame("placement_error", frame), target);
           },
-          py::arg("frame"), py::arg("target"),
-          "(6,), SE(3) logarithm of the frame in the target (4, 4): m and rad, target axes.")
+          py::arg("frame"), py::arg("target"), body_error_doc)
       .def(
           "placement_derivatives",
           [](Body& self, const NumberOrName& frame, const Eigen::Isometry3d& target) {
@@ -138,39 +263,43 @@ void bind_frames(BodyClass& of) {
                                                result);
             return result;
           },
-          py::arg("frame"), py::arg("target"),
-          "Derivatives of placement() and of its error to the target (4, 4).");
+          py::arg("frame"), py::arg("target"), body_placement_derivatives_doc);
 }
 
 void bind_whole_robot(BodyClass& of) {
   using B = RigidBody;
-  result(of, "mass", &B::mass, "Of all moving bodies, kg.");
-  result(of, "com", &B::com, "(3,), centre of mass, world, m.");
-  result(of, "com_velocity", &B::com_velocity, "(3,), m/s.");
-  result(of, "momentum", &B::momentum, "(6,), about the world's origin: kg m/s, kg m^2/s.");
+  result(of, "mass", &B::mass, "Total mass of the moving bodies [kg].");
+  result(of, "com", &B::com, "Centre of mass in the world, shape (3,) [m].");
+  result(of, "com_velocity", &B::com_velocity, "Velocity of the centre of mass, shape (3,) [m/s].");
+  result(of, "momentum", &B::momentum,
+         "Momentum about the origin of the world, shape (6,) [kg m/s, kg m^2/s].");
   result(of, "centroidal_momentum", &B::centroidal_momentum,
-         "(6,), about the centre of mass, world axes.");
-  result(of, "kinetic_energy", &B::kinetic_energy, "v^T M v / 2, armature included, J.");
+         "Momentum about the centre of mass, in world axes, shape (6,) [kg m/s, kg m^2/s].");
+  result(of, "kinetic_energy", &B::kinetic_energy,
+         "Kinetic energy v^T M v / 2, with armature [J].");
   result(of, "potential_energy", &B::potential_energy,
-         "Of gravity, zero at the world's origin, J.");
+         "Potential energy of gravity, zero at the origin of the world [J].");
   result(of, "gravity_torque", &B::gravity_torque,
-         "(nv,), holds the robot at rest: b(q, 0), Nm or N.");
+         "Gravity torque b(q, 0), which holds the robot at rest, shape (nv,) [Nm or N].");
   result(of, "passive_torque", &B::passive_torque,
-         "(nv,), springs and tendons at q, damping and smoothed friction at v, Nm or N.");
-  result(of, "spring_energy", &B::spring_energy, "In springs of joints and tendons, J.");
-  derivative(of, "com_dq", &B::com_dq, "(3, nv); d(com_velocity)/dv too.");
+         "Torque of springs and tendons at q, and of damping and smoothed friction at v, shape "
+         "(nv,) [Nm or N].");
+  result(of, "spring_energy", &B::spring_energy, "Energy in springs of joints and tendons [J].");
+  derivative(of, "com_dq", &B::com_dq, "d(com)/dq, shape (3, nv); also d(com_velocity)/dv.");
   derivative(of, "com_velocity_dq", &B::com_velocity_dq, "(3, nv).");
   derivative(of, "momentum_dq", &B::momentum_dq, "(6, nv).");
   derivative(of, "momentum_dv", &B::momentum_dv, "(6, nv).");
   derivative(of, "centroidal_momentum_dq", &B::centroidal_momentum_dq, "(6, nv).");
   derivative(of, "centroidal_momentum_dv", &B::centroidal_momentum_dv,
-             "(6, nv), the centroidal momentum matrix.");
+             "Centroidal momentum matrix, shape (6, nv).");
   derivative(of, "kinetic_energy_dq", &B::kinetic_energy_dq, "(nv,).");
-  derivative(of, "kinetic_energy_dv", &B::kinetic_energy_dv, "(nv,), M v.");
-  derivative(of, "potential_energy_dq", &B::potential_energy_dq, "(nv,), the gravity torque.");
+  derivative(of, "kinetic_energy_dv", &B::kinetic_energy_dv, "M v, shape (nv,).");
+  derivative(of, "potential_energy_dq", &B::potential_energy_dq,
+             "Gradient of the potential energy, which is the gravity torque, shape (nv,).");
   derivative(of, "passive_torque_dq", &B::passive_torque_dq, "(nv, nv).");
   derivative(of, "passive_torque_dv", &B::passive_torque_dv,
-             "(nv, nv), diagonal unless tendons have dampers.");
+             "Derivative of the passive torque with respect to v, shape (nv, nv); diagonal unless "
+             "tendons have dampers.");
 }
 
 }  // namespace
@@ -178,24 +307,21 @@ void bind_whole_robot(BodyClass& of) {
 void bind_rigid_body(py::module_& m) {
   BodyClass of(
       m, "RigidBody",
-      "What a robot's state alone says: frames, centre of mass, momentum, energy, gravity and "
-      "friction torques, with their derivatives.\n\n"
-      "Linear part of motions and momenta first; d/dq is by the right increment q (+) dq of "
-      "nv entries. Results are copies, at the last state that update() took, at first the "
-      "neutral configuration at rest. One thread at a time.");
+      "Kinematics and dynamics of a robot without contacts: frames, centre of mass, momentum, "
+      "energy, gravity and friction torques, with their derivatives.\n"
+      "\n"
+      "Linear parts come first. d/dq is the derivative with respect to the right increment q (+) "
+      "dq with nv entries. Results are copies at the last state of update(); initially at the "
+      "neutral configuration at rest. Only one thread may use an object at a time.");
   of.def(py::init<const Model&, double>(), py::arg("model"), py::arg("slip_velocity") = 0.01,
-         "`slip_velocity` is the rate at which smoothed Coulomb friction reaches 76 %, rad/s or "
-         "m/s. Raises Error unless it is positive.")
+         "`slip_velocity` is the velocity at which smoothed Coulomb friction reaches 76 % [rad/s "
+         "or m/s]. Raises Error unless it is positive.")
       .def_property_readonly(
-          "nq", [](const Body& self) { return self.machine.nq(); }, "Entries of q.")
+          "nq", [](const Body& self) { return self.machine.nq(); }, "Number of entries of q.")
       .def_property_readonly(
-          "nv", [](const Body& self) { return self.machine.nv(); }, "Entries of v.")
+          "nv", [](const Body& self) { return self.machine.nv(); }, "Number of entries of v.")
       .def("update", &Body::update, py::arg("q"), py::arg("v") = py::none(),
-           py::arg("a") = py::none(),
-           "Evaluates the state: q (nq,), v and a (nv,), rad/s or m/s and their rates; without `v` "
-           "it is at rest, without `a` the joint accelerations are zero. Raises EvaluationError "
-           "for a state that is not "
-           "finite or not normalized, Error for wrong sizes; then all results stay as they were.")
+           py::arg("a") = py::none(), body_update_doc)
       .def(
           "set_payload",
           [](Body& self, const std::string& frame, const InertiaSpec& payload) {
@@ -205,10 +331,7 @@ void bind_rigid_body(py::module_& m) {
             require(self.machine.set_payload(frame, payload), call);
             self.differentiated = false;
           },
-          py::arg("frame"), py::arg("payload"),
-          "What the robot carries at a frame, an InertiaSpec in the frame's axes, in the place of "
-          "what that frame's body carried before. Results of the last state are those with it; its "
-          "derivatives are gone.")
+          py::arg("frame"), py::arg("payload"), body_payload_doc)
       .def(
           "update_derivatives",
           [](Body& self) {
@@ -217,7 +340,7 @@ void bind_rigid_body(py::module_& m) {
             self.machine.update_derivatives();
             self.differentiated = true;
           },
-          "Fills com_dq and the properties after it, at the last state.")
+          "Computes com_dq and the following properties at the last state.")
       .def("__repr__", [](const Body& self) {
         return "<RigidBody of '" + self.robot + "': nv = " + std::to_string(self.machine.nv()) +
                ", " + std::to_string(self.frames) + " frames>";

@@ -1,4 +1,4 @@
-// Plants, disturbances, closed loops.
+// Bindings of plants, disturbances, controllers and closed loops.
 #include "bind.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "loop_parts.hpp"
@@ -11,6 +11,278 @@
 namespace burnish::python {
 
 namespace {
+
+// Docstrings.
+
+constexpr const char* plant_reset_doc = R"(Sets the state, at time zero and without forces.
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,), optional
+    Velocity; default: at rest.
+
+Raises
+------
+EvaluationError
+    If the state is invalid.)";
+
+constexpr const char* plant_step_doc =
+    R"(Advances by dt, with constant torques and a constant force on the tip.
+
+Parameters
+----------
+tau : array_like, shape (nv,)
+    Torques [Nm or N].
+push_world : array_like, shape (3,), optional
+    Force at the origin of the tip frame, in world axes [N]; default: zero.
+
+Raises
+------
+EvaluationError
+    If the input is invalid or the motion is not finite; the state does not change.)";
+
+constexpr const char* plant_restore_doc =
+    R"(Restores a saved state. The same torques then give the same motion, bit by bit.
+
+Parameters
+----------
+snapshot : PlantSnapshot
+
+Raises
+------
+EvaluationError
+    If the snapshot is of another plant.)";
+
+constexpr const char* loop_estimate_base_doc =
+    R"(Makes the controller use an estimate of the base, from the next reset().
+
+The estimator uses a measurement unit, the joints and the feet, and starts at the true state.
+
+Parameters
+----------
+known : Model
+    Model of the controller.
+estimator : BaseEstimatorOptions
+feet : FootContactOptions, optional
+
+Raises
+------
+Error
+    If the robot has no floating base, a frame is unknown, an option is out of range, or the
+    controller has a payload, which the estimator does not support.)";
+
+constexpr const char* loop_reset_doc =
+    R"(Resets the plant, the controller and the disturbances, and empties the trace.
+
+Views of the trace then show the new run.
+
+Parameters
+----------
+q : array_like, shape (nq,)
+    Configuration.
+v : array_like, shape (nv,), optional
+    Velocity; default: at rest.)";
+
+constexpr const char* loop_run_doc = R"(Runs for a duration. Ctrl-C interrupts the run.
+
+Exceptions of Python code in plant, controller, targets or residuals are raised after the step
+in which they occur; the trace then ends there.
+
+Parameters
+----------
+duration : float
+    Duration [s].
+
+Returns
+-------
+Status
+
+Raises
+------
+EvaluationError
+    If the plant fails.)";
+
+constexpr const char* make_ideal_plant_doc =
+    R"(Makes a plant with the contact dynamics of the library: rigid surface, exact torques, plastic
+impacts.
+
+Parameters
+----------
+model : Model
+scene : SceneSpec
+options : IdealPlantOptions, optional
+
+Returns
+-------
+Plant
+
+Raises
+------
+Error
+    If the scene or the options are invalid.)";
+
+constexpr const char* make_mujoco_plant_doc =
+    R"(Makes a MuJoCo plant: the surface is a spring and damper, and friction cones are elliptic.
+
+Parameters
+----------
+model : Model
+scene : SceneSpec
+options : MujocoPlantOptions, optional
+
+Returns
+-------
+Plant
+
+Raises
+------
+Error
+    If the scene or the options are invalid, or has_mujoco() is False.)";
+
+constexpr const char* checked_scene_doc = R"(Checks a scene.
+
+Parameters
+----------
+model : Model
+scene : SceneSpec
+
+Returns
+-------
+SceneSpec
+    Scene with a unit normal.
+
+Raises
+------
+Error
+    If a number is out of range, or the tip frame is unknown or does not move.)";
+
+constexpr const char* scene_under_tip_doc = R"(Returns a scene with its surface under the tip.
+
+Parameters
+----------
+model : Model
+q : array_like, shape (nq,)
+    Configuration.
+normal : array_like, shape (3,)
+    Normal of the surface in the world, of any length.
+scene : SceneSpec, optional
+clearance : float
+    Distance between tip and surface [m].
+
+Returns
+-------
+SceneSpec
+
+Raises
+------
+Error
+    In the cases of checked_scene().)";
+
+constexpr const char* gap_doc = R"(Computes the distance from the tip to the surface.
+
+Parameters
+----------
+scene : SceneSpec
+    Scene with a unit normal.
+p_tip_world : array_like, shape (3,)
+    Origin of the tip frame in the world [m].
+
+Returns
+-------
+float
+    Distance [m]; negative inside.)";
+
+constexpr const char* check_disturbances_doc = R"(Checks disturbances.
+
+Parameters
+----------
+model : Model
+disturbances : Disturbances
+
+Raises
+------
+Error
+    If an entry is not finite, out of range, or of the wrong size; the message names the entry.)";
+
+constexpr const char* plant_model_doc =
+    R"(Returns the model of the plant.
+
+It is the nominal model with scaled masses and the joint friction of the disturbances. Joint
+friction of the nominal model is replaced, by zero if the disturbances have none.
+
+Parameters
+----------
+nominal : Model
+    Model of the controller.
+disturbances : Disturbances
+
+Returns
+-------
+Model)";
+
+constexpr const char* plant_scene_doc =
+    R"(Returns the scene of the plant: the nominal scene with the disturbances of the surface.
+
+Parameters
+----------
+nominal : SceneSpec
+    Scene of the controller.
+disturbances : Disturbances
+
+Returns
+-------
+SceneSpec)";
+
+constexpr const char* push_at_doc = R"(Returns the sum of the pushes at a time.
+
+Parameters
+----------
+pushes : sequence of Push
+time : float
+    Time [s].
+
+Returns
+-------
+ndarray, shape (3,)
+    Force in world axes [N].)";
+
+constexpr const char* make_admittance_controller_doc =
+    R"(Makes an admittance controller with the phases APPROACH, RAMP and TRACK.
+
+Parameters
+----------
+model : Model
+spec : AdmittanceSpec
+
+Returns
+-------
+Controller
+    Exceptions of its task end a run or tick.
+
+Raises
+------
+Error
+    If the specification is invalid.)";
+
+constexpr const char* make_impedance_controller_doc =
+    R"(Makes the baseline, an impedance controller with the phases APPROACH, RAMP and TRACK.
+
+Parameters
+----------
+model : Model
+spec : ImpedanceSpec
+
+Returns
+-------
+Controller
+    Exceptions of its task end a run or tick.
+
+Raises
+------
+Error
+    If the specification is invalid.)";
 
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 
@@ -32,12 +304,12 @@ constexpr bool with_mujoco = false;
 std::unique_ptr<BoundPlant> mujoco_plant(const Model&, const SceneSpec&,
                                          const std::optional<MujocoPlantOptions>&) {
   throw Error(
-      "make_mujoco_plant: this build of burnish has no MuJoCo; wanted is a build where it was "
-      "found, or make_ideal_plant");
+      "make_mujoco_plant: this build of burnish has no MuJoCo; wanted a build with MuJoCo, "
+      "or make_ideal_plant()");
 }
 #endif
 
-/// A loop with all that it needs to go on.
+/// Closed loop together with the Python objects that it uses.
 class BoundLoop {
  public:
   BoundLoop(py::object plant, py::object controller, const Disturbances& disturbances,
@@ -65,8 +337,8 @@ class BoundLoop {
   Status run(double duration) {
     const double steps = std::round(duration / plant_.plant().dt());
     if (!(steps >= 0.0 && steps < 1e15))
-      throw Error("ClosedLoop.run: got a duration of " + std::to_string(duration) +
-                  ", wanted seconds that are not negative");
+      throw Error("ClosedLoop.run: the duration is " + std::to_string(duration) +
+                  " s; wanted at least 0");
     SignalWatch watch;
     watch.begin();
     return drive("ClosedLoop.run", [&] {
@@ -74,7 +346,7 @@ class BoundLoop {
       for (auto left = static_cast<long>(steps); left > 0; --left) {
         status = worst(status, loop_.step());
         rethrow();
-        if (status > Status::NotConverged) break;
+        if (!is_usable(status)) break;
         watch.look();
       }
       return status;
@@ -94,7 +366,7 @@ class BoundLoop {
     return status;
   }
 
-  /// What Python threw where C++ bears no exception.
+  /// Rethrows an exception of Python code that was caught in a noexcept call.
   void rethrow() {
     std::exception_ptr first = plant_.take_exception();
     if (!first) first = controller_.take_exception();
@@ -112,28 +384,31 @@ using PlantClass = py::class_<BoundPlant>;
 void bind_plant_readings(PlantClass& c) {
   c.def_property_readonly(
        "model", [](const BoundPlant& self) -> const Model& { return self.plant->model(); },
-       py::return_value_policy::reference_internal, "The robot as it is.")
+       py::return_value_policy::reference_internal, "True model of the robot.")
       .def_property_readonly(
           "scene", [](const BoundPlant& self) { return self.plant->scene(); },
-          "Surface and tip as they are; a normal of length one.")
+          "True surface and tool tip, with a unit normal.")
       .def_property_readonly(
-          "dt", [](const BoundPlant& self) { return self.plant->dt(); }, "s, of a step.")
+          "dt", [](const BoundPlant& self) { return self.plant->dt(); }, "Time step [s].")
       .def_property_readonly(
-          "time", [](const BoundPlant& self) { return self.plant->time(); }, "s since reset().")
+          "time", [](const BoundPlant& self) { return self.plant->time(); },
+          "Time since reset() [s].")
       .def_property_readonly(
-          "q", [](const BoundPlant& self) { return self.plant->q(); }, "Configuration (nq,).")
+          "q", [](const BoundPlant& self) { return self.plant->q(); },
+          "Configuration, shape (nq,).")
       .def_property_readonly(
-          "v", [](const BoundPlant& self) { return self.plant->v(); }, "Velocity (nv,).")
+          "v", [](const BoundPlant& self) { return self.plant->v(); }, "Velocity, shape (nv,).")
       .def_property_readonly(
           "contact_force_world",
           [](const BoundPlant& self) { return self.plant->contact_force_world(); },
-          "Force of the surface on the tip during the last step (3,), N, world axes.")
+          "Force of the surface on the tip during the last step, world axes, shape (3,) [N].")
       .def_property_readonly(
           "in_contact", [](const BoundPlant& self) { return self.plant->in_contact(); },
-          "Whether the surface pushed during the last step.")
+          "True if the surface exerted a force on the tip during the last step.")
       .def_property_readonly(
           "friction_torque", [](const BoundPlant& self) { return self.plant->friction_torque(); },
-          "Torque of joint friction during the last step (nv,), Nm or N: against the motion.");
+          "Torques of joint friction during the last step, against the motion, shape (nv,) [Nm or "
+          "N].");
 }
 
 void bind_plant_motion(PlantClass& c) {
@@ -146,9 +421,7 @@ void bind_plant_motion(PlantClass& c) {
                      q, v ? *v : Eigen::VectorXd(Eigen::VectorXd::Zero(self.plant->model().nv))),
                  "Plant.reset");
        },
-       py::arg("q"), py::arg("v") = py::none(),
-       "Starts at the configuration q (nq,) with the velocity v (nv,), None: at rest, at time "
-       "zero, without force. Raises EvaluationError for a state that is none.")
+       py::arg("q"), py::arg("v") = py::none(), plant_reset_doc)
       .def(
           "step",
           [](BoundPlant& self, const Vector& tau, const std::optional<Eigen::Vector3d>& push) {
@@ -159,11 +432,7 @@ void bind_plant_motion(PlantClass& c) {
             require(status, "Plant.step");
             return status;
           },
-          py::arg("tau"), py::arg("push_world") = py::none(),
-          "Advances by dt with the torques tau (nv,; Nm, N) and a force on the tip (3,; N, world "
-          "axes, at the tip frame's origin; None: zero), held over the step. Raises "
-          "EvaluationError for torques that are none or a motion that is not finite; the state is "
-          "then as it was.")
+          py::arg("tau"), py::arg("push_world") = py::none(), plant_step_doc)
       .def(
           "save",
           [](BoundPlant& self) {
@@ -172,20 +441,19 @@ void bind_plant_motion(PlantClass& c) {
             self.plant->save(snapshot);
             return snapshot;
           },
-          "A snapshot of all that the future depends on, and of the readings.")
+          "Returns a snapshot: all data on which future steps depend, and the forces of the last "
+          "step.")
       .def(
           "restore",
           [](BoundPlant& self, const PlantSnapshot& snapshot) {
             const Busy::Lock lock(self.busy, "Plant.restore");
             require(self.plant->restore(snapshot), "Plant.restore");
           },
-          py::arg("snapshot"),
-          "Goes back: the same torques then give the same bits. Raises EvaluationError for "
-          "another plant's snapshot.");
+          py::arg("snapshot"), plant_restore_doc);
 }
 
 void bind_plant(py::module_& m) {
-  PlantClass c(m, "CompiledPlant", "A plant of the library; see burnish.Plant.");
+  PlantClass c(m, "CompiledPlant", "Plant of the library; see burnish.Plant.");
   bind_plant_readings(c);
   bind_plant_motion(c);
   c.def("__repr__", [](const BoundPlant& self) {
@@ -195,22 +463,16 @@ void bind_plant(py::module_& m) {
 
   m.def("make_ideal_plant", &ideal_plant, py::arg("model"), py::arg("scene"),
         py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
-        "The library's own contact dynamics as a plant: a rigid surface, exact torques, a plastic "
-        "impact where the tip meets the surface. Raises Error for a scene or options that cannot "
-        "be used.");
+        make_ideal_plant_doc);
   m.def("make_mujoco_plant", &mujoco_plant, py::arg("model"), py::arg("scene"),
         py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
-        "MuJoCo as a plant: the surface is a spring and damper, friction cones are elliptic. "
-        "Raises Error for a scene or options that cannot be used, and where has_mujoco() is "
-        "False.");
+        make_mujoco_plant_doc);
   m.def(
-      "has_mujoco", [] { return with_mujoco; }, "Whether this build has MuJoCo as a plant.");
+      "has_mujoco", [] { return with_mujoco; }, "Returns whether this build has the MuJoCo plant.");
 }
 
 void bind_scene(py::module_& m) {
-  m.def("checked_scene", &checked_scene, py::arg("model"), py::arg("scene"),
-        "The scene with a normal of length one. Raises Error for numbers out of range and a tip "
-        "frame that is unknown or does not move.");
+  m.def("checked_scene", &checked_scene, py::arg("model"), py::arg("scene"), checked_scene_doc);
   m.def(
       "scene_under_tip",
       [](const Model& model, const Vector& q, const Eigen::Vector3d& normal,
@@ -218,108 +480,98 @@ void bind_scene(py::module_& m) {
         return scene_under_tip(model, q, normal, scene.value_or(SceneSpec{}), clearance);
       },
       py::arg("model"), py::arg("q"), py::arg("normal"), py::arg("scene") = py::none(),
-      py::arg("clearance") = 0.0,
-      "The scene with its surface put under the tip at the configuration q (nq,): `clearance` m "
-      "between tip and surface along `normal` (3,; world, any length). Raises Error as "
-      "checked_scene() does.");
-  m.def("gap", &gap, py::arg("scene"), py::arg("p_tip_world"),
-        "Distance from the tip to the surface, m; negative inside. p_tip_world (3,): origin of the "
-        "tip's frame; the scene's normal of length one.");
+      py::arg("clearance") = 0.0, scene_under_tip_doc);
+  m.def("gap", &gap, py::arg("scene"), py::arg("p_tip_world"), gap_doc);
   m.def("check_disturbances", &check_disturbances, py::arg("model"), py::arg("disturbances"),
-        "Raises Error naming the entry that is not finite, negative where it may not be, or of "
-        "the wrong size.");
-  m.def("plant_model", &plant_model, py::arg("nominal"), py::arg("disturbances"),
-        "The robot as it is, from the robot as the controller knows it: masses scaled, and joint "
-        "friction as the disturbances say (none without them, whatever the description states).");
-  m.def("plant_scene", &plant_scene, py::arg("nominal"), py::arg("disturbances"),
-        "The scene as it is, from the scene as the controller knows it.");
-  m.def("push_at", &push_at, py::arg("pushes"), py::arg("time"),
-        "Sum of the pushes at a time (3,), N, world axes.");
+        check_disturbances_doc);
+  m.def("plant_model", &plant_model, py::arg("nominal"), py::arg("disturbances"), plant_model_doc);
+  m.def("plant_scene", &plant_scene, py::arg("nominal"), py::arg("disturbances"), plant_scene_doc);
+  m.def("push_at", &push_at, py::arg("pushes"), py::arg("time"), push_at_doc);
   m.def("circle_path_at", &CirclePath::at, py::arg("path"), py::arg("t"));
   m.def(
       "make_admittance_controller",
       [](const Model& model, const AdmittanceSpec& spec) -> std::unique_ptr<BoundController> {
         return bound(model, spec, make_admittance_controller);
       },
-      py::arg("model"), py::arg("spec"),
-      "Force error to joint positions that are held, as a controller with the phases APPROACH, "
-      "RAMP, TRACK. Raises Error for a specification that cannot be used. What its task raises "
-      "ends a run or tick.");
+      py::arg("model"), py::arg("spec"), make_admittance_controller_doc);
   m.def(
       "make_impedance_controller",
       [](const Model& model, const ImpedanceSpec& spec) -> std::unique_ptr<BoundController> {
         return bound(model, spec, make_impedance_controller);
       },
-      py::arg("model"), py::arg("spec"),
-      "The baseline as a controller, with the phases APPROACH, RAMP, TRACK. Raises Error for a "
-      "specification that cannot be used. What its task raises ends a run or tick.");
+      py::arg("model"), py::arg("spec"), make_impedance_controller_doc);
 }
 
 void bind_between(py::module_& m) {
   py::class_<Actuation>(m, "Actuation",
-                        "What happens to a torque between the controller and the joint, one call "
-                        "per plant step: delay, lag, scale and bias (or torque loop), noise, "
-                        "limits.")
+                        "Actuation between controller and joint, one call per plant step: delay, "
+                        "lag, scale and bias (or torque loop), noise, limits.")
       .def(py::init<const Model&, const Disturbances&, double>(), py::arg("model"),
            py::arg("disturbances"), py::arg("dt"),
-           "dt: the plant's step, s. Raises Error as check_disturbances() does.")
+           "`dt` is the time step of the plant [s]. Raises Error in the cases of "
+           "check_disturbances().")
       .def(
           "reset",
           [](Actuation& self, const std::optional<Eigen::VectorXd>& tau) {
             if (tau && tau->size() != self.scale().size())
-              throw Error("Actuation.reset: got a torque of " + std::to_string(tau->size()) +
-                          " numbers, wanted " + std::to_string(self.scale().size()));
+              throw Error("Actuation.reset: the torque has " + std::to_string(tau->size()) +
+                          " entries; wanted " + std::to_string(self.scale().size()));
             tau ? self.reset(*tau) : self.reset();
           },
           py::arg("tau") = py::none(),
-          "Back to the start, with the same random numbers to come; tau (nv,): what was applied "
-          "before, None: zero.")
+          "Resets the actuation, with the same sequence of random numbers. `tau` (nv,) was "
+          "applied before; None: zero.")
       .def(
           "apply",
           [](Actuation& self, const Vector& command) {
             if (command.size() != self.scale().size())
-              throw Error("Actuation.apply: got a torque of " + std::to_string(command.size()) +
-                          " numbers, wanted " + std::to_string(self.scale().size()));
+              throw Error("Actuation.apply: the torque has " + std::to_string(command.size()) +
+                          " entries; wanted " + std::to_string(self.scale().size()));
             return self.apply(command);
           },
-          py::arg("command"), "The torque (nv,) for the plant's next step.")
+          py::arg("command"), "Returns the torque for the next step of the plant, shape (nv,).")
       .def_property_readonly("last_step", &Actuation::step,
-                             "The torque after each part, of the last step.")
+                             "ActuationStep: torques after each part in the last step.")
       .def_property_readonly(
-          "scale", [](const Actuation& self) { return self.scale(); }, "(nv,), as drawn or given.")
+          "scale", [](const Actuation& self) { return self.scale(); },
+          "Scale of the torques, drawn or given, shape (nv,).")
       .def_property_readonly(
           "bias", [](const Actuation& self) { return self.bias(); },
-          "(nv,), Nm or N, as drawn or given.")
-      .def_property_readonly("delay_steps", &Actuation::delay_steps, "Plant steps.");
+          "Bias of the torques, drawn or given, shape (nv,) [Nm or N].")
+      .def_property_readonly("delay_steps", &Actuation::delay_steps,
+                             "Delay in steps of the plant.");
 
   py::class_<Sensing>(m, "Sensing",
-                      "What a controller gets to see of a plant, one call per tick: noise, "
-                      "encoder, differences and filters.")
+                      "Measurements of a plant for a controller, one call per tick: noise, "
+                      "encoders, differences and filters.")
       .def(py::init<const Model&, const Disturbances&>(), py::arg("model"), py::arg("disturbances"),
-           "Raises Error as check_disturbances() does.")
+           "Raises Error in the cases of check_disturbances().")
       .def("reset", &Sensing::reset,
-           "Forgets all measurements, with the same random numbers to come.")
+           "Resets the sensing, with the same sequence of random numbers.")
       .def(
           "measure",
           [](Sensing& self, const BoundPlant& plant, const Vector& applied) {
             if (applied.size() != plant.plant->v().size())
-              throw Error("Sensing.measure: got a torque of " + std::to_string(applied.size()) +
-                          " numbers, wanted " + std::to_string(plant.plant->v().size()));
+              throw Error("Sensing.measure: the torque has " + std::to_string(applied.size()) +
+                          " entries; wanted " + std::to_string(plant.plant->v().size()));
             return self.measure(*plant.plant, applied);
           },
           py::arg("plant"), py::arg("applied"),
-          "Reads a plant of the library; applied (nv,): the motors' torque during its last step.");
+          "Measures a plant of the library. `applied` (nv,) are the motor torques during its last "
+          "step.");
 }
 
 void bind_loop(py::module_& m) {
   py::class_<BoundLoop>(
       m, "ClosedLoop",
-      "A controller and a plant, with the disturbances between them, and the record of their "
-      "run.\n\nThe controller ticks at the start of every control period and its torque is held "
-      "until the next. Plants and controllers are the library's or subclasses of burnish.Plant "
-      "and burnish.Controller (or any object with their attributes); what those raise is raised "
-      "by reset(), step() and run(). The disturbances of model and scene are not applied here: "
-      "build the plant with plant_model() and plant_scene().")
+      "Closed loop of a controller and a plant, with disturbances between them and a record of "
+      "the run.\n"
+      "\n"
+      "The controller ticks at the start of each control period, and its torque is constant "
+      "during the period. Plants and controllers are those of the library, or subclasses of "
+      "burnish.Plant and burnish.Controller, or objects with their attributes. reset(), step() "
+      "and run() raise the exceptions of these objects. The loop does not apply disturbances of "
+      "model and scene: make the plant with plant_model() and plant_scene().")
       .def(py::init([](py::object plant, py::object controller,
                        const std::optional<Disturbances>& disturbances,
                        const std::optional<ClosedLoopOptions>& options) {
@@ -329,8 +581,8 @@ void bind_loop(py::module_& m) {
            }),
            py::arg("plant"), py::arg("controller"), py::arg("disturbances") = py::none(),
            py::arg("options") = py::none(),
-           "Raises Error for periods that do not fit, for a controller of another size and for "
-           "bad disturbances.")
+           "Raises Error for periods that do not match, a controller of another size, and invalid "
+           "disturbances.")
       .def(
           "estimate_base",
           [](BoundLoop& self, const Model& known, const BaseEstimatorOptions& estimator,
@@ -338,34 +590,27 @@ void bind_loop(py::module_& m) {
             self.loop().estimate_base(known, estimator, feet.value_or(FootContactOptions{}));
           },
           py::arg("known"), py::arg("estimator"), py::arg("feet") = py::none(),
-          "From the next reset() on the controller is given an estimate of where the base is, in "
-          "place of the plant's own entries: from a measurement unit, the joints and the feet. It "
-          "starts where the robot does. known: the Model as the controller knows it. Raises Error "
-          "for a robot without a floating base, unknown frames, options out of range, and a "
-          "controller that carries a payload, which the estimate would not know of.")
-      .def("reset", &BoundLoop::reset, py::arg("q"), py::arg("v") = py::none(),
-           "Puts the plant at q (nq,) with the velocity v (nv,), None: at rest, and everything "
-           "else to its start. Empties the trace: views of it are then of the new run.")
-      .def("step", &BoundLoop::step, "One plant step. Raises EvaluationError if the plant fails.")
-      .def("run", &BoundLoop::run, py::arg("duration"),
-           "Steps until `duration` s have passed. Raises EvaluationError if the plant fails, and "
-           "what Python code of plant, controller, targets or residuals raised, after the step in "
-           "which it did; the trace then ends there. Ctrl-C is let through.")
+          loop_estimate_base_doc)
+      .def("reset", &BoundLoop::reset, py::arg("q"), py::arg("v") = py::none(), loop_reset_doc)
+      .def("step", &BoundLoop::step,
+           "Makes one step of the plant. Raises EvaluationError if the plant fails.")
+      .def("run", &BoundLoop::run, py::arg("duration"), loop_run_doc)
       .def_property_readonly(
           "trace", [](BoundLoop& self) -> const Trace& { return self.loop().trace(); },
           py::return_value_policy::reference_internal,
-          "The record so far, on the loop's memory: it grows with the run, and reset() empties "
-          "it. copy.copy(loop.trace) keeps it.")
+          "Record of the run, in the memory of the loop. It grows with the run, and reset() "
+          "empties it. copy.copy(loop.trace) copies it.")
       .def_property_readonly(
           "actuation", [](BoundLoop& self) -> const Actuation& { return self.loop().actuation(); },
-          py::return_value_policy::copy, "A copy of the actuation as it is now.")
+          py::return_value_policy::copy, "Actuation, a copy.")
       .def_property_readonly(
           "measurement", [](BoundLoop& self) { return self.loop().measurement(); },
-          "Of the last tick.")
+          "Measurement of the last tick.")
       .def_property_readonly(
-          "command", [](BoundLoop& self) { return self.loop().command(); }, "Of the last tick.")
-      .def_property_readonly("plant", &BoundLoop::plant, "As given.")
-      .def_property_readonly("controller", &BoundLoop::controller, "As given.")
+          "command", [](BoundLoop& self) { return self.loop().command(); },
+          "Command of the last tick.")
+      .def_property_readonly("plant", &BoundLoop::plant, "Plant of the loop.")
+      .def_property_readonly("controller", &BoundLoop::controller, "Controller of the loop.")
       .def("__repr__", [](BoundLoop& self) {
         return "<ClosedLoop: " + std::to_string(self.loop().trace().rows()) + " rows recorded>";
       });

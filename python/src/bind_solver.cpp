@@ -1,4 +1,4 @@
-// Differential dynamic programming.
+// Bindings of the DDP solver.
 #include "arrays.hpp"
 #include "bind.hpp"
 #include "machine_solver.hpp"
@@ -8,7 +8,68 @@ namespace burnish::python {
 
 namespace {
 
-/// Both are in use: the solver reads the problem.
+// Docstrings.
+
+constexpr const char* solver_init_doc = R"(Makes a solver for a problem.
+
+The initial guess is the initial state at all knots, and zero controls.
+
+Parameters
+----------
+problem : Problem
+options : DdpOptions, optional
+
+Raises
+------
+Error
+    If an option is out of range.)";
+
+constexpr const char* solver_options_doc = R"(Sets the options.
+
+Parameters
+----------
+options : DdpOptions
+
+Raises
+------
+Error
+    If an option is out of range; nothing changes.)";
+
+constexpr const char* solver_guess_doc =
+    R"(Sets the start of the next solve. By default, a solve starts where the previous one ended.
+
+Parameters
+----------
+xs : array_like, shape (N + 1, nx)
+    States.
+us : array_like, shape (N, max_controls)
+    Controls.)";
+
+constexpr const char* solver_time_budget_doc = R"(Sets the time limit of a solve.
+
+Parameters
+----------
+seconds : float
+    Time limit [s]; a NaN or a negative number means 0.)";
+
+constexpr const char* solver_iterations_doc = R"(Sets the largest number of iterations.
+
+Parameters
+----------
+iterations : int
+    At most the number of the options.)";
+
+constexpr const char* solver_limit_budget_doc =
+    R"(Sets LimitOptions.max_factorizations and max_sweeps.
+
+Parameters
+----------
+max_factorizations : int
+    At least 1.
+max_sweeps : int
+    At least 0.)";
+
+/// Locks the solver and its problem, which the solver reads.
 class BothLocked {
  public:
   BothLocked(SolverMachine& self, const char* call)
@@ -26,8 +87,7 @@ void bind_setting_up(SolverClass& c) {
           return std::make_unique<SolverMachine>(problem, options.value_or(DdpOptions{}));
         }),
         py::arg("problem"), py::arg("options") = py::none(), py::keep_alive<1, 2>(),
-        "Allocates everything; the guess is the initial state at every knot and zero controls. "
-        "Raises Error for options out of range.")
+        solver_init_doc)
       .def_property_readonly(
           "options",
           [](SolverMachine& self) {
@@ -36,7 +96,7 @@ void bind_setting_up(SolverClass& c) {
             options.callback = self.callback;
             return options;
           },
-          "How it works: a DdpOptions, a copy.")
+          "Options of the solver, a copy.")
       .def(
           "set_options",
           [](SolverMachine& self, const DdpOptions& options) {
@@ -44,7 +104,7 @@ void bind_setting_up(SolverClass& c) {
             self.solver.set_options(self.watched(options));
             self.callback = options.callback;
           },
-          py::arg("options"), "Raises Error as the constructor does, and changes nothing then.")
+          py::arg("options"), solver_options_doc)
       .def(
           "set_guess",
           [](SolverMachine& self, const Eigen::Ref<const RowMatrix>& xs,
@@ -52,12 +112,10 @@ void bind_setting_up(SolverClass& c) {
             const Busy::Lock lock(self.busy, "DdpSolver.set_guess");
             self.solver.set_guess(xs, us);
           },
-          py::arg("xs"), py::arg("us"),
-          "Where the next solve starts: xs (N + 1, nx), us (N, max_controls). Without a call it "
-          "starts where the last one ended.");
+          py::arg("xs"), py::arg("us"), solver_guess_doc);
 }
 
-/// What a solve may take, and what it starts from.
+/// Binds limits of a solve, and its initial multipliers.
 void bind_budgets(SolverClass& c) {
   c.def(
        "set_time_budget",
@@ -65,31 +123,28 @@ void bind_budgets(SolverClass& c) {
          const Busy::Lock lock(self.busy, "DdpSolver.set_time_budget");
          self.solver.set_time_budget(seconds);
        },
-       py::arg("seconds"), "Anything but a number >= 0 means no time at all.")
+       py::arg("seconds"), solver_time_budget_doc)
       .def(
           "set_max_iterations",
           [](SolverMachine& self, int iterations) {
             const Busy::Lock lock(self.busy, "DdpSolver.set_max_iterations");
             self.solver.set_max_iterations(iterations);
           },
-          py::arg("iterations"),
-          "At most what the options said when the solver was made or given options.")
+          py::arg("iterations"), solver_iterations_doc)
       .def(
           "set_limit_budget",
-          [](SolverMachine& self, int max_factors, int max_sweeps) {
+          [](SolverMachine& self, int max_factorizations, int max_sweeps) {
             const Busy::Lock lock(self.busy, "DdpSolver.set_limit_budget");
-            self.solver.set_limit_budget(max_factors, max_sweeps);
+            self.solver.set_limit_budget(max_factorizations, max_sweeps);
           },
-          py::arg("max_factors"), py::arg("max_sweeps"),
-          "LimitOptions.max_factors and max_sweeps, at least 1 and 0.")
+          py::arg("max_factorizations"), py::arg("max_sweeps"), solver_limit_budget_doc)
       .def(
           "forget_limits",
           [](SolverMachine& self) {
             const Busy::Lock lock(self.busy, "DdpSolver.forget_limits");
             self.solver.forget_limits();
           },
-          "The next solve starts without the multipliers of the last one, as a solver does that is "
-          "new.")
+          "Deletes the multipliers, so that the next solve starts as with a new solver.")
       .def(
           "shift_limits",
           [](SolverMachine& self, int knots) {
@@ -97,8 +152,8 @@ void bind_budgets(SolverClass& c) {
             self.solver.shift_limits(knots);
           },
           py::arg("knots"),
-          "The next solve starts with the multipliers of the last one that many knots later, as a "
-          "horizon does that has moved on by so much.")
+          "Shifts the multipliers of the last solve by a number of knots, as for a horizon that "
+          "has moved by this number.")
       .def(
           "shift_limits",
           [](SolverMachine& self, const std::vector<int>& sources) {
@@ -106,8 +161,9 @@ void bind_budgets(SolverClass& c) {
             self.solver.shift_limits(sources);
           },
           py::arg("sources"),
-          "The same where knots are of different lengths: knot k with those of knot sources[k], as "
-          "far as there are entries. They are not to fall, nor to be before k.");
+          "Shifts the multipliers of the last solve for knots of different lengths: knot k gets "
+          "those of knot sources[k]. Entries must not decrease, and sources[k] must be at least "
+          "k.");
 }
 
 void bind_solving(SolverClass& c) {
@@ -119,23 +175,24 @@ void bind_solving(SolverClass& c) {
          const py::gil_scoped_release release;
          return self.solver.solve();
        },
-       "Iterates until one of StopReason and returns a DdpSummary. Other threads of Python go on "
-       "meanwhile; Ctrl-C ends it between two iterations, and what a callback or a residual raises "
-       "arrives here. The trajectory is then the last one that was evaluated.")
+       "Solves the problem, and returns a DdpSummary. Other Python threads can run meanwhile. "
+       "Ctrl-C interrupts the solve between two iterations. Exceptions of callbacks and residuals "
+       "are raised here; the trajectory is then the last one that was evaluated.")
       .def_property_readonly(
           "summary",
           [](SolverMachine& self) {
             const Busy::Lock lock(self.busy, "DdpSolver.summary");
             return self.solver.summary();
           },
-          "Of the last solve: a DdpSummary.")
+          "DdpSummary of the last solve.")
       .def(
           "text",
           [](SolverMachine& self) {
             const BothLocked lock(self, "DdpSolver.text");
             return self.solver.text();
           },
-          "One sentence that says why the last solve stopped, with the problem's names.")
+          "Returns a sentence with the reason why the last solve stopped, with the names of the "
+          "problem.")
       .def(
           "cost_report",
           [](SolverMachine& self) {
@@ -143,7 +200,7 @@ void bind_solving(SolverClass& c) {
             const py::gil_scoped_release release;
             return self.solver.cost_report();
           },
-          "Cost of the present trajectory by term and by knot: a CostReport.")
+          "Returns a CostReport: costs of the present trajectory by term and by knot.")
       .def(
           "optimality_error",
           [](SolverMachine& self) {
@@ -151,13 +208,12 @@ void bind_solving(SolverClass& c) {
             const py::gil_scoped_release release;
             return self.solver.optimality_error();
           },
-          "Largest entry of the gradient of the Lagrangian by the controls at the present "
-          "trajectory; entries that push against a bound do not count. Infinite where a knot "
-          "cannot "
-          "be evaluated. Cost per unit of control.");
+          "Returns the largest entry of the gradient of the Lagrangian with respect to the "
+          "controls at the present trajectory [cost per unit of control]. Entries that an active "
+          "bound cancels do not count. Infinite if a knot cannot be evaluated.");
 }
 
-/// A result of the last solve.
+/// Binds a result of the last solve.
 template <class Get>
 void of_solve(SolverClass& c, const char* name, Get get, const char* text) {
   c.def_property_readonly(
@@ -168,7 +224,8 @@ void of_solve(SolverClass& c, const char* name, Get get, const char* text) {
       },
       text);
 }
-/// A result of the last solve at a knot; `after` is 1 where the terminal one has it too, or else 0.
+/// Binds a result of the last solve at a knot. `after` is 1 if the terminal knot has it too, else
+/// 0.
 template <class Get>
 void of_knot(SolverClass& c, const char* name, int after, Get get, const char* text) {
   c.def(
@@ -183,51 +240,56 @@ void of_knot(SolverClass& c, const char* name, int after, Get get, const char* t
 
 void bind_results(SolverClass& c) {
   of_solve(
-      c, "xs", [](const DdpSolver& s) { return copied(s.xs()); }, "States (N + 1, nx), a copy.");
+      c, "xs", [](const DdpSolver& s) { return copied(s.xs()); },
+      "States of the trajectory, shape (N + 1, nx), a copy.");
   of_solve(
       c, "us", [](const DdpSolver& s) { return copied(s.us()); },
-      "Controls (N, max_controls), a copy; entries past a knot's own mean nothing.");
+      "Controls of the trajectory, shape (N, max_controls), a copy. Entries beyond the number of "
+      "controls of a knot are meaningless.");
   of_knot(
       c, "feedforward", 0, [](const DdpSolver& s, int k) { return copied(s.feedforward(k)); },
-      "(nu,) of the policy u = u_k + feedforward + gain (x (-) x_k) about the iterate that was "
-      "expanded last; zero after convergence.");
+      "Returns the feedforward (nu,) of the policy u = u_k + feedforward + gain (x (-) x_k) about "
+      "the last expanded iterate; zero after convergence.");
   of_knot(
       c, "gain", 0, [](const DdpSolver& s, int k) { return RowMatrix(s.gain(k)); },
-      "(nu, ndx) of the same policy.");
+      "Returns the gain (nu, ndx) of the policy (see feedforward()).");
   of_knot(
       c, "multipliers", 1, [](const DdpSolver& s, int k) { return copied(s.multipliers(k)); },
-      "(rows,) of the rows with limits: the cost that a limit's being one unit further out would "
-      "save, above zero where the upper one pushes; knots 0 to N.");
+      "Returns the multipliers (rows,) of the constraint rows of a knot, 0 to N: decrease of the "
+      "cost per unit by which the limit is relaxed. Positive for an active upper limit.");
   of_knot(
       c, "value_gradient", 1, [](const DdpSolver& s, int k) { return copied(s.value_gradient(k)); },
-      "(ndx,), of the value function about the same iterate; knots 0 to N.");
+      "Returns the gradient (ndx,) of the value function at a knot, 0 to N, about the last "
+      "expanded iterate.");
   of_knot(
       c, "value_hessian", 1,
       [](const DdpSolver& s, int k) { return RowMatrix(s.value_hessian(k)); },
-      "(ndx, ndx), of the value function about the same iterate; knots 0 to N.");
+      "Returns the Hessian (ndx, ndx) of the value function at a knot, 0 to N, about the last "
+      "expanded iterate.");
   of_knot(
       c, "named_gain", 0, [](const DdpSolver& s, int k) { return s.named_gain(k); },
-      "gain() with the names of controls and of entries of dx: a NamedMatrix.");
+      "Returns gain() as a NamedMatrix, with the names of controls and of entries of dx.");
   of_knot(
       c, "named_value_hessian", 1,
       [](const DdpSolver& s, int k) { return s.named_value_hessian(k); },
-      "value_hessian() with the names of entries of dx: a NamedMatrix.");
+      "Returns value_hessian() as a NamedMatrix, with the names of entries of dx.");
 }
 
 }  // namespace
 
 void bind_solver(py::module_& m) {
   SolverClass solver(m, "DdpSolver",
-                     "Solves a Problem, which it keeps and which nothing else may use during a "
-                     "solve. Between solves the problem may change targets, times and the initial "
-                     "state. Results have the same bits for any number of threads.");
+                     "Solver of a Problem. It keeps a reference to the problem, which nothing "
+                     "else may use during a solve. Between solves, targets, times and the initial "
+                     "state of the problem may change. Results are equal, bit by bit, for any "
+                     "number of threads.");
   bind_setting_up(solver);
   bind_budgets(solver);
   bind_solving(solver);
   bind_results(solver);
   solver.def_property_readonly(
       "problem", [](const SolverMachine& self) -> ProblemMachine& { return self.problem; },
-      py::return_value_policy::reference_internal, "What it solves.");
+      py::return_value_policy::reference_internal, "Problem of the solver.");
   solver.def("__repr__", [](const SolverMachine& self) {
     return "<DdpSolver of '" + self.problem.problem.model().name +
            "': " + std::to_string(self.problem.problem.knots()) + " knots>";

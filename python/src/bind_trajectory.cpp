@@ -1,4 +1,4 @@
-// Problem: values and derivatives of a whole trajectory.
+// Bindings of Problem: values and derivatives of a whole trajectory.
 #include "bind_ocp.hpp"
 #include "specs_ocp.hpp"
 
@@ -6,12 +6,56 @@ namespace burnish::python {
 
 namespace {
 
+// Docstrings.
+
+constexpr const char* problem_evaluate_doc = R"(Evaluates all knots of a trajectory.
+
+Parameters
+----------
+xs : array_like, shape (N + 1, nx)
+    States.
+us : array_like, shape (N, max_controls)
+    Controls.
+threads : int
+    Number of threads.
+
+Returns
+-------
+TrajectoryValues
+    Costs, next states and statuses.
+
+Raises
+------
+Error
+    If sizes are wrong.)";
+
+constexpr const char* problem_expand_doc = R"(Evaluates all knots of a trajectory with derivatives.
+
+Parameters
+----------
+xs : array_like, shape (N + 1, nx)
+    States.
+us : array_like, shape (N, max_controls)
+    Controls.
+threads : int
+    Number of threads.
+
+Returns
+-------
+TrajectoryExpansion
+    Gradients, Gauss-Newton Hessians and linearized dynamics.
+
+Raises
+------
+Error
+    If sizes are wrong.)";
+
 TrajectoryView trajectory(const char* call, const Problem& problem, const Numbers& xs,
                           const Numbers& us) {
   const auto check = [call](const char* name, const Numbers& m, int rows, int columns) {
     if (m.ndim() != 2 || m.shape(0) != rows || m.shape(1) != columns)
       throw Error(std::string(call) + ": " + name + " has the shape " +
-                  std::string(py::str(m.attr("shape"))) + "; wanted is (" + std::to_string(rows) +
+                  std::string(py::str(m.attr("shape"))) + "; wanted (" + std::to_string(rows) +
                   ", " + std::to_string(columns) + ")");
   };
   check("xs", xs, problem.knots() + 1, problem.layout().nx());
@@ -19,8 +63,7 @@ TrajectoryView trajectory(const char* call, const Problem& problem, const Number
   return {xs.data(), us.data()};
 }
 
-/// call(worker, range) for all ranges of knots, by this many threads. Without the interpreter's
-/// lock.
+/// Calls call(worker, range) for all ranges of knots, with a number of threads, without the GIL.
 template <class Call>
 void for_each_range(ProblemMachine& machine, const char* name, int threads, Call&& call) {
   if (threads < 1)
@@ -35,7 +78,7 @@ void for_each_range(ProblemMachine& machine, const char* name, int threads, Call
   });
 }
 
-/// What values and expansions have in common.
+/// Common part of values and expansions.
 template <class Answer>
 void take_values(const std::vector<KnotValue>& values, const RowMatrix& next, Answer& answer) {
   answer.next_states = next.topRows(next.rows() - 1);
@@ -71,13 +114,13 @@ struct ExpansionRoom {
     const auto knots = static_cast<std::size_t>(problem.knots()) + 1;
     const auto entries = static_cast<std::size_t>(nz);
     const auto rows = static_cast<std::size_t>(state.ndx);
-    std::size_t lead = 0;
-    for (const LeadBlock& block : state.blocks)
-      lead += 2 * static_cast<std::size_t>(block.size * block.size);
-    // The problem may write whole packs at the end of a row.
+    std::size_t tangent_blocks = 0;
+    for (const NonEuclideanBlock& block : state.blocks)
+      tangent_blocks += 2 * static_cast<std::size_t>(block.size * block.size);
+    // The problem writes whole packs, which can extend beyond the end of a row.
     constexpr std::size_t slack = 16;
     const std::size_t stride = entries + slack;
-    const std::size_t each = stride * (1 + entries + rows) + lead + rows + slack;
+    const std::size_t each = stride * (1 + entries + rows) + tangent_blocks + rows + slack;
     memory.assign(each * knots, 0.0);
     out.resize(knots);
     double* from = memory.data();
@@ -86,8 +129,8 @@ struct ExpansionRoom {
       e.gradient = from;
       e.hessian = e.gradient + stride;
       e.dynamics = e.hessian + stride * entries;
-      e.lead = e.dynamics + stride * rows;
-      e.decay = e.lead + lead;
+      e.tangent_blocks = e.dynamics + stride * rows;
+      e.decay = e.tangent_blocks + tangent_blocks;
       from += each;
     }
   }
@@ -96,7 +139,8 @@ struct ExpansionRoom {
   std::vector<KnotExpansion> out;
 };
 
-/// F of one knot, ndx x nz with the columns of missing controls zero, from either form.
+/// Writes the dynamics of one knot, ndx x nz, from either form; columns of missing controls are
+/// zero.
 void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int max_nu,
                     Eigen::Ref<RowMatrix> F) {
   using Strided = Eigen::Map<const RowMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;
@@ -109,13 +153,13 @@ void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int
   if (dense) return;
   const int nv = state.nv, q = max_nu;
   RowMatrix A = RowMatrix::Identity(nv, nv), B = A;
-  const double* lead = e.lead;
-  for (const LeadBlock& block : state.blocks) {
-    const Eigen::Map<const RowMatrix> a(lead, block.size, block.size);
-    const Eigen::Map<const RowMatrix> b(lead + a.size(), block.size, block.size);
+  const double* tangent_blocks = e.tangent_blocks;
+  for (const NonEuclideanBlock& block : state.blocks) {
+    const Eigen::Map<const RowMatrix> a(tangent_blocks, block.size, block.size);
+    const Eigen::Map<const RowMatrix> b(tangent_blocks + a.size(), block.size, block.size);
     A.block(block.first, block.first, block.size, block.size) = a;
     B.block(block.first, block.first, block.size, block.size) = b;
-    lead += 2 * a.size();
+    tangent_blocks += 2 * a.size();
   }
   F.topRows(nv) = e.step * B * F.middleRows(nv, nv);
   F.block(0, q, nv, nv) += A;
@@ -125,7 +169,7 @@ void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int
   }
 }
 
-/// Gradient and Hessian of a knot; columns of missing controls are zero.
+/// Writes gradient and Hessian of a knot; columns of missing controls are zero.
 void write_costs(const KnotExpansion& e, int n, Eigen::Ref<Eigen::RowVectorXd> gradient,
                  Eigen::Ref<RowMatrix> hessian) {
   const Eigen::Index skip = gradient.size() - n;
@@ -173,12 +217,9 @@ TrajectoryExpansion expand(ProblemMachine& machine, const Numbers& xs, const Num
 
 void bind_trajectory(ProblemClass& c) {
   c.def("evaluate", &evaluate, py::arg("xs"), py::arg("us"), py::arg("threads") = 1,
-        "Costs and next states of all knots at once, in packs and threads: xs (N + 1, nx), us "
-        "(N, max_controls) -> TrajectoryValues. Its statuses say which knots cannot be "
-        "evaluated.")
+        problem_evaluate_doc)
       .def("expand", &expand, py::arg("xs"), py::arg("us"), py::arg("threads") = 1,
-           "The same with gradients, Gauss-Newton Hessians and linearised dynamics of all knots: a "
-           "TrajectoryExpansion.");
+           problem_expand_doc);
 }
 
 }  // namespace burnish::python

@@ -1,4 +1,4 @@
-// Python functions inside C++ values: copied, called and dropped by any thread.
+// Python functions in C++ values, which any thread can copy, call and delete.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -11,33 +11,34 @@ namespace burnish::python {
 
 namespace py = pybind11;
 
-/// An object of Python's that C++ may copy and drop without the interpreter's lock.
+/// Python object that can be copied and deleted without the GIL.
 class Kept {
  public:
-  /// Under the interpreter's lock.
+  /// Must be called with the GIL.
   explicit Kept(py::object object)
       : object_(new py::object(std::move(object)), [](const py::object* kept) {
           const py::gil_scoped_acquire lock;
           delete kept;
         }) {}
-  /// To be used under the interpreter's lock.
+  /// Must be used with the GIL.
   const py::object& get() const { return *object_; }
 
  private:
   std::shared_ptr<const py::object> object_;
 };
 
-/// Lets Ctrl-C through a long call: throws what a signal handler of Python's raised.
+/// Handles signals such as Ctrl-C during a long call. Throws the exception of a Python signal
+/// handler.
 inline void let_signals_through() {
   const py::gil_scoped_acquire lock;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-/// Looks for Ctrl-C now and then: on the main thread, which alone hears it, and rarely enough that
-/// a fast solve never waits for the interpreter.
+/// Checks for signals periodically, only in the main thread, which receives them, and rarely enough
+/// that fast solves do not wait for the GIL.
 class SignalWatch {
  public:
-  /// Under the interpreter's lock.
+  /// Must be called with the GIL.
   void begin() {
     const py::module_ threading = py::module_::import("threading");
     on_main_thread_ = threading.attr("current_thread")().is(threading.attr("main_thread")());

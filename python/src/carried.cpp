@@ -1,5 +1,5 @@
-// How entries cross to Python that descriptions know nothing of: their annotations there, and what
-// stands for them where nothing is said.
+// Conversion of entries whose types descriptions do not support: annotations and defaults in
+// Python.
 #include "specs_files.hpp"
 #include "specs_polishing.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 template <class Answer, class... Given>
 using Function = std::function<Answer(Given...)>;
 
-/// Such as Reference.world(): of the references that have a name.
+/// Expression for a named reference, such as Reference.world().
 std::string named_reference(const void* at) {
   return "field(default_factory=lambda: Reference." + static_cast<const Reference*>(at)->name() +
          "())";

@@ -1,4 +1,4 @@
-// Described structs as dataclasses: what descriptions say of each entry, without a line per struct.
+// Conversion of described structs to dataclasses, by the descriptions of their entries.
 #include "bind.hpp"
 #include "spec.hpp"
 
@@ -7,7 +7,7 @@ namespace {
 
 using Kind = ValueType::Kind;
 
-const Carried& carried_as(const ValueType& type) {
+const EntryTraits& carried_as(const ValueType& type) {
   const auto found = carried().find(type.id);
   if (found == carried().end())
     throw Error(std::string("nothing carries a ") + type.id.name() + " to Python: see carry()");
@@ -115,7 +115,7 @@ bool set_count(const ValueType& type, void* at, py::handle from) {
   if (!caster.load(from, true)) return false;
   const auto value = py::detail::cast_op<std::int64_t>(caster);
   type.set(at, value);
-  return type.get(at) == value;  // not so for one that the member has no room for
+  return type.get(at) == value;  // false for a value that the type of the member cannot represent
 }
 
 bool set_array(const ValueType& type, void* at, py::handle from) {
@@ -196,7 +196,7 @@ bool set_value(const ValueType& type, void* at, py::handle from) {
   return carried_as(type).set(at, from);
 }
 
-/// A value without the classes of Python: what scripts/describe writes defaults from.
+/// Value as plain Python objects, from which scripts/describe writes defaults.
 py::object plain(const ValueType& type, void* at);
 
 py::dict plain_entries(const Description& description, void* spec) {
@@ -300,8 +300,8 @@ void collect(const Description& description, Descriptions& specs, Enumerations& 
 
 }  // namespace
 
-std::unordered_map<std::type_index, Carried>& carried() {
-  static std::unordered_map<std::type_index, Carried> all;
+std::unordered_map<std::type_index, EntryTraits>& carried() {
+  static std::unordered_map<std::type_index, EntryTraits> all;
   return all;
 }
 std::vector<const Description& (*)()>& known_descriptions() {
@@ -365,7 +365,8 @@ void bind_described(py::module_& m) {
           all.append(description_entries(*description));
         return all;
       },
-      "What dataclasses hold: entries with type, unit, range, meaning and default.");
+      "Returns the descriptions of all dataclasses: entries with type, unit, range, meaning and "
+      "default.");
   m.def(
       "enumerations",
       [] {
@@ -383,7 +384,7 @@ void bind_described(py::module_& m) {
         }
         return all;
       },
-      "What enumerations hold: members in the order of their values, with their meanings.");
+      "Returns all enumerations: members in the order of their values, with their meanings.");
 }
 
 }  // namespace burnish::python

@@ -9,21 +9,21 @@ namespace burnish::python {
 
 namespace {
 
-/// For a status that comes with an exception.
+/// Status of a call that raised an exception.
 constexpr Status failed = Status::NotEvaluated;
 
 std::string type_of(const py::object& object) {
   return py::cast<std::string>(py::type::of(object).attr("__name__"));
 }
 
-/// An attribute that the object has to have.
+/// Required attribute of an object.
 py::object attribute(const py::object& object, const char* kind, const char* name) {
   try {
     return object.attr(name);
   } catch (const py::error_already_set& error) {
     if (!error.matches(PyExc_AttributeError)) throw;
     throw Error(std::string(kind) + ": " + type_of(object) + " has no '" + name +
-                "'; wanted is a burnish." + kind + " or an object with its attributes");
+                "'; wanted a burnish." + kind + " or an object with its attributes");
   }
 }
 
@@ -33,7 +33,7 @@ Value read(const py::object& object, const char* kind, const char* name) {
   py::detail::make_caster<Value> caster;
   if (!caster.load(value, true))
     throw Error(std::string(kind) + "." + name + ": got " + py::cast<std::string>(py::repr(value)) +
-                ", wanted " + wanted<Value>());
+                "; wanted " + wanted<Value>());
   return py::detail::cast_op<Value&>(caster);
 }
 
@@ -42,7 +42,7 @@ Eigen::VectorXd read_vector(const py::object& object, const char* kind, const ch
   Eigen::VectorXd values = read<Eigen::VectorXd>(object, kind, name);
   if (values.size() != size)
     throw Error(std::string(kind) + "." + name + ": got " + std::to_string(values.size()) +
-                " numbers, wanted " + std::to_string(size));
+                " numbers; wanted " + std::to_string(size));
   return values;
 }
 
@@ -70,7 +70,7 @@ PressingPath guarded(PressingPath path, const std::shared_ptr<KeptException>& ke
   return path;
 }
 
-/// Calls the object and copies what it then says; without exceptions.
+/// Calls a Python plant and copies its state; stores exceptions.
 class PlantPart::Adaptor final : public Plant {
  public:
   explicit Adaptor(const py::object& plant)
@@ -85,7 +85,7 @@ class PlantPart::Adaptor final : public Plant {
     scene_ =
         checked_scene(model_, has_scene ? read<SceneSpec>(plant, "Plant", "scene") : SceneSpec{});
     if (!(dt_ > 0.0))
-      throw Error("Plant.dt: got " + std::to_string(dt_) + ", wanted a positive time in s");
+      throw Error("Plant.dt: got " + std::to_string(dt_) + "; wanted a time above 0 s");
   }
 
   const Model& model() const override { return model_; }
@@ -116,7 +116,7 @@ class PlantPart::Adaptor final : public Plant {
   }
 
   void save(PlantSnapshot& /*snapshot*/) const override {
-    throw Error("Plant.save: a plant that is written in Python is saved by its own method");
+    throw Error("Plant.save: this is a plant in Python; call its own method save()");
   }
   Status restore(const PlantSnapshot& /*snapshot*/) noexcept override { return Status::WrongSize; }
 
@@ -134,10 +134,10 @@ class PlantPart::Adaptor final : public Plant {
     }
   }
 
-  /// The answer of a call, and where the plant is after it.
+  /// Reads the answer of a call, and the state of the plant after it.
   Status take(const py::object& answer, double time) {
     const auto status = answer.is_none() ? Status::Ok : py::cast<Status>(answer);
-    if (status > Status::NotConverged) return status;
+    if (!is_usable(status)) return status;
     const Eigen::VectorXd q = read_vector(object_, "Plant", "q", model_.nq);
     const Eigen::VectorXd v = read_vector(object_, "Plant", "v", model_.nv);
     if (!q.allFinite() || !v.allFinite()) return Status::NotFinite;
@@ -186,7 +186,7 @@ class ControllerPart::Adaptor final : public Controller {
   explicit Adaptor(const py::object& controller)
       : object_(controller), nv_(read<int>(controller, "Controller", "nv")) {
     for (const char* name : {"reset", "tick"}) (void)attribute(controller, "Controller", name);
-    if (nv_ < 0) throw Error("Controller.nv: got " + std::to_string(nv_) + ", wanted a size");
+    if (nv_ < 0) throw Error("Controller.nv: got " + std::to_string(nv_) + "; wanted at least 0");
     command_.tau = Eigen::VectorXd::Zero(nv_);
   }
 
@@ -216,7 +216,7 @@ class ControllerPart::Adaptor final : public Controller {
   KeptException kept;
 
  private:
-  /// A Command, or its torque alone.
+  /// Reads a Command, or only its torque.
   void take(const py::object& answer) {
     Command command;
     py::detail::make_caster<Command> whole;
@@ -227,11 +227,11 @@ class ControllerPart::Adaptor final : public Controller {
       command.tau = py::detail::cast_op<Eigen::VectorXd&>(torque);
     } else {
       throw Error("Controller.tick: got " + py::cast<std::string>(py::repr(answer)) +
-                  ", wanted a Command, or its torques alone");
+                  "; wanted a Command, or only its torques");
     }
     if (command.tau.size() != nv_)
-      throw Error("Controller.tick: got a torque of " + std::to_string(command.tau.size()) +
-                  " numbers, wanted " + std::to_string(nv_));
+      throw Error("Controller.tick: the torque has " + std::to_string(command.tau.size()) +
+                  " entries; wanted " + std::to_string(nv_));
     command_ = command;
   }
 

@@ -1,5 +1,4 @@
-// Plants and controllers as Python has them: the library's, and adaptors for those that are written
-// in Python.
+// Plants and controllers for Python: those of the library, and adaptors for Python objects.
 #pragma once
 
 #include <exception>
@@ -14,10 +13,10 @@
 
 namespace burnish::python {
 
-/// What was thrown where nothing may be: the first exception, until it is taken.
+/// Stores the first exception of noexcept code until it is taken.
 class KeptException {
  public:
-  /// Within a handler.
+  /// Must be called in an exception handler.
   void keep() noexcept {
     if (!first_) first_ = std::current_exception();
   }
@@ -27,21 +26,21 @@ class KeptException {
   std::exception_ptr first_;
 };
 
-/// A plant of the library.
+/// Plant of the library.
 struct BoundPlant {
   explicit BoundPlant(std::unique_ptr<Plant> made) : plant(std::move(made)) {}
   std::unique_ptr<Plant> plant;
   Busy busy;
 };
 
-/// A controller of the library.
+/// Controller of the library.
 class BoundController {
  public:
   explicit BoundController(std::unique_ptr<Controller> made) : controller(std::move(made)) {}
   BoundController(const BoundController&) = delete;
   BoundController& operator=(const BoundController&) = delete;
   virtual ~BoundController() = default;
-  /// What functions of its specification threw since this was asked last.
+  /// Takes the exception of functions of the specification since the last call.
   virtual std::exception_ptr take_exception() noexcept { return nullptr; }
 
   std::unique_ptr<Controller> controller;
@@ -60,7 +59,8 @@ class BoundMpc final : public BoundController {
   MpcController* mpc_;
 };
 
-/// A controller that presses along a path; a task that throws leaves it with the point before.
+/// Controller that presses along a path. If the task throws, the controller keeps the previous
+/// point.
 class BoundPressing final : public BoundController {
  public:
   BoundPressing(std::unique_ptr<Controller> made, std::shared_ptr<KeptException> kept)
@@ -71,10 +71,10 @@ class BoundPressing final : public BoundController {
   std::shared_ptr<KeptException> kept_;
 };
 
-/// The path with a task that keeps what it throws.
+/// Path whose task stores its exceptions.
 PressingPath guarded(PressingPath path, const std::shared_ptr<KeptException>& kept);
 
-/// `Spec` has a PressingPath.
+/// `Spec` must have a PressingPath.
 template <class Spec>
 std::unique_ptr<BoundController> bound(const Model& model, Spec spec,
                                        std::unique_ptr<Controller> (*make)(const Model&,
@@ -84,11 +84,11 @@ std::unique_ptr<BoundController> bound(const Model& model, Spec spec,
   return std::make_unique<BoundPressing>(make(model, spec), kept);
 }
 
-/// A plant for a loop: the library's own, or an adaptor to an object of Python with the attributes
-/// of burnish.Plant. Made with the interpreter's lock; its plant may be used without.
+/// Plant of a loop: a plant of the library, or an adaptor for a Python object with the attributes
+/// of burnish.Plant. It must be constructed with the GIL; the plant can be used without it.
 class PlantPart {
  public:
-  /// Throws Error for an object that lacks something.
+  /// Throws Error if the object lacks an attribute.
   explicit PlantPart(py::object plant);
   ~PlantPart();
   PlantPart(const PlantPart&) = delete;
@@ -96,9 +96,9 @@ class PlantPart {
 
   Plant& plant() const { return *plant_; }
   const py::object& object() const { return object_; }
-  /// What Python threw in a reset or a step since this was asked last.
+  /// Takes the exception of Python code in reset() or step() since the last call.
   std::exception_ptr take_exception() noexcept;
-  /// Its lock while it is driven, if it is one of the library's.
+  /// Locks a plant of the library while a loop uses it.
   std::optional<Busy::Lock> lock(const char* what) const;
 
  private:
@@ -109,7 +109,7 @@ class PlantPart {
   Plant* plant_ = nullptr;
 };
 
-/// The same for a controller.
+/// Controller of a loop: a controller of the library, or an adaptor for a Python object.
 class ControllerPart {
  public:
   explicit ControllerPart(py::object controller);

@@ -3,7 +3,7 @@
 namespace burnish::python {
 
 void require(Status status, const char* what) {
-  if (status > Status::NotConverged)
+  if (!is_usable(status))
     throw EvaluationError(std::string(what) + ": " + std::string(describe(status)));
 }
 

@@ -1,5 +1,5 @@
-// What objects with a workspace have in common in Python: used by one thread at a time, and
-// failures of an evaluation as exceptions.
+// Common parts of Python objects with a workspace: use by one thread at a time, exceptions for
+// failed evaluations.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@
 
 namespace burnish::python {
 
-/// Becomes burnish.EvaluationError.
+/// C++ counterpart of burnish.EvaluationError.
 class EvaluationError : public Error {
  public:
   using Error::Error;
@@ -19,11 +19,11 @@ class EvaluationError : public Error {
 /// Throws EvaluationError for a status above NotConverged: "ContactDynamics.forward: ...".
 void require(Status status, const char* what);
 
-/// Python lets several threads call the same object while the interpreter's lock is released; its
-/// workspace bears one.
+/// Lock of an object. Without the GIL, several threads can call an object, but its workspace
+/// supports only one.
 class Busy {
  public:
-  /// Held during a call. Throws Error if another thread's is.
+  /// Holds the lock during a call. Throws Error if another thread holds it.
   class Lock {
    public:
     Lock(Busy& busy, const char* what);

@@ -1,4 +1,4 @@
-// A Problem as Python holds it.
+// Python object of a Problem.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,13 @@
 
 namespace burnish::python {
 
-/// Solvers lock it while they solve.
+/// Problem with its lock, which solvers hold during a solve.
 struct ProblemMachine {
   explicit ProblemMachine(const ProblemSpec& spec) : problem(spec) {}
 
   Problem problem;
   Busy busy;
-  std::unique_ptr<ThreadPool> pool;  ///< of evaluations, made when first asked for
+  std::unique_ptr<ThreadPool> pool;  ///< Threads of evaluations, made on first use
 };
 
 /// Throws Error unless 0 <= knot <= last.

@@ -1,4 +1,4 @@
-// A DdpSolver as Python holds it.
+// Python object of a DdpSolver.
 #pragma once
 
 #include "machine_ocp.hpp"
@@ -7,12 +7,13 @@
 
 namespace burnish::python {
 
-/// Python keeps the problem alive.
+/// Solver with its lock. Python keeps its problem alive.
 struct SolverMachine {
   SolverMachine(ProblemMachine& machine, const DdpOptions& options)
       : problem(machine), callback(options.callback), solver(machine.problem, watched(options)) {}
 
-  /// The same with a callback that looks for Ctrl-C before it asks the user's.
+  /// Returns options with a callback that checks for signals before it calls the callback of the
+  /// user.
   DdpOptions watched(DdpOptions options) {
     options.callback = [this, user = options.callback](const DdpProgress& progress) {
       watch.look();
@@ -24,7 +25,7 @@ struct SolverMachine {
   ProblemMachine& problem;
   Busy busy;
   SignalWatch watch;
-  DdpCallback callback;  ///< the user's
+  DdpCallback callback;  ///< Callback of the user
   DdpSolver solver;
 };
 

@@ -1,4 +1,4 @@
-// The extension module burnish._core: every layer of the library, bound in a file of its own.
+// Extension module burnish._core, which binds all layers of the library.
 #include <pybind11/pybind11.h>
 
 #include "bind.hpp"
@@ -6,7 +6,7 @@
 namespace burnish::python {
 
 PYBIND11_MODULE(_core, module) {
-  module.doc() = "The compiled part of burnish; import burnish instead.";
+  module.doc() = "Compiled part of burnish; import burnish instead.";
   module.attr("__version__") = BURNISH_VERSION;
   bind_base(module);
   bind_specs(module);

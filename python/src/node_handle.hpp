@@ -1,4 +1,4 @@
-// A knot as a residual written in Python sees it: only while it is asked.
+// View of a knot for residuals in Python, valid only during a call.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace burnish::python {
 
-/// What Python holds: it may be kept beyond the call, when what it looked at is gone.
+/// Python object of a view. Python can keep it longer than the call; it then throws Error.
 class NodeHandle {
  public:
   NodeHandle(const NodeView& view, const residual::Custom& names, bool with_derivatives)
@@ -30,14 +30,15 @@ class NodeHandle {
   void end() { view_ = nullptr; }
 
   using Place = std::variant<int, std::string>;
-  /// Frames and contacts by their place in the residual's lists, or by name. Throw Error.
+  /// Index of a frame or contact, by index in the lists of the residual or by name. Throw Error for
+  /// an unknown one.
   int frame(const Place& at) const { return place(at, "frame", &residual::Custom::frames); }
   int contact(const Place& at) const { return place(at, "contact", &residual::Custom::contacts); }
 
  private:
   int place(const Place& at, const char* what,
             std::vector<std::string> residual::Custom::*list) const {
-    view();  // or else the names may be gone too
+    view();  // throws if the call has ended; the names are then invalid too
     const std::vector<std::string>& known = names_->*list;
     const std::string who = "residual '" + names_->name + "': ";
     if (const int* index = std::get_if<int>(&at)) {
@@ -59,7 +60,7 @@ class NodeHandle {
   bool with_derivatives_;
 };
 
-/// Lends a view to Python for as long as this lives. Under the interpreter's lock.
+/// Lends a view to Python during its own lifetime. Must be used with the GIL.
 class NodeLease {
  public:
   NodeLease(const NodeView& view, const residual::Custom& names, bool with_derivatives)

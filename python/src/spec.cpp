@@ -16,7 +16,7 @@ std::string small(std::string word) {
   return word;
 }
 
-/// What came, short enough for a sentence.
+/// Short text of an object for messages.
 std::string shown(py::handle value) {
   std::string text = py::repr(value);
   constexpr std::size_t longest = 60;
@@ -61,7 +61,7 @@ bool SpecTable::load(py::handle from, void* spec) const {
   for (const Field& field : fields_) {
     const py::object value = from.attr(field.name.c_str());
     if (!field.set(spec, value))
-      throw Error(class_.name() + "." + field.name + ": got " + shown(value) + ", wanted " +
+      throw Error(class_.name() + "." + field.name + ": got " + shown(value) + "; wanted " +
                   field.wanted());
   }
   return true;
@@ -93,7 +93,7 @@ KnownSpec known_spec(const std::string& name) {
   throw Error("there is no dataclass '" + name + "'" + did_you_mean(name, names));
 }
 
-/// The description of burnish.layer.Name; null without one.
+/// Description of burnish.layer.Name; null if it has none.
 const Description* described(const std::string& name) {
   const auto specs = described_specs();
   const auto found = specs.find(name.substr(std::min(name.size(), std::string("burnish.").size())));
@@ -112,7 +112,7 @@ void bind_specs(py::module_& m) {
           names.push_back("burnish." + name);
         return names;
       },
-      "Dataclasses that have a struct in C++, as 'burnish.contact.ContactSpec'.");
+      "Returns the names of dataclasses with a C++ struct, such as 'burnish.contact.ContactSpec'.");
   m.def(
       "spec_default",
       [](const std::string& name) {
@@ -120,7 +120,7 @@ void bind_specs(py::module_& m) {
           return table_of(*description).make(description->defaults.get());
         return known_spec(name).make_default();
       },
-      py::arg("name"), "The struct with C++'s defaults, as a dataclass.");
+      py::arg("name"), "Returns a dataclass with the defaults of its C++ struct.");
   m.def(
       "spec_round_trip",
       [](const py::object& value) {
@@ -133,7 +133,7 @@ void bind_specs(py::module_& m) {
         if (!table_of(*description).load(value, spec.get())) return py::object();
         return table_of(*description).make(spec.get());
       },
-      py::arg("value"), "The dataclass after a way into the struct and back.");
+      py::arg("value"), "Converts a dataclass to its C++ struct and back.");
   m.def(
       "enum_words",
       [] {
@@ -142,7 +142,7 @@ void bind_specs(py::module_& m) {
         for (const auto& [name, of] : described_enums()) words["burnish." + name] = of->list();
         return words;
       },
-      "Names of the members of every enumeration, in the order of their values.");
+      "Returns the names of the members of all enumerations, in the order of their values.");
   bind_described(m);
 }
 

@@ -1,7 +1,5 @@
-// Values cross the border between Python and C++ by value: a dataclass on one side, a struct on the
-// other, and between them its description, or a table of fields. So a value in Python is Python's
-// own: it is copied, pickled, compared and printed as such, and what is appended to its lists stays
-// there.
+// Conversion of values between Python dataclasses and C++ structs, by their descriptions or tables
+// of fields. Values are copied: Python can copy, pickle, compare, print and change its own values.
 #pragma once
 
 #include <pybind11/eigen.h>
@@ -30,7 +28,7 @@ namespace py = pybind11;
 class SpecTable;
 class EnumTable;
 
-/// The name of a type without its namespaces, as pybind11 writes it into signatures.
+/// Name of a type without namespaces, as in signatures of pybind11.
 template <class T>
 constexpr std::string_view type_name() {
   constexpr std::string_view text = __PRETTY_FUNCTION__;
@@ -53,9 +51,9 @@ struct TypeName {
   static constexpr auto name = py::detail::descr<size>(text.letters);
 };
 
-/// What a struct that is a dataclass in Python and has no description derives its SpecOf from,
-/// before it is first used in a binding; table() is defined in the specs_*.cpp of its layer. EnumOf
-/// likewise.
+/// Base of SpecOf<T> for a struct T that is a dataclass in Python and has no description. SpecOf<T>
+/// must be declared before the first binding that uses T. table() is defined in the specs_*.cpp of
+/// the layer. EnumOf is the equivalent for enumerations.
 template <class T>
 struct AsDataclass : TypeName<T> {
   static const SpecTable& table();
@@ -91,7 +89,7 @@ const EnumTable& enum_table() {
     return EnumOf<T>::table();
 }
 
-/// The class of a dataclass or enumeration, looked up in Python when it is first needed.
+/// Python class of a dataclass or enumeration, looked up on first use.
 class PythonClass {
  public:
   PythonClass(std::string module, std::string name)
@@ -102,56 +100,56 @@ class PythonClass {
 
  private:
   std::string module_, name_;
-  mutable py::handle class_ = {};  // never released: lives as long as the interpreter
+  mutable py::handle class_ = {};  // never released, as it lives as long as the interpreter
 };
 
-/// An enumeration whose values count from 0.
+/// Enumeration with the values 0, 1, 2, ...
 class EnumTable {
  public:
   EnumTable(std::string module, std::string name, std::vector<std::string> words)
       : class_(std::move(module), std::move(name)), words_(std::move(words)) {}
   const std::vector<std::string>& words() const { return words_; }
   std::string full_name() const { return class_.full_name(); }
-  /// Reads a member, or its name in small letters. False for anything else; throws Error for a name
-  /// that there is not.
+  /// Reads a member, or its name in lower case. Returns false for another object. Throws Error for
+  /// an unknown name.
   bool load(py::handle from, int& value) const;
   py::object make(int value) const;
 
  private:
   PythonClass class_;
-  std::vector<std::string> words_;             ///< in small letters
-  mutable std::vector<py::handle> members_{};  ///< looked up once; never released
+  std::vector<std::string> words_;             ///< Names in lower case
+  mutable std::vector<py::handle> members_{};  ///< Members, looked up once and never released
 };
 
-/// What a field takes, for error sentences.
+/// Description of the values of a field, for error messages.
 template <class Value>
 std::string wanted();
 
-/// A struct and its dataclass, for tests that hold for all of them.
+/// A struct and its dataclass, for tests of all structs.
 struct KnownSpec {
   const SpecTable& (*table)();
-  py::object (*make_default)();             ///< of the struct's own defaults
-  py::object (*round_trip)(py::handle of);  ///< into the struct and back
+  py::object (*make_default)();             ///< Dataclass of the defaults of the struct
+  py::object (*round_trip)(py::handle of);  ///< Converts to the struct and back
 };
-/// All that are used in some binding; likewise enumerations, and what is described.
+/// Structs that bindings use; below, enumerations and described structs.
 std::vector<KnownSpec>& known_specs();
 std::vector<const EnumTable& (*)()>& known_enums();
 std::vector<const Description& (*)()>& known_descriptions();
 std::vector<const Words& (*)()>& known_words();
-/// Those and all that they hold, by "layer.Name".
+/// Described structs and their entries, by "layer.Name".
 std::map<std::string, const Description*> described_specs();
 std::map<std::string, const Words*> described_enums();
 
-/// How an entry crosses that descriptions know nothing of.
-struct Carried {
-  const char* annotation;                  ///< in Python
-  const char* default_value;               ///< there; "": none
-  std::string (*default_of)(const void*);  ///< of a value that is one; null: they are all the same
+/// Conversion of an entry whose type descriptions do not support.
+struct EntryTraits {
+  const char* annotation;                  ///< Annotation in Python
+  const char* default_value;               ///< Default in Python; "": none
+  std::string (*default_of)(const void*);  ///< Default of a value; null: equal for all values
   std::string (*wanted)();
   py::object (*get)(const void*);
   bool (*set)(void*, py::handle);
 };
-std::unordered_map<std::type_index, Carried>& carried();
+std::unordered_map<std::type_index, EntryTraits>& carried();
 
 template <class Value>
 py::object value_get(const void* at) {
@@ -164,7 +162,7 @@ template <class Value>
 bool value_set(void* at, py::handle from) {
   py::detail::make_caster<Value> caster;
   if (!caster.load(from, true)) return false;
-  // Copied: a caster may hand out an object that Python goes on using.
+  // A copy, because a caster can return an object that Python keeps using.
   const Value& loaded = py::detail::cast_op<Value&>(caster);
   *static_cast<Value*>(at) = loaded;
   return true;
@@ -172,7 +170,7 @@ bool value_set(void* at, py::handle from) {
 
 class SpecTable {
  public:
-  /// `module` has the dataclass `name`.
+  /// `module` must have the dataclass `name`.
   SpecTable(const char* module, const char* name) : class_(module, name) {}
   explicit SpecTable(const Description& description);
 
@@ -188,8 +186,8 @@ class SpecTable {
     return *this;
   }
 
-  /// An entry that C++ has in another form: how to read and write it. Those before it have been
-  /// written.
+  /// Adds an entry with another form in C++: functions that read and write it. The previous entries
+  /// are written first.
   template <class Spec>
   SpecTable& field(const char* name, std::string (*what_is_wanted)(),
                    py::object (*get)(const Spec& spec), bool (*set)(Spec& spec, py::handle value)) {
@@ -200,7 +198,8 @@ class SpecTable {
     return *this;
   }
 
-  /// False if `from` is not of the dataclass; throws Error naming the field that does not fit.
+  /// Returns false if `from` is not an instance of the dataclass. Throws Error with the name of an
+  /// invalid field.
   bool load(py::handle from, void* spec) const;
   py::object make(const void* spec) const;
   std::string full_name() const { return class_.full_name(); }
@@ -225,7 +224,7 @@ inline constexpr bool is_optional = false;
 template <class Value>
 inline constexpr bool is_optional<std::optional<Value>> = true;
 
-/// Filling the lists above, when the module is loaded.
+/// Adds a struct to the lists above when the module is loaded.
 template <class Spec>
 inline const bool is_known_spec = [] {
   if constexpr (Described<Spec>)
@@ -252,7 +251,7 @@ inline const bool is_known_enum = [] {
     known_enums().push_back(&EnumOf<Enum>::table);
   return true;
 }();
-/// To be said once of every kind of entry that descriptions know nothing of.
+/// Must be called once for each type of entry that descriptions do not support.
 template <class Value>
 bool carry(const char* annotation, const char* default_value = "",
            std::string (*default_of)(const void*) = nullptr) {
@@ -263,7 +262,7 @@ bool carry(const char* annotation, const char* default_value = "",
       .second;
 }
 
-std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1: any number
+std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1: arbitrary
 
 template <class Value>
 std::string wanted() {
@@ -287,7 +286,8 @@ std::string wanted() {
     return wanted<typename Value::value_type>() + ", or None";
   } else if constexpr (std::is_base_of_v<py::detail::type_caster_generic,
                                          py::detail::make_caster<Value>>) {
-    return "a " + std::string(type_name<Value>());  // a bound class, whose caster has no name yet
+    return "a " +
+           std::string(type_name<Value>());  // for a bound class, whose caster has no name yet
   } else {
     return py::detail::make_caster<Value>::name.text;
   }

@@ -13,7 +13,7 @@ std::string what_came(const Numbers& numbers) {
 
 namespace {
 
-/// A function of time that Python gave.
+/// Function of time from Python.
 struct PythonSignal {
   Kept function;
 
@@ -22,7 +22,7 @@ struct PythonSignal {
     const Numbers numbers = numbers_of(function.get()(time));
     if (!numbers || numbers.ndim() > 1 || numbers.size() != out.size())
       throw Error("signal: the function of time gave " + what_came(numbers) + " at " +
-                  std::string(py::str(py::float_(time))) + " s; wanted are " +
+                  std::string(py::str(py::float_(time))) + " s; wanted " +
                   std::to_string(out.size()) + " numbers");
     out = Eigen::Map<const Eigen::VectorXd>(numbers.data(), out.size());
   }
@@ -57,7 +57,7 @@ bool load_signal(py::handle from, Signal& signal) {
     const Numbers first = numbers_of(object(0.0));
     if (!first || first.ndim() > 1)
       throw Error("signal: the function of time gave " + what_came(first) +
-                  " at 0 s; wanted are numbers");
+                  " at 0 s; wanted numbers");
     signal = signal_over_time(static_cast<int>(first.size()), object);
     return true;
   }

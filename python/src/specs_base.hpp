@@ -1,4 +1,4 @@
-// Values of the base layer. Signals are None, numbers, or functions of time.
+// Values of the base layer. A signal is None, a number, an array, or a function of time.
 #pragma once
 
 #include "base/descriptions.gen.hpp"
@@ -9,13 +9,13 @@
 namespace burnish::python {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-/// Numbers that a function of Python's answered, or nothing in the array if they are none.
+/// Array from the answer of a Python function; null for an answer that is not numeric.
 Numbers numbers_of(const py::object& answer);
-/// For messages.
+/// Text of an object for messages.
 std::string what_came(const Numbers& numbers);
 
-/// A function of time that C++ made, such as one from a problem file: Python can call it, and it
-/// comes back as it was.
+/// Function of time from C++, for example from a problem file. Python can call it, and pass it
+/// back.
 struct SignalFunction {
   Signal signal;
 };

@@ -1,4 +1,4 @@
-// Values of the dynamics layer. What a reference is fixed in is a text, as Anchor reads it.
+// Values of the dynamics layer. Origin and axes of a reference are texts, in the format of Anchor.
 #pragma once
 
 #include "burnish/dynamics/reference.hpp"
@@ -11,7 +11,7 @@ namespace burnish::python {
 template <>
 struct SpecOf<Reference> : AsDataclass<Reference> {};
 template <>
-const SpecTable& AsDataclass<Reference>::table();  // said before the caster below asks for it
+const SpecTable& AsDataclass<Reference>::table();  // declared before the caster below uses it
 
 }  // namespace burnish::python
 
@@ -31,7 +31,7 @@ struct type_caster<burnish::Anchor> {
   }
 };
 
-/// The dataclass, or a name that Reference::parse knows.
+/// Reads the dataclass, or a name for Reference::parse().
 template <>
 struct type_caster<burnish::Reference> {
   PYBIND11_TYPE_CASTER(burnish::Reference, const_name("Reference"));

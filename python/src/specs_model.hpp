@@ -9,7 +9,7 @@
 
 namespace burnish::python {
 
-/// Throws Error("<call>: ...") for a mass distribution that no solid has.
+/// Throws Error("<call>: ...") for an inertia that is physically impossible.
 inline void check_payload(const char* call, const InertiaSpec& inertia) {
   if (const std::string problem = inertia_problem(inertia); !problem.empty())
     throw Error(std::string(call) + ": " + problem);

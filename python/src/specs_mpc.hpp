@@ -14,7 +14,7 @@ template <>
 struct type_caster<std::function<burnish::TaskTarget(double)>>
     : burnish::python::TimeFunctionCaster<burnish::TaskTarget> {};
 
-/// None is no task.
+/// None stands for a null task.
 template <>
 struct type_caster<burnish::MakeTask> {
   PYBIND11_TYPE_CASTER(burnish::MakeTask, const_name("Optional[PressingTask]"));
@@ -30,7 +30,7 @@ struct type_caster<burnish::MakeTask> {
     if (!from) return none().release();
     if (const auto* task = from.target<burnish::PressingTask>())
       return make_caster<burnish::PressingTask>::cast(*task, policy, parent);
-    throw burnish::Error("MpcSpec.task: it is of C++ alone; wanted is a PressingTask");
+    throw burnish::Error("MpcSpec.task: this task exists only in C++; wanted a PressingTask");
   }
 };
 

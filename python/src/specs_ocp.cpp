@@ -6,12 +6,12 @@ namespace burnish::python {
 
 namespace {
 
-/// A function of a residual that Python gave.
+/// Function of a residual from Python.
 struct PythonResidual {
   Kept function;
-  std::shared_ptr<const residual::Custom> names;  ///< its name, frames and contacts
+  std::shared_ptr<const residual::Custom> names;  ///< Name, frames and contacts of the residual
 
-  /// Under the interpreter's lock.
+  /// Must be called with the GIL.
   Numbers call(const NodeView& at, bool with_derivatives) const {
     const NodeLease lease(at, *names, with_derivatives);
     return numbers_of(function.get()(lease.object()));
@@ -19,7 +19,7 @@ struct PythonResidual {
   [[noreturn]] void refuse(const char* what, const Numbers& numbers,
                            const std::string& wanted_shape) const {
     throw Error("residual '" + names->name + "': " + what + " gave " + what_came(numbers) +
-                "; wanted is " + wanted_shape);
+                "; wanted " + wanted_shape);
   }
 };
 
@@ -49,8 +49,8 @@ struct PythonJacobian : PythonResidual {
 
 std::string wanted_function() { return "a function of a NodeView, or None"; }
 
-/// A residual's function: the one that Python gave, or one of Python's around C++'s. `empty` makes
-/// what C++'s writes to.
+/// Function of a residual for Python: the original Python function, or a wrapper of a C++ function.
+/// `empty` makes the array to which a C++ function writes.
 template <class Given, class Function, class Empty>
 py::object function_for_python(const Function& function, Empty empty) {
   if (!function) return py::none();
@@ -62,7 +62,7 @@ py::object function_for_python(const Function& function, Empty empty) {
   });
 }
 
-/// Into `function` a Given of what came from Python, or nothing for None.
+/// Sets `function` to a Given of a Python function, or to null for None.
 template <class Given, class Function>
 bool function_from_python(const residual::Custom& custom, py::handle value, Function& function) {
   if (value.is_none()) {

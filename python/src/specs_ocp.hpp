@@ -1,4 +1,4 @@
-// Values of the ocp layer. Residuals of the user's own hold functions of Python's.
+// Values of the ocp layer. User-defined residuals hold Python functions.
 #pragma once
 
 #include "burnish/ocp/check.hpp"
@@ -10,7 +10,7 @@
 
 namespace burnish::python {
 
-/// What Problem.evaluate answers.
+/// Result of Problem.evaluate().
 struct TrajectoryValues {
   Eigen::VectorXd costs;
   RowMatrix next_states;
@@ -18,7 +18,7 @@ struct TrajectoryValues {
   std::vector<int> terms;
 };
 
-/// First and second order of a horizon, as Problem.expand answers.
+/// Result of Problem.expand(): derivatives of a horizon.
 struct TrajectoryExpansion {
   Eigen::VectorXd costs;
   RowMatrix next_states, gradients;

@@ -13,7 +13,7 @@
 
 namespace burnish::python {
 
-/// burnish.polishing.Experiment: what a polishing::Experiment says of itself.
+/// burnish.polishing.Experiment: name and summary of a polishing::Experiment.
 struct NamedExperiment {
   std::string name, summary;
 };

@@ -22,11 +22,11 @@ const SpecTable& AsDataclass<PlanArrays>::table() {
 
 namespace {
 
-/// plans x columns.
+/// Array with the dimensions plans x columns.
 RowMatrix matrix_of(const std::vector<double>& values, Eigen::Index plans, int columns) {
   return Eigen::Map<const RowMatrix>(values.data(), plans, columns);
 }
-/// plans x rows x columns.
+/// Array with the dimensions plans x rows x columns.
 template <class T>
 PlanCube<T> cube_of(const std::vector<T>& values, Eigen::Index plans, int rows, int columns) {
   return {py::array_t<T>({static_cast<py::ssize_t>(plans), py::ssize_t{rows}, py::ssize_t{columns}},
@@ -85,7 +85,7 @@ PlanRecord record_of(const PlanArrays& arrays) {
 py::object progress_of(const py::object& spec, const char* what, const char* module,
                        const char* wanted) {
   if (!py::isinstance(spec, py::module_::import(module).attr(wanted)))
-    throw py::type_error(std::string(what) + ": wanted is a " + wanted);
+    throw py::type_error(std::string(what) + ": wanted a " + wanted);
   return spec.attr("progress");
 }
 

@@ -1,4 +1,4 @@
-// Values of what tasks that press share, and their runs.
+// Values of the common parts of tasks that press, and of their runs.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -11,20 +11,20 @@
 
 namespace burnish::python {
 
-/// An array of plans x rows x columns.
+/// Array with the dimensions plans x rows x columns.
 template <class T>
 struct PlanCube {
   py::array_t<T> array;
 };
 
-/// burnish.pressing.PlanRecord: burnish::PlanRecord as arrays.
+/// burnish.pressing.PlanRecord: arrays of a burnish::PlanRecord.
 struct PlanArrays {
   Eigen::VectorXd time;            ///< plans
-  std::vector<std::string> terms;  ///< of the costs
+  std::vector<std::string> terms;  ///< names of the rows of `costs`
   RowMatrix costs;                 ///< terms x plans
   double step = 0.0;
   PlanCube<float> q = {};  ///< plans x knots x nq
-  // Of the first knots.
+  // Values at the first knot of each plan:
   RowMatrix x;                ///< plans x nx
   RowMatrix u;                ///< plans x nu
   PlanCube<double> K = {};    ///< plans x nu x ndx

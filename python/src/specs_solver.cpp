@@ -4,7 +4,7 @@ namespace burnish::python {
 
 namespace {
 
-/// A callback that Python gave. It may answer nothing, which means to go on.
+/// Callback from Python. If it returns None, the solver continues.
 struct PythonCallback {
   Kept function;
 

@@ -1,4 +1,4 @@
-// Runs of tasks as Python has them: a specification and what came of it, in one object.
+// Runs of tasks for Python: a specification and its result in one object.
 #pragma once
 
 #include "bind.hpp"
@@ -9,22 +9,23 @@
 
 namespace burnish::python {
 
-/// A run and what it was asked for.
+/// Result of a run, and its specification.
 template <class Spec, class Result>
 struct MadeRun {
   Spec spec = {};
   Result result = {};
 };
 
-/// What a progress function answers: nothing means that it goes on. To be called with the GIL.
+/// Whether a run continues after the answer of a progress function; None means True. Must be called
+/// with the GIL.
 inline bool goes_on(const py::object& answer) { return answer.is_none() || py::cast<bool>(answer); }
 
-/// The entry `progress` of a spec as Python has it, or None. Throws TypeError unless it is of the
+/// Returns the entry `progress` of a spec, or None. Throws TypeError for an object of another
 /// class.
 py::object progress_of(const py::object& spec, const char* what, const char* module,
                        const char* wanted);
 
-/// Calls run_task() with the specification and its progress function, looking for signals.
+/// Calls run_task() with the specification and its progress function, and handles signals.
 template <class Run>
 Run run_given(const py::object& given, const char* module) {
   const py::object progress = progress_of(given, "run_task", module, "RunSpec");
@@ -42,42 +43,42 @@ Run run_given(const py::object& given, const char* module) {
   return run;
 }
 
-/// What TaskRun holds, for pickling.
+/// Data of a TaskRun, for pickling.
 py::tuple state_of(const TaskRun& run);
 void set_state(TaskRun& run, const py::tuple& state);
 
-/// A member of the result as a property; a copy.
+/// Binds a member of the result as a property, a copy.
 template <class Run, class Member>
 void add_result(py::class_<Run>& of, const char* name, Member member, const char* text) {
   of.def_property_readonly(
       name, [member](const Run& self) { return self.result.*member; }, text);
 }
 
-/// What runs of all tasks have.
+/// Binds the properties that runs of all tasks have.
 template <class Run>
 void bind_task_run(py::class_<Run>& of, const char* outcome) {
   of.def_property_readonly(
-        "task", [](const Run& self) { return self.spec.task; }, "The Task, a copy.")
+        "task", [](const Run& self) { return self.spec.task; }, "Task of the run, a copy.")
       .def_property_readonly(
           "plant", [](const Run& self) { return self.spec.plant; }, "PlantKind.")
       .def_property_readonly(
           "trace", [](const Run& self) -> const Trace& { return self.result.trace; },
           py::return_value_policy::reference_internal,
-          "Trace of every plant step, every nth beyond 100 s; columns as of ClosedLoop.")
+          "Trace of every plant step; of every nth step for runs longer than 100 s. The columns "
+          "are those of ClosedLoop.")
       .def_property_readonly(
           "plans", [](const Run& self) { return arrays_of(self.result.plans); },
-          "PlanRecord: plans of the MPC, now and then; a copy.");
-  add_result(of, "plant_status", &TaskRun::plant_status, "Worst Status of the plant.");
+          "PlanRecord: recorded plans of the MPC, a copy.");
+  add_result(of, "plant_status", &TaskRun::plant_status, "Most severe Status of the plant.");
   add_result(of, "fault", &TaskRun::fault,
              "FaultReport of the MPC; its kind is NONE without a fault.");
   add_result(of, "interrupted", &TaskRun::interrupted,
-             "Whether the progress function ended the run.");
-  add_result(of, "standing", &TaskRun::standing,
-             "StandingFigures of a robot that stands, or None.");
+             "True if the progress function ended the run.");
+  add_result(of, "standing", &TaskRun::standing, "StandingFigures of a standing robot, or None.");
   add_result(of, "ticks", &TaskRun::ticks,
-             "TickTimes of the controller after its first tick, which solves to its end.");
-  add_result(of, "first_tick", &TaskRun::first_tick, "s of wall clock.");
-  add_result(of, "wall_time", &TaskRun::wall_time, "s of wall clock, of the simulation.");
+             "TickTimes of the controller, without its first tick, which solves to convergence.");
+  add_result(of, "first_tick", &TaskRun::first_tick, "Wall time of the first tick [s].");
+  add_result(of, "wall_time", &TaskRun::wall_time, "Wall time of the simulation [s].");
   add_result(of, "outcome", &TaskRun::outcome, outcome);
 }
 
@@ -85,11 +86,18 @@ void bind_task_run(py::class_<Run>& of, const char* outcome) {
 template <class Run, class Write>
 void bind_write(py::class_<Run>& of, const Write& write, const char* command) {
   const std::string text =
-      std::string("Writes into a folder, which is made, what `") + command +
-      "` leaves of a run: run.html and run.json (page), trace.csv (every `record_every`th row), "
-      "metrics.json, task.yaml, run.mcap (recording), plots as SVG files (plots; without a page in "
-      "any case), and after a fault its report. `name` stands on the page. Returns the files' "
-      "names. Raises Error if they cannot be written, or in a build without fmt or nlohmann-json.";
+      std::string("Writes the files of `") + command +
+      "` for a run.\n\n"
+      "The files are metrics.json, task.yaml, trace.csv, and after a fault its report.\n\n"
+      "Parameters\n----------\nfolder : str or Path\n    Folder, made if necessary.\n"
+      "name : str\n    Name of the run on the page.\n"
+      "page : bool\n    Whether to write run.html and run.json.\n"
+      "plots : bool\n    Whether to write plots as SVG files, also if `page` is False.\n"
+      "recording : bool\n    Whether to write run.mcap.\n"
+      "record_every : int\n    Distance of rows in trace.csv, in rows of the trace.\n\n"
+      "Returns\n-------\nlist of str\n    Names of the files.\n\n"
+      "Raises\n------\nError\n"
+      "    If a file cannot be written, or in a build without fmt or nlohmann-json.";
   of.def(
       "write",
       [write](const Run& run, const std::filesystem::path& folder, const std::string& name,
@@ -102,7 +110,7 @@ void bind_write(py::class_<Run>& of, const Write& write, const char* command) {
         static_cast<void>(std::tie(run, folder, name, page, plots, recording, record_every));
         throw Error(
             "RunResult.write: this build has no fmt or nlohmann-json, which these files need; "
-            "trace.write_csv() and write_task() are there in all builds");
+            "trace.write_csv() and write_task() work in all builds");
         return std::vector<std::string>();
 #endif
       },

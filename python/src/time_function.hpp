@@ -1,4 +1,4 @@
-// Functions of time (s) that give a dataclass, such as what a task aims at.
+// Functions of time [s] with dataclasses as values, such as the targets of a task.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace burnish::python {
 
-/// A function of Python's. What it raises passes, and an answer that is no such value is an Error.
+/// Python function. Its exceptions pass to the caller. Throws Error for an answer of another type.
 template <class Value>
 struct TimeFunction {
   Kept function;
@@ -20,13 +20,13 @@ struct TimeFunction {
     py::detail::make_caster<Value> caster;
     if (!caster.load(answer, true))
       throw Error("the function of time gave " + std::string(py::repr(answer)) + " at " +
-                  std::string(py::str(py::float_(time))) + " s; wanted is a " +
+                  std::string(py::str(py::float_(time))) + " s; wanted a " +
                   std::string(type_name<Value>()));
     return py::detail::cast_op<Value&>(caster);
   }
 };
 
-/// None is an empty function; what came from Python goes back as it was.
+/// None stands for an empty function. A function from Python is returned to Python unchanged.
 template <class Value>
 struct TimeFunctionCaster {
   using Function = std::function<Value(double)>;

@@ -1,4 +1,4 @@
-"""States and differences for the tests of derivatives."""
+"""States and finite differences for the tests of derivatives."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def state(model: burnish.Model = MODEL) -> Tuple[Array, Array, Array]:
 
 
 def differences(f: Callable[[Array], Array], size: int, step: float = 1e-6) -> Array:
-    """Columns: central differences of f at zero."""
+    """Returns the Jacobian of f at zero by central differences."""
     columns = [(f(h) - f(-h)) / (2.0 * step) for h in step * np.eye(size)]
     return np.transpose(columns)
 

@@ -1,4 +1,4 @@
-"""What tests of problems share: a robot, a problem of a few costs, a trajectory near it."""
+"""Shared by tests of problems: a robot, a problem with a few costs, a trajectory near its start."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def random_trajectory(problem, seed=3):
 
 
 def position_targets(robot, target, start_time=0.0, knots=4):
-    """What the problem makes of a target over its knots."""
+    """Returns the target that the problem uses at each knot."""
     spec = spec_of(
         robot,
         [bn.CostTerm(residual.FramePosition("tool", target), name="reach")],
@@ -59,7 +59,7 @@ def one_term(robot, term):
 
 
 class Tool:
-    """FramePosition once more."""
+    """FramePosition as a custom residual."""
 
     rows = 3
     frames = ["tool"]

@@ -1,6 +1,6 @@
-"""Runs an example in C++ and its twin in Python: both have to succeed and print the same lines.
+"""Runs an example in C++ and its Python version: both must succeed and print the same lines.
 
-Lines that hold a time ("us per state") are compared without their numbers."""
+Lines with a measured time ("us per state") are compared without their numbers."""
 
 import re
 import subprocess

@@ -1,5 +1,6 @@
-"""What each key of a task's file needs to show: values to change it to, and the setting in which it acts.
-Keys that are not here act in the shipped file with a value that is made from theirs."""
+"""Values and settings with which each key of a task file has an effect.
+
+Keys without an entry have an effect in the shipped file, with a value made from the value there."""
 
 from __future__ import annotations
 
@@ -8,11 +9,11 @@ from typing import Dict, List, NamedTuple, Sequence
 
 class Case(NamedTuple):
     setting: Sequence[str] = ()
-    """overrides before the key's own"""
+    """Overrides before the override of the key."""
     values: Sequence[str] = ()
-    """in YAML, of which one has to act; none: made from the file's value"""
+    """Values in YAML, one of which must have an effect. Empty: made from the value in the file."""
     refused: bool = False
-    """a sentence is what the values have to lead to"""
+    """Whether the task must refuse the values."""
 
 
 def at(*setting: str, to: Sequence[str] = (), refused: bool = False) -> Case:
@@ -40,11 +41,11 @@ UNSEEN: Dict[str, str] = {
     "limits.bad": "a simulated measurement is a state",
     "limits.failed_solves": "no key makes the solver fail for certain",
     "limits.joint_margin": "plans and the check of the start keep joints within their limits",
-    "stand: model_error.calm": "on feet some joint's error wanders for as long as a short run is",
-    "push_wall: model_error.calm": "on feet some joint's error wanders for as long as a short run is",
-    "disturbances.torque_limits": "no torque that is sent is beyond the limits of these robots",
+    "stand: model_error.quiescent_scale": "on feet, the error of some joint drifts during the whole short run",
+    "push_wall: model_error.quiescent_scale": "on feet, the error of some joint drifts during the whole short run",
+    "disturbances.torque_limits": "no commanded torque exceeds the limits of these robots",
 }
-"""What a simulated run cannot show, of all tasks or of one, and why."""
+"""Keys whose effect a simulated run cannot show, in all tasks or in one, and the reason."""
 
 _NEVER = ("limits.force=never", "limits.tool_speed=never", "limits.joint_speed_ratio=never")
 _OF_UNIT = ("gyro_noise", "gyro_bias_range", "gyro_bias_walk", "accelerometer_noise", "accelerometer_bias_range",
@@ -62,7 +63,7 @@ def _shape(kind: str, *more: str, to: Sequence[str] = ()) -> Case:
 
 
 def _arm(joint: str, joints: int) -> Dict[str, Case]:
-    """Keys that tasks of an arm that presses share."""
+    """Keys common to tasks of a pressing arm."""
     each = "[" + ", ".join(["0.9"] * joints) + "]"
     lift = (push("[0, 0, 200]", 0.03, 0.2), *_NEVER)
     return {
@@ -102,7 +103,7 @@ def _polishing() -> Dict[str, Case]:
            "path.radius=0.02", "waving.start_up=0.1")
     feet = ("robot=talos", "surface=board", "posture=standing_board",
             "standing.feet=[left_sole_link, right_sole_link]", "controller.solver_delay=0.005",
-            "controller.horizon=0.3", "controller.knots=8", "model_error.bandwidth=60", "model_error.boost=2",
+            "controller.horizon=0.3", "controller.knots=8", "model_error.bandwidth=60", "model_error.transient_scale=2",
             "weights.velocity=5", "limits.force=200", "standing.settle=0.1", "standing.hoist=0.05")
     slips = (*feet, f"disturbances.slippery_ground={slippery('left_sole_link')}")
     sine = ("force_profile.kind=sine", "force_profile.frequency=10")
@@ -126,15 +127,15 @@ def _polishing() -> Dict[str, Case]:
         "waving.start_up": at(*two, to=["0.2"]),
         **{f"standing.{key}": at(*feet) for key in (
             "half_x", "half_y", "friction", "stiffness", "damping", "balance", "base", "momentum",
-            "rubbing", "contact_kd", "estimate", "hoist", "settle", "force_sensors")},
+            "internal_forces", "contact_kd", "estimate", "hoist", "settle", "force_sensors")},
         "standing.plan_friction": at(*feet, to=["0.01"]), "standing.plan_sole": at(*feet, to=["0.05"]),
-        "standing.least_load": at(*feet, to=["420"]),
+        "standing.min_load": at(*feet, to=["420"]),
         "standing.radius": at(*feet, "standing.half_x=0", "standing.half_y=0"),
         "standing.feet": at(*feet, to=["[left_sole_link]"]),
-        "standing.fallback": at(*feet, to=["{stiffness: 50, damping: 15, give: 0.5}"]),
+        "standing.fallback": at(*feet, to=["{stiffness: 50, damping: 15, saturation_fraction: 0.5}"]),
         "standing.after_fault": at(*feet, "limits.joint_speed_ratio=0.0001", "standing.after_fault=0.1", to=["0.2"]),
-        "standing.slip": at(*slips, to=["{way: 1e-5, speed: 1e-4, load: 1}"]),
-        "limits.support_way": at(*slips, to=["0.0001"]),
+        "standing.slip": at(*slips, to=["{distance: 1e-5, speed: 1e-4, load: 1}"]),
+        "limits.support_slip": at(*slips, to=["0.0001"]),
         "limits.base_lost": at(*feet, "disturbances.imu_faults=[{start: 0.05, duration: 1, gyro_offset: [0, 0, 0], "
                                "accelerometer_offset: [0, 0, 0], frozen: false, silent: true}]", *_NEVER,
                                push("[0, 0, 6000]", 0.2, 0.12, "base_link"), to=["0.001"]),
@@ -158,12 +159,12 @@ def _polishing() -> Dict[str, Case]:
         "constraints.joint_torque_rate": at("controller.torque_cutoff=60", to=["1"]),
         "constraints.joint_margin": at(to=["0.5"], refused=True),
         "model_error.kind": at(to=["none"]),
-        "model_error.calm": at("phases.reach_duration=0.3"),
+        "model_error.quiescent_scale": at("phases.reach_duration=0.3"),
         "model_error.lag": at(to=["0.004"]), "model_error.force_gain": at(to=["0.5"]),
         **{f"friction_estimate.{key}": at("friction_estimate.enabled=true") for key in (
             "deviation", "wander", "force_noise", "noise_time", "speed")},
         **{f"fallback.{key}": at("limits.tool_speed=0.01") for key in ("stiffness", "damping")},
-        "fallback.give": at("limits.tool_speed=0.01", to=["0.0001"]),
+        "fallback.saturation_fraction": at("limits.tool_speed=0.01", to=["0.0001"]),
         **{f"disturbances.{key}": at(*feet, to=["2"]) for key in (
             *_OF_UNIT, "support_force_noise", "support_moment_noise")},
         "disturbances.gyro_step": at(*feet, to=["0.01"]), "disturbances.accelerometer_step": at(*feet, to=["0.1"]),
@@ -197,20 +198,20 @@ def _press_hold() -> Dict[str, Case]:
 
 
 def _on_feet(foot: str, joint: str, joints: int, frame: str) -> Dict[str, Case]:
-    """Keys that tasks on feet share."""
+    """Keys common to tasks on feet."""
     each = "[" + ", ".join(["0.9"] * joints) + "]"
     fault = ("limits.joint_speed_ratio=0.0001", "standing.after_fault=0.1")
     slips = f"disturbances.slippery_ground={slippery(foot)}"
     return {
         **_DELAYS,
-        "standing.fallback": at(to=["{stiffness: 50, damping: 15, give: 0.5}"]),
+        "standing.fallback": at(to=["{stiffness: 50, damping: 15, saturation_fraction: 0.5}"]),
         "standing.after_fault": at(*fault, to=["0.2"]),
-        "standing.slip": at(slips, to=["{way: 1e-5, speed: 1e-4, load: 1}"]),
+        "standing.slip": at(slips, to=["{distance: 1e-5, speed: 1e-4, load: 1}"]),
         "controller.tick_rate": at(to=["2000"]),
         "model_error.kind": at(to=["none"]), "model_error.lag": at(to=["0.004"]),
         "constraints.joint_margin": at(to=["3"], refused=True),
         "constraints.joint_speed": at(to=["0.01"]),
-        "limits.slip": at(slips, to=["1e-5"]), "limits.support_way": at(slips, to=["1e-5"]),
+        "limits.slip": at(slips, to=["1e-5"]), "limits.support_slip": at(slips, to=["1e-5"]),
         "limits.joint_speed_ratio": at(to=["0.001"]),
         "limits.deadline": at(to=["1e-9"]), "limits.late_solves": at("limits.deadline=1e-9", to=["20"]),
         "limits.torque_gap": at(f"disturbances.motor_losses={loss(joint)}", "limits.torque_gap=never", to=["0.001"]),
@@ -229,8 +230,8 @@ def _stand() -> Dict[str, Case]:
     hit = "disturbances.pushes=[{start: 0.4, duration: 0.1, force: [0, 100, 0], frame: trunk}]"
     soles = ("robot=talos", "posture=standing_board", "standing.feet=[left_sole_link, right_sole_link]",
              "standing.half_x=0.1", "standing.half_y=0.065", "standing.stiffness=2e6", "standing.damping=1e5")
-    # The friction of joints between feet is not told apart: what turns is Talos' arms.
-    rubs = (*soles, "disturbances=joint_friction")
+    # Friction of joints between the feet cannot be identified; the arms of Talos move freely.
+    with_friction = (*soles, "disturbances=joint_friction")
     return {
         **_on_feet("fl_foot", "fl_hip", 18, "trunk"),
         "robot": at("posture=search", to=["talos"], refused=True),
@@ -238,9 +239,9 @@ def _stand() -> Dict[str, Case]:
         "standing.feet": at(to=["[fl_foot, fr_foot, rl_foot]"]),
         "standing.half_x": at(to=["0.02"], refused=True), "standing.half_y": at(to=["0.02"], refused=True),
         "standing.plan_sole": at(*soles, to=["0.05"]),
-        "model_error.boost": at(hit, "phases.rest_duration=0.5", to=["1"]),
+        "model_error.transient_scale": at(hit, "phases.rest_duration=0.5", to=["1"]),
         "model_error.limit": at(to=["0.001"]),
-        "model_error.joint_friction": at(*rubs), "model_error.friction_speed": at(*rubs),
+        "model_error.joint_friction": at(*with_friction), "model_error.friction_speed": at(*with_friction),
         "limits.base_lost": at("disturbances.imu_faults=[{start: 0.05, duration: 1, gyro_offset: [0, 0, 0], "
                                "accelerometer_offset: [0, 0, 0], frozen: false, silent: true}]",
                                push("[0, 0, 1500]", 0.2, 0.15, "trunk"), "limits.joint_speed_ratio=never",
@@ -260,8 +261,8 @@ def _push_wall() -> Dict[str, Case]:
         "standing.feet": at(to=["[left_sole_link]"]),
         "standing.radius": at("standing.half_x=0", "standing.half_y=0"),
         "standing.force_sensors": at(to=["false"], refused=True),
-        "lean.force_max": at(to=["60"]), "lean.reserve": at("lean.rate=100", to=["5"]),
-        "lean.give": at("lean.rate=100", to=["0.01"]), "lean.slip": at("lean.rate=100", to=["1e-6"]),
+        "force_search.force_max": at(to=["60"]), "force_search.reserve": at("force_search.rate=100", to=["5"]),
+        "force_search.force_tolerance": at("force_search.rate=100", to=["0.01"]), "force_search.slip": at("force_search.rate=100", to=["1e-6"]),
         "limits.sink": at(to=["1e-6"]), "limits.late_contact": at("disturbances.surface_height=-0.01", to=["0.001"]),
         "limits.contact_lost": at("limits.contact_threshold=24", to=["0.001"]),
         "limits.contact_threshold": at(to=["45"]),
@@ -277,7 +278,7 @@ class Task(NamedTuple):
     module: str
     file: str
     short: List[str]
-    """overrides that make a run of the file short"""
+    """Overrides that shorten a run of the file."""
     cases: Dict[str, Case]
 
 
@@ -286,7 +287,7 @@ TASKS: Dict[str, Task] = {
         "phases.clearance=0.002", "phases.reach_duration=0.05", "phases.ramp_duration=0.05",
         "phases.polish_duration=0.12", "phases.retreat_duration=0.1", "controller.horizon=0.1", "controller.step=0.02",
         "controller.update_rate=200", "controller.tick_rate=1000", "path.start_up=0.05",
-        "weights.position=1e4", "model_error.boost=6", "model_error.bandwidth=120"], _polishing()),
+        "weights.position=1e4", "model_error.transient_scale=6", "model_error.bandwidth=120"], _polishing()),
     "press_hold": Task("press_hold", "press_hold/arm7.yaml", [
         "phases.clearance=0.002", "phases.ramp_duration=0.05", "phases.aside_duration=0.4", "phases.hold_duration=0.1",
         "phases.retreat_duration=0.1", "controller.tick_rate=500"], _press_hold()),
@@ -295,8 +296,8 @@ TASKS: Dict[str, Task] = {
         "controller.horizon=0.3", "controller.knots=6", "standing.settle=0.1", "standing.hoist=0.05"], _stand()),
     "push_wall": Task("push_wall", "push_wall/talos.yaml", [
         "phases.settle_duration=0.1", "phases.clearance=0.003", "phases.approach_speed=0.02",
-        "phases.ramp_duration=0.1", "phases.hold_duration=0.4", "lean.rate=1000", "lean.hold_duration=0.4",
+        "phases.ramp_duration=0.1", "phases.hold_duration=0.4", "force_search.rate=1000", "force_search.hold_duration=0.4",
         "phases.release_duration=0.1", "phases.retreat_duration=0.1", "standing.settle=0.2", "standing.hoist=0.1",
-        "controller.update_rate=100", "controller.solver_delay=0.01", "lean.force_max=70", "controller.horizon=0.6",
+        "controller.update_rate=100", "controller.solver_delay=0.01", "force_search.force_max=70", "controller.horizon=0.6",
         "controller.knots=10", "standing.estimate=false"], _push_wall()),
 }

@@ -7,33 +7,33 @@ import pytest
 import burnish
 
 
-def test_errors_are_value_errors_and_evaluations_that_fail_are_errors() -> None:
+def test_error_classes_derive_from_value_error() -> None:
     assert issubclass(burnish.Error, ValueError)
     assert issubclass(burnish.EvaluationError, burnish.Error)
     assert burnish.Error.__doc__ and burnish.EvaluationError.__doc__
 
 
-def test_a_bad_name_raises_one_sentence_with_the_nearest_known_name() -> None:
+def test_unknown_name_raises_one_sentence_with_the_nearest() -> None:
     robot = burnish.load_robot("arm7")
     with pytest.raises(burnish.Error, match="did you mean 'bent'") as refused:
-        robot.posture("bend")
+        robot.posture("bentt")
     assert "\n" not in str(refused.value)
 
 
 @pytest.mark.parametrize("status", burnish.Status)
-def test_every_status_has_a_sentence(status: burnish.Status) -> None:
+def test_every_status_has_a_description(status: burnish.Status) -> None:
     sentence = burnish.describe(status)
     assert sentence and "\n" not in sentence
     assert burnish.describe(status.name.lower()) == sentence
     assert burnish.describe(status.name) == sentence
 
 
-def test_a_status_that_there_is_not_is_refused_with_the_nearest() -> None:
+def test_unknown_status_raises_with_the_nearest() -> None:
     with pytest.raises(burnish.Error, match="Status: there is no 'not_finit'; did you mean 'not_f"):
         burnish.describe("not_finit")
 
 
-def test_statuses_are_the_same_objects_each_time() -> None:
+def test_returned_status_is_the_enum_member() -> None:
     robot = burnish.load_robot("pendulum")
     dynamics = burnish.ContactDynamics(robot.model)
     q, zero = robot.reference_configuration(), [0.0] * robot.model.nv

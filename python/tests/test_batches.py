@@ -17,11 +17,11 @@ from dynamics_cases import MODEL, PAD, SOLES, TALOS, TIP, Array, assert_close, s
 
 
 class TestBatches:
-    N = 45  # not a multiple of any pack
+    N = 45  # not a multiple of any pack width
 
     @pytest.mark.parametrize("model, contacts", [(MODEL, [TIP]), (TALOS.model, SOLES), (MODEL, [])])
     @pytest.mark.parametrize("threads", [1, 2])
-    def test_hold_the_results_of_single_states(self, model: burnish.Model,
+    def test_batch_matches_single_states(self, model: burnish.Model,
                                                contacts: List[ContactSpec], threads: int) -> None:
         single = ContactDynamics(model, contacts)
         batch = ContactDynamicsBatch(model, contacts, capacity=self.N + 3, threads=threads)
@@ -45,7 +45,7 @@ class TestBatches:
         forward_only.forward(q, v, tau)
         np.testing.assert_array_equal(forward_only.a, results["a"])
 
-    def test_of_one_state_and_of_fewer_than_before(self) -> None:
+    def test_smaller_batch_after_a_larger_one_is_correct(self) -> None:
         batch = ContactDynamicsBatch(MODEL, [TIP], 10)
         q, v, tau = states(MODEL, 10)
         batch.forward_with_derivatives(q, v, tau)
@@ -55,7 +55,7 @@ class TestBatches:
         np.testing.assert_allclose(batch.a, a[3:4], rtol=1e-12)
         np.testing.assert_allclose(batch.da_dq, da_dq[3:4], rtol=1e-9, atol=1e-9)
 
-    def test_results_are_read_only_views_that_keep_their_memory(self) -> None:
+    def test_results_are_read_only_views_that_outlive_the_batch(self) -> None:
         batch = ContactDynamicsBatch(MODEL, [TIP], 10)
         q, v, tau = states(MODEL, 10)
         batch.forward_with_derivatives(q, v, tau)
@@ -66,13 +66,13 @@ class TestBatches:
                 view[0] = 1.0
         batch.forward(q, v, 2.0 * tau)
         doubled = batch.a.copy()
-        np.testing.assert_array_equal(a, doubled)  # written over, as the docstring says
+        np.testing.assert_array_equal(a, doubled)  # overwritten, as documented
         del batch
         gc.collect()
         np.testing.assert_array_equal(a, doubled)
         assert np.isfinite(dlambda_dq).all()
 
-    def test_rows_of_float64_are_read_without_a_copy(self) -> None:
+    def test_float64_rows_are_read_without_a_copy(self) -> None:
         n = 4000
         batch = ContactDynamicsBatch(MODEL, [], n)
         arguments = states(MODEL, n)
@@ -91,7 +91,7 @@ class TestBatches:
         batch.forward(*(np.asfortranarray(x) for x in arguments))
         np.testing.assert_array_equal(batch.a, a)
 
-    def test_states_that_fail_say_so_and_leave_the_others(self) -> None:
+    def test_failed_state_is_flagged_and_leaves_the_others(self) -> None:
         batch = ContactDynamicsBatch(MODEL, [TIP], 20)
         q, v, tau = states(MODEL, 20)
         batch.forward(q, v, tau)
@@ -105,7 +105,7 @@ class TestBatches:
         others = np.arange(20) != 7
         np.testing.assert_array_equal(batch.a[others], wanted[others])
 
-    def test_arguments_of_the_wrong_shape_are_named(self) -> None:
+    def test_arguments_of_wrong_shape_raise_with_their_name(self) -> None:
         batch = ContactDynamicsBatch(MODEL, [TIP], 10)
         q, v, tau = states(MODEL, 11)
         for given, sentence in [
@@ -122,7 +122,7 @@ class TestBatches:
             with pytest.raises(burnish.Error):
                 ContactDynamicsBatch(MODEL, [TIP], **bad)
 
-    def test_results_belong_to_the_last_call(self) -> None:
+    def test_results_of_an_earlier_call_raise(self) -> None:
         batch = ContactDynamicsBatch(MODEL, [TIP, PAD], 10)
         with pytest.raises(burnish.EvaluationError, match="ContactDynamicsBatch.a: a result of"):
             batch.a
@@ -135,7 +135,7 @@ class TestBatches:
         batch.forward_with_derivatives(*states(MODEL, 10))
         assert batch.lambda_.shape == (10, 1) and batch.dlambda_dq.shape == (10, 1, MODEL.nv)
 
-    def test_other_threads_run_during_a_call_and_may_not_use_the_same_object(self) -> None:
+    def test_batch_in_use_by_a_thread_refuses_another(self) -> None:
         n = 20000
         batch = ContactDynamicsBatch(MODEL, [TIP], n)
         arguments = states(MODEL, n)

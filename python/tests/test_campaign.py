@@ -1,5 +1,5 @@
-"""Experiments on the workers of a Dask scheduler: the files of one process, whatever happens on the
-way. What takes processes of its own, and kills some, is for ./test --long."""
+"""Experiments on the workers of a Dask scheduler: the files equal those of one process, also after
+failures. Tests that start and kill processes run with ./test --long."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ def burnish(*words):
     return subprocess.run([campaign.program(), *map(str, words)], capture_output=True, text=True)
 
 
-def files(folder, but=("campaign.json", ".burnish")):
+def files(folder, ignored=("campaign.json", ".burnish")):
     return {str(file.relative_to(folder)): file.read_bytes() for file in Path(folder).rglob("*")
-            if file.is_file() and file.name not in but and not file.name.endswith(".times.json")}
+            if file.is_file() and file.name not in ignored and not file.name.endswith(".times.json")}
 
 
 def refused(words, **options):
@@ -58,14 +58,14 @@ def one_process(tmp_path_factory):
     return files(out)
 
 
-class TestHere:
-    def test_without_an_address_the_cores_here_do_the_same(self, tmp_path, one_process):
+class TestLocal:
+    def test_run_without_scheduler_gives_the_files_of_one_process(self, tmp_path, one_process):
         folder = campaign.experiment([*QUICK, "4"], out=tmp_path / "out", quiet=True)
         assert files(folder) == one_process
 
-    def test_bad_words_are_one_sentence(self, tmp_path, monkeypatch):
+    def test_invalid_arguments_raise_one_sentence(self, tmp_path, monkeypatch):
         monkeypatch.chdir(tmp_path)
-        assert "--resume wants --out" in refused([*QUICK, "1"], resume=True)
+        assert "--resume requires --out" in refused([*QUICK, "1"], resume=True)
         assert "no experiment is named" in refused([])
         (tmp_path / "held" / "runs").mkdir(parents=True)
         assert "holds a run; wanted another folder, or --resume" in refused([*QUICK, "1"], out="held")
@@ -73,7 +73,7 @@ class TestHere:
             assert "another run writes into" in refused([*QUICK, "1"], out="new")
         assert not (tmp_path / "new").exists()
 
-    def test_results_are_whole_or_not_there(self, tmp_path):
+    def test_run_folder_keeps_complete_results_only(self, tmp_path):
         with RunFolder(tmp_path / "out", "", False) as folder:
             assert not folder.has("a")
             kept = {"campaign": b'{"shard": "1/2"}', "times": b'{"computing": 2.5}', "result": b'{"late": false}'}
@@ -81,29 +81,29 @@ class TestHere:
             assert folder.has("a")
             assert json.loads((folder.path / "campaign.json").read_text())["shard"] == ""
             assert folder.keep("b", {**kept, "result": b'{"late": true}'}) is None
-            assert not folder.has("b")  # one that was ended is tried again
+            assert not folder.has("b")  # a run that was ended is tried again
             (folder.path / "runs" / "a.json").write_text("{")
-            with pytest.raises(campaign.CampaignError, match="is no result of a run"):
+            with pytest.raises(campaign.CampaignError, match="is not the result of a run"):
                 folder.has("a")
             shutil.rmtree(folder.path / "runs")
             (folder.path / "runs").symlink_to("/dev/full")
             with pytest.raises(campaign.CampaignError, match="cannot"):
                 folder.keep("a", kept)
 
-    def test_the_command_line_says_what_to_install(self, tmp_path):
+    def test_missing_dask_names_the_package_to_install(self, tmp_path):
         (tmp_path / "distributed.py").write_text("raise ImportError")
         done = subprocess.run([campaign.program(), "experiment", *QUICK, "1", "--scheduler", "tcp://127.0.0.1:1"],
                               capture_output=True, text=True, cwd=tmp_path,
                               env={**os.environ, "PYTHONPATH": f"{tmp_path}:{os.environ['PYTHONPATH']}"})
         assert done.returncode == 2
-        # The package of the build stands before others.
+        # The package of the build precedes others on the path.
         assert "apt install python3-distributed" in done.stderr or "apt install python3-burnish" in done.stderr
         assert done.stderr.count("\n") == 1
 
 
 @with_dask
 class TestDask:
-    def test_a_scheduler_that_is_not_there_is_one_sentence(self, tmp_path):
+    def test_unreachable_scheduler_raises_one_sentence(self, tmp_path):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             address = f"tcp://127.0.0.1:{free.getsockname()[1]}"
@@ -111,19 +111,19 @@ class TestDask:
         assert f"there is no Dask scheduler at '{address}'" in refused([*QUICK, "1"], scheduler=address, out=out)
         assert not out.exists()
         for address in ("nowhere", "tcp://host", "tcp://host:port", ":1"):
-            assert f"'{address}' is no address" in refused([*QUICK, "1"], scheduler=address, out=out)
+            assert f"'{address}' is not the address" in refused([*QUICK, "1"], scheduler=address, out=out)
         assert "did you mean 'seeds'?" in refused(["seed"], scheduler="tcp://127.0.0.1:1")
 
 
 def _wait(condition, seconds=60.0):
     end = time.monotonic() + seconds
     while not condition():
-        assert time.monotonic() < end, "nothing happened"
+        assert time.monotonic() < end, "the condition did not come true in time"
         time.sleep(0.02)
 
 
 class Cluster:
-    """A scheduler and workers, each a process group that can be killed; workers come back."""
+    """Scheduler and workers, each a process group that can be killed; killed workers restart."""
 
     def __init__(self, folder):
         self._folder, self._processes = folder, []
@@ -161,14 +161,14 @@ class Cluster:
                             "--local-directory", str(self._folder)], forever=True)
 
     @staticmethod
-    def send(process, what):
-        os.killpg(process.pid, what)
+    def send(process, number):
+        os.killpg(process.pid, number)
 
     def close(self):
         for process in self._processes:
-            for what in (signal.SIGCONT, signal.SIGKILL):
+            for number in (signal.SIGCONT, signal.SIGKILL):
                 try:
-                    os.killpg(process.pid, what)
+                    os.killpg(process.pid, number)
                 except ProcessLookupError:
                     pass
             process.wait()
@@ -187,23 +187,23 @@ def _results(out):
 
 @with_dask
 class TestProcesses:
-    def test_workers_make_what_one_process_does(self, processes, tmp_path, one_process):
+    def test_workers_give_the_files_of_one_process(self, processes, tmp_path, one_process):
         processes.start_worker()
         processes.start_worker()
         out = tmp_path / "out"
         done = burnish("experiment", *QUICK, 4, "--scheduler", processes.address, "--out", out, "--quiet")
         assert (done.returncode, done.stderr) == (0, "")
         assert files(out) == one_process
-        # It goes on, and needs no worker where all is there.
+        # A complete run resumes without work for the workers.
         assert burnish("experiment", *QUICK, 4, "--scheduler", processes.address, "--out", out, "--quiet",
                        "--resume").returncode == 0
         assert files(out) == one_process
         refusal = burnish("experiment", *QUICK, 4, "--set", "force=20", "--scheduler", processes.address,
                           "--out", out, "--resume")
-        assert "wanted the same words" in refusal.stderr
+        assert "wanted the same options" in refusal.stderr
 
     @long
-    def test_whatever_happens_to_workers_and_scheduler_nothing_is_lost(self, processes, tmp_path):
+    def test_killed_workers_and_scheduler_lose_nothing(self, processes, tmp_path):
         words = [*QUICK, "60"]
         one, out = tmp_path / "one", tmp_path / "out"
         assert burnish("experiment", *words, "--quiet", "--out", one).returncode == 0
@@ -238,16 +238,16 @@ class TestProcesses:
             processes.scheduler.wait()
             time.sleep(2.0)
             processes.start_scheduler()
-            said = job.communicate(timeout=400)[1]
+            errors = job.communicate(timeout=400)[1]
         finally:
             ends.set()
             hampering.join()
             job.kill()
-        assert job.returncode == 0, said
+        assert job.returncode == 0, errors
         assert files(out) == files(one)
 
     @long
-    def test_campaigns_as_values_are_the_same_there(self, processes, tmp_path):
+    def test_sweep_on_workers_gives_the_local_files(self, processes, tmp_path):
         processes.start_worker()
         processes.start_worker()
         task = Path(__file__).resolve().parents[2] / "tasks" / "press_hold" / "arm7.yaml"
@@ -255,11 +255,11 @@ class TestProcesses:
                 "vary": {"phases.hold_duration": [0.1], "surface.friction": {"from": 0.1, "to": 0.3, "count": 5}}}
         campaign.sweep(plan, out=tmp_path / "here", quiet=True)
         campaign.sweep(plan, out=tmp_path / "there", quiet=True, scheduler=processes.address)
-        but = ("results.h5", "results.html")
-        assert files(tmp_path / "here", but) == files(tmp_path / "there", but)
+        ignored = ("results.h5", "results.html")
+        assert files(tmp_path / "here", ignored) == files(tmp_path / "there", ignored)
 
     @long
-    def test_interrupted_ten_times_it_goes_on(self, processes, tmp_path):
+    def test_interrupted_ten_times_resumes_without_repeating_runs(self, processes, tmp_path):
         words = [*QUICK, "44"]
         one, out = tmp_path / "one", tmp_path / "out"
         assert burnish("experiment", *words, "--quiet", "--out", one).returncode == 0

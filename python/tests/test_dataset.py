@@ -1,4 +1,4 @@
-"""Data sets: what they hold fits together, they read back as they were, and records replay to the bit."""
+"""Data sets: consistent contents, records that read back unchanged and replay to the bit."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def runs(tmp_path_factory):
     return file, dataset.write_runs(file, [short_task(seed) for seed in (1, 2)], plant="ideal")
 
 
-def test_a_solution_has_gains_values_and_the_contact_schedule():
+def test_solution_has_gains_values_and_the_contact_schedule():
     record = dataset.make_solution(PROBLEMS / "trotting.yaml")
     a, knots = record.arrays, len(record.arrays["time"]) - 1
     file = burnish.read_problem_file(PROBLEMS / "trotting.yaml")
@@ -54,19 +54,19 @@ def test_a_solution_has_gains_values_and_the_contact_schedule():
     assert a["Vx"].shape == (knots + 1, problem.ndx) and a["Vxx"].shape == (knots + 1, problem.ndx, problem.ndx)
     assert np.allclose(a["Vxx"], np.swapaxes(a["Vxx"], 1, 2))
     assert (np.diff(a["time"]) >= 0).all()
-    # Feet take turns; a force is a number exactly where its contact holds.
+    # Feet alternate; a force is finite exactly while its contact is active.
     assert a["contact"].shape == (knots, len(record.names["contact"])) and not a["contact"].all()
     for k in range(knots):
-        held = {name for name, on in zip(record.names["contact"], a["contact"][k]) if on}
-        pushed = {name.split("/")[0] for name, f in zip(record.names["force"], a["force"][k]) if np.isfinite(f)}
+        active = {name for name, on in zip(record.names["contact"], a["contact"][k]) if on}
+        with_force = {name.split("/")[0] for name, f in zip(record.names["force"], a["force"][k]) if np.isfinite(f)}
         impact = next(stage.impact for stage in problem.spec.stages
                       if stage.name == problem.stage_names[problem.stage_of(k)])
-        assert pushed == (set() if impact else held)
+        assert with_force == (set() if impact else active)
         controls = problem.controls(k)
         assert np.isfinite(a["u"][k, :controls]).all() and np.isnan(a["u"][k, controls:]).all()
 
 
-def test_runs_have_all_signals_and_their_parts(runs):
+def test_run_has_all_signals_and_their_parts(runs):
     record = runs[1][0]
     a = record.arrays
     assert a["signals"].shape == (len(a["time"]), len(record.names["signals"]))
@@ -77,24 +77,24 @@ def test_runs_have_all_signals_and_their_parts(runs):
     assert a["plan_q"].shape[0] == len(a["plan_time"]) > 0
 
 
-def test_plans_of_a_run_have_gains_and_values_where_they_start(runs):
+def test_plans_of_a_run_have_gains_and_values_at_their_start(runs):
     a = runs[1][0].arrays
     plans, nx, nu = len(a["plan_time"]), a["plan_x"].shape[1], a["plan_u"].shape[1]
     assert (nx, nu) == (2 * nu, a["q"].shape[1])
     assert a["plan_K"].shape == (plans, nu, nx) and a["plan_Vxx"].shape == (plans, nx, nx)
     assert a["plan_Vx"].shape == (plans, nx)
-    assert np.allclose(a["plan_x"][:, :nu], a["plan_q"][:, 0], atol=1e-6)  # of single precision
+    assert np.allclose(a["plan_x"][:, :nu], a["plan_q"][:, 0], atol=1e-6)  # stored in single precision
     assert all(np.isfinite(a[f"plan_{name}"]).all() for name in ("x", "u", "K", "Vx", "Vxx"))
     for Vxx in a["plan_Vxx"]:
         assert np.allclose(Vxx, Vxx.T) and np.linalg.eigvalsh(Vxx)[0] > 0
-    # Plans are recorded as often as it is said.
+    # The option plan_rate sets how often plans are recorded.
     more = dataset.make_run(short_task(1), plant="ideal", plan_rate=100.0)
     assert len(more.arrays["plan_time"]) > 3 * plans
     assert np.array_equal(more.arrays["signals"], a["signals"])
 
 
 @pytest.mark.parametrize("kind", ["solutions", "runs"])
-def test_files_read_back_and_records_replay_to_the_bit(kind, request):
+def test_records_read_back_and_replay_to_the_bit(kind, request):
     file, records = request.getfixturevalue(kind)
     loaded = dataset.load(file)
     assert len(loaded) == len(records) == 2
@@ -106,19 +106,19 @@ def test_files_read_back_and_records_replay_to_the_bit(kind, request):
     assert first.arrays[main].tobytes() != second.arrays[main].tobytes()
 
 
-def test_a_record_replays_without_its_file(solutions, tmp_path):
+def test_record_replays_without_its_file(solutions, tmp_path):
     record = dataset.load(solutions[0])[0]
     record.attributes["file"] = str(tmp_path / "gone.yaml")
     expect_same(record, dataset.replay(record))
 
 
-def test_what_is_no_data_set_is_refused(tmp_path):
+def test_invalid_data_set_raises(tmp_path):
     (tmp_path / "text.h5").write_text("no")
     with pytest.raises(burnish.Error, match="cannot read the data set"):
         dataset.load(tmp_path / "text.h5")
     with h5py.File(tmp_path / "other.h5", "w"):
         pass
-    with pytest.raises(burnish.Error, match="is no data set of burnish; wanted the format 'burnish dataset 1'"):
+    with pytest.raises(burnish.Error, match="is not a data set of burnish; wanted the format 'burnish dataset 1'"):
         dataset.load(tmp_path / "other.h5")
     with pytest.raises(burnish.Error, match="cannot write"):
         dataset.write(tmp_path / "nowhere" / "a.h5", [])

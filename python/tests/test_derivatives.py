@@ -1,4 +1,4 @@
-"""Contact dynamics of one state with its derivatives, the checker, the diagnosis."""
+"""Contact dynamics of one state: values, derivatives, the checker, the diagnosis."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class TestContactDynamics:
         dynamics.inverse(q, v, a, force)
         np.testing.assert_allclose(dynamics.tau, tau, atol=1e-8)
 
-    def test_derivatives_are_those_of_the_values(self) -> None:
+    def test_derivatives_match_finite_differences(self) -> None:
         dynamics = ContactDynamics(MODEL, [TIP])
         q, v, tau = state()
         nv = MODEL.nv
@@ -74,7 +74,7 @@ class TestContactDynamics:
         assert_close(dynamics.dalpha_dq, by_q)
         assert_close(dynamics.dalpha_dv, by_v)
 
-    def test_a_reference_is_turned(self) -> None:
+    def test_set_reference_rotation_matches_a_rotated_reference(self) -> None:
         turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
         robot = burnish.load_robot("arm7")
         q, rest = robot.reference_configuration(), np.zeros(7)
@@ -90,7 +90,7 @@ class TestContactDynamics:
 
     @pytest.mark.parametrize("reference", [Reference.local(), Reference.centered(),
                                            Reference.world()])
-    def test_wrench_derivatives_are_those_of_wrenches(self, reference: Reference) -> None:
+    def test_wrench_derivatives_match_finite_differences(self, reference: Reference) -> None:
         dynamics = ContactDynamics(MODEL, [TIP])
         q, v, tau = state()
 
@@ -109,7 +109,7 @@ class TestContactDynamics:
         assert_close(derivatives.dv, by_v)
         assert_close(derivatives.dtau, by_tau)
 
-    def test_arguments_may_be_lists_and_whole_numbers_and_slices(self) -> None:
+    def test_lists_integers_and_slices_are_accepted(self) -> None:
         dynamics = ContactDynamics(MODEL, [TIP])
         q, v, _ = state()
         tau = np.arange(MODEL.nv)
@@ -132,7 +132,7 @@ class TestContactDynamics:
         np.testing.assert_array_equal(a, a_before)
         assert not np.array_equal(dynamics.a, a_before)
 
-    def test_contacts_are_made_and_broken(self) -> None:
+    def test_set_active_adds_and_removes_contacts(self) -> None:
         dynamics = ContactDynamics(MODEL, [TIP, PAD])
         q, v, tau = state()
         assert dynamics.row_names == ["tip/x", "tip/y", "tip/z", "pad/rz"]
@@ -152,7 +152,7 @@ class TestContactDynamics:
             dynamics.set_active("pat", True)
         assert "tip/x tip/y tip/z pad/rz" in repr(dynamics)
 
-    def test_arguments_of_the_wrong_size_are_named(self) -> None:
+    def test_arguments_of_wrong_size_raise_with_their_name(self) -> None:
         dynamics = ContactDynamics(MODEL, [TIP])
         q, v, tau = state()
         for call, sentence in [
@@ -167,14 +167,14 @@ class TestContactDynamics:
         with pytest.raises(TypeError):
             dynamics.forward(q, v, "none")
 
-    def test_states_that_cannot_be_evaluated_raise_what_the_status_says(self) -> None:
+    def test_invalid_state_raises_with_its_status(self) -> None:
         dynamics = ContactDynamics(TALOS.model, SOLES)
         q, v, tau = state(TALOS.model)
-        bent = q.copy()
-        bent[3:7] *= 1.1
+        not_normalized = q.copy()
+        not_normalized[3:7] *= 1.1
         v_nan = v.copy()
         v_nan[3] = np.nan
-        for arguments, status in [((bent, v, tau), Status.NOT_NORMALIZED),
+        for arguments, status in [((not_normalized, v, tau), Status.NOT_NORMALIZED),
                                   ((q, v_nan, tau), Status.NOT_FINITE)]:
             with pytest.raises(burnish.EvaluationError) as failed:
                 dynamics.forward(*arguments)
@@ -183,7 +183,7 @@ class TestContactDynamics:
         with pytest.raises(burnish.EvaluationError, match="redundant"):
             twice.forward(*state())
 
-    def test_results_belong_to_the_last_evaluation(self) -> None:
+    def test_results_of_an_earlier_evaluation_raise(self) -> None:
         dynamics = ContactDynamics(MODEL, [TIP])
         q, v, tau = state()
         with pytest.raises(burnish.EvaluationError, match="ContactDynamics.a: a result of forward"):
@@ -207,7 +207,7 @@ class TestContactDynamics:
         with pytest.raises(burnish.EvaluationError):
             dynamics.a
 
-    def test_singular_contacts_are_named(self) -> None:
+    def test_singular_contacts_raise_with_their_name(self) -> None:
         dynamics = ContactDynamics(MODEL, [TIP, TIP.replace(name="again", directions="z")])
         with pytest.raises(burnish.EvaluationError, match="contact row 'again/z' is redundant"):
             dynamics.forward(*state())
@@ -220,7 +220,7 @@ class TestContactDynamics:
         with pytest.raises(burnish.Error, match="no state 2"):
             batch.explanation(2)
 
-    def test_not_converged_is_returned_and_not_raised(self) -> None:
+    def test_not_converged_is_returned_not_raised(self) -> None:
         contacts = [TIP, TIP.replace(name="again")]
         solver = burnish.ContactSolver(mu=1e-4, max_proximal_iterations=30,
                                        proximal_tolerance=1e-11)
@@ -236,7 +236,7 @@ class TestContactDynamics:
         assert impatient.forward(*state()) is Status.NOT_CONVERGED
         assert impatient.forward_derivatives() is Status.NOT_CONVERGED
 
-    def test_the_robot_may_go_while_its_dynamics_stay(self) -> None:
+    def test_dynamics_outlive_their_robot(self) -> None:
         robot = burnish.load_robot("arm7")
         q = robot.posture("bent")
         dynamics = ContactDynamics(robot.model, [ContactSpec(tool="tool")])
@@ -246,33 +246,33 @@ class TestContactDynamics:
 
 
 class TestChecker:
-    def test_passes_on_a_robot_and_tells_how_far_it_is(self) -> None:
-        told: List[Tuple[int, int]] = []
+    def test_robot_passes_and_progress_is_reported(self) -> None:
+        progress_calls: List[Tuple[int, int]] = []
         options = burnish.CheckOptions(states=2, directions=["z", "pad_z"], accelerations=["spatial"],
-                                       progress=lambda done, total: told.append((done, total)))
+                                       progress=lambda done, total: progress_calls.append((done, total)))
         report = burnish.check_derivatives(MODEL, options)
         assert report.pass_ and report.rows and all(row.pass_ for row in report.rows)
-        assert told == [(i + 1, len(report.rows)) for i in range(len(report.rows))]
+        assert progress_calls == [(i + 1, len(report.rows)) for i in range(len(report.rows))]
         assert {row.reference for row in report.rows} >= {"local", "world"}
         assert max(row.worst_error for row in report.rows) < 1e-6
         assert report.rows[0].worst.block and report.robot in report.text()
 
-    def test_passes_on_curved_surfaces(self) -> None:
+    def test_curved_surfaces_pass(self) -> None:
         options = burnish.CheckOptions(states=2, references=[], directions=["z"], gains=[burnish.CheckGains()],
                                        surfaces=[burnish.SurfaceShape("sphere", radius=0.2, hollow=True)])
         report = burnish.check_derivatives(MODEL, options)
         assert report.pass_ and [row.reference for row in report.rows] == ["hollow sphere of radius 0.2 m"]
         bad = options.replace(surfaces=[burnish.SurfaceShape("torus", radius=0.6, ring=0.5)])
-        with pytest.raises(burnish.Error, match="wanted a tube that is thinner"):
+        with pytest.raises(burnish.Error, match="wanted less than the radius of its ring"):
             burnish.check_derivatives(MODEL, bad)
 
-    def test_fails_where_the_tolerance_is_out_of_reach(self) -> None:
+    def test_unattainable_tolerance_fails(self) -> None:
         report = burnish.check_derivatives(MODEL, burnish.CheckOptions(
             contacts=[TIP], states=2, tolerance=1e-15))
         assert not report.pass_ and len(report.rows) == 1
         assert report.rows[0].worst_error > 1e-15
 
-    def test_has_the_defaults_of_the_library(self) -> None:
+    def test_default_options_match_the_library(self) -> None:
         options = burnish.CheckOptions()
         assert options.references == burnish.default_check_references()
         assert options.directions == burnish.default_check_directions()
@@ -280,21 +280,21 @@ class TestChecker:
         assert options.surfaces == burnish.default_check_surfaces()
         assert "all" in options.directions or "x,y,z,rx,ry,rz" in options.directions
 
-    def test_refuses_options_with_a_sentence(self) -> None:
+    def test_invalid_options_raise_with_the_reason(self) -> None:
         with pytest.raises(burnish.Error, match="did you mean 'tool'"):
             burnish.check_derivatives(MODEL, burnish.CheckOptions(tool="tol"))
-        with pytest.raises(burnish.Error, match="CheckOptions.states: got 'two', wanted a whole"):
+        with pytest.raises(burnish.Error, match="CheckOptions.states: got 'two'; wanted a whole"):
             burnish.check_derivatives(
                 MODEL, burnish.CheckOptions(states="two"))  # type: ignore[arg-type]
 
-    def test_lets_an_exception_of_its_progress_through(self) -> None:
+    def test_exception_in_progress_reaches_the_caller(self) -> None:
         def stop(done: int, total: int) -> None:
             raise RuntimeError(f"stopped at {done} of {total}")
 
         with pytest.raises(RuntimeError, match="stopped at 1 of"):
             burnish.check_derivatives(MODEL, burnish.CheckOptions(states=1, progress=stop))
 
-    def test_lets_the_keyboard_interrupt_it(self) -> None:
+    def test_keyboard_interrupt_ends_the_check(self) -> None:
         timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT))
         options = burnish.CheckOptions(states=20, gains=50 * burnish.default_check_gains())
         with pytest.raises(KeyboardInterrupt):
@@ -303,7 +303,7 @@ class TestChecker:
 
 
 class TestDiagnosis:
-    def test_names_rows_that_are_held_already(self) -> None:
+    def test_redundant_rows_are_named(self) -> None:
         q, _, _ = state()
         again = TIP.replace(name="again", directions="z")
         found = burnish.diagnose(MODEL, [TIP, again], q)
@@ -313,7 +313,7 @@ class TestDiagnosis:
         assert (row.contact, row.direction, row.row, row.immovable) == ("again", "z", 3, False)
         assert found.condition == np.inf and found.text() == row.text() + "\n"
 
-    def test_examines_active_contacts_alone(self) -> None:
+    def test_inactive_contacts_are_ignored(self) -> None:
         q, _, _ = state()
         again = TIP.replace(name="again", directions="z")
         for active in (["tip"], [1], ["again"]):

@@ -1,4 +1,4 @@
-"""What follows from the descriptions of specifications and is committed is what they say."""
+"""Committed files that are generated from the descriptions of specifications are up to date."""
 
 from __future__ import annotations
 
@@ -16,32 +16,32 @@ SCRIPT = ROOT / "scripts" / "describe"
 
 
 @pytest.mark.skipif(not SCRIPT.exists(), reason="a package without its sources")
-def test_headers_and_docs_are_as_described() -> None:
+def test_committed_headers_and_docs_match_the_descriptions() -> None:
     done = subprocess.run([sys.executable, str(SCRIPT), "--core", str(_core.__file__)],
                           capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_every_entry_says_what_it_is() -> None:
+def test_every_entry_has_a_meaning() -> None:
     for spec in _core.descriptions():
         assert spec["meaning"], spec["name"]
-        # Sections of a file, which tasks have, may each have a key of that name.
+        # Keys of different sections of a task file may have the same name, but entries may not.
         names = [field["name"] for field in spec["fields"]]
         assert len(set(names)) == len(names), spec["name"]
         for field in spec["fields"]:
             assert not field["unit"] or field["unit"] in field["comment"]
 
 
-def test_a_number_that_an_entry_has_no_room_for_is_refused() -> None:
+def test_number_too_large_for_its_entry_raises() -> None:
     from burnish import Disturbances, Error
-    with pytest.raises(Error, match="Disturbances.encoder_bits: got 4294967297, wanted a whole"):
+    with pytest.raises(Error, match="Disturbances.encoder_bits: got 4294967297; wanted a whole"):
         _core.spec_round_trip(Disturbances(encoder_bits=2**32 + 1))
     assert _core.spec_round_trip(Disturbances(seed=2**64 - 1)).seed == 2**64 - 1
 
 
 @pytest.mark.skipif(not SCRIPT.exists(), reason="a package without its sources")
-def test_the_build_writes_every_described_class_where_its_module_has_room(tmp_path: Path) -> None:
-    (tmp_path / "base.py").symlink_to(SCRIPT)  # what stands there is replaced, not written through
+def test_build_writes_every_described_class_into_its_module(tmp_path: Path) -> None:
+    (tmp_path / "base.py").symlink_to(SCRIPT)  # the link must be replaced, not written through
     before = SCRIPT.read_text()
     subprocess.run([sys.executable, str(SCRIPT), "--core", str(_core.__file__), "--package", str(tmp_path)], check=True)
     assert SCRIPT.read_text() == before
@@ -55,8 +55,8 @@ def test_the_build_writes_every_described_class_where_its_module_has_room(tmp_pa
 
 
 @pytest.mark.skipif(not SCRIPT.exists(), reason="a package without its sources")
-def test_names_of_problem_files_are_those_of_both_sides() -> None:
-    """Keys of the table are read somewhere, and members are declared where it says."""
+def test_table_of_problem_keys_matches_sources_and_headers() -> None:
+    """Sources read every key of the table, and headers declare every member."""
     docs = (ROOT / "docs/files.md").read_text()
     table = re.search(r"<!-- names of problem files -->\n(.*?)<!-- end -->", docs, re.DOTALL)
     assert table

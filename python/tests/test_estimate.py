@@ -1,4 +1,4 @@
-"""The state of a base on feet, in Python."""
+"""Estimation of the base of a robot on feet, in Python."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ def options():
     )
 
 
-def test_a_robot_that_stands_still_stays_where_it_is():
+def test_base_estimator_at_rest_keeps_its_state():
     model, q = standing()
     estimator = burnish.BaseEstimator(model, options())
     estimator.reset(q)
@@ -31,7 +31,7 @@ def test_a_robot_that_stands_still_stays_where_it_is():
     assert estimator.innovation.rows == 12
 
 
-def test_what_cannot_be_used_is_raised():
+def test_base_estimator_with_invalid_input_raises():
     model, q = standing()
     estimator = burnish.BaseEstimator(model, options())
     imu = burnish.ImuReading(gyro=[np.nan, 0.0, 0.0])
@@ -41,7 +41,7 @@ def test_what_cannot_be_used_is_raised():
         estimator.update(burnish.ImuReading(), q, np.zeros(model.nv), [True], 1e-3)
 
 
-def test_feet_stand_by_their_force():
+def test_foot_contacts_detect_standing_feet_from_forces():
     model, _ = standing()
     contacts = burnish.FootContacts(model, 2, burnish.FootContactOptions(force_noise=0.1))
     weight = 9.81 * model.total_mass

@@ -14,7 +14,7 @@ PROBLEMS = Path(__file__).parents[2] / "examples" / "problems"
 
 
 @pytest.mark.parametrize("file", sorted(PROBLEMS.glob("*.yaml")), ids=lambda file: file.stem)
-def test_every_problem_file_is_read(file):
+def test_problem_file_is_read_and_evaluates(file):
     read = bn.read_problem_file(file)
     assert read.description and read.spec.model.name == read.robot.model.name
     problem = bn.Problem(read.spec)
@@ -25,7 +25,7 @@ def test_every_problem_file_is_read(file):
     assert np.isfinite(problem.evaluate(guess.xs, guess.us).cost)
 
 
-def test_a_problem_file_solves():
+def test_problem_file_solves():
     read = bn.read_problem_file(str(PROBLEMS / "reaching.yaml"))
     problem = bn.Problem(read.spec)
     solver = bn.DdpSolver(problem, read.solver)
@@ -41,13 +41,13 @@ def signals_of(spec):
     return [term.residual.target for term in terms if hasattr(term.residual, "target")]
 
 
-def test_references_over_time_are_functions():
+def test_signals_over_time_are_functions():
     spec = bn.read_problem_file(PROBLEMS / "polishing.yaml").spec
     moving = [signal for signal in signals_of(spec) if isinstance(signal, bn.OverTime)]
     assert moving
     for signal in moving:
         assert signal.function(0.1).shape == (signal.size,)
-    # They come back from Python as they were: the same problem.
+    # A spec that went through Python gives the same problem.
     xs = bn.make_guess(bn.Problem(spec)).xs
     us = bn.make_guess(bn.Problem(spec)).us
     again = bn.Problem(spec).spec
@@ -56,7 +56,7 @@ def test_references_over_time_are_functions():
     )
 
 
-def test_a_file_is_changed_in_python(tmp_path):
+def test_spec_of_a_file_can_be_changed(tmp_path):
     spec = bn.read_problem_file(PROBLEMS / "reaching.yaml").spec
     spec.terminal.append(bn.CostTerm(residual.Control(), name="none"))
     spec.terminal.pop()
@@ -66,7 +66,7 @@ def test_a_file_is_changed_in_python(tmp_path):
         bn.Problem(pickle.loads(pickle.dumps(spec)))
 
 
-def test_mistakes_in_a_file_are_sentences(tmp_path):
+def test_invalid_file_raises_with_the_nearest_key(tmp_path):
     with pytest.raises(bn.Error, match="nothing.yaml"):
         bn.read_problem_file(tmp_path / "nothing.yaml")
     text = (PROBLEMS / "reaching.yaml").read_text()
@@ -77,7 +77,7 @@ def test_mistakes_in_a_file_are_sentences(tmp_path):
         bn.read_problem_file(broken)
 
 
-def test_guesses_hold_or_stand_still():
+def test_guess_is_static_or_without_controls():
     read = bn.read_problem_file(PROBLEMS / "reaching.yaml")
     problem = bn.Problem(read.spec)
     hold, still = bn.make_guess(problem), bn.make_guess(problem, bn.WarmStart("still"))
@@ -90,7 +90,7 @@ def test_guesses_hold_or_stand_still():
         bn.make_guess(problem, bn.WarmStart(bn.WarmStartKind.FILE, "nowhere.csv"))
 
 
-def test_a_table_is_read_by_names_without_units(tmp_path):
+def test_read_trace_gives_columns_without_units(tmp_path):
     file = tmp_path / "trace.csv"
     file.write_text("time [s],q_joint_1 [rad],row\n0,0.5,speed/joint_1\n0.1,,speed/joint_2\n")
     table = bn.read_trace(file)

@@ -1,4 +1,4 @@
-"""The notation in which headers say what their members are: what it gives, and what is refused by file and line."""
+"""Notation of member descriptions in headers: the result of reading it, and errors with file and line."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ def read(tmp_path: Path, body: str):
     ("of them, 0 to below 1", "of them", "0 to below 1"),
     ("ends when more than 3", "ends when more than 3", ""),
 ])
-def test_a_comment_is_meaning_unit_and_range(tmp_path: Path, comment: str, meaning: str, numbers: str) -> None:
+def test_comment_is_split_into_meaning_unit_and_range(tmp_path: Path, comment: str, meaning: str, numbers: str) -> None:
     (entry,) = read(tmp_path, f"  double force = 30.0;  ///< {comment}\n").entries
     assert (entry.name, entry.meaning, entry.range) == ("force", meaning, numbers)
 
 
-def test_members_keep_their_order_unless_said_and_functions_are_passed_over(tmp_path: Path) -> None:
+def test_members_keep_their_order_and_functions_are_skipped(tmp_path: Path) -> None:
     press = read(tmp_path, """  std::map<std::string, double> ways = {};  ///< one by one @word none @key way
   // @section limits Beyond these
   // a run ends.
@@ -79,16 +79,16 @@ def test_values_of_an_enumeration_are_words(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("body, words", [
     ("  double a = 0.0, b = 1.0;\n", "press.hpp:6: several members in one statement"),
-    ("  double a;  ///< Force to press with [N] > 0\n", "press.hpp:6: '] > 0' is no range behind a comma"),
-    ("  double a;  ///< Damping of the tool [Nsm]\n", "press.hpp:6: '[Nsm]' is no unit"),
-    ("  double a;  ///< way @keys b\n", "press.hpp:6: an unknown word behind @"),
-    ("  double a;  ///< way @key\n", "press.hpp:6: @key wants a text"),
-    ("  double a;  ///< way @required yes\n", "press.hpp:6: @required takes no text"),
-    ("  double a;\n  double b;  ///< @key x @key y\n", "press.hpp:7: @key stands twice"),
-    ("  /// @described contact\n  template <class T>\n  struct B {};\n", "press.hpp:7: @described stands before what is neither"),
+    ("  double a;  ///< Force to press with [N] > 0\n", "press.hpp:6: the range '] > 0' has no comma before it"),
+    ("  double a;  ///< Damping of the tool [Nsm]\n", "press.hpp:6: '[Nsm]' is not a unit"),
+    ("  double a;  ///< way @keys b\n", "press.hpp:6: unknown tag after @"),
+    ("  double a;  ///< way @key\n", "press.hpp:6: @key needs a text"),
+    ("  double a;  ///< way @required yes\n", "press.hpp:6: @required must not have a text"),
+    ("  double a;\n  double b;  ///< @key x @key y\n", "press.hpp:7: @key occurs twice"),
+    ("  /// @described contact\n  template <class T>\n  struct B {};\n", "press.hpp:7: @described is not before a struct"),
     ("  double a;  ///< @after b\n", "press.hpp:6: @after b: Press has no such member"),
 ])
-def test_anything_else_is_refused_by_file_and_line(tmp_path: Path, body: str, words: str) -> None:
+def test_invalid_header_raises_with_file_and_line(tmp_path: Path, body: str, words: str) -> None:
     with pytest.raises(headers.HeaderError) as refused:
         read(tmp_path, body)
     assert words in str(refused.value)

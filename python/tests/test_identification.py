@@ -1,4 +1,4 @@
-"""Payloads as data, the regressor, and masses from recorded motions."""
+"""Payloads, the regressor, and identification of masses from recorded motions."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ def brick() -> InertiaSpec:
 
 
 class TestPayload:
-    def test_is_as_if_it_were_in_the_model(self) -> None:
+    def test_set_payload_matches_a_model_with_payload(self) -> None:
         q, v, tau = state()
-        told, made = ContactDynamics(ARM.model), ContactDynamics(burnish.with_payload(ARM.model, "tool", brick()))
-        told.set_payload("tool", brick())
-        told.forward(q, v, tau)
-        made.forward(q, v, tau)
-        np.testing.assert_allclose(told.a, made.a, rtol=1e-12)
+        with_payload, compiled = ContactDynamics(ARM.model), ContactDynamics(burnish.with_payload(ARM.model, "tool", brick()))
+        with_payload.set_payload("tool", brick())
+        with_payload.forward(q, v, tau)
+        compiled.forward(q, v, tau)
+        np.testing.assert_allclose(with_payload.a, compiled.a, rtol=1e-12)
         body = RigidBody(ARM.model)
         body.set_payload("tool", brick())
         body.update(q, v)
         assert body.mass == pytest.approx(ARM.model.total_mass + 1.2)
 
-    def test_what_no_solid_has_is_refused(self) -> None:
+    def test_impossible_inertia_raises(self) -> None:
         dynamics = ContactDynamics(ARM.model)
         with pytest.raises(burnish.Error, match="mass is -1"):
             dynamics.set_payload("tool", InertiaSpec(mass=-1.0))
@@ -49,14 +49,14 @@ class TestPayload:
         with pytest.raises(burnish.Error, match="'tool'"):
             dynamics.set_payload("tol", brick())
 
-    def test_parameters_lead_back(self) -> None:
+    def test_inertia_parameters_round_trip(self) -> None:
         theta = burnish.inertia_parameters(brick())
         assert theta[0] == 1.2
         back = burnish.inertia_of(theta)
         np.testing.assert_allclose(back.inertia_at_com, brick().inertia_at_com, atol=1e-15)
 
 
-def test_the_regressor_times_the_parameters_is_the_torque() -> None:
+def test_regressor_times_parameters_is_the_torque() -> None:
     q, v, tau = state()
     dynamics = ContactDynamics(ARM.model)
     bodies = list(range(len(ARM.model.joints)))
@@ -69,11 +69,11 @@ def test_the_regressor_times_the_parameters_is_the_torque() -> None:
     dynamics.forward_derivatives()
     by_a, by_lambda = dynamics.inertia_derivatives(bodies)
     assert by_a.shape == (7, 70) and by_lambda.shape == (0, 70)
-    # Twice the mass everywhere needs twice the torque: -K^-1 Y theta.
+    # The torque is linear in the parameters: (da/dtheta) theta = -(da/dtau) Y theta.
     np.testing.assert_allclose(by_a @ theta, -dynamics.da_dtau @ (tau - ARM.model.armature * dynamics.a), atol=1e-7)
 
 
-def test_a_payload_is_identified_from_exact_torques() -> None:
+def test_payload_is_identified_from_exact_torques() -> None:
     motion = burnish.excitation(ARM.model, ARM.reference_configuration())
     columns = {name: motion[name] for name in motion.columns}
     joints = [j.name for j in ARM.model.joints]
@@ -94,7 +94,7 @@ def test_a_payload_is_identified_from_exact_torques() -> None:
         burnish.identify(ARM.model, q, tau, 1e-3, payload="tol")
 
 
-def test_records_that_cannot_be_right_are_refused_with_a_guess() -> None:
+def test_implausible_record_raises_with_the_likely_cause() -> None:
     motion = burnish.excitation(ARM.model, ARM.reference_configuration())
     columns = {name: motion[name] for name in motion.columns}
     joints = [j.name for j in ARM.model.joints]
@@ -121,19 +121,19 @@ def weak_arm(folder: Path, settings: str) -> burnish.Robot:
     return burnish.load_robot(str(folder))
 
 
-def test_a_motion_that_an_effort_limit_makes_smaller_warns(tmp_path: Path) -> None:
+def test_excitation_reduced_by_an_effort_limit_warns(tmp_path: Path) -> None:
     robot = weak_arm(tmp_path, "limits: {joint_2: {effort: 37}}\n")
     with pytest.warns(UserWarning, match="is reduced to .* joint 'joint_2' would need"):
         burnish.excitation(robot.model, robot.reference_configuration())
 
 
-def test_a_start_that_cannot_be_held_is_refused(tmp_path: Path) -> None:
+def test_excitation_with_an_unsupportable_start_raises(tmp_path: Path) -> None:
     robot = weak_arm(tmp_path, "limits: {joint_2: {effort: 3}}\n")
-    with pytest.raises(burnish.Error, match="'joint_2' takes .* to hold the start"):
+    with pytest.raises(burnish.Error, match="'joint_2' needs .* to hold the start posture"):
         burnish.excitation(robot.model, robot.reference_configuration())
 
 
-def test_angles_of_continuous_joints_are_taken(tmp_path: Path) -> None:
+def test_identify_accepts_wrapped_angles_of_continuous_joints(tmp_path: Path) -> None:
     arm = Path(os.environ.get("BURNISH_ROBOTS", burnish.robot_search_path()[0])) / "arm7"
     text = (arm / "arm7.urdf").read_text().replace('type="revolute"', 'type="continuous"')
     (tmp_path / "endless.urdf").write_text(text)

@@ -1,4 +1,4 @@
-"""Objects that come and go leave no memory behind."""
+"""Created and destroyed objects do not leak memory."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ import burnish
 
 CYCLES = 10_000
 BYTES = 500_000
-"""What C++ may lose: 50 bytes in every cycle. Nothing was measured to be lost."""
+"""Largest allowed growth in C++: 50 bytes per cycle. The measured growth is zero."""
 OBJECTS = 2_000
-"""What Python may lose: an object in every fifth cycle. Some hundreds were measured, in caches."""
+"""Largest allowed growth in Python: one object per five cycles. Caches grow by some hundreds."""
 LIBC = ctypes.CDLL(None)
 
 
 def settled() -> Tuple[int, int]:
-    """Resident bytes and objects of Python, without what is free already."""
+    """Returns resident bytes and Python objects after freeing unused memory."""
     gc.collect()
     if hasattr(LIBC, "malloc_trim"):
         LIBC.malloc_trim(0)
@@ -32,7 +32,7 @@ def settled() -> Tuple[int, int]:
 
 
 def growth(cycle: Callable[[], object]) -> Tuple[int, int]:
-    """What CYCLES add to both, after as many as fill the caches."""
+    """Returns the growth of bytes and objects over CYCLES calls, after calls that fill the caches."""
     for _ in range(CYCLES // 10):
         cycle()
     resident, objects = settled()
@@ -80,7 +80,7 @@ def rigid_body() -> object:
 
 
 class Height:
-    """A cost in Python."""
+    """Residual written in Python."""
 
     name, rows, frames = "height", 1, [MODEL.frames[-1].name]
 
@@ -107,7 +107,7 @@ def solve() -> object:
 
 
 class Still(burnish.Controller):
-    """A controller in Python."""
+    """Controller written in Python."""
 
     @property
     def nv(self) -> int:
@@ -149,7 +149,7 @@ def test_memory_does_not_grow(cycle: Callable[[], object]) -> None:
     assert resident < BYTES and objects < OBJECTS
 
 
-def test_the_bounds_see_what_every_cycle_loses() -> None:
+def test_bounds_detect_a_leak_in_every_cycle() -> None:
     lost: List[object] = []
     assert growth(lambda: lost.append(object()))[1] > OBJECTS
     assert growth(lambda: LIBC.calloc(1, 200))[0] > BYTES

@@ -28,7 +28,7 @@ def joint(kind: JointType, **entries: object) -> JointSpec:
 
 
 class TestRobotsByName:
-    def test_have_the_sizes_of_their_joints(self) -> None:
+    def test_sizes_match_the_joints(self) -> None:
         model = TALOS.model
         assert model.nq == sum(j.nq for j in model.joints) == len(model.q_names)
         assert model.nv == sum(j.nv for j in model.joints) == len(model.v_names)
@@ -40,17 +40,17 @@ class TestRobotsByName:
             assert entries.shape == (model.nv,)
         assert model.total_mass == pytest.approx(sum(j.mass for j in model.joints))
 
-    def test_say_what_they_are(self) -> None:
+    def test_repr_names_robot_and_sizes(self) -> None:
         assert repr(ARM.model) == "<Model 'talos': 6 joints, nq = 6, nv = 6>"
         assert repr(ARM).startswith("<Robot 'talos': ")
 
-    def test_take_overrides(self) -> None:
+    def test_locked_joints_leave_the_model(self) -> None:
         locked = burnish.load_robot("arm7", burnish.RobotOverrides(locked=["joint_7"]))
         free = burnish.load_robot("arm7")
         assert locked.model.nv == free.model.nv - 1
         assert "joint_7" in locked.model.locked_joints
 
-    def test_are_refused_by_the_nearest_name(self) -> None:
+    def test_unknown_name_raises_with_the_nearest(self) -> None:
         with pytest.raises(burnish.Error, match="talos"):
             burnish.load_robot("tallos")
         with pytest.raises(burnish.Error, match="did you mean 'tool'"):
@@ -63,14 +63,14 @@ class TestRobotsByName:
         np.testing.assert_array_equal(TALOS.reference_configuration(),
                                       TALOS.posture(TALOS.default_posture))
 
-    def test_are_found_in_folders(self) -> None:
+    def test_search_path_contains_talos(self) -> None:
         assert any((folder / "talos").is_dir() for folder in burnish.robot_search_path())
 
 
 class TestCopies:
     @pytest.mark.parametrize("make", [copy.copy, copy.deepcopy,
                                       lambda robot: pickle.loads(pickle.dumps(robot))])
-    def test_of_robots_are_equal_in_everything(self, make: object) -> None:
+    def test_copied_robot_equals_the_original(self, make: object) -> None:
         again = make(TALOS)  # type: ignore[operator]
         assert again is not TALOS and again == TALOS and again.model == TALOS.model
         assert again.postures == TALOS.postures and again.default_posture == TALOS.default_posture
@@ -82,17 +82,17 @@ class TestCopies:
         bodies = range(-1, len(TALOS.model.joints))
         assert [again.model.support(b) for b in bodies] == [TALOS.model.support(b) for b in bodies]
 
-    def test_of_models_move_as_the_original(self) -> None:
+    def test_pickled_model_gives_the_same_acceleration(self) -> None:
         model = pickle.loads(pickle.dumps(ARM.model))
         q = ARM.posture("tilt_45")
         results = []
-        for of in (ARM.model, model):
-            dynamics = burnish.ContactDynamics(of)
-            dynamics.forward(q, np.ones(of.nv), np.ones(of.nv))
+        for each in (ARM.model, model):
+            dynamics = burnish.ContactDynamics(each)
+            dynamics.forward(q, np.ones(each.nv), np.ones(each.nv))
             results.append(dynamics.a)
         np.testing.assert_array_equal(*results)
 
-    def test_models_that_differ_anywhere_are_not_equal(self) -> None:
+    def test_models_with_a_difference_are_unequal(self) -> None:
         tree = two_links(joint(JointType.REVOLUTE))
         model = burnish.build_model(tree)
         assert model == burnish.build_model(tree)
@@ -100,16 +100,16 @@ class TestCopies:
         assert model != burnish.build_model(tree)
         assert model != "two" and ARM != TALOS
 
-    def test_a_model_outlives_its_robot(self) -> None:
+    def test_model_outlives_its_robot(self) -> None:
         model = burnish.load_robot("arm7").model
         assert model.name == "arm7" and len(model.joints) == model.nv
 
-    def test_what_a_model_gives_is_a_copy(self) -> None:
+    def test_arrays_of_a_model_are_copies(self) -> None:
         ARM.model.q_lower[:] = 100.0
         ARM.model.joints[0].mass = 100.0
         assert ARM.model.q_lower[0] != 100.0 and ARM.model.joints[0].mass != 100.0
 
-    def test_a_model_cannot_be_changed(self) -> None:
+    def test_model_attributes_are_read_only(self) -> None:
         with pytest.raises(AttributeError):
             ARM.model.nq = 3  # type: ignore[misc]
 
@@ -118,7 +118,7 @@ class TestWarnings:
     XML = ("<robot><link name='base'/><link name='tip'/><joint name='hinge' type='continuous'>"
            "<parent link='base'/><child link='tip'/></joint></robot>")
 
-    def test_are_on_the_result(self, tmp_path: Path) -> None:
+    def test_loaded_robot_lists_its_warnings(self, tmp_path: Path) -> None:
         file = tmp_path / "finger.urdf"
         file.write_text(self.XML)
         robot = burnish.load_robot(str(file))
@@ -131,14 +131,14 @@ class TestWarnings:
         with pytest.raises(burnish.Error, match="2 problems.*moves no mass.*strict"):
             burnish.load_robot(str(file), burnish.RobotOverrides(strict=True))
 
-    def test_refuse_where_models_are_strict(self) -> None:
+    def test_strict_build_raises_on_warnings(self) -> None:
         tree = burnish.parse_urdf(self.XML, "finger.urdf")
         assert tree.joints[0].line == 1
         assert len(burnish.build_model(tree).warnings) == 2
         with pytest.raises(burnish.Error, match="no name"):
             burnish.build_model(tree, ModelOptions(strict=True))
 
-    def test_all_problems_are_in_one_error(self) -> None:
+    def test_several_problems_are_in_one_error(self) -> None:
         tree = burnish.parse_urdf(self.XML)
         tree.links[1].inertia.mass = -1.0
         tree.joints[0].parent_link = "bas"
@@ -147,7 +147,7 @@ class TestWarnings:
 
 
 class TestDescriptions:
-    def test_compile_to_models(self) -> None:
+    def test_built_model_has_the_values_of_the_description(self) -> None:
         tree = two_links(joint(JointType.REVOLUTE, axis=[0.0, 1.0, 0.0], lower=-1.0, upper=2.0,
                                armature=0.25))
         model = burnish.build_model(tree, ModelOptions(gravity=[0.0, 0.0, -10.0]))
@@ -155,10 +155,10 @@ class TestDescriptions:
         assert (model.q_lower[0], model.q_upper[0], model.armature[0]) == (-1.0, 2.0, 0.25)
         dynamics = burnish.ContactDynamics(model)
         dynamics.forward([math.pi / 2], [0.0], [0.0])
-        # com 0.5 m from the axis and level with it
+        # The centre of mass is 0.5 m from the axis, at its height.
         assert dynamics.a[0] == pytest.approx(2.0 * 10.0 * 0.5 / (0.1 + 2.0 * 0.25 + 0.25))
 
-    def test_balls_springs_and_tendons(self) -> None:
+    def test_ball_joints_springs_and_tendons_are_compiled(self) -> None:
         model = burnish.build_model(two_links(joint(JointType.BALL, stiffness=2.0)))
         assert (model.nq, model.nv) == (4, 3)
         assert model.joints[0].kind is JointKind.BALL
@@ -174,7 +174,7 @@ class TestDescriptions:
         assert [(t.name, t.parts[0].coefficient) for t in model.tendons] == [("cord", 3.0)]
         assert pickle.loads(pickle.dumps(model)) == model
 
-    def test_with_mimic_joints_compile_to_followers(self) -> None:
+    def test_mimic_joint_compiles_to_a_follower(self) -> None:
         tree = two_links(joint(JointType.REVOLUTE))
         tree.links.append(LinkSpec("third", tree.links[1].inertia))
         second = joint(JointType.REVOLUTE)
@@ -192,23 +192,23 @@ class TestDescriptions:
         dynamics.forward([0.3], [0.1], [1.0])
         assert dynamics.mass_matrix.shape == (1, 1)
 
-    def test_take_names_of_kinds_and_refuse_others(self) -> None:
+    def test_joint_type_is_accepted_by_name_or_refused(self) -> None:
         assert burnish.build_model(two_links(joint("continuous"))).nq == 2  # type: ignore[arg-type]
         with pytest.raises(burnish.Error, match="JointType: there is no 'revolut'; did you mean"):
             burnish.build_model(two_links(joint("revolut")))  # type: ignore[arg-type]
 
-    def test_that_cannot_be_used_are_refused_with_a_sentence(self) -> None:
+    def test_invalid_description_raises_with_the_reason(self) -> None:
         tree = two_links(joint(JointType.REVOLUTE, child_link="bodi"))
         with pytest.raises(burnish.Error, match="bodi"):
             burnish.build_model(tree)
         tree = two_links(joint(JointType.REVOLUTE, axis=[0.0, 1.0]))
-        with pytest.raises(burnish.Error, match=r"JointSpec.axis: got \[0.0, 1.0\], wanted 3 num"):
+        with pytest.raises(burnish.Error, match=r"JointSpec.axis: got \[0.0, 1.0\]; wanted 3 num"):
             burnish.build_model(tree)
         tree = two_links(joint(JointType.REVOLUTE, placement=np.ones((4, 4))))
         with pytest.raises(burnish.Error, match="rotation"):
             burnish.build_model(tree)
 
-    def test_are_read_from_urdf(self, tmp_path: Path) -> None:
+    def test_urdf_is_read_from_text_and_file(self, tmp_path: Path) -> None:
         text = ('<robot name="r"><link name="a"/><link name="b"><inertial><mass value="1"/><inertia '
                 'ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link><joint name="j" '
                 'type="prismatic"><parent link="a"/><child link="b"/><limit lower="0" upper="2" '
@@ -222,7 +222,7 @@ class TestDescriptions:
         with pytest.raises(burnish.Error, match="here.urdf"):
             burnish.parse_urdf("<robot", source="here.urdf")
 
-    def test_are_read_from_mjcf(self, tmp_path: Path) -> None:
+    def test_mjcf_is_read_from_text_and_file(self, tmp_path: Path) -> None:
         text = ('<mujoco model="m"><option gravity="0 0 -2"/><worldbody><light/><body name="b"><joint name="j" '
                 'type="slide" range="0 2"/><geom size="0.1"/><site name="tip" pos="0 0 1"/></body>'
                 '</worldbody><actuator><motor joint="j" ctrlrange="-3 3"/></actuator><keyframe><key '
@@ -245,7 +245,7 @@ class TestDescriptions:
         with pytest.raises(burnish.Error, match="here.xml"):
             burnish.parse_mjcf("<mujoco", source="here.xml")
 
-    def test_of_mjcf_have_the_order_of_qpos(self) -> None:
+    def test_mjcf_model_has_the_order_of_qpos(self) -> None:
         tree = burnish.parse_mjcf(
             '<mujoco><worldbody><body name="z"><freejoint name="base"/><geom size="0.1"/><body name="y">'
             '<joint name="first"/><geom size="0.1"/></body><body name="x"><joint name="afterwards"/>'
@@ -254,8 +254,8 @@ class TestDescriptions:
         assert tree.sibling_order is burnish.SiblingOrder.AS_LISTED
         model = burnish.build_model(tree)
         assert [j.name for j in model.joints] == ["base", "first", "afterwards"]
-        assert [j.name for j in model.stated_joints] == ["base", "first", "afterwards", "held"]
-        assert model.stated_joints[3].joint == -1 and model.stated_joints[3].held == [0.3]
+        assert [j.name for j in model.file_joints] == ["base", "first", "afterwards", "held"]
+        assert model.file_joints[3].joint == -1 and model.file_joints[3].held == [0.3]
         order = burnish.JointOrder.mujoco(model)
         qpos = np.array([1.0, 2.0, 3.0, 0.8, 0.0, 0.0, 0.6, 0.1, 0.2, 0.3])
         q = order.q_from(qpos)
@@ -265,7 +265,7 @@ class TestDescriptions:
         np.testing.assert_allclose(order.v_to(v, q), [0, 1, 2, 3, 4, 5, 6, 7, 0], atol=1e-14)
         assert pickle.loads(pickle.dumps(model)) == model
 
-    def test_take_vectors_of_other_orders_by_name(self) -> None:
+    def test_joint_order_converts_vectors_by_name(self) -> None:
         model = burnish.load_robot("arm7").model
         names = [f"joint_{k}" for k in (7, 6, 5, 4, 3, 2, 1)]
         order = burnish.JointOrder(model, names)
@@ -279,7 +279,7 @@ class TestDescriptions:
         with pytest.raises(burnish.Error, match="did you mean 'joint_1'"):
             burnish.JointOrder(model, ["jiont_1"])
 
-    def test_keep_shapes_to_draw(self) -> None:
+    def test_visual_shapes_are_kept(self) -> None:
         tree = two_links(joint(JointType.FIXED))
         shapes = [burnish.BoxShape([1.0, 2.0, 3.0]), burnish.CylinderShape(0.5, 2.0),
                   burnish.SphereShape(0.25), burnish.MeshShape("part.stl", [1.0, 1.0, 2.0])]
@@ -288,7 +288,7 @@ class TestDescriptions:
 
 
 class TestConfigurations:
-    def test_integrate_and_difference_undo_each_other_for_one_state_and_for_rows(self) -> None:
+    def test_difference_inverts_integrate_for_one_state_and_rows(self) -> None:
         model = TALOS.model
         q = burnish.random_configuration(model, seed=3, count=5)
         dq = np.random.default_rng(1).uniform(-1.0, 1.0, (5, model.nv))
@@ -306,7 +306,7 @@ class TestConfigurations:
                    for h in step]
         np.testing.assert_allclose(burnish.tangent_map(model, q), np.transpose(columns), atol=1e-8)
 
-    def test_random_ones_depend_on_the_seed_alone_and_keep_the_limits(self) -> None:
+    def test_random_configurations_depend_on_the_seed_and_keep_limits(self) -> None:
         model = ARM.model
         rows = burnish.random_configuration(model, seed=7, count=20)
         np.testing.assert_array_equal(rows, burnish.random_configuration(model, 7, 20))
@@ -317,7 +317,7 @@ class TestConfigurations:
         with pytest.raises(burnish.Error, match="count is -1"):
             burnish.random_configuration(model, 7, -1)
 
-    def test_checks_name_the_argument_and_the_entry(self) -> None:
+    def test_failed_check_names_the_argument(self) -> None:
         model = TALOS.model
         q = model.q_neutral
         burnish.check_configuration(model, q)
@@ -332,10 +332,10 @@ class TestConfigurations:
             burnish.check_tangent(model, v, argument="v_start")
         with pytest.raises(burnish.Error):
             burnish.integrate(model, q, np.zeros(3))
-        with pytest.raises(burnish.Error, match="same number of rows"):
+        with pytest.raises(burnish.Error, match="equal numbers of rows"):
             burnish.integrate(model, np.zeros((2, model.nq)), np.zeros((3, model.nv)))
 
-    def test_placements_are_those_of_urdf(self) -> None:
+    def test_placement_matches_the_conventions_of_urdf(self) -> None:
         X = burnish.model.placement([1.0, 2.0, 3.0], [0.1, 0.2, 0.3])
         text = ('<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed">'
                 '<parent link="a"/><child link="b"/><origin xyz="1 2 3" rpy="0.1 0.2 0.3"/></joint>'
@@ -344,16 +344,16 @@ class TestConfigurations:
 
 
 class TestFrames:
-    def test_placements_are_in_the_order_of_the_frames(self) -> None:
+    def test_frame_placements_are_in_the_order_of_frames(self) -> None:
         model, q = TALOS.model, TALOS.reference_configuration()
-        all_of_them = burnish.frame_placements(model, q)
-        assert all_of_them.shape == (len(model.frames), 4, 4)
+        placements = burnish.frame_placements(model, q)
+        assert placements.shape == (len(model.frames), 4, 4)
         for name in ("left_sole_link", "right_sole_link"):
-            np.testing.assert_array_equal(all_of_them[model.frame_index(name)],
+            np.testing.assert_array_equal(placements[model.frame_index(name)],
                                           burnish.frame_placement(model, q, name))
         np.testing.assert_array_equal(burnish.frame_placement(model, q, "world"), np.eye(4))
 
-    def test_that_there_are_not_are_refused(self) -> None:
+    def test_unknown_frame_raises_with_the_nearest(self) -> None:
         q = ARM.posture("tilt_45")
         with pytest.raises(burnish.Error, match="did you mean 'tool'"):
             burnish.frame_placement(ARM.model, q, "tol")
@@ -362,7 +362,7 @@ class TestFrames:
         assert ARM.model.has_frame("tool") and not ARM.model.has_frame("tol")
 
 
-def test_robots_are_equal_if_everything_of_them_is() -> None:
+def test_robots_with_equal_contents_are_equal() -> None:
     again = burnish.load_robot("talos:right_arm")
     assert again == ARM and again.model == ARM.model == copy.deepcopy(ARM.model)
     assert ARM.model != TALOS.model and ARM != TALOS and ARM.model != "right_arm"

@@ -1,4 +1,4 @@
-"""Model predictive control through Python."""
+"""Model predictive control from Python."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TILTED = [0.2, -0.1, 1.0]
 
 
 class Press:
-    """The arm comes down on a board and presses: what a test needs to change is an entry."""
+    """Arm that approaches a board and presses; attributes hold the parts that tests change."""
 
     def __init__(self, solver=None):
         self.robot = burnish.load_robot("arm7")
@@ -53,7 +53,7 @@ class Press:
             schedule=[SchedulePhase("approach", "approach", 0.15, until="contact"),
                       SchedulePhase("press", "press")],
             task=burnish.PressingTask([Touch.DUE, Touch.WANTED], self.target),
-            normal_world=TILTED,
+            normal_base=TILTED,
             tick_period=1e-3,
             update_period=5e-3,
             model_error=burnish.ModelErrorOptions(bandwidth=100.0),
@@ -85,12 +85,12 @@ def press():
 
 
 def rows(loop):
-    """All that does not hang on the clock on the wall."""
+    """Returns all columns of the trace except measured times."""
     array = loop.trace.array()
     return {name: array[name].tobytes() for name in loop.trace.columns if name != "solve_time"}
 
 
-def test_it_presses_and_gives_the_same_bits_again(press):
+def test_press_reaches_the_force_and_repeats_the_same_bits(press):
     loop = press.loop()
     assert loop.run(0.6) == Status.OK
     controller = loop.controller
@@ -107,7 +107,7 @@ def test_it_presses_and_gives_the_same_bits_again(press):
     assert rows(other) == first
 
 
-def test_what_it_knows_can_be_asked(press):
+def test_controller_exposes_plan_feedback_and_estimates(press):
     loop = press.loop()
     loop.run(0.5)
     controller = loop.controller
@@ -115,7 +115,7 @@ def test_what_it_knows_can_be_asked(press):
     feedback = controller.feedback()
     assert feedback.feedforward.shape == (7,) and feedback.gain.shape == (7, 14)
     assert feedback.state.shape == (14,) and np.any(feedback.gain != 0.0)
-    # The command is that policy at the measured state, which is near the plan's.
+    # The command is this policy at the measured state, which is near the planned one.
     x = np.concatenate([loop.measurement.q, loop.measurement.v])
     policy = feedback.feedforward + feedback.gain @ (x - feedback.state)
     assert np.allclose(policy, loop.command.tau, atol=1e-9)
@@ -124,14 +124,14 @@ def test_what_it_knows_can_be_asked(press):
     assert 0.1 < np.abs(controller.torque_error).max() < 5.0 and controller.force_error == 0.0
     costs = controller.plan_costs(0)
     assert list(costs) == ["state", "control", "frame position", "contact force"]
-    assert controller.problem.term_names(0)[-1] == "frame velocity", "of its horizon as specified"
+    assert controller.problem.term_names(0)[-1] == "frame velocity", "the specified horizon starts with the approach"
     assert all(cost >= 0.0 for cost in costs.values())
     with pytest.raises(burnish.Error, match="knot 21"):
         controller.plan_costs(21)
     schedule = controller.schedule
     assert schedule.phase == 1 and schedule.phases == press.spec.schedule
     schedule.reset()
-    assert controller.schedule.phase == 1, "it was a copy"
+    assert controller.schedule.phase == 1, "a copy must not change"
     assert controller.spec.update_period == 5e-3
     assert controller.spec.task.target == press.target
     assert controller.spec.problem.stages[1].contacts == ["board"]
@@ -139,7 +139,7 @@ def test_what_it_knows_can_be_asked(press):
     assert controller.schedule.time == 0.0
 
 
-def test_ticks_can_be_made_by_hand(press):
+def test_tick_matches_the_command_of_the_loop(press):
     controller = burnish.MpcController(press.spec)
     loop = press.loop()
     loop.step()
@@ -151,7 +151,7 @@ def test_ticks_can_be_made_by_hand(press):
     assert again.status != Status.OK and np.all(np.isfinite(again.tau))
 
 
-def test_a_fault_is_reported_and_pickled(press):
+def test_fault_is_reported_and_pickles_unchanged(press):
     press.spec.task.limits.force = 3.0
     loop = press.loop()
     loop.run(0.5)
@@ -163,7 +163,7 @@ def test_a_fault_is_reported_and_pickled(press):
     back = pickle.loads(pickle.dumps(fault))
     assert back == fault and copy.deepcopy(fault) == fault
     loop.controller.reset()
-    assert len(record) > 50, "it was a copy"
+    assert len(record) > 50, "a copy must not change"
     assert loop.controller.fault().kind == FaultKind.NONE
 
 
@@ -171,7 +171,7 @@ class Broken(Exception):
     pass
 
 
-def test_what_a_target_raises_comes_out_and_ends_the_run(press):
+def test_exception_in_target_ends_the_run(press):
     def target(t):
         if t > 0.1:
             raise Broken("no such target")
@@ -190,8 +190,8 @@ def test_what_a_target_raises_comes_out_and_ends_the_run(press):
 
 
 @pytest.mark.parametrize("threads", [1, 2])
-def test_what_a_signal_or_residual_raises_fails_the_update(press, threads):
-    """The run may go on: the last plan bridges it until the limits say otherwise."""
+def test_exception_in_residual_fails_the_update(press, threads):
+    """The run may continue: the last plan bridges failed updates until a fault."""
 
     class Throwing:
         rows = 1
@@ -215,11 +215,11 @@ def test_what_a_signal_or_residual_raises_fails_the_update(press, threads):
         assert loop.plant.time < 1.0
     assert raised >= press.spec.limits.failed_solves
     assert loop.controller.fault().kind == FaultKind.SOLVER_FAILED
-    assert 0.1 < loop.controller.fault().time < 0.2  # when the horizon's end came near 0.3
-    assert loop.run(0.1) == Status.OK, "held by the fallback"
+    assert 0.1 < loop.controller.fault().time < 0.2  # when the end of the horizon approaches 0.3 s
+    assert loop.run(0.1) == Status.OK, "the fallback must keep the robot in place"
 
 
-def test_what_a_signal_raises_at_the_first_solve(press):
+def test_exception_in_signal_at_the_first_solve_reaches_the_caller(press):
     class Wild:
         calls = 0
 
@@ -238,35 +238,35 @@ def test_what_a_signal_raises_at_the_first_solve(press):
         press.loop().run(1.0)
 
 
-def test_what_a_target_gives_that_does_not_fit_is_said(press):
+def test_target_of_wrong_type_raises_with_its_value(press):
     press.spec.task.target = lambda t: 3.0
-    with pytest.raises(burnish.Error, match="gave 3.0 at 0.0 s; wanted is a TaskTarget"):
+    with pytest.raises(burnish.Error, match="gave 3.0 at 0.0 s; wanted a TaskTarget"):
         press.loop().run(0.1)
     press.spec.task.target = 3.0
-    with pytest.raises(burnish.Error, match=r"PressingTask.target: got 3.0, wanted Callable"):
+    with pytest.raises(burnish.Error, match=r"PressingTask.target: got 3.0; wanted Callable"):
         burnish.MpcController(press.spec)
 
 
-def test_specifications_that_do_not_fit_are_refused(press):
+def test_invalid_spec_raises_with_the_reason(press):
     for changes, sentence in (
-        ({"task": press.spec.task.replace(target=None)}, "no target"),
-        ({"task": press.spec.task.replace(touch=[])}, "0 entries for a schedule of 2 phases"),
-        ({"task": None}, "waits for 'contact', which is no event of its task"),
-        ({"update_period": 7.5e-4}, "multiple of the tick"),
+        ({"task": press.spec.task.replace(target=None)}, "target is empty"),
+        ({"task": press.spec.task.replace(touch=[])}, "0 entries; wanted 2"),
+        ({"task": None}, "waits for 'contact', which is not an event of its task"),
+        ({"update_period": 7.5e-4}, "multiple of tick_period"),
         ({"tool": "tol"}, "did you mean 'tool'"),
         ({"schedule": [], "task": None}, "no phases"),
-        ({"solver_delay": 1.0}, "solver delay"),
-        ({"normal_world": [0, 0, 0]}, "normal"),
+        ({"solver_delay": 1.0}, "solver_delay is 1 s"),
+        ({"normal_base": [0, 0, 0]}, "normal"),
     ):
         with pytest.raises(burnish.Error, match=sentence):
             burnish.MpcController(press.spec.replace(**changes))
-    with pytest.raises(burnish.Error, match="MpcSpec.tick_period: got 'fast', wanted a number"):
+    with pytest.raises(burnish.Error, match="MpcSpec.tick_period: got 'fast'; wanted a number"):
         burnish.MpcController(press.spec.replace(tick_period="fast"))
     with pytest.raises(burnish.Error, match="SafetyLimits.bad: got None"):
         burnish.MpcController(press.spec.replace(limits=burnish.SafetyLimits(bad=None)))
 
 
-def test_a_plant_in_python_gives_the_same_bits(press):
+def test_python_plant_gives_the_same_bits(press):
     class Wrapped(burnish.Plant):
         def __init__(self, inner):
             self.inner = inner
@@ -289,12 +289,12 @@ def test_a_plant_in_python_gives_the_same_bits(press):
     assert rows(ours) == rows(theirs) and ours.trace["in_contact"].any()
 
 
-def test_a_loop_keeps_what_it_drives_alive(press):
+def test_loop_keeps_plant_and_controller_alive(press):
     loop = press.loop()
     loop.run(0.01)
     expected = press.loop()
     expected.run(0.02)
-    del press  # plant and controller have no other name anyway
+    del press  # the loop has the only references to its plant and controller
     loop.run(0.01)
     assert rows(loop) == rows(expected)
 
@@ -308,7 +308,7 @@ def test_ctrl_c_ends_a_run(press):
     timer.join()
 
 
-def test_a_schedule_waits_for_contact():
+def test_schedule_waits_for_contact():
     schedule = burnish.Schedule([
         SchedulePhase("near", "a", 0.5, until="contact", hold=0.1),
         SchedulePhase("far", "b")])
@@ -331,8 +331,8 @@ def test_a_schedule_waits_for_contact():
             schedule.start_of(index)
 
 
-def test_an_observer_finds_a_constant_torque(press):
-    """At rest, held by weight plus 2 Nm too much at a joint: those are the error."""
+def test_observer_estimates_a_constant_torque_error(press):
+    """At rest with the gravity torque plus 2 Nm at one joint, the estimated error is -2 Nm there."""
     model, q = press.robot.model, press.q
     observer = burnish.TorqueErrorObserver(
         model, options=burnish.ModelErrorOptions(bandwidth=50.0))
@@ -354,7 +354,7 @@ def test_an_observer_finds_a_constant_torque(press):
         burnish.TorqueErrorObserver(model, options=burnish.ModelErrorOptions(bandwidth=-1.0))
 
 
-def test_a_plan_is_a_controller_between_two_solves(press):
+def test_feedback_plan_interpolates_states_and_applies_gains(press):
     problem = burnish.Problem(press.spec.problem)
     solver = burnish.DdpSolver(problem, press.spec.solver.replace(max_iterations=50))
     plan = burnish.FeedbackPlan(problem, 5, 0.01)

@@ -1,4 +1,4 @@
-"""Problems in Python: specifications, knots, trajectories, the checker."""
+"""Optimal control problems in Python: specifications, knots, trajectories, the checker."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_specs_round_trip_through_a_problem(robot):
     np.testing.assert_array_equal(back.control_lower, [-10.0])
 
 
-def test_specs_are_copied_and_pickled(robot):
+def test_copied_or_pickled_specs_give_the_same_values(robot):
     spec = spec_of(robot, [*base_costs(), bn.CostTerm(residual.custom(Tool([0.5, 0.0, 0.3])), 5.0)])
     problem = bn.Problem(spec)
     xs, us = random_trajectory(problem)
@@ -52,7 +52,7 @@ def test_specs_are_copied_and_pickled(robot):
     assert spec.stages[0].costs[0].weight == 0.1 and other.stages[0] != spec.stages[0]
 
 
-def test_names_that_there_are_not_are_answered_with_the_nearest(robot):
+def test_unknown_names_raise_errors_with_the_nearest_name(robot):
     def compile_with(**entries):
         return bn.Problem(spec_of(robot, base_costs()).replace(**entries))
 
@@ -64,7 +64,7 @@ def test_names_that_there_are_not_are_answered_with_the_nearest(robot):
         spec_of(robot, []).horizn = []
     with pytest.raises(bn.Error, match="Stage.integrator: |there is no 'runge_kuta4'; did you mean 'runge_kutta4'"):
         compile_with(stages=[bn.Stage("move", integrator="runge_kuta4", costs=base_costs())])
-    with pytest.raises(bn.Error, match="CostTerm.residual: got 3, wanted"):
+    with pytest.raises(bn.Error, match="CostTerm.residual: got 3; wanted"):
         compile_with(terminal=[bn.CostTerm(3)])
     with pytest.raises(bn.Error, match="ProblemSpec.model: got .*wanted a Model"):
         compile_with(model=robot)
@@ -75,12 +75,12 @@ def test_names_that_there_are_not_are_answered_with_the_nearest(robot):
         problem.advance("moving")
 
 
-def test_a_position_is_in_the_world_unless_said():
+def test_frame_position_without_reference_is_in_world_axes():
     assert residual.FramePosition().reference.name == residual.FrameDistance().reference.name == "world"
     assert residual.FrameVelocity().reference.name == "centered"
 
 
-def test_a_distance_is_what_numpy_makes_of_it(robot):
+def test_frame_distance_matches_numpy(robot):
     tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
     point = np.array([0.1, -0.2, 0.3])
 
@@ -92,7 +92,7 @@ def test_a_distance_is_what_numpy_makes_of_it(robot):
     assert distance(directions="x,z") == pytest.approx(np.hypot(*(tool - point)[[0, 2]]))
 
 
-def test_support_polygons_are_lists_of_points(robot):
+def test_support_margin_takes_lists_of_points(robot):
     points = [[-1.0, -1.0], [1.0, -1.0], [0.0, 2.0]]
     spec = spec_of(robot, [*base_costs(), bn.CostTerm(residual.SupportMargin(np.array(points)), name="balance")])
     problem = bn.Problem(spec)
@@ -102,7 +102,7 @@ def test_support_polygons_are_lists_of_points(robot):
         one_term(robot, residual.SupportMargin([1.0, 2.0, 3.0]))
 
 
-def test_places_that_there_are_not_are_refused(robot):
+def test_invalid_knots_terms_and_shapes_raise(robot):
     problem = bn.Problem(spec_of(robot, base_costs()))
     x, u = problem.initial_state, np.zeros(7)
     with pytest.raises(bn.Error, match="Problem.time_of: knot 7; wanted 0 to 6"):
@@ -111,9 +111,9 @@ def test_places_that_there_are_not_are_refused(robot):
         problem.residual(0, 2, x, u)
     with pytest.raises(bn.Error, match="Problem.roll: x has 3 entries; wanted 14"):
         problem.roll(0, np.zeros(3), u)
-    with pytest.raises(bn.Error, match="Problem.roll: u is missing; wanted are 7"):
+    with pytest.raises(bn.Error, match="Problem.roll: u is missing; wanted 7"):
         problem.roll(0, x)
-    with pytest.raises(bn.Error, match=r"evaluate: us has the shape \(5, 7\); wanted is \(6, 7\)"):
+    with pytest.raises(bn.Error, match=r"evaluate: us has the shape \(5, 7\); wanted \(6, 7\)"):
         problem.evaluate(np.zeros((7, 14)), np.zeros((5, 7)))
     with pytest.raises(bn.Error, match="evaluate: threads is 0; wanted at least 1"):
         problem.evaluate(np.zeros((7, 14)), np.zeros((6, 7)), threads=0)
@@ -125,7 +125,7 @@ def test_places_that_there_are_not_are_refused(robot):
         problem.set_initial_state(np.full(14, math.nan))
 
 
-def test_knots_have_steps_of_their_own(robot):
+def test_horizon_knots_have_individual_steps(robot):
     spec = spec_of(robot, base_costs())
     spec = spec.replace(horizon=[bn.HorizonSegment("move", 2), bn.HorizonSegment("move", 4, 0.01, 0.15)])
     problem = bn.Problem(spec)
@@ -141,7 +141,7 @@ def test_knots_have_steps_of_their_own(robot):
         bn.Problem(spec.replace(horizon=[bn.HorizonSegment("move", 4, duration=9)]))
 
 
-def test_a_problem_says_what_it_is(robot):
+def test_problem_reports_its_sizes_and_names(robot):
     problem = bn.Problem(spec_of(robot, base_costs(), terminal=[bn.CostTerm(residual.State(), 3.0)]))
     assert (problem.knots, problem.nx, problem.ndx, problem.max_controls) == (6, 14, 14, 7)
     assert problem.stage_names == ["move", "terminal"] and problem.stage_index("terminal") == 1
@@ -158,7 +158,7 @@ def test_a_problem_says_what_it_is(robot):
 
 @pytest.mark.parametrize(
     ("model", "acts"), [(bn.TorqueModel(30.0), True), (bn.TorqueModel(discretization="held"), False)])
-def test_a_layout_says_whether_the_torques_in_the_state_act(robot, model, acts):
+def test_layout_reports_whether_torque_states_act(robot, model, acts):
     spec = spec_of(robot, base_costs(), torque_model=model)
     spec.initial_state = np.concatenate([spec.initial_state, np.zeros(7)])
     layout = bn.Problem(spec).layout
@@ -166,15 +166,15 @@ def test_a_layout_says_whether_the_torques_in_the_state_act(robot, model, acts):
     assert layout.holds_torque is not acts and layout.acts_from_state is acts
 
 
-def test_a_layout_has_the_forces_that_are_remembered(robot):
+def test_layout_with_force_states_has_their_column(robot):
     contact = bn.ContactSpec("pad", tool="tool", directions="z")
-    spec = spec_of(robot, base_costs(), contacts=[contact], remembered_forces=["pad"])
+    spec = spec_of(robot, base_costs(), contacts=[contact], force_states=["pad"])
     spec.stages[0].contacts = ["pad"]
     spec.stages[0].costs.append(bn.CostTerm(residual.ContactForceRate("pad", 5.0), name="rate"))
     spec.initial_state = np.append(spec.initial_state, 3.0)
     problem = bn.Problem(spec)
     layout = problem.layout
-    assert (layout.nx, layout.ndx, layout.remembered, layout.column_force) == (15, 15, 1, 21)
+    assert (layout.nx, layout.ndx, layout.force_states, layout.column_force) == (15, 15, 1, 21)
     assert problem.state_names[-1] == "force pad/z"
     u = np.ones(7)
     next_state, _ = problem.roll(0, spec.initial_state, u)
@@ -184,7 +184,7 @@ def test_a_layout_has_the_forces_that_are_remembered(robot):
     assert rate[0] == pytest.approx((force[0] - 3.0) / 0.01 - 5.0, rel=1e-9)
 
 
-def test_trajectories_are_evaluated_as_knots_are(robot):
+def test_evaluate_trajectory_matches_single_knots(robot):
     spec = spec_of(robot, base_costs(), knots=11, terminal=[bn.CostTerm(residual.State(), 3.0)])
     problem = bn.Problem(spec)
     xs, us = random_trajectory(problem)
@@ -206,7 +206,7 @@ def test_trajectories_are_evaluated_as_knots_are(robot):
     np.testing.assert_array_equal(fortran.costs, values.costs)
 
 
-def test_a_knot_that_cannot_be_evaluated_says_so(robot):
+def test_evaluate_nan_knot_reports_status_and_term(robot):
     term = bn.CostTerm(residual.Custom("mine", 1, value=lambda at: math.nan if at.time > 0.035 else 0.0))
     problem = bn.Problem(spec_of(robot, [*base_costs(), term]))
     xs, us = random_trajectory(problem)
@@ -218,7 +218,7 @@ def test_a_knot_that_cannot_be_evaluated_says_so(robot):
 
 
 @pytest.mark.parametrize("kind", ["arm", "torque model", "runge-kutta", "quadruped"])
-def test_expansions_are_derivatives(kind):
+def test_expand_matches_finite_differences(kind):
     robot = bn.load_robot("quadruped" if kind == "quadruped" else "arm7")
     model = robot.model
     x = np.concatenate([robot.reference_configuration(), np.zeros(model.nv)])
@@ -256,7 +256,7 @@ def test_expansions_are_derivatives(kind):
     assert np.linalg.eigvalsh(e.hessians[0]).min() > -1e-9
 
 
-def test_states_are_integrated_one_by_one_or_in_rows():
+def test_integrate_single_state_matches_rows():
     robot = bn.load_robot("quadruped")
     problem = bn.Problem(bn.ProblemSpec(
         robot.model, initial_state=at_rest(robot), stages=[bn.Stage("move", costs=base_costs())],
@@ -268,27 +268,27 @@ def test_states_are_integrated_one_by_one_or_in_rows():
     np.testing.assert_allclose(problem.difference(np.tile(x, (5, 1)), moved), dx, atol=1e-12)
     with pytest.raises(bn.Error, match="a row of the second has 3 entries"):
         problem.integrate(x, [1.0, 2.0, 3.0])
-    with pytest.raises(bn.Error, match="same number of rows"):
+    with pytest.raises(bn.Error, match="equal numbers of rows"):
         problem.integrate(x, dx)
 
 
-def test_quasi_static_controls_hold_a_state(robot):
+def test_quasi_static_control_keeps_the_state(robot):
     problem = bn.Problem(spec_of(robot, base_costs()))
-    held = problem.quasi_static("move", problem.initial_state)
-    assert held.residual < 1e-9 and held.force.shape == (0,)
-    next_state, _ = problem.roll(0, problem.initial_state, held.control)
+    statics = problem.quasi_static("move", problem.initial_state)
+    assert statics.residual < 1e-9 and statics.force.shape == (0,)
+    next_state, _ = problem.roll(0, problem.initial_state, statics.control)
     np.testing.assert_allclose(next_state, problem.initial_state, atol=1e-12)
-    problem.set_torque_bias(held.control)
+    problem.set_torque_bias(statics.control)
     np.testing.assert_allclose(problem.quasi_static(0, problem.initial_state).control, 0.0, atol=1e-9)
 
 
-def test_complaints_are_sentences(robot):
+def test_complaints_name_an_unreachable_target(robot):
     assert bn.complaints(bn.Problem(spec_of(robot, base_costs()))) == []
     far = spec_of(robot, [bn.CostTerm(residual.FramePosition("tool", [9.0, 0.0, 0.0]))])
     assert any("tool" in sentence for sentence in bn.complaints(bn.Problem(far)))
 
 
-def test_steps_that_are_too_coarse_are_a_sentence(robot):
+def test_check_steps_with_a_coarse_step_gives_a_warning(robot):
     def report_of(step):
         spec = spec_of(robot, base_costs(), knots=3)
         spec.stages[0].step = step
@@ -302,21 +302,21 @@ def test_steps_that_are_too_coarse_are_a_sentence(robot):
 
     fine, coarse = report_of(0.001), report_of(0.3)
     assert fine.status == bn.Status.OK and not fine.coarse and fine.warning() == ""
-    assert fine.position.unit == "rad" and fine.velocity.unit == "rad/s" and "off" in fine.text()
+    assert fine.position.unit == "rad" and fine.velocity.unit == "rad/s" and "largest error" in fine.text()
     assert coarse.coarse and coarse.position.error > coarse.position.limit
-    assert "too coarse" in coarse.warning() and 0.0 < coarse.step_enough < 0.3
+    assert "too coarse" in coarse.warning() and 0.0 < coarse.sufficient_step < 0.3
     with pytest.raises(bn.Error, match="check_steps: xs is 2 x"):
         problem = bn.Problem(spec_of(robot, base_costs()))
         bn.check_steps(problem, np.zeros((2, 14)), np.zeros((6, 7)))
 
 
-def over_a_ball(robot, below=0.4):
-    """A contact that follows a ball, whose top is `below` m under the tool, and costs that do."""
+def above_a_sphere(robot, below=0.4):
+    """Returns a problem with a contact and costs that follow a sphere, its top `below` the tool [m]."""
     tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
     ball = bn.Quadric.sphere(tool - [0.0, 0.0, 0.3 + below], 0.3)
     on = bn.Reference.on(ball, tool)
     costs = [bn.CostTerm(residual.FrameHeight("tool", on), name="height"),
-             bn.CostTerm(residual.FrameInclination("tool", on, axis=[0, 0, 1]), name="lean"),
+             bn.CostTerm(residual.FrameInclination("tool", on, axis=[0, 0, 1]), name="incline"),
              bn.CostTerm(residual.FrameRotation("tool", [0, 0, 0, 1], on), name="turn")]
     spec = spec_of(robot, costs)
     spec.contacts = [bn.ContactSpec("pad", tool="tool", directions="z", reference=on)]
@@ -324,11 +324,11 @@ def over_a_ball(robot, below=0.4):
     return spec
 
 
-def test_costs_and_contacts_follow_surfaces_that_knots_are_given(robot):
-    problem = bn.Problem(over_a_ball(robot))
+def test_set_surface_changes_costs_and_contacts_of_a_knot(robot):
+    problem = bn.Problem(above_a_sphere(robot))
     x, u = at_rest(robot), np.zeros(7)
     np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.4], atol=1e-12)
-    assert problem.residual(2, "lean", x, u).shape == (2,) and problem.residual(2, "turn", x, u).shape == (3,)
+    assert problem.residual(2, "incline", x, u).shape == (2,) and problem.residual(2, "turn", x, u).shape == (3,)
     tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
     problem.set_term_surface(2, "height", bn.Quadric.plane(tool - [0.0, 0.0, 0.1], [0, 0, 1]))
     np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.1], atol=1e-12)
@@ -339,20 +339,20 @@ def test_costs_and_contacts_follow_surfaces_that_knots_are_given(robot):
     with pytest.raises(bn.Error, match="unknown contact 'pd'; did you mean 'pad'"):
         problem.set_surface(2, "pd", plane)
     flat = bn.Problem(spec_of(robot, base_costs()))
-    with pytest.raises(bn.Error, match="follows no surface"):
+    with pytest.raises(bn.Error, match="has no curved surface"):
         flat.set_term_surface(0, 0, plane)
-    with pytest.raises(bn.Error, match="follows no surface to be above"):
+    with pytest.raises(bn.Error, match="has no curved surface"):
         one_term(robot, residual.FrameHeight("tool"))
 
 
-def test_a_start_off_its_surface_is_a_complaint(robot):
-    assert bn.complaints(bn.Problem(over_a_ball(robot, 0.0))) == []
-    off = bn.complaints(bn.Problem(over_a_ball(robot, 0.02)))
-    assert len(off) == 1 and "0.02 m above the surface that contact 'pad' follows" in off[0], off
-    assert "m below the surface" in bn.complaints(bn.Problem(over_a_ball(robot, -0.01)))[0]
+def test_complaints_with_a_start_off_its_surface_name_the_distance(robot):
+    assert bn.complaints(bn.Problem(above_a_sphere(robot, 0.0))) == []
+    off = bn.complaints(bn.Problem(above_a_sphere(robot, 0.02)))
+    assert len(off) == 1 and "0.02 m above the surface of contact 'pad'" in off[0], off
+    assert "m below the surface" in bn.complaints(bn.Problem(above_a_sphere(robot, -0.01)))[0]
 
 
-def test_the_check_reports_progress_and_lets_exceptions_through(robot):
+def test_check_problem_reports_progress_and_passes_exceptions_on(robot):
     problem = bn.Problem(spec_of(robot, base_costs()))
     calls = []
     bn.check_problem(problem, bn.ProblemCheckOptions(progress=lambda done, total: calls.append((done, total))))
@@ -367,7 +367,7 @@ def test_the_check_reports_progress_and_lets_exceptions_through(robot):
         bn.check_problem(problem, bn.ProblemCheckOptions(states=0))
 
 
-def test_one_problem_is_used_by_one_thread(robot):
+def test_problem_in_use_by_one_thread_refuses_another(robot):
     inside, go_on = threading.Event(), threading.Event()
 
     def value(at):
@@ -392,7 +392,7 @@ def test_one_problem_is_used_by_one_thread(robot):
     problem.evaluate(xs, us)
 
 
-def test_constraints_have_rows_with_limits_and_a_report(robot):
+def test_constraints_give_rows_with_limits_and_a_report(robot):
     spec = spec_of(robot, base_costs())
     spec.stages[0].constraints = [
         bn.ocp.Constraint(residual.JointVelocity(), name="slowly", lower=-0.5, upper=0.5)]
@@ -407,7 +407,7 @@ def test_constraints_have_rows_with_limits_and_a_report(robot):
     np.testing.assert_allclose(problem.row_values(0, x, np.zeros(robot.model.nv)), 0.25)
     solver = bn.DdpSolver(problem)
     summary = solver.solve()
-    assert summary.reason == bn.StopReason.CONVERGED and summary.outside_knot == -1
+    assert summary.reason == bn.StopReason.CONVERGED and summary.violation_knot == -1
     assert np.abs(solver.xs[:, -robot.model.nv:]).max() <= 0.5 * (1 + 1e-6)
     assert np.abs(solver.xs[-1, -robot.model.nv:]).max() <= 1e-6 * max(robot.model.velocity_limit)
     report = solver.cost_report()

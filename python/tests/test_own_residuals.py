@@ -1,4 +1,4 @@
-"""Costs that are written in Python."""
+"""Custom residuals written in Python."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from burnish import residual
 
 
 class Apart:
-    """Vector between two frames, m, and the speed of the first one; uses q and v."""
+    """Vector between two frames [m] and the velocity of the first one; uses q and v."""
 
     name = "apart"
     rows = 6
@@ -28,7 +28,7 @@ class ToolByDifferences(Tool):
     jacobian = None
 
 
-def test_own_residuals_agree_with_the_built_in_one(robot):
+def test_custom_residual_matches_the_built_in_one(robot):
     goal = [0.5, -0.1, 0.3]
     expansions = []
     for reach in (
@@ -46,7 +46,7 @@ def test_own_residuals_agree_with_the_built_in_one(robot):
     np.testing.assert_allclose(differences.gradients, built_in.gradients, rtol=1e-7, atol=1e-8)
 
 
-def test_the_checker_finds_a_wrong_derivative(robot):
+def test_check_problem_finds_a_wrong_derivative(robot):
     class Wrong(Tool):
         def jacobian(self, at):
             return 1.01 * super().jacobian(at)
@@ -60,7 +60,7 @@ def test_the_checker_finds_a_wrong_derivative(robot):
     assert "reach" in report.text()
 
 
-def test_own_residuals_of_forces_have_derivatives():
+def test_custom_force_residual_matches_the_built_in_one():
     robot = bn.load_robot("arm7")
     contact = bn.ContactSpec("pad", tool="tool", directions="z").with_gains(0.0, 50.0)
 
@@ -95,7 +95,7 @@ def test_own_residuals_of_forces_have_derivatives():
     assert own.acceleration(0, xs[0], us[0]).shape == (7,)
 
 
-def test_a_node_is_seen_as_it_is(robot):
+def test_node_view_gives_the_values_of_its_node(robot):
     seen = {}
 
     def value(at):
@@ -122,31 +122,31 @@ def ask(problem, knot=0):
     return problem.residual(knot, 0, problem.initial_state, np.zeros(problem.max_controls))
 
 
-def test_what_own_residuals_do_wrong_is_said(robot):
-    def of(value, jacobian=None, **entries):
+def test_invalid_custom_residual_raises_with_the_reason(robot):
+    def custom(value, jacobian=None, **entries):
         entries.setdefault("rows", 2)
         return residual.Custom("mine", frames=["tool"], value=value, jacobian=jacobian, **entries)
 
-    with pytest.raises(bn.Error, match=r"residual 'mine': value gave an array of shape \(3,\); wanted is \(2,\)"):
-        ask(one_term(robot, of(lambda at: np.zeros(3))))
-    with pytest.raises(bn.Error, match="residual 'mine': value gave no numbers; wanted is"):
-        ask(one_term(robot, of(lambda at: None)))
-    problem = one_term(robot, of(lambda at: np.zeros(2), lambda at: np.zeros((2, 3))))
-    with pytest.raises(bn.Error, match=r"jacobian gave an array of shape \(2, 3\); wanted is \(2, 21\)"):
+    with pytest.raises(bn.Error, match=r"residual 'mine': value gave an array of shape \(3,\); wanted \(2,\)"):
+        ask(one_term(robot, custom(lambda at: np.zeros(3))))
+    with pytest.raises(bn.Error, match="residual 'mine': value gave no numbers; wanted"):
+        ask(one_term(robot, custom(lambda at: None)))
+    problem = one_term(robot, custom(lambda at: np.zeros(2), lambda at: np.zeros((2, 3))))
+    with pytest.raises(bn.Error, match=r"jacobian gave an array of shape \(2, 3\); wanted \(2, 21\)"):
         problem.residual_derivative(0, 0, problem.initial_state, np.zeros(7))
     with pytest.raises(bn.Error, match="it does not declare the frame 'tol'; did you mean 'tool'"):
-        ask(one_term(robot, of(lambda at: at.placement("tol")[:2, 3])))
+        ask(one_term(robot, custom(lambda at: at.placement("tol")[:2, 3])))
     with pytest.raises(bn.Error, match="there is no frame 1; it declares 1"):
-        ask(one_term(robot, of(lambda at: at.placement(1)[:2, 3])))
+        ask(one_term(robot, custom(lambda at: at.placement(1)[:2, 3])))
     with pytest.raises(bn.Error, match="value"):
         one_term(robot, residual.Custom("mine", 2))
-    with pytest.raises(bn.Error, match="Custom.jacobian: got 3, wanted a function of a NodeView, or None"):
-        one_term(robot, of(lambda at: 0.0, 3))
-    with pytest.raises(bn.Error, match="Custom.rows: got 'two', wanted a whole number"):
-        one_term(robot, of(lambda at: 0.0, rows="two"))
+    with pytest.raises(bn.Error, match="Custom.jacobian: got 3; wanted a function of a NodeView, or None"):
+        one_term(robot, custom(lambda at: 0.0, 3))
+    with pytest.raises(bn.Error, match="Custom.rows: got 'two'; wanted a whole number"):
+        one_term(robot, custom(lambda at: 0.0, rows="two"))
 
 
-def test_what_own_residuals_raise_is_raised(robot):
+def test_exception_in_a_custom_residual_reaches_the_caller(robot):
     class Mine(Exception):
         pass
 
@@ -167,7 +167,7 @@ def test_what_own_residuals_raise_is_raised(robot):
         assert caught.value.args == ("from inside", 42)
 
 
-def test_a_node_cannot_be_used_after_its_call(robot):
+def test_node_view_after_its_call_raises(robot):
     kept = []
 
     def value(at):
@@ -180,17 +180,17 @@ def test_a_node_cannot_be_used_after_its_call(robot):
             use(kept[-1])
 
 
-def test_derivatives_of_forces_are_for_jacobians(robot):
+def test_force_derivative_outside_jacobian_raises(robot):
     contact = bn.ContactSpec("pad", tool="tool", directions="z")
     spec = spec_of(robot, [bn.CostTerm(residual.Custom(
         "mine", 1, contacts=["pad"], value=lambda at: at.force_derivative("pad")[0, :1]))])
     spec.contacts = [contact]
     spec.stages[0].contacts = ["pad"]
-    with pytest.raises(bn.Error, match="only jacobian has it"):
+    with pytest.raises(bn.Error, match=r"only jacobian\(\) has it"):
         ask(bn.Problem(spec))
 
 
-def test_a_problem_keeps_functions_alive(robot):
+def test_problem_keeps_functions_alive(robot):
     def make():
         offset = np.array([1.0])
         return one_term(robot, residual.Custom("mine", 1, value=lambda at: at.q[:1] + offset))

@@ -1,4 +1,4 @@
-"""The package as a whole: its version, and the wheel that `pip install .` makes."""
+"""The whole package: version, imports, and the wheel that `pip install .` makes."""
 
 import ast
 import importlib.util
@@ -14,19 +14,19 @@ import pytest
 SOURCE = Path(__file__).resolve().parents[2]
 
 
-def said(*command, **environment):
+def output_of(*command, **environment):
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, env=environment or None)
     assert done.returncode == 0, done.stdout
     return done.stdout.strip()
 
 
-def test_version_is_the_projects():
+def test_version_matches_cmake():
     project = (SOURCE / "CMakeLists.txt").read_text()
     assert burnish.__version__ == re.search(r"project\(burnish VERSION ([0-9.]+)", project).group(1)
 
 
-def test_imports_are_those_of_others_and_then_its_own_in_order():
+def test_imports_are_external_first_then_own_in_order():
     for file in sorted((SOURCE / "python/burnish").rglob("*.py")):
         statements = ast.parse(file.read_text()).body
         imports = [each for each in statements if isinstance(each, (ast.Import, ast.ImportFrom))]
@@ -42,7 +42,7 @@ def files_below(folder):
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
-    """Of this build: `pip install .` makes its own in the same way."""
+    """Wheel of this build, made in the same way as by `pip install .`."""
     build = Path(os.environ.get("BURNISH_BUILD_DIR", "/nowhere"))
     if not (build / "CMakeCache.txt").is_file():
         pytest.skip("BURNISH_BUILD_DIR names no build")
@@ -58,20 +58,20 @@ def wheel(tmp_path_factory):
     return folder / builder.pack_wheel(build, folder)
 
 
-def test_wheel_brings_the_library_the_command_line_and_the_robots(wheel, tmp_path):
+def test_wheel_installs_library_command_line_and_robots(wheel, tmp_path):
     if importlib.util.find_spec("ensurepip") is None:
         pytest.skip("environments cannot be made: python3-venv is missing")
     place = tmp_path / "env"
-    said(sys.executable, "-m", "venv", "--system-site-packages", place)
+    output_of(sys.executable, "-m", "venv", "--system-site-packages", place)
     before = files_below(place)
     pip = place / "bin/pip"
-    said(pip, "install", "--no-index", "--no-deps", wheel)
+    output_of(pip, "install", "--no-index", "--no-deps", wheel)
 
-    # Nothing of this build's environment gets in.
+    # The environment of this build does not reach the installed package.
     version = burnish.__version__
     program = place / "bin/burnish"
-    assert said(program, "--version", PATH="/usr/bin:/bin") == f"burnish {version}"
-    assert "talos" in said(program, "show", "talos", PATH="/usr/bin:/bin")
+    assert output_of(program, "--version", PATH="/usr/bin:/bin") == f"burnish {version}"
+    assert "talos" in output_of(program, "show", "talos", PATH="/usr/bin:/bin")
     script = f"""
 import burnish, importlib.metadata
 from burnish import polishing
@@ -84,8 +84,8 @@ task = polishing.make_task("table", polish_duration=0.2)
 run = polishing.run_task(polishing.RunSpec(task=task, plant="ideal"))
 assert "trace.csv" in run.write("{tmp_path}/run")
 """
-    said(place / "bin/python", "-c", script, PATH="/usr/bin:/bin", PYTHONDONTWRITEBYTECODE="1")
+    output_of(place / "bin/python", "-c", script, PATH="/usr/bin:/bin", PYTHONDONTWRITEBYTECODE="1")
 
-    said(pip, "uninstall", "--yes", "burnish")
+    output_of(pip, "uninstall", "--yes", "burnish")
     left = files_below(place) - before
     assert not [path for path in left if path.is_file()], left

@@ -1,4 +1,4 @@
-"""Figures have the lines that they promise."""
+"""Plots: panels, lines, legends and files."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_forces_have_a_panel_per_surface_and_a_line_per_run(runs):
     assert axes[0].get_ylabel() == "normal force [N]" and axes[0].get_xlabel() == "time on the path [s]"
 
 
-def test_forces_are_those_of_the_trace(runs):
+def test_forces_match_the_trace(runs):
     result = runs["board, mpc"]
     axis = plot.forces(result)[0]
     assert labels(axis) == ["mean over 10 ms", "target"]
@@ -64,32 +64,32 @@ def test_forces_are_those_of_the_trace(runs):
     late = time > 0.35
     assert np.mean(drawn.get_ydata()[late]) == pytest.approx(30.0, abs=1.0)
     np.testing.assert_allclose(target.get_ydata()[late], 30.0)
-    force = -result.trace["tool_force_x_world"]  # out of the board
+    force = -result.trace["tool_force_x_world"]  # the normal points out of the board
     row = np.searchsorted(result.trace["time"], on_path[0] + 0.4)
     mean = force[row - 10:row + 10].mean()
     at = np.searchsorted(time, 0.4 - 1e-9)
     assert drawn.get_ydata()[at] == pytest.approx(mean, abs=1e-9)
 
 
-def test_estimated_forces_are_the_controllers_own(runs):
+def test_estimated_forces_match_the_trace(runs):
     result = runs["table, mpc"]
     drawn = line(plot.forces(result, estimated=True)[0], "estimated").get_ydata()
     shown = (result.trace["phase"] >= 2.0) & (result.trace["phase"] < 4.0)
     np.testing.assert_array_equal(drawn, result.trace["estimated_force_z_world"][shown])
 
 
-def test_paths_lie_on_what_is_asked_for_with_equal_scales(runs):
+def test_paths_are_near_the_target_with_equal_scales(runs):
     axes = plot.paths(runs)
-    assert len(axes) == 2 and legend(axes[0]) == ["table, mpc", "table, baseline", "asked for"]
+    assert len(axes) == 2 and legend(axes[0]) == ["table, mpc", "table, baseline", "target"]
     assert all(axis.get_aspect() == 1.0 for axis in axes)
-    asked, tool = line(axes[0], "asked for").get_xydata(), line(axes[0], "table, mpc").get_xydata()
-    assert np.max(np.hypot(*asked.T)) == pytest.approx(20.0, abs=0.1)
-    nearest = np.min(np.linalg.norm(tool[::20, None] - asked[None], axis=2), axis=1)
+    target, tool = line(axes[0], "target").get_xydata(), line(axes[0], "table, mpc").get_xydata()
+    assert np.max(np.hypot(*target.T)) == pytest.approx(20.0, abs=0.1)
+    nearest = np.min(np.linalg.norm(tool[::20, None] - target[None], axis=2), axis=1)
     assert 0.0 < np.max(nearest) < 1.5
     assert axes[1].get_xlabel() == "along (0, -1, 0) [mm]" and axes[1].get_ylabel() == "along (0, 0, 1) [mm]"
 
 
-def test_an_overview_has_force_path_torques_and_times(runs):
+def test_overview_has_force_path_torques_and_times(runs):
     axes = plot.overview(runs["table, mpc"])
     assert [axis.get_title() for axis in axes] == [
         "normal force", "path error", "joint torques", "computing time"]
@@ -102,13 +102,13 @@ def test_an_overview_has_force_path_torques_and_times(runs):
     assert without[3].get_legend() is None and "no plans" in without[3].texts[0].get_text()
 
 
-def test_given_axes_are_drawn_in_and_returned(runs):
+def test_given_axes_are_used_and_returned(runs):
     figure, axes = plt.subplots(1, 2)
     drawn = plot.forces(runs["table, mpc"], axes=axes[0])
     assert drawn[0] is axes[0] and not axes[1].get_lines()
     both = plot.paths(runs, axes=axes)
     assert list(both) == list(axes) and both[0].figure is figure
-    with pytest.raises(ValueError, match="given are 1 axes; wanted are 2"):
+    with pytest.raises(ValueError, match="axes has 1 entries; wanted 2"):
         plot.forces(runs, axes=axes[0])
 
 
@@ -117,20 +117,20 @@ def test_lines_of_runs_differ_in_colour(runs):
     assert len({l.get_color() for l in axis.get_lines() if l.get_linestyle() == "-"}) == 6
 
 
-def test_a_run_that_never_reached_its_path_is_drawn_too():
+def test_run_that_never_reached_its_path_is_drawn():
     stopped = polishing.run("table", plant="ideal", progress=lambda t, end: t < 0.2)
     for draw in (plot.forces, plot.paths, plot.overview):
         assert len(draw(stopped)) >= 1
 
 
-def test_figures_become_files(runs, tmp_path):
+def test_figures_are_saved_as_files(runs, tmp_path):
     for ending in ("png", "svg", "pdf"):
         file = tmp_path / f"force.{ending}"
         plot.forces(runs)[0].figure.savefig(file)
         assert file.stat().st_size > 5000
 
 
-def test_the_package_does_not_need_matplotlib():
+def test_package_imports_without_matplotlib():
     code = ("import sys; sys.modules['matplotlib'] = None; sys.modules['matplotlib.pyplot'] = None\n"
             "import burnish\n"
             "burnish.polishing.Task(); burnish.plot.PALETTE\n"
@@ -140,7 +140,7 @@ def test_the_package_does_not_need_matplotlib():
     assert "burnish.plot needs matplotlib" in done.stdout
 
 
-def test_a_solution_has_a_line_for_each_entry():
+def test_solution_has_a_line_per_entry():
     model = burnish.load_robot("arm7").model
     spec = burnish.ProblemSpec(
         model, initial_state=np.zeros(14),
@@ -157,5 +157,5 @@ def test_a_solution_has_a_line_for_each_entry():
     first = line(axes[1], problem.state_names[7])
     np.testing.assert_allclose(first.get_xdata(), [0.0, 0.05, 0.1, 0.15, 0.2])
     np.testing.assert_array_equal(first.get_ydata(), solver.xs[:, 7])
-    held = line(axes[2], problem.control_names[3])
-    np.testing.assert_array_equal(held.get_ydata()[:-1], solver.us[:, 3])
+    control = line(axes[2], problem.control_names[3])
+    np.testing.assert_array_equal(control.get_ydata()[:-1], solver.us[:, 3])

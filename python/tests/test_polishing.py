@@ -36,9 +36,9 @@ def baseline():
 
 
 class TestTasks:
-    def test_a_file_reads_back_as_the_task_was(self, tmp_path):
+    def test_written_file_reads_back_unchanged(self, tmp_path):
         task = polishing.make_task(
-            "tilt_45", seed=41, force=12.5, point_world=[0.3, -0.43, 1.0 / 3.0],
+            "tilt_45", seed=41, force=12.5, point_base=[0.3, -0.43, 1.0 / 3.0],
             path=polishing.PathSpec(kind="points", points=[[0.01, -0.02], [1e-5, 0.3]]),
             axes="local", solver="rollout", feedback=False,
             weights=polishing.Weights(terminal=1e-7))
@@ -53,36 +53,36 @@ class TestTasks:
         assert back.disturbances == task.disturbances
         assert polishing.make_task(file) == back
 
-    def test_a_file_that_says_nothing_is_the_defaults(self, tmp_path):
+    def test_empty_file_gives_the_defaults(self, tmp_path):
         (tmp_path / "empty.yaml").write_text("force: 30\n")
         assert polishing.read_task(tmp_path / "empty.yaml") == polishing.Task()
 
-    def test_the_shipped_table_is_what_the_name_makes(self):
+    def test_shipped_table_equals_the_named_task(self):
         robots = Path(os.environ.get("BURNISH_ROBOTS", burnish.robot_search_path()[0]))
         file = robots.parent / "tasks" / "polishing" / "table.yaml"
         if not file.exists():
             pytest.skip("task files are not beside the robots")
         assert polishing.read_task(file) == polishing.make_task("table")
 
-    def test_changes_leave_the_task_as_it_was(self):
+    def test_changes_leave_the_original_task(self):
         task = polishing.Task()
         changed = polishing.override_task(task, ["force=20", "weights.rotation=3"])
         board = polishing.put_on(task, "board")
         made = polishing.make_task(task, seed=5, force=10.0)
         assert task == polishing.Task()
         assert (changed.force, changed.weights.rotation) == (20.0, 3.0)
-        np.testing.assert_array_equal(board.normal_world, [-1.0, 0.0, 0.0])
+        np.testing.assert_array_equal(board.normal_base, [-1.0, 0.0, 0.0])
         assert (made.disturbances.seed, made.force) == (5, 10.0)
         made.disturbances.seed = 6
         assert task.disturbances.seed == 0
 
-    def test_disturbances_given_are_the_caller_s_own(self):
+    def test_given_disturbances_are_copied(self):
         mine = burnish.Disturbances(mass_scale=1.02)
         task = polishing.make_task("table", disturbances=mine, seed=7)
         assert mine.seed == 0 and task.disturbances.seed == 7
         assert task.disturbances.mass_scale == 1.02
 
-    def test_is_pickled_and_copied(self):
+    def test_copied_or_pickled_task_is_equal_and_independent(self):
         task = polishing.make_task("board", seed=2)
         for other in (pickle.loads(pickle.dumps(task)), copy.deepcopy(task)):
             assert other == task
@@ -102,18 +102,18 @@ class TestTasks:
         (lambda t: polishing.run("table", controller="mcp"), "did you mean 'mpc'"),
         (lambda t: polishing.perform_experiment("papr"), "did you mean 'paper'"),
     ])
-    def test_what_cannot_be_is_refused_with_a_sentence(self, call, words):
+    def test_invalid_input_raises_with_the_reason(self, call, words):
         with pytest.raises((burnish.Error, AttributeError)) as refused:
             call(polishing.Task())
         assert words in str(refused.value)
 
-    def test_names_are_listed(self):
+    def test_surfaces_and_presets_are_listed(self):
         assert [s.name for s in polishing.named_surfaces()] == [
             "table", "board", "board_x", "board_y", "board_minus_y", "tilt_45"]
         assert polishing.disturbance_presets() == ["none", "sensors", "mismatch", "joint_friction"]
         assert polishing.disturbance_preset("none") == burnish.Disturbances()
 
-    def test_what_is_odd_is_noted(self):
+    def test_doubtful_settings_are_noted(self):
         slow = polishing.make_task("table", overrides=["controller.torque_cutoff=60"])
         assert any("lag" in note for note in polishing.task_notes(slow))
         assert polishing.task_notes(polishing.make_task("table")) == []
@@ -123,14 +123,14 @@ class TestTasks:
 
 
 class TestPaths:
-    def test_are_smooth(self):
+    def test_derivatives_match_finite_differences(self):
         path = polishing.SurfacePath(polishing.PathSpec(kind="spiral"))
         t, h = 2.7, 1e-6
         before, now, after = path.at(t - h), path.at(t), path.at(t + h)
         np.testing.assert_allclose((after.p - before.p) / (2 * h), now.v, atol=1e-7)
         np.testing.assert_allclose((after.v - before.v) / (2 * h), now.a, atol=1e-7)
 
-    def test_come_as_rows(self):
+    def test_positions_at_many_times_are_rows(self):
         path = polishing.SurfacePath(polishing.PathSpec())
         times = np.linspace(-1.0, 9.0, 7)
         rows = path.positions(times)
@@ -138,25 +138,25 @@ class TestPaths:
         np.testing.assert_array_equal(rows, [path.at(t).p for t in times])
         assert np.isinf(path.duration)
 
-    def test_of_points_end(self):
+    def test_path_of_points_ends_at_the_last(self):
         corners = np.array([[0.05, 0.0], [0.05, 0.05]])
         path = polishing.SurfacePath(polishing.PathSpec(kind="points", points=corners))
         assert 1.0 < path.duration < 10.0
         np.testing.assert_allclose(path.at(path.duration).p, corners[-1], atol=1e-12)
 
-    def test_that_are_none_are_refused(self):
+    def test_negative_radius_raises(self):
         with pytest.raises(burnish.Error, match="radius"):
             polishing.SurfacePath(polishing.PathSpec(radius=-1.0))
 
 
 class TestReach:
-    def test_is_reported(self):
+    def test_table_is_reported_as_reachable(self):
         report = polishing.check_reach(polishing.make_task("table"))
         assert report.ok and report.problem is polishing.ReachProblem.NONE
         assert report.points > 50 and 0.4 < report.path_length < 0.7
         assert report.tightest_joint and 0.0 < report.torque_share < 0.8
 
-    def test_says_what_is_in_the_way(self):
+    def test_large_force_is_reported_as_a_torque_problem(self):
         task = polishing.make_task("table", force=500.0, overrides=["limits.force=2000"])
         report = polishing.check_reach(task)
         assert not report.ok and report.problem is polishing.ReachProblem.TORQUE
@@ -166,7 +166,7 @@ class TestReach:
         coarse = polishing.ReachOptions(torque_share=100.0)
         assert polishing.check_reach(task, options=coarse).problem is not polishing.ReachProblem.TORQUE
 
-    def test_a_home_is_moved_from(self):
+    def test_run_from_home_moves_to_the_start_and_polishes(self):
         task = polishing.make_task("table", overrides=["home=board_y", "home.speed_ratio=0.5"])
         assert task.home == polishing.HomeSpec(posture="board_y", speed_ratio=0.5)
         setting = polishing.make_setting(task)
@@ -181,8 +181,8 @@ class TestReach:
         assert phase[0] == burnish.pressing.Phase.HOME and phase[-1] == burnish.pressing.Phase.TRACK
         assert polishing.make_setting(polishing.make_task("table")).home is None
 
-    def test_a_posture_is_found_and_used(self):
-        task = polishing.make_task("table", normal_world=[-1.0, 0.5, 1.5], posture="search")
+    def test_searched_posture_is_the_start_of_the_setting(self):
+        task = polishing.make_task("table", normal_base=[-1.0, 0.5, 1.5], posture="search")
         found = polishing.find_posture(task)
         assert found.reach.ok and found.candidates > 0 and found.tilt < 1.0
         np.testing.assert_array_equal(found.q, polishing.find_posture(task).q)
@@ -194,7 +194,7 @@ class TestReach:
         tilt = np.arctan2(np.linalg.norm(np.cross(into, normal)), into @ normal)
         assert tilt == pytest.approx(found.tilt, abs=1e-6)
 
-    def test_what_a_search_keeps_to_is_in_the_task(self):
+    def test_search_options_come_from_the_task(self):
         task = polishing.make_task("table", overrides=["search.body_distance=0.3"])
         assert polishing.posture_options(task).body_distance == 0.3
         task.tool_axis = [0.0, 2.0, 0.0]
@@ -203,20 +203,20 @@ class TestReach:
         task.tool_axis = None
         np.testing.assert_array_equal(polishing.pressing_direction(task, model), [0.0, 0.0, -1.0])
 
-    def test_a_surface_ends_beyond_the_path(self):
+    def test_extent_of_the_surface_is_beyond_the_path(self):
         task = polishing.make_task("table", extent=0.2)
         assert polishing.make_setting(task).scene.surface.extent == pytest.approx(0.27)
         task.extent = float("inf")
         assert np.isinf(polishing.make_setting(task).scene.surface.extent)
 
-    def test_a_posture_that_there_is_not_is_refused(self):
+    def test_search_without_a_posture_raises(self):
         task = polishing.make_task("table", posture="search", overrides=["path.radius=2"])
         with pytest.raises(burnish.Error, match="no posture was found"):
             polishing.find_posture(task)
 
 
 class TestSetting:
-    def test_puts_path_and_phases_together(self):
+    def test_setting_has_consistent_path_and_phases(self):
         task = polishing.make_task("board")
         setting = polishing.make_setting(task)
         normal = setting.surface_axes[:, 2]
@@ -228,7 +228,7 @@ class TestSetting:
         assert point.force == task.force
         assert 0.0 < setting.reach_end < setting.touch < setting.ramp_end < setting.track_end
 
-    def test_takes_a_robot_and_a_posture_together(self):
+    def test_robot_without_its_posture_raises(self):
         task = polishing.make_task("board")
         setting = polishing.make_setting(task)
         again = polishing.make_setting(task, setting.robot, setting.q_start)
@@ -236,7 +236,7 @@ class TestSetting:
         with pytest.raises(burnish.Error, match="come together"):
             polishing.make_setting(task, robot=setting.robot)
 
-    def test_becomes_specifications_of_both_controllers(self):
+    def test_setting_gives_the_specs_of_both_controllers(self):
         task = polishing.make_task("table", force=22.0)
         setting = polishing.make_setting(task)
         mpc = polishing.make_mpc(task, setting)
@@ -247,14 +247,14 @@ class TestSetting:
         assert baseline.path.task(1.0).force == 22.0
         np.testing.assert_array_equal(baseline.path.posture, setting.q_start)
 
-    def test_gains_that_it_has_not_are_fitted_to_the_arm(self):
+    def test_unstated_gains_are_fitted_to_the_arm(self):
         task = polishing.make_task("table")
         setting = polishing.make_setting(task)
-        fitted, what = polishing.fit_gains(task, setting)
-        assert task.weights.position is None and task.model_error.boost is None
-        assert fitted.weights.position == 1e5 and fitted.model_error.boost == 6.0
+        fitted, report = polishing.fit_gains(task, setting)
+        assert task.weights.position is None and task.model_error.transient_scale is None
+        assert fitted.weights.position == 1e5 and fitted.model_error.transient_scale == 6.0
         assert fitted.model_error.force_gain == 0.5 and 4e-3 < fitted.model_error.lag < 5e-3
-        assert what.meets and "weights.position 100000 in place of 10000" in what.changes
+        assert report.meets and "weights.position 100000 in place of 10000" in report.changes
         assert polishing.make_mpc(task, setting).model_error == fitted.model_error
         margins = polishing.margins(task, setting)
         assert 2e-3 <= margins.delay == min(margins.air.delay, margins.contact.delay)
@@ -262,11 +262,11 @@ class TestSetting:
         stated = task.replace(weights=task.weights.replace(position=2e4))
         assert polishing.fit_gains(stated, setting)[0].weights.position == 2e4
         hasty = task.replace(model_error=task.model_error.replace(lag=0.0))
-        slower, what = polishing.fit_gains(hasty, setting, polishing.RequiredMargins(delay=5e-3, gain=1.5))
-        assert what.meets and slower.model_error.bandwidth < 120.0
+        slower, report = polishing.fit_gains(hasty, setting, polishing.RequiredMargins(delay=5e-3, gain=1.5))
+        assert report.meets and slower.model_error.bandwidth < 120.0
         assert "weights.position 100000 in place of 10000" in short_run("table").fitted
 
-    def test_its_plans_have_steps_that_are_short_enough(self):
+    def test_too_long_steps_give_complaints(self):
         task = polishing.make_task("table")
         mpc = polishing.make_mpc(task, polishing.make_setting(task))
         assert burnish.step_complaints(mpc) == []
@@ -276,7 +276,7 @@ class TestSetting:
         with pytest.raises(burnish.Error, match="controller.step"):
             polishing.run_task(polishing.RunSpec(task.replace(step=0.2)))
 
-    def test_a_controller_made_from_it_polishes_in_a_loop_of_one_s_own(self):
+    def test_controller_in_an_own_loop_gives_the_bits_of_the_run(self):
         task = polishing.make_task("table", **{k: v for k, v in SHORT.items() if k != "plant"})
         setting = polishing.make_setting(task)
         controller = burnish.MpcController(polishing.make_mpc(task, setting))
@@ -294,7 +294,7 @@ class TestSetting:
 
 
 class TestRuns:
-    def test_polish(self, result, baseline):
+    def test_both_controllers_polish(self, result, baseline):
         for run in (result, baseline):
             assert run.polished and run.outcome.startswith("polished")
             assert run.plant_status is burnish.Status.OK
@@ -308,7 +308,7 @@ class TestRuns:
         assert result.metrics.solver is not None and baseline.metrics.solver is None
         assert repr(result).startswith("<RunResult: mpc on ideal; polished: ")
 
-    def test_polish_only_if_the_verdict_is_borne(self, baseline):
+    def test_stricter_verdict_fails_the_run(self, baseline):
         figures = baseline.verdict
         assert figures.contact_share > 0.99 and figures.path_share > 0.99
         assert 0.0 < figures.force_rmse < 0.1 * baseline.task.force
@@ -319,7 +319,7 @@ class TestRuns:
         with pytest.raises(burnish.Error, match="verdict.path_share is 2"):
             polishing.make_task(verdict=polishing.Verdict(path_share=2.0))
 
-    def test_metrics_are_those_of_the_trace(self, result):
+    def test_metrics_match_the_trace(self, result):
         rows, metrics = result.trace.array(), result.metrics
         inside = (rows["time"] >= metrics.start) & (rows["time"] <= metrics.end)
         assert inside.sum() == metrics.rows
@@ -337,7 +337,7 @@ class TestRuns:
             burnish.MetricsSpec(start=metrics.start, end=metrics.end, normal_world=axes[:, 2]))
         assert again.force_rmse == metrics.force_rmse
 
-    def test_the_same_seed_gives_the_same_bits(self, result):
+    def test_same_seed_gives_the_same_bits(self, result):
         again, other = short_run(seed=3), short_run(seed=4)
         wall_clock = ["solve_time"]
         columns = [c for c in result.trace.columns if c not in wall_clock]
@@ -357,7 +357,7 @@ class TestRuns:
         q = [result.trace[f"q_{name}"][row] for name in names]
         np.testing.assert_allclose(plans.q[i, 0], q, atol=2e-3)
 
-    def test_the_trace_outlives_the_result(self):
+    def test_trace_outlives_its_result(self):
         run = short_run(controller="baseline")
         time, rows, force = run.trace["time"], run.trace.array(), run.trace["tool_force_z_world"]
         last, total = time[-1], force.sum()
@@ -368,7 +368,7 @@ class TestRuns:
         with pytest.raises(ValueError):
             time[0] = 1.0
 
-    def test_is_pickled(self, result):
+    def test_pickled_result_is_equal(self, result):
         back = pickle.loads(pickle.dumps(result))
         np.testing.assert_array_equal(back.trace.array(), result.trace.array())
         assert back.task == result.task and back.metrics == result.metrics
@@ -376,14 +376,14 @@ class TestRuns:
         assert back.outcome == result.outcome and repr(back) == repr(result)
         np.testing.assert_array_equal(back.setting.p_center, result.setting.p_center)
 
-    def test_without_plans_the_record_is_empty(self, baseline):
+    def test_run_without_plans_has_an_empty_record(self, baseline):
         assert baseline.plans.time.shape == (0,) and baseline.plans.q.size == 0
         task = polishing.make_task("table", **{k: v for k, v in SHORT.items() if k != "plant"})
         run = polishing.run_task(polishing.RunSpec(task, plant="ideal", plan_rate=0.0,
                                                    check_reach=False))
         assert run.plans.terms == [] and run.reach is None and run.polished
 
-    def test_a_fault_ends_it_with_its_report(self):
+    def test_fault_ends_the_run_with_its_report(self):
         task = polishing.make_task("table", polish_duration=0.6)
         task.disturbances.pushes = [burnish.Push(0.2, 1.0, [0.0, 0.0, 1000.0])]
         run = polishing.run(task, plant="ideal")
@@ -391,7 +391,7 @@ class TestRuns:
         assert run.fault.kind is not burnish.FaultKind.NONE
         assert run.outcome == run.fault.text() and len(run.fault.last_second) > 100
 
-    def test_on_a_plant_that_is_not_there_is_refused(self):
+    def test_missing_plant_raises(self):
         if polishing.has_mujoco():
             assert polishing.RunSpec().plant is polishing.PlantKind.MUJOCO
             assert short_run(plant="mujoco").polished
@@ -401,7 +401,7 @@ class TestRuns:
 
 
 class TestProgress:
-    def test_returning_false_stops(self):
+    def test_returning_false_interrupts_the_run(self):
         seen = []
 
         def until(time, end):
@@ -413,26 +413,26 @@ class TestProgress:
         assert 0.3 <= seen[-1][0] < 0.4 and seen[-1][1] > 1.5
         assert len(run.trace) == round(seen[-1][0] / 5e-4)
 
-    def test_returning_nothing_goes_on(self):
+    def test_returning_none_continues_the_run(self):
         seen = []
         assert short_run(controller="baseline", progress=lambda t, end: seen.append(t)).polished
         assert len(seen) > 10 and seen == sorted(seen)
 
-    def test_what_it_raises_comes_out(self):
+    def test_exception_reaches_the_caller(self):
         def fail(time, end):
             raise KeyError("mine")
 
         with pytest.raises(KeyError, match="mine"):
             short_run(progress=fail)
 
-    def test_ctrl_c_ends_a_run(self):
+    def test_ctrl_c_ends_the_run(self):
         timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT))
         timer.start()
         with pytest.raises(KeyboardInterrupt):
             polishing.run("table", plant="ideal", polish_duration=600.0)
         timer.join()
 
-    def test_other_threads_go_on_meanwhile(self):
+    def test_other_threads_run_meanwhile(self):
         counts, over = [0], threading.Event()
 
         def count():
@@ -449,13 +449,13 @@ class TestProgress:
         thread.join()
         assert during > 20 * run.wall_time
 
-    def test_a_spec_of_another_kind_is_refused(self):
-        with pytest.raises(TypeError, match="wanted is a RunSpec"):
+    def test_spec_of_wrong_type_raises(self):
+        with pytest.raises(TypeError, match="wanted a RunSpec"):
             polishing.run_task(polishing.Task())
 
 
 class TestFiles:
-    def test_a_run_leaves_what_the_command_line_leaves(self, result, tmp_path):
+    def test_write_creates_the_files_of_the_command_line(self, result, tmp_path):
         try:
             names = result.write(tmp_path / "run", name="mine", page=True, recording=True)
         except burnish.Error as refused:
@@ -474,16 +474,16 @@ class TestFiles:
 
 
 class TestExperiments:
-    def test_are_listed(self):
+    def test_experiments_are_listed(self):
         assert [e.name for e in polishing.experiments()] == [
             "paper", "orientation", "frames", "seeds", "tilt", "surfaces", "robots", "force_test", "standing",
             "tick"]
 
-    def test_give_tables_and_figures(self):
-        told = []
+    def test_seeds_experiment_gives_tables_and_figures(self):
+        seen = []
         spec = polishing.ExperimentSpec(
             quick=True, seeds=2, first_seed=5, threads=2, plant="ideal",
-            progress=lambda share, what: told.append(share))
+            progress=lambda fraction, name: seen.append(fraction))
         report = next(e for e in polishing.experiments() if e.name == "seeds").perform(spec)
         assert not report.interrupted and report.failures == [] and report.findings
         table = report.tables[0]
@@ -492,18 +492,18 @@ class TestExperiments:
         assert table.markdown().count("\n") == 4 and table.csv().startswith("seed,")
         assert report.figures and report.figures[0].plot.panels[0].curves
         assert report.tasks[0].task.disturbances.seed in (5, 6)
-        assert told and told[-1] == pytest.approx(1.0) and min(told) >= 0.0
+        assert seen and seen[-1] == pytest.approx(1.0) and min(seen) >= 0.0
         with pytest.raises(burnish.Error, match="no column 'sed'"):
             table.column("sed")
 
-    def test_returning_false_stops_with_what_there_is(self):
+    def test_returning_false_stops_with_the_finished_runs(self):
         spec = polishing.ExperimentSpec(quick=True, seeds=4, threads=1, plant="ideal",
-                                        progress=lambda share, what: share < 0.3)
+                                        progress=lambda fraction, name: fraction < 0.3)
         report = polishing.perform_experiment("seeds", spec)
         assert report.interrupted and "were stopped" in report.failures[-1]
 
-    def test_what_progress_raises_and_ctrl_c_come_out(self):
-        def fail(share, what):
+    def test_exception_in_progress_and_ctrl_c_reach_the_caller(self):
+        def fail(fraction, name):
             raise KeyError("mine")
 
         spec = polishing.ExperimentSpec(quick=True, seeds=2, threads=2, plant="ideal", progress=fail)
@@ -516,10 +516,10 @@ class TestExperiments:
                 "seeds", polishing.ExperimentSpec(seeds=1000, threads=1, plant="ideal"))
         timer.join()
 
-    def test_bad_overrides_are_refused_before_anything_is_run(self):
+    def test_invalid_override_raises_before_any_run(self):
         with pytest.raises(burnish.Error, match="did you mean 'force'"):
             polishing.perform_experiment("paper", polishing.ExperimentSpec(overrides=["froce=3"]))
 
-    def test_public_robots_want_a_folder_that_has_some(self, tmp_path):
+    def test_folder_without_public_robots_raises(self, tmp_path):
         with pytest.raises(burnish.Error, match="has none of the"):
             polishing.perform_experiment("robots", polishing.ExperimentSpec(folder=str(tmp_path)))

@@ -1,4 +1,4 @@
-"""Pressing at a point while the arm moves aside, from Python: files, runs on both plants, what they leave."""
+"""Pressing at a point while the arm moves aside, from Python: files, runs on both plants, results."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def result():
     return press_hold.run(SHIPPED, plant="ideal", **SHORT)
 
 
-def test_a_file_reads_back_as_the_task_was(tmp_path):
+def test_task_text_reads_back_unchanged(tmp_path):
     task = press_hold.make_task(SHIPPED, force=12.5, aside={"joint_3": -0.25}, overrides=["posture=bent"])
     (tmp_path / "task.yaml").write_text(press_hold.task_text(task))
     back = press_hold.read_task(tmp_path / "task.yaml")
@@ -30,7 +30,7 @@ def test_a_file_reads_back_as_the_task_was(tmp_path):
     assert press_hold.read_task(SHIPPED) != task
 
 
-def test_force_and_point_are_held_while_the_arm_moves_aside(result):
+def test_arm_moving_aside_keeps_force_and_point(result):
     assert result.done and result.outcome.startswith("held"), result.outcome
     assert result.hold.moved_aside > 0.1 and result.hold.slip < 2e-3
     assert result.metrics.force_rmse < 1.0 and result.metrics.without_contact == 0.0
@@ -39,7 +39,7 @@ def test_force_and_point_are_held_while_the_arm_moves_aside(result):
     assert result.setting.q_aside[2] - result.setting.q_start[2] == pytest.approx(0.6)
 
 
-def test_another_robot_gets_a_task_that_fits_it():
+def test_run_on_another_robot_fits_the_task_with_a_warning():
     arm = "talos:right_arm"
     with pytest.warns(UserWarning, match="aside: robot 'talos' does not have"):
         other = press_hold.run(SHIPPED, robot=arm, plant="ideal", **SHORT)
@@ -51,12 +51,12 @@ def test_another_robot_gets_a_task_that_fits_it():
 
 
 @pytest.mark.skipif(not burnish.has_mujoco(), reason="this build has no MuJoCo")
-def test_it_holds_on_mujoco_too():
+def test_run_on_mujoco_keeps_force_and_point():
     result = press_hold.run(SHIPPED, **SHORT)
     assert result.done and result.plant.name == "MUJOCO", result.outcome
 
 
-def test_a_run_leaves_its_files(result, tmp_path):
+def test_write_creates_the_files_of_a_run(result, tmp_path):
     try:
         names = result.write(tmp_path, name="mine")
     except burnish.Error as error:
@@ -67,18 +67,18 @@ def test_a_run_leaves_its_files(result, tmp_path):
     assert press_hold.read_task(tmp_path / "task.yaml") == result.task
 
 
-def test_a_result_is_pickled(result):
+def test_result_pickles_unchanged(result):
     other = pickle.loads(pickle.dumps(result))
     np.testing.assert_array_equal(other.trace["time"], result.trace["time"])
     assert (other.hold, other.outcome, other.task) == (result.hold, result.outcome, result.task)
 
 
-def test_the_progress_function_ends_a_run():
+def test_progress_returning_false_interrupts_the_run():
     result = press_hold.run(SHIPPED, plant="ideal", progress=lambda time, end: time < 0.1)
     assert result.interrupted and not result.done and result.hold is None
 
 
-def test_a_controller_made_from_it_holds_in_a_loop_of_one_s_own(result):
+def test_make_controller_in_an_own_loop_gives_the_forces_of_the_run(result):
     task, setting = result.task, result.setting
     controller = press_hold.make_controller(task, setting)
     plant = burnish.make_ideal_plant(burnish.plant_model(setting.robot.model, task.disturbances),
@@ -102,7 +102,7 @@ def test_a_controller_made_from_it_holds_in_a_loop_of_one_s_own(result):
     (lambda: press_hold.read_task("nowhere.yaml"), "nowhere.yaml"),
     (lambda: press_hold.check_task(press_hold.Task(aside=3)), "Task.aside: got 3"),
 ])
-def test_what_cannot_be_is_refused_with_a_sentence(call, words):
+def test_invalid_task_raises_with_the_reason(call, words):
     with pytest.raises((burnish.Error, AttributeError)) as refused:
         call()
     assert words in str(refused.value)

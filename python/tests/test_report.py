@@ -24,7 +24,7 @@ def robot():
 
 @pytest.fixture(scope="module")
 def run(robot):
-    """A run of the baseline along a circle, with friction and noise: its loop and the normal."""
+    """Returns the loop and the normal of a baseline run along a circle, with friction and noise."""
     q = robot.posture("ready")
     nominal = burnish.scene_under_tip(robot.model, q, [0.1, -0.2, 1.0], clearance=0.004)
     disturbances = burnish.Disturbances(seed=3, force_noise=0.2, surface_friction=0.2,
@@ -42,32 +42,32 @@ def run(robot):
     return loop, n
 
 
-def of_axes(rows, name):
+def vectors(rows, name):
     return np.stack([rows[f"{name}_{axis}_world"] for axis in "xyz"], axis=1)
 
 
-def test_metrics_are_those_of_the_rows(robot, run):
+def test_metrics_match_the_rows_of_the_trace(robot, run):
     loop, n = run
     spec = burnish.MetricsSpec(start=1.2, end=2.2, normal_world=3.0 * n, average=0.0)
     metrics = burnish.measure(loop.trace, robot.model, spec)
     rows = loop.trace.array()
     rows = rows[(rows["time"] >= 1.2) & (rows["time"] <= 2.2)]
     assert metrics.rows == len(rows) and metrics.start == rows["time"][0]
-    force = of_axes(rows, "tool_force") @ n
+    force = vectors(rows, "tool_force") @ n
     error = force - rows["target_force"]
     assert math.isclose(metrics.force_mean, force.mean(), rel_tol=1e-12)
     assert math.isclose(metrics.force_rmse, np.sqrt(np.mean(error**2)), rel_tol=1e-12)
     assert math.isclose(metrics.force_mae, np.abs(error).mean(), rel_tol=1e-12)
     assert math.isclose(metrics.force_peak, np.abs(error).max(), rel_tol=1e-12)
     assert math.isclose(metrics.force_rmse_raw, metrics.force_rmse, rel_tol=1e-9)
-    across = of_axes(rows, "tool") - of_axes(rows, "target")
+    across = vectors(rows, "tool") - vectors(rows, "target")
     across -= np.outer(across @ n, n)
     distance = np.linalg.norm(across, axis=1)
     assert math.isclose(metrics.position_rmse, np.sqrt(np.mean(distance**2)), rel_tol=1e-9)
     assert math.isclose(metrics.position_mean, distance.mean(), rel_tol=1e-9)
-    believed = (of_axes(rows, "estimated_force") - of_axes(rows, "tool_force")) @ n
-    assert math.isclose(metrics.estimate_rmse, np.sqrt(np.mean(believed**2)), rel_tol=1e-9)
-    assert 0.1 < metrics.estimate_rmse < 0.3, "the noise of the force sensor"
+    estimate_error = (vectors(rows, "estimated_force") - vectors(rows, "tool_force")) @ n
+    assert math.isclose(metrics.estimate_rmse, np.sqrt(np.mean(estimate_error**2)), rel_tol=1e-9)
+    assert 0.1 < metrics.estimate_rmse < 0.3, "the error must be the noise of the force sensor"
     q = np.stack([rows["q_" + name] for name in robot.model.q_names], axis=1)
     margin = np.minimum(q - robot.model.q_lower, robot.model.q_upper - q).min(axis=0)
     assert math.isclose(metrics.joint_margin, margin.min(), rel_tol=1e-12)
@@ -76,7 +76,7 @@ def test_metrics_are_those_of_the_rows(robot, run):
     assert metrics.solver is None
 
 
-def test_metrics_say_what_cannot_be_measured(robot, run):
+def test_invalid_metrics_spec_raises(robot, run):
     loop, n = run
     with pytest.raises(burnish.Error):
         burnish.measure(loop.trace, robot.model, burnish.MetricsSpec(start=100.0))
@@ -87,14 +87,14 @@ def test_metrics_say_what_cannot_be_measured(robot, run):
 
 
 def documented(spec):
-    """The text below each field of a dataclass."""
+    """Returns the text below each field of a dataclass."""
     body = ast.parse(inspect.getsource(spec)).body[0].body
     return {entry.target.id: " ".join(text.value.value.split())
             for entry, text in zip(body, body[1:])
             if isinstance(entry, ast.AnnAssign) and isinstance(text, ast.Expr)}
 
 
-def test_figures_have_the_names_units_and_meanings_of_the_table():
+def test_figures_match_the_table_in_the_docs():
     specs = {"": report.Metrics, "solver": report.SolverFigures,
              "standing": report.StandingFigures, "ticks": polishing.TickTimes,
              "verdict": polishing.VerdictFigures, "hold": press_hold.HoldFigures,
@@ -110,10 +110,10 @@ def test_figures_have_the_names_units_and_meanings_of_the_table():
         if name not in of_runs:
             *group, field = name.split(".")
             assert texts["".join(group)].pop(field) == text, name
-    assert [field for of_spec in texts.values() for field in of_spec] == ["solver"]
+    assert [field for spec_texts in texts.values() for field in spec_texts] == ["solver"]
 
 
-def test_metrics_are_values(robot, run):
+def test_metrics_pickle_compare_and_print(robot, run):
     loop, n = run
     metrics = burnish.measure(loop.trace, robot.model, burnish.MetricsSpec(1.0, normal_world=n))
     assert pickle.loads(pickle.dumps(metrics)) == metrics
@@ -127,7 +127,7 @@ def test_metrics_are_values(robot, run):
     assert len({len(line) for line in table.splitlines()}) == 1 and "solver" not in table
 
 
-def test_a_trace_of_ones_own_is_measured_alike(robot, run):
+def test_copied_trace_gives_the_same_metrics(robot, run):
     loop, n = run
     rows = loop.trace.array()
     copied = burnish.Trace(loop.trace.units, np.array(rows.tolist()))
@@ -142,7 +142,7 @@ def test_a_trace_of_ones_own_is_measured_alike(robot, run):
     assert len(burnish.Trace()) == 0 and burnish.Trace({"a": "m"}).columns == ["a"]
 
 
-def test_a_trace_is_written_as_a_table(tmp_path, run):
+def test_write_csv_gives_the_rows_of_the_trace(tmp_path, run):
     loop, _ = run
     loop.trace.write_csv(tmp_path / "trace.csv")
     head = (tmp_path / "trace.csv").read_text().splitlines()[0]
@@ -151,7 +151,7 @@ def test_a_trace_is_written_as_a_table(tmp_path, run):
     assert np.array_equal(read, np.array(loop.trace.array().tolist()))
 
 
-def test_plots_are_written(tmp_path, run):
+def test_plot_is_written_as_svg(tmp_path, run):
     loop, n = run
     spec = burnish.PlotSpec("force", [burnish.Panel(
         "along the normal", "time [s]", "force [N]",

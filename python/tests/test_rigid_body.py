@@ -1,4 +1,4 @@
-"""What the state of a robot alone says: frames, momentum, energy."""
+"""Quantities of a robot state without contacts: frames, momentum, energy."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class TestRigidBody:
         body.update(q, v, a)
         return body
 
-    def test_agrees_with_the_free_robot(self) -> None:
+    def test_energies_and_torques_match_the_free_robot(self) -> None:
         q, v, tau = state(TALOS.model)
         body, free = self.at(q, v), ContactDynamics(TALOS.model)
         free.forward(q, v, tau)
@@ -38,7 +38,7 @@ class TestRigidBody:
         np.testing.assert_allclose(body.mass * body.com_velocity, body.momentum[:3], atol=1e-9)
 
     @pytest.mark.parametrize("axes", AXES)
-    def test_frames_move_as_their_derivatives_say(self, axes: str) -> None:
+    def test_frame_derivatives_match_finite_differences(self, axes: str) -> None:
         model = TALOS.model
         q, v, a = state(model)
         body, name = self.at(q, v, a), "left_sole_link"
@@ -61,7 +61,7 @@ class TestRigidBody:
                 - self.at(before, v - step * a).velocity(name, axes)) / (2.0 * step)
         assert_close(body.acceleration(name, axes), rate, 1e-5)
 
-    def test_placement_errors_move_as_their_derivatives_say(self) -> None:
+    def test_placement_error_derivatives_match_finite_differences(self) -> None:
         model = TALOS.model
         q, v, _ = state(model)
         body, other = self.at(q, v), self.at(q, v)
@@ -77,7 +77,7 @@ class TestRigidBody:
         at_target = body.placement_error("left_sole_link", body.placement("left_sole_link"))
         np.testing.assert_allclose(at_target, np.zeros(6), atol=1e-12)
 
-    def test_derivatives_belong_to_the_last_state(self) -> None:
+    def test_derivatives_of_an_earlier_state_raise(self) -> None:
         q, v, _ = state(TALOS.model)
         body = self.at(q, v)
         with pytest.raises(burnish.EvaluationError, match="update_derivatives"):
@@ -88,14 +88,14 @@ class TestRigidBody:
         with pytest.raises(burnish.EvaluationError, match="update_derivatives"):
             body.com_dq
 
-    def test_a_state_without_velocity_is_at_rest(self) -> None:
+    def test_update_without_velocity_is_at_rest(self) -> None:
         q, v, _ = state(TALOS.model)
         body = self.at(q, v)
         body.update(q)
         assert body.kinetic_energy == 0.0
         assert body.potential_energy == self.at(q, v).potential_energy
 
-    def test_a_state_that_is_refused_changes_nothing(self) -> None:
+    def test_invalid_state_raises_and_changes_nothing(self) -> None:
         q, v, _ = state(TALOS.model)
         body = self.at(q, v)
         com = body.com
@@ -105,7 +105,7 @@ class TestRigidBody:
             body.update(q, v, [1.0])
         np.testing.assert_array_equal(body.com, com)
 
-    def test_frames_and_axes_that_there_are_not_are_refused(self) -> None:
+    def test_unknown_frames_and_axes_raise(self) -> None:
         body = RigidBody(MODEL)
         np.testing.assert_array_equal(body.placement("world"), np.eye(4))
         with pytest.raises(burnish.Error, match="did you mean 'tool'"):

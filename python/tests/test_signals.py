@@ -1,4 +1,4 @@
-"""Targets over time: signals of every form."""
+"""Signals: targets that are constant or depend on time."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import burnish as bn
 from burnish import residual
 
 
-def test_a_signal_is_numbers_or_a_function_of_time(robot):
+def test_target_may_be_numbers_or_a_function_of_time(robot):
     times = 0.01 * np.arange(4)
     still = np.tile([0.4, 0.1, 0.3], (4, 1))
     np.testing.assert_allclose(position_targets(robot, [0.4, 0.1, 0.3]), still, atol=1e-12)
@@ -24,7 +24,7 @@ def test_a_signal_is_numbers_or_a_function_of_time(robot):
     np.testing.assert_allclose(position_targets(robot, bn.over_time(3, path)), moving, atol=1e-12)
 
 
-def test_over_time_takes_functions_that_cannot_be_asked_at_zero(robot):
+def test_over_time_accepts_functions_undefined_at_zero(robot):
     def late(t):
         if t < 1.0:
             raise ValueError("not yet")
@@ -36,7 +36,7 @@ def test_over_time_takes_functions_that_cannot_be_asked_at_zero(robot):
     np.testing.assert_allclose(targets[:, 0], 1.0 + 0.01 * np.arange(4), atol=1e-12)
 
 
-def test_a_number_is_a_signal_of_one_entry(robot):
+def test_number_is_a_signal_of_one_entry(robot):
     joint = robot.model.v_names[1]
     q = robot.reference_configuration()
     for target in (0.25, lambda t: 0.25, np.float64(0.25)):
@@ -47,7 +47,7 @@ def test_a_number_is_a_signal_of_one_entry(robot):
         np.testing.assert_allclose(r, [q[1] - 0.25], atol=1e-14)
 
 
-def test_signals_come_back_from_a_problem_as_they_went_in(robot):
+def test_signals_of_a_problem_read_back_unchanged(robot):
     def path(t):
         return np.array([t, 0.0, 0.5])
 
@@ -64,21 +64,21 @@ def test_signals_come_back_from_a_problem_as_they_went_in(robot):
     assert bn.Problem(spec).spec.stages == spec.stages
 
 
-def test_a_signal_that_is_none_is_refused_with_a_sentence(robot):
-    with pytest.raises(bn.Error, match=r"FramePosition.target: got 'here', wanted a number, a vector"):
+def test_invalid_signal_raises_with_the_reason(robot):
+    with pytest.raises(bn.Error, match=r"FramePosition.target: got 'here'; wanted a number, a vector"):
         position_targets(robot, "here")
-    with pytest.raises(bn.Error, match=r"shape \(2, 2\) at 0 s; wanted are numbers"):
+    with pytest.raises(bn.Error, match=r"shape \(2, 2\) at 0 s; wanted numbers"):
         position_targets(robot, lambda t: np.zeros((2, 2)))
-    with pytest.raises(bn.Error, match=r"gave an array of shape \(2,\) at 0.02 s; wanted are 3 numbers"):
+    with pytest.raises(bn.Error, match=r"gave an array of shape \(2,\) at 0.02 s; wanted 3 numbers"):
         position_targets(robot, lambda t: np.zeros(3 if t < 0.015 else 2))
 
 
 def turn(t):
-    """Quaternions about z, of a sign that changes."""
+    """Returns a quaternion of a rotation about z; its sign changes at 1 s."""
     return (1 if t < 1.0 else -1) * np.array([0.0, 0.0, np.sin(0.5 * t), np.cos(0.5 * t)])
 
 
-def test_references_turn_from_knot_to_knot(robot):
+def test_rotating_reference_follows_the_time_of_the_knot(robot):
     turning = bn.Reference(rotation_over_time=turn)
     spec = spec_of(robot, [bn.CostTerm(residual.FrameVelocity("tool", turning))], knots=3)
     problem = bn.Problem(spec)
@@ -95,17 +95,17 @@ def test_references_turn_from_knot_to_knot(robot):
         bn.Reference(rotation_over_time=lambda t: [0, 0, 0, 0.5]).at(2)
 
 
-def test_a_signal_is_asked_again_when_a_knot_gets_another_time(robot):
-    asked = []
+def test_set_knot_with_another_time_evaluates_the_signal_again(robot):
+    times_called = []
 
     def path(t):
-        asked.append(t)
+        times_called.append(t)
         return [t, 0.0, 0.0]
 
     problem = bn.Problem(spec_of(robot, [bn.CostTerm(residual.FramePosition("tool", path))], knots=3))
-    asked.clear()
+    times_called.clear()
     problem.set_knot(1, "move", 7.0)
-    assert asked == [7.0]
+    assert times_called == [7.0]
     before = problem.residual(1, 0, at_rest(robot), np.zeros(7))
     problem.set_target(1, "frame position", [1.0, 0.0, 0.0])
     np.testing.assert_allclose(

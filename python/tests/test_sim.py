@@ -1,4 +1,4 @@
-"""Plants, disturbances and closed loops, the library's and those written in Python."""
+"""Plants, disturbances and closed loops, of the library and written in Python."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def scene(robot, q):
 
 
 class Posture(burnish.Controller):
-    """Holds a posture by springs and dampers."""
+    """Controller with a spring and a damper in every joint."""
 
     def __init__(self, model, q, kp=200.0, kd=20.0):
         self.nv = model.nv
@@ -54,7 +54,7 @@ class Posture(burnish.Controller):
 
 
 class Wrapped(burnish.Plant):
-    """A plant of the library in Python's clothes."""
+    """Plant of the library behind the interface of a Python plant."""
 
     def __init__(self, inner):
         self.inner = inner
@@ -75,7 +75,7 @@ class Wrapped(burnish.Plant):
 
 
 def slider():
-    """A mass of 2 kg on a rail along z, without gravity."""
+    """Returns the model of a mass of 2 kg on a rail along z, without gravity."""
     tree = burnish.TreeSpec(
         name="slider",
         links=[
@@ -88,7 +88,7 @@ def slider():
 
 
 class PointMass:
-    """The slider by hand; of no class of burnish."""
+    """Slider integrated in Python, without a base class of burnish."""
 
     dt = 1e-3
 
@@ -137,7 +137,7 @@ def rows(loop):
     return loop.trace.array().tobytes()
 
 
-def test_scene_lies_under_the_tip(robot, q, scene):
+def test_scene_under_tip_has_the_given_clearance(robot, q, scene):
     assert np.isclose(np.linalg.norm(scene.surface.normal), 1.0)
     tip = scene.surface.point + (scene.tip.radius + 0.005) * scene.surface.normal
     assert np.isclose(burnish.gap(scene, tip), 0.005)
@@ -161,8 +161,8 @@ def test_disturbances_change_model_and_scene(robot, scene):
     assert burnish.push_at(pushes, 1.6).tolist() == [0.0, 0.0, 0.0]
 
 
-def test_a_value_that_does_not_fit_is_named(robot, scene):
-    with pytest.raises(burnish.Error, match="Disturbances.seed: got 'x', wanted a whole number"):
+def test_invalid_disturbance_raises_with_its_name(robot, scene):
+    with pytest.raises(burnish.Error, match="Disturbances.seed: got 'x'; wanted a whole number"):
         burnish.check_disturbances(robot.model, burnish.Disturbances(seed="x"))
     with pytest.raises(AttributeError, match="did you mean 'torque_bias'"):
         burnish.Disturbances().torque_bais = 1.0
@@ -177,7 +177,7 @@ def test_circle_path_starts_at_rest_and_becomes_a_circle():
     assert np.isclose(np.linalg.norm(later.v_world), 0.2) and later.force == 20.0
 
 
-def test_ideal_plant_falls_and_is_restored(robot, q, scene):
+def test_restored_plant_repeats_the_same_states(robot, q, scene):
     plant = burnish.make_ideal_plant(robot.model, scene, burnish.IdealPlantOptions(dt=1e-3))
     assert isinstance(plant, burnish.Plant) and plant.dt == 1e-3
     plant.reset(q)
@@ -187,23 +187,23 @@ def test_ideal_plant_falls_and_is_restored(robot, q, scene):
         assert plant.step(zero) == Status.OK
     assert np.isclose(plant.time, 0.02) and np.any(plant.v != 0.0)
     snapshot = pickle.loads(pickle.dumps(plant.save()))
-    def on():
+    def fall():
         states = []
         for i in range(200):
             plant.step(zero, [0.0, 1.0, 0.0])
             states.append((plant.q, plant.v, plant.contact_force_world, plant.in_contact))
         return states
-    first = on()
-    assert any(state[3] for state in first), "it was to meet the surface"
+    first = fall()
+    assert any(state[3] for state in first), "the tool must touch the surface"
     plant.restore(snapshot)
     assert np.isclose(plant.time, 0.02)
-    for a, b in zip(first, on()):
+    for a, b in zip(first, fall()):
         assert all(np.array_equal(x, y) for x, y in zip(a, b))
     with pytest.raises(burnish.EvaluationError, match="Plant.restore"):
         plant.restore(burnish.PlantSnapshot([1.0, 2.0]))
 
 
-def test_plants_refuse_what_is_no_state_or_torque(robot, q, scene):
+def test_invalid_state_or_torque_raises(robot, q, scene):
     plant = burnish.make_ideal_plant(robot.model, scene)
     with pytest.raises(burnish.EvaluationError, match="Plant.reset"):
         plant.reset(q[:3])
@@ -216,7 +216,7 @@ def test_plants_refuse_what_is_no_state_or_torque(robot, q, scene):
         burnish.make_ideal_plant(robot.model, scene, burnish.IdealPlantOptions(dt=0.0))
 
 
-def test_readings_are_copies_and_the_model_outlives_its_plant(robot, q, scene):
+def test_plant_arrays_are_copies_and_model_outlives_plant(robot, q, scene):
     plant = burnish.make_ideal_plant(robot.model, scene)
     plant.reset(q)
     reading, model = plant.q, plant.model
@@ -229,7 +229,7 @@ def test_readings_are_copies_and_the_model_outlives_its_plant(robot, q, scene):
 
 
 @pytest.mark.skipif(not burnish.has_mujoco(), reason="this build has no MuJoCo")
-def test_mujoco_and_the_ideal_plant_fall_alike(robot, q, scene):
+def test_mujoco_and_ideal_plant_fall_alike(robot, q, scene):
     ideal = burnish.make_ideal_plant(robot.model, scene)
     mujoco = burnish.make_mujoco_plant(robot.model, scene)
     for plant in (ideal, mujoco):
@@ -240,12 +240,12 @@ def test_mujoco_and_the_ideal_plant_fall_alike(robot, q, scene):
 
 
 @pytest.mark.skipif(burnish.has_mujoco(), reason="this build has MuJoCo")
-def test_a_build_without_mujoco_says_so(robot, scene):
+def test_build_without_mujoco_raises(robot, scene):
     with pytest.raises(burnish.Error, match="no MuJoCo"):
         burnish.make_mujoco_plant(robot.model, scene)
 
 
-def test_the_same_run_gives_the_same_bits(robot, q, scene):
+def test_repeated_run_gives_the_same_bits(robot, q, scene):
     first, second = make_loop(robot, scene, q), make_loop(robot, scene, q)
     assert first.run(0.3) == Status.OK
     for _ in range(600):
@@ -260,16 +260,16 @@ def test_the_same_run_gives_the_same_bits(robot, q, scene):
     assert rows(other) != rows(first)
 
 
-def test_a_plant_in_python_gives_the_same_bits(robot, q, scene):
+def test_python_plant_gives_the_same_bits(robot, q, scene):
     ours, theirs = make_loop(robot, scene, q, wrap=True), make_loop(robot, scene, q)
     assert isinstance(ours.plant, Wrapped)
     assert ours.run(0.25) == theirs.run(0.25) == Status.OK
     assert rows(ours) == rows(theirs)
-    assert ours.trace["tool_force_x_world"].any(), "it was to meet the surface"
+    assert ours.trace["tool_force_x_world"].any(), "the tool must touch the surface"
     assert ours.trace["push_x_world"].max() == 5.0
 
 
-def test_any_object_with_the_attributes_is_a_plant():
+def test_object_with_the_attributes_of_a_plant_is_accepted():
     model = slider()
     scene = burnish.SceneSpec(burnish.SurfaceSpec(point=[0, 0, -9.0]))
     ideal = burnish.make_ideal_plant(model, scene, burnish.IdealPlantOptions(dt=1e-3))
@@ -285,7 +285,7 @@ def test_any_object_with_the_attributes_is_a_plant():
     assert np.ptp(traces[0]["q_z"]) > 0.1
 
 
-def test_a_controller_in_python_holds_a_posture(robot, q, scene):
+def test_python_controller_keeps_a_posture(robot, q, scene):
     loop = make_loop(robot, scene, q, disturbances=burnish.Disturbances())
     controller = loop.controller
     assert controller.resets == 1
@@ -298,7 +298,7 @@ def test_a_controller_in_python_holds_a_posture(robot, q, scene):
     assert np.isclose(loop.measurement.time, 0.499)
 
 
-def test_a_controller_may_give_its_torque_alone():
+def test_controller_may_return_only_its_torque():
     model = slider()
 
     class Push:
@@ -321,7 +321,7 @@ class Broken(Exception):
 
 
 @pytest.mark.parametrize("part", ["plant", "controller", "attribute"])
-def test_what_python_raises_comes_out_of_run(robot, q, scene, part):
+def test_python_exception_comes_out_of_run(robot, q, scene, part):
     class Plant(Wrapped):
         def step(self, tau, push_world=None):
             if part == "plant" and self.inner.time > 0.0495:
@@ -346,14 +346,14 @@ def test_what_python_raises_comes_out_of_run(robot, q, scene, part):
     with pytest.raises(Broken, match="at 0.05"):
         loop.run(1.0)
     assert 100 <= len(loop.trace) <= 102
-    if part != "attribute":  # it is raised again, as the cause lasts
+    if part != "attribute":  # the exception is raised again, because its cause persists
         with pytest.raises(Broken):
             loop.run(0.01) if part == "plant" else loop.run(1.0)
     loop.reset(q)
     assert loop.run(0.04) == Status.OK
 
 
-def test_what_python_raises_comes_out_of_reset_and_step(robot, q, scene):
+def test_python_exception_comes_out_of_reset_and_step(robot, q, scene):
     class Plant(Wrapped):
         def reset(self, q, v=None):
             raise Broken("reset")
@@ -375,7 +375,7 @@ def test_what_python_raises_comes_out_of_reset_and_step(robot, q, scene):
         loop.step()
 
 
-def test_what_python_gives_that_does_not_fit_is_named(robot, q, scene):
+def test_invalid_python_plant_or_controller_raises_with_the_reason(robot, q, scene):
     model = slider()
 
     def run(plant, controller):
@@ -395,11 +395,11 @@ def test_what_python_gives_that_does_not_fit_is_named(robot, q, scene):
         def tick(self, measurement):
             return np.zeros(4)
 
-    with pytest.raises(burnish.Error, match="Plant.q: got 3 numbers, wanted 1"):
+    with pytest.raises(burnish.Error, match="Plant.q: got 3 numbers; wanted 1"):
         run(Wide(model), Posture(model, [0.0]))
-    with pytest.raises(burnish.Error, match="Controller.tick: got 'full speed', wanted a Command"):
+    with pytest.raises(burnish.Error, match="Controller.tick: got 'full speed'; wanted a Command"):
         run(PointMass(model), Text(model, [0.0]))
-    with pytest.raises(burnish.Error, match="torque of 4 numbers, wanted 1"):
+    with pytest.raises(burnish.Error, match="torque has 4 entries; wanted 1"):
         run(PointMass(model), Long(model, [0.0]))
     with pytest.raises(burnish.Error, match="Plant: object has no 'model'"):
         run(object(), Posture(model, [0.0]))
@@ -411,7 +411,7 @@ def test_what_python_gives_that_does_not_fit_is_named(robot, q, scene):
         burnish.Plant()  # type: ignore[abstract]
 
 
-def test_a_status_of_a_plant_in_python_ends_the_run():
+def test_status_of_a_python_plant_ends_the_run():
     class Stuck(PointMass):
         steps = 0
 
@@ -427,7 +427,7 @@ def test_a_status_of_a_plant_in_python_ends_the_run():
     assert loop.trace["plant_status"].tolist() == [0, 0, 0, 0, Status.NOT_FINITE.value]
 
 
-def test_the_baseline_presses_and_what_its_task_raises_comes_out(robot, q, scene):
+def test_baseline_presses_and_task_exception_comes_out(robot, q, scene):
     n = scene.surface.normal
     path = burnish.CirclePath(center_world=scene.surface.point + scene.tip.radius * n,
                               normal_world=n, radius=0.0, force=12.0)
@@ -456,7 +456,7 @@ def test_the_baseline_presses_and_what_its_task_raises_comes_out(robot, q, scene
         burnish.make_impedance_controller(robot.model, spec)
 
 
-def test_disturbances_draw_the_same_numbers(robot, q, scene):
+def test_same_seed_draws_the_same_numbers(robot, q, scene):
     one = burnish.Actuation(robot.model, ALL, 5e-4)
     two = burnish.Actuation(robot.model, ALL.replace(force_noise=0.0), 5e-4)
     assert np.array_equal(one.scale, two.scale) and np.array_equal(one.bias, two.bias)
@@ -482,7 +482,7 @@ def test_disturbances_draw_the_same_numbers(robot, q, scene):
     assert sensing.measure(plant, np.zeros(7)) == seen
 
 
-def test_views_of_a_trace_keep_their_loop_alive(robot, q, scene):
+def test_trace_views_keep_their_loop_alive(robot, q, scene):
     loop = make_loop(robot, scene, q)
     loop.run(0.05)
     times, everything = loop.trace["time"], loop.trace.array()
@@ -496,13 +496,13 @@ def test_views_of_a_trace_keep_their_loop_alive(robot, q, scene):
     assert np.allclose(np.diff(times), 5e-4)
 
 
-def test_a_full_trace_counts_what_it_drops(robot, q, scene):
+def test_full_trace_counts_dropped_rows(robot, q, scene):
     loop = make_loop(robot, scene, q, max_duration=0.01, record_every=2)
     loop.run(0.1)
     assert len(loop.trace) == 12 and loop.trace.dropped == 88
 
 
-def test_periods_that_do_not_fit_are_refused(robot, q, scene):
+def test_invalid_periods_and_durations_raise(robot, q, scene):
     with pytest.raises(burnish.Error, match="control period"):
         make_loop(robot, scene, q, control_period=7e-4)
     loop = make_loop(robot, scene, q)
@@ -512,7 +512,7 @@ def test_periods_that_do_not_fit_are_refused(robot, q, scene):
 
 
 def baseline_loop(robot, q, scene):
-    """C++ throughout: the task is asked for at every tick, and is one of the library's functions."""
+    """Returns a loop of C++ parts; only its task is a Python function, called at every tick."""
     n = scene.surface.normal
     point = burnish.TaskPoint(p_world=scene.surface.point + scene.tip.radius * n, force=10.0)
     controller = burnish.make_impedance_controller(
@@ -522,7 +522,7 @@ def baseline_loop(robot, q, scene):
     return loop
 
 
-def test_other_threads_run_meanwhile_and_stay_out(robot, q, scene):
+def test_loop_in_use_by_a_thread_refuses_another(robot, q, scene):
     loop = baseline_loop(robot, q, scene)
     refused = []
 
@@ -551,7 +551,7 @@ def test_ctrl_c_ends_a_long_run(robot, q, scene):
     assert len(loop.trace) > 10
 
 
-def test_a_trace_is_a_table(robot, q, scene):
+def test_trace_array_becomes_a_pandas_table(robot, q, scene):
     pandas = pytest.importorskip("pandas")
     loop = make_loop(robot, scene, q)
     loop.run(0.05)

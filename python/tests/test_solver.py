@@ -1,4 +1,4 @@
-"""Solves in Python: results, callbacks, exceptions, threads, Ctrl-C, budgets."""
+"""The solver in Python: results, callbacks, exceptions, threads, Ctrl-C, time budgets."""
 
 import _thread
 import gc
@@ -41,7 +41,7 @@ def solved(spec, **options):
 
 
 @pytest.mark.parametrize("update", list(bn.StepUpdate))
-def test_a_solve_reaches_an_optimum_and_says_so(robot, update):
+def test_solve_converges_and_reports_it(robot, update):
     problem = bn.Problem(reaching(robot))
     solver = bn.DdpSolver(problem, bn.DdpOptions(update=update))
     summary = solver.solve()
@@ -60,7 +60,7 @@ def test_a_solve_reaches_an_optimum_and_says_so(robot, update):
     assert "reach" in report.text()
 
 
-def test_results_are_the_callers_own(robot):
+def test_solver_arrays_are_copies(robot):
     solver = solved(reaching(robot))
     xs, gain = solver.xs, solver.gain(0)
     xs[:], gain[:] = 0.0, 0.0
@@ -71,7 +71,7 @@ def test_results_are_the_callers_own(robot):
     assert np.isfinite(kept).all()
 
 
-def test_policies_and_value_functions_fit_together(robot):
+def test_gains_match_the_value_function(robot):
     solver = solved(reaching(robot))
     problem = solver.problem
     e = problem.expand(solver.xs, solver.us)
@@ -96,7 +96,7 @@ def test_policies_and_value_functions_fit_together(robot):
 
 
 @pytest.mark.parametrize("update", list(bn.StepUpdate))
-def test_results_have_the_same_bits_for_any_number_of_threads(robot, update):
+def test_solve_with_one_or_two_threads_gives_the_same_bits(robot, update):
     one, two = (solved(reaching(robot), threads=threads, update=update) for threads in (1, 2))
     np.testing.assert_array_equal(one.xs, two.xs)
     np.testing.assert_array_equal(one.us, two.us)
@@ -120,7 +120,7 @@ class Reach:
         return out
 
 
-def test_own_residuals_solve_to_the_same_trajectory(robot):
+def test_custom_residual_gives_the_trajectory_of_the_built_in_one(robot):
     goal = (0.55, -0.15, 0.35)
     built_in = solved(reaching(robot, goal))
     for jacobian in (True, False):
@@ -131,7 +131,7 @@ def test_own_residuals_solve_to_the_same_trajectory(robot):
             np.testing.assert_allclose(own.xs, built_in.xs, atol=1e-5)
 
 
-def test_own_residuals_in_all_knots_work_in_threads(robot):
+def test_custom_residuals_at_all_knots_work_in_threads(robot):
     goal = (0.55, -0.15, 0.35)
     spec = reaching(robot)
     spec.stages[0].costs.append(bn.CostTerm(residual.custom(Reach(goal)), 10.0))
@@ -141,7 +141,7 @@ def test_own_residuals_in_all_knots_work_in_threads(robot):
     np.testing.assert_allclose(one.xs, solved(spec).xs, atol=1e-6)
 
 
-def test_pickled_problems_solve_to_the_same_bits(robot):
+def test_pickled_problem_solves_to_the_same_bits(robot):
     spec = reaching(robot, reach=residual.custom(Reach((0.5, 0.0, 0.4))))
     first, second = solved(spec), solved(pickle.loads(pickle.dumps(spec)))
     assert first.summary.cost == second.summary.cost
@@ -153,9 +153,9 @@ def test_pickled_problems_solve_to_the_same_bits(robot):
 # Callbacks and exceptions
 
 
-def test_a_callback_sees_every_iteration_and_may_stop(robot):
+def test_callback_gets_every_iteration_and_may_stop(robot):
     seen = []
-    solver = solved(reaching(robot), callback=seen.append)  # answers None: goes on
+    solver = solved(reaching(robot), callback=seen.append)  # returns None, so the solve continues
     assert solver.summary.reason is bn.StopReason.CONVERGED
     assert [p.iteration for p in seen] == list(range(1, solver.summary.iterations + 1))
     assert seen == solver.summary.log
@@ -168,7 +168,7 @@ class Mine(Exception):
     pass
 
 
-def test_what_a_callback_raises_arrives(robot):
+def test_callback_exception_reaches_the_caller(robot):
     def callback(progress):
         raise Mine(progress.iteration)
 
@@ -180,7 +180,7 @@ def test_what_a_callback_raises_arrives(robot):
 
 
 @pytest.mark.parametrize("threads", [1, 2])
-def test_what_a_residual_raises_arrives_from_any_thread(robot, threads):
+def test_residual_exception_in_any_thread_reaches_the_caller(robot, threads):
     calls, broken = [], [True]
 
     class Broken(Reach):
@@ -201,7 +201,7 @@ def test_what_a_residual_raises_arrives_from_any_thread(robot, threads):
     assert solver.solve().reason is bn.StopReason.CONVERGED
 
 
-def test_a_wrong_size_in_the_middle_of_a_solve_is_a_sentence(robot):
+def test_residual_of_wrong_size_in_a_solve_raises(robot):
     count = [0]
 
     class Broken(Reach):
@@ -209,11 +209,11 @@ def test_a_wrong_size_in_the_middle_of_a_solve_is_a_sentence(robot):
             count[0] += 1
             return super().value(at)[: 3 if count[0] < 20 else 2]
 
-    with pytest.raises(bn.Error, match=r"residual 'own': value gave an array of shape \(2,\); wanted is \(3,\)"):
+    with pytest.raises(bn.Error, match=r"residual 'own': value gave an array of shape \(2,\); wanted \(3,\)"):
         solved(reaching(robot, reach=residual.custom(Broken((0.5, 0.0, 0.4)))))
 
 
-def test_numbers_that_are_none_end_a_solve_with_a_reason(robot):
+def test_nan_residual_ends_the_solve_with_a_reason(robot):
     spec = reaching(robot, reach=residual.Custom("nothing", 1, value=lambda at: math.nan))
     summary = solved(spec).summary
     assert summary.reason is bn.StopReason.NOT_EVALUATED and summary.status is bn.Status.NOT_FINITE
@@ -222,7 +222,7 @@ def test_numbers_that_are_none_end_a_solve_with_a_reason(robot):
 
 
 def long_options(**more):
-    """Would go on for minutes."""
+    """Returns options with which a solve would take minutes."""
     return bn.DdpOptions(max_iterations=10**6, stop_tolerance=1e-300, gap_tolerance=1e-300, **more)
 
 
@@ -243,7 +243,7 @@ def test_ctrl_c_ends_a_solve(robot):
     solver.solve()
 
 
-def test_a_time_budget_is_kept(robot):
+def test_time_budget_ends_the_solve(robot):
     solver = bn.DdpSolver(bn.Problem(reaching(robot)))
     solver.set_time_budget(0.0)
     assert solver.options.time_budget == 0.0
@@ -257,7 +257,7 @@ def test_a_time_budget_is_kept(robot):
 # Threads and lifetimes
 
 
-def test_a_solve_lets_other_threads_work(robot):
+def test_solve_lets_other_threads_run(robot):
     stamps, over = [], threading.Event()
 
     def count():
@@ -280,7 +280,7 @@ def test_a_solve_lets_other_threads_work(robot):
     assert any(began + 0.1 < stamp < ended - 0.1 for stamp in stamps)
 
 
-def test_solvers_in_two_threads_do_not_disturb_each_other(robot):
+def test_solvers_in_two_threads_are_independent(robot):
     goals = [(0.5, 0.1, 0.4), (0.4, -0.2, 0.3)]
     reaches = [residual.FramePosition("tool", goals[0]), residual.custom(Reach(goals[1]))]
     expected = [solved(reaching(robot, reach=reach)) for reach in reaches]
@@ -304,7 +304,7 @@ def test_solvers_in_two_threads_do_not_disturb_each_other(robot):
         np.testing.assert_array_equal(solver.xs, alone.xs)
 
 
-def test_a_solver_and_its_problem_are_locked_during_a_solve(robot):
+def test_solver_and_problem_are_locked_during_a_solve(robot):
     answers = []
 
     def callback(progress):
@@ -325,7 +325,7 @@ def test_a_solver_and_its_problem_are_locked_during_a_solve(robot):
     assert other.solve().reason is bn.StopReason.CONVERGED
 
 
-def test_a_solver_keeps_its_problem_alive(robot):
+def test_solver_keeps_its_problem_alive(robot):
     problem = bn.Problem(reaching(robot))
     solver = bn.DdpSolver(problem)
     assert solver.problem is problem
@@ -334,7 +334,7 @@ def test_a_solver_keeps_its_problem_alive(robot):
     assert solver.solve().reason is bn.StopReason.CONVERGED
 
 
-def test_nothing_leaks(robot):
+def test_custom_residual_is_released_after_a_solve(robot):
     reach = Reach((0.5, 0.0, 0.4))
     alive = weakref.ref(reach)
     solved(reaching(robot, reach=residual.custom(reach)), threads=2)
@@ -346,7 +346,7 @@ def test_nothing_leaks(robot):
 # Guesses, changes between solves, options
 
 
-def test_a_guess_is_where_a_solve_starts(robot):
+def test_guess_of_a_solution_converges_in_one_iteration(robot):
     first = solved(reaching(robot))
     second = bn.DdpSolver(bn.Problem(reaching(robot)))
     second.set_guess(first.xs, first.us)
@@ -357,7 +357,7 @@ def test_a_guess_is_where_a_solve_starts(robot):
         second.set_guess("xs", first.us)
 
 
-def test_problems_change_between_solves(robot):
+def test_changed_target_and_state_take_effect_in_the_next_solve(robot):
     solver = solved(reaching(robot))
     problem = solver.problem
     problem.set_target(problem.knots, "reach", [0.4, 0.2, 0.4])
@@ -370,7 +370,7 @@ def test_problems_change_between_solves(robot):
     np.testing.assert_allclose(solver.xs[0], x, atol=1e-9)
 
 
-def test_bounds_are_kept(robot):
+def test_control_bounds_limit_the_solution(robot):
     free = solved(reaching(robot))
     limit = 0.8 * np.abs(free.us).max()
     bounded = solved(reaching(robot, control_lower=-limit, control_upper=limit))
@@ -378,18 +378,18 @@ def test_bounds_are_kept(robot):
     assert bounded.summary.cost > free.summary.cost
 
 
-def test_segments_of_the_horizon_give_the_gains_of_the_whole(robot):
+def test_segments_give_the_gains_of_the_whole_horizon(robot):
     whole = solved(reaching(robot), max_iterations=1)
     cut = solved(reaching(robot), max_iterations=1, threads=2, segments=4, share_knots=False)
     assert cut.options.segments == 4
     scale = np.abs(whole.gain(0)).max()
     np.testing.assert_allclose(cut.gain(0), whole.gain(0), atol=1e-8 * scale)
     np.testing.assert_allclose(cut.us, whole.us, atol=1e-8 * np.abs(whole.us).max())
-    with pytest.raises(bn.Error, match="1000 segments of a horizon"):
+    with pytest.raises(bn.Error, match="1000 segments are too many for a horizon"):
         solved(reaching(robot), segments=1000)
 
 
-def test_options_out_of_range_are_sentences(robot):
+def test_invalid_options_raise(robot):
     problem = bn.Problem(reaching(robot))
     with pytest.raises(bn.Error, match="threads"):
         bn.DdpSolver(problem, bn.DdpOptions(threads=0))
@@ -401,7 +401,7 @@ def test_options_out_of_range_are_sentences(robot):
         bn.DdpSolver(problem, bn.DdpOptions(callback=3))
     with pytest.raises(AttributeError, match="no entry 'max_iteration'; did you mean 'max_iterations'"):
         bn.DdpOptions().max_iteration = 3
-    with pytest.raises(bn.Error, match="thread pool: 1024 workers to pin|does not say which cores"):
+    with pytest.raises(bn.Error, match="thread pool: 1024 workers are to be pinned|does not report its cores"):
         bn.DdpSolver(problem, bn.DdpOptions(threads=1024, pin_threads=True))
     solver = bn.DdpSolver(problem, bn.DdpOptions(max_iterations=7))
     with pytest.raises(bn.Error):

@@ -1,4 +1,4 @@
-"""Laws of all dataclasses and enumerations of the package. New ones join by themselves."""
+"""Properties of all dataclasses and enumerations of the package; new ones are tested automatically."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ MODULES = [importlib.import_module(info.name)
            for info in pkgutil.walk_packages(burnish.__path__, "burnish.")]
 
 
-def full_name(of: type) -> str:
-    return f"{of.__module__}.{of.__qualname__}"
+def full_name(kind: type) -> str:
+    return f"{kind.__module__}.{kind.__qualname__}"
 
 
 def in_package(base: type) -> Dict[str, type]:
@@ -44,31 +44,31 @@ IN_CPP = list(SPECS)
 ENUMS = in_package(enum.Enum)
 
 
-def has_defaults(of: Type[Spec]) -> bool:
+def has_defaults(kind: Type[Spec]) -> bool:
     return all(f.default is not dataclasses.MISSING or f.default_factory is not dataclasses.MISSING
-               for f in dataclasses.fields(of) if f.init)
+               for f in dataclasses.fields(kind) if f.init)
 
 
-DEFAULTED = [name for name, of in SPECS.items() if has_defaults(of)]
+DEFAULTED = [name for name, kind in SPECS.items() if has_defaults(kind)]
 
 
-def a_value(of: type) -> Spec:
-    """Some value of a dataclass: its defaults, and C++'s where it has none."""
-    if has_defaults(of):
-        return of()
-    value: Spec = _core.spec_default(full_name(of))
+def a_value(kind: type) -> Spec:
+    """Returns a value of a dataclass: its defaults, or those of C++ if it has none."""
+    if has_defaults(kind):
+        return kind()
+    value: Spec = _core.spec_default(full_name(kind))
     for name, entry in vars(value).items():
-        if isinstance(entry, np.ndarray):  # C++ may leave its numbers as they are
+        if isinstance(entry, np.ndarray):  # C++ may leave numbers uninitialized
             setattr(value, name, np.eye(*entry.shape) if entry.ndim == 2 else np.zeros(entry.shape))
     return value
 
 
 class Unknown(Exception):
-    """There is no telling what other values an entry takes."""
+    """No other value of an entry can be derived from its type."""
 
 
 def another(value: Any, hint: Any) -> Any:
-    """A value that differs, of the same kind."""
+    """Returns a different value of the same type."""
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if isinstance(value, bool):
         return not value
@@ -77,7 +77,7 @@ def another(value: Any, hint: Any) -> Any:
     if isinstance(value, float):
         return value + 0.5 if np.isfinite(value) else 2.5
     if isinstance(value, str):
-        return "z"  # a direction too
+        return "z"  # valid as a direction, too
     if isinstance(value, Path):
         return Path("z")
     if isinstance(value, enum.Enum):
@@ -109,7 +109,7 @@ def another(value: Any, hint: Any) -> Any:
 
 
 def sample(hint: Any) -> Any:
-    """A value that is not the simplest of its kind."""
+    """Returns a value of a type that is not its default."""
     if hint in (bool, int, float, str):
         return {bool: True, int: 3, float: 2.5, str: "z"}[hint]
     if isinstance(hint, type) and issubclass(hint, enum.Enum):
@@ -121,17 +121,17 @@ def sample(hint: Any) -> Any:
     raise Unknown(str(hint))
 
 
-def test_the_package_has_dataclasses_and_enumerations() -> None:
+def test_package_has_dataclasses_and_enumerations() -> None:
     assert len(SPECS) >= 30 and len(ENUMS) >= 10
     assert "burnish.contact.ContactSpec" in DEFAULTED
 
 
-def test_every_dataclass_has_a_struct_in_cpp_and_the_other_way_round() -> None:
+def test_dataclasses_and_cpp_structs_correspond() -> None:
     assert sorted(IN_CPP) == sorted(_core.spec_names())
 
 
-def test_every_enumeration_has_the_members_of_cpp_in_their_order() -> None:
-    # What a Phase is in C++ is a number in Command.phase.
+def test_enumerations_have_the_members_of_cpp_in_order() -> None:
+    # In C++, a Phase is a number in Command.phase.
     assert sorted(set(ENUMS) - {"burnish.pressing.Phase"}) == sorted(_core.enum_words())
     for name, words in _core.enum_words().items():
         members: List[enum.Enum] = list(ENUMS[name])
@@ -141,14 +141,14 @@ def test_every_enumeration_has_the_members_of_cpp_in_their_order() -> None:
 
 @pytest.mark.parametrize("name", IN_CPP)
 class TestEveryStruct:
-    def test_is_made_with_the_defaults_of_cpp(self, name: str) -> None:
+    def test_defaults_match_cpp(self, name: str) -> None:
         from_cpp = _core.spec_default(name)
         assert type(from_cpp) is SPECS[name]
         if name in DEFAULTED:
             assert SPECS[name]() == from_cpp
             assert _core.spec_round_trip(SPECS[name]()) == SPECS[name]()
 
-    def test_carries_every_entry_to_cpp_and_back(self, name: str) -> None:
+    def test_every_entry_round_trips_through_cpp(self, name: str) -> None:
         value = a_value(SPECS[name])
         hints = typing.get_type_hints(SPECS[name])
         for field in dataclasses.fields(value):
@@ -161,7 +161,7 @@ class TestEveryStruct:
                 continue
             try:
                 back = _core.spec_round_trip(changed)
-            except burnish.Error as error:  # not every sample fits; then it is refused by name
+            except burnish.Error as error:  # an invalid sample must raise with the name of its entry
                 assert f"{SPECS[name].__name__}.{field.name}" in str(error)
                 continue
             got, sent = getattr(back, field.name), getattr(changed, field.name)
@@ -173,7 +173,7 @@ class TestEveryStruct:
 
 @pytest.mark.parametrize("name", sorted({*IN_CPP, *DEFAULTED}))
 class TestEveryDataclass:
-    def test_is_equal_to_its_copies_which_are_its_own(self, name: str) -> None:
+    def test_copies_are_equal_and_independent(self, name: str) -> None:
         value = a_value(SPECS[name])
         for copied in (copy.deepcopy(value), pickle.loads(pickle.dumps(value)), value.replace()):
             for field in dataclasses.fields(value):
@@ -185,7 +185,7 @@ class TestEveryDataclass:
                     assert ours is not theirs
             assert copied == value
 
-    def test_says_what_differs_from_the_defaults(self, name: str) -> None:
+    def test_repr_lists_changed_entries_only(self, name: str) -> None:
         value = a_value(SPECS[name])
         short = SPECS[name].__name__
         assert repr(value).startswith(short + "(")
@@ -197,7 +197,7 @@ class TestEveryDataclass:
                         **{field.name: another(getattr(value, field.name), None)})
                     assert repr(changed) == f"{short}({field.name}={getattr(changed, field.name)})"
 
-    def test_refuses_entries_that_it_does_not_have(self, name: str) -> None:
+    def test_unknown_entry_raises(self, name: str) -> None:
         value = a_value(SPECS[name])
         first = dataclasses.fields(value)[0].name
         with pytest.raises(AttributeError, match="did you mean '"):
@@ -213,41 +213,41 @@ class TestEveryDataclass:
             assert any(line.startswith(field.name + ": ") for line in lines)
             assert f"{field.name}: {field.type}" in listed
 
-    def test_differs_from_other_dataclasses(self, name: str) -> None:
+    def test_value_differs_from_other_objects(self, name: str) -> None:
         assert a_value(SPECS[name]) != object()
 
-def test_an_entry_of_the_wrong_kind_is_named_with_what_came_and_what_was_wanted() -> None:
+def test_entry_of_wrong_type_raises_with_value_and_requirement() -> None:
     contact = burnish.ContactSpec(tool="tool", kp=[1.0, 2.0])
     with pytest.raises(burnish.Error) as refused:
         _core.spec_round_trip(contact)
-    assert str(refused.value) == "ContactSpec.kp: got [1.0, 2.0], wanted 6 numbers"
+    assert str(refused.value) == "ContactSpec.kp: got [1.0, 2.0]; wanted 6 numbers"
 
 
-def test_a_name_that_an_enumeration_does_not_have_is_answered_with_the_nearest() -> None:
+def test_unknown_enumeration_name_raises_with_the_nearest() -> None:
     contact = burnish.ContactSpec(error="log5")  # type: ignore[arg-type]
     with pytest.raises(burnish.Error, match="PoseError: there is no 'log5'; did you mean 'log6'"):
         _core.spec_round_trip(contact)
 
 
-def test_a_keyword_that_there_is_not_is_answered_with_the_nearest() -> None:
+def test_unknown_keyword_raises_with_the_nearest() -> None:
     with pytest.raises(TypeError, match="ContactSpec has no entry 'directons'; did you mean 'directions'"):
         burnish.ContactSpec(directons="z")  # type: ignore[call-arg]
     with pytest.raises(TypeError, match="did you mean 'tool'"):
         burnish.ContactSpec().replace(toool="hand")
 
 
-def test_help_has_the_meaning_of_entries() -> None:
+def test_help_contains_the_meaning_of_entries() -> None:
     assert "Coefficient of friction" in (burnish.SlidingFriction.__doc__ or "")
     assert "coefficient" in str(inspect.signature(burnish.SlidingFriction))
     assert "Speed below which friction fades out" in burnish.SlidingFriction().describe()
 
 
-def test_summaries_are_short() -> None:
+def test_repr_of_a_summary_is_short() -> None:
     summary = burnish.DdpSummary(cost=1.0 / 3.0, log=[burnish.DdpProgress()] * 5)
     assert repr(summary) == "DdpSummary(cost=0.333333, log=[5 of DdpProgress])"
 
 
-def test_lists_of_a_value_are_python_s_own() -> None:
+def test_lists_of_a_value_can_be_changed_in_place() -> None:
     options = burnish.ModelOptions()
     options.locked.append("elbow")
     options.posture["wrist"] = [0.5]

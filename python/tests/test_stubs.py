@@ -1,5 +1,4 @@
-"""The stubs name what the compiled part has, with the same arguments; what the modules export is
-there."""
+"""The stub declares the names and arguments of the compiled module; modules export existing names."""
 
 from __future__ import annotations
 
@@ -27,7 +26,7 @@ def functions(body: List[ast.stmt]) -> Dict[str, ast.FunctionDef]:
 
 
 def body_of(node: ast.ClassDef) -> List[ast.stmt]:
-    """With what comes from classes that are in stubs alone."""
+    """Returns the body of a class with those of base classes that exist only in the stub."""
     bases = [base.id for base in node.bases if isinstance(base, ast.Name) and base.id.startswith("_")]
     return [*node.body, *(line for base in bases for line in body_of(IN_STUB[base]))]
 
@@ -37,8 +36,9 @@ def arguments(node: ast.FunctionDef) -> List[str]:
 
 
 def bound_arguments(function: Any) -> Optional[List[str]]:
-    """As pybind11 writes them into the first line of the docstring; None where it has none, or
-    several overloads."""
+    """Returns the arguments that pybind11 writes into the first line of the docstring.
+
+    None if the line has no arguments, or if the function has overloads."""
     first = (function.__doc__ or "").split("\n", 1)[0]
     match = re.match(r"\w+\((.*)\) -> ", first)
     if match is None or "*args" in first:
@@ -54,25 +54,25 @@ def bound_arguments(function: Any) -> Optional[List[str]]:
     return names
 
 
-def public(of: Any) -> List[str]:
-    return [name for name in vars(of) if not name.startswith("_") and not hasattr(object, name)]
+def public(owner: Any) -> List[str]:
+    return [name for name in vars(owner) if not name.startswith("_") and not hasattr(object, name)]
 
 
-def test_the_stub_names_everything_that_is_compiled() -> None:
+def test_stub_declares_every_compiled_name() -> None:
     in_stub = set(CLASSES) | set(functions(STUB.body))
     compiled = {name for name in public(_core) if not isinstance(getattr(_core, name), type(ast))}
     assert compiled - in_stub == set()
     assert in_stub - compiled == set()
 
 
-def test_functions_take_the_arguments_that_the_stub_says() -> None:
+def test_functions_have_the_arguments_of_the_stub() -> None:
     for name, node in functions(STUB.body).items():
         bound = bound_arguments(getattr(_core, name))
         assert bound is None or bound == arguments(node), name
 
 
 @pytest.mark.parametrize("name", CLASSES)
-def test_classes_have_the_members_that_the_stub_says(name: str) -> None:
+def test_classes_have_the_members_of_the_stub(name: str) -> None:
     compiled = getattr(_core, name)
     in_stub = functions(body_of(CLASSES[name]))
     annotated = {node.target.id for node in body_of(CLASSES[name])
@@ -107,7 +107,7 @@ def test_exports_are_sorted_and_exist(name: str) -> None:
         assert hasattr(module, exported), exported
 
 
-def test_the_package_has_all_exports_but_those_of_its_namespaces() -> None:
+def test_package_exports_everything_outside_its_namespaces() -> None:
     imports = [node for node in ast.parse(Path(burnish.__file__).read_text()).body
                if isinstance(node, ast.ImportFrom)]
     namespaces = {"burnish." + alias.name for node in imports if node.module is None

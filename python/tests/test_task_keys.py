@@ -1,5 +1,6 @@
-"""Every key of every task does something: another value changes the run, or is answered by a sentence.
-All of them take minutes, which is for ./test --long; some of each task are tried always."""
+"""Every key of every task has an effect: another value changes the run or is refused with a sentence.
+
+All keys take minutes (./test --long); a selection of each task is always tested."""
 
 from __future__ import annotations
 
@@ -26,11 +27,11 @@ QUICK = {
                    "controller.measurement_delay", "disturbances.measurement_delay"],
     "stand": ["standing.friction", "model_error.limit", "limits.sink"],
 }
-"""Some keys of each task, those first that did nothing once."""
+"""Selected keys of each task; the first ones had no effect in an earlier version."""
 
 
 class Runs:
-    """Short runs of a task's file with other values."""
+    """Short runs of the file of a task with other values."""
 
     def __init__(self, name):
         self.task = TASKS[name]
@@ -41,7 +42,7 @@ class Runs:
         return self.module.read_task(self.file, [*self.task.short, *words])
 
     def made(self, words):
-        """Everything that distinguishes two runs, except measured times."""
+        """Returns everything that distinguishes two runs, except measured times."""
         task = self.read(words)
         options = {"plan_rate": 0.0}
         if self.task.module == "polishing":
@@ -63,7 +64,7 @@ class Runs:
 
 
 def other_values(value):
-    """Some that a key may take in place of the file's."""
+    """Returns values that a key may have in place of the value in the file."""
     if isinstance(value, bool):
         return [json.dumps(not value)]
     if isinstance(value, int):
@@ -76,10 +77,10 @@ def other_values(value):
 
 
 def complaint(runs, key, value):
-    """What is wrong with a key; empty if nothing is."""
+    """Returns the reason why a key has no effect; empty if it has one."""
     case = runs.task.cases.get(key, Case())
-    said = []
-    usual = None
+    reasons = []
+    reference = None
     for new in case.values or other_values(value):
         words = [*case.setting, f"{key}={new}"]
         try:
@@ -87,16 +88,16 @@ def complaint(runs, key, value):
         except burnish.Error as error:
             if case.refused:
                 return ""
-            said.append(f"{new}: {error}")
+            reasons.append(f"{new}: {error}")
             continue
-        if usual is None:
-            # The key's own name says which controller acts.
-            usual = runs.made([*case.setting, f"{key}={_word(value)}"] if key.startswith(("baseline", "admittance"))
+        if reference is None:
+            # The name of the key selects the controller.
+            reference = runs.made([*case.setting, f"{key}={_word(value)}"] if key.startswith(("baseline", "admittance"))
                               else case.setting)
-        if not case.refused and changed != usual:
+        if not case.refused and changed != reference:
             return ""
-        said.append(f"{new}: the same run")
-    return f"{key}: {'; '.join(said) or 'no value to try'}"
+        reasons.append(f"{new}: the same run")
+    return f"{key}: {'; '.join(reasons) or 'no value to try'}"
 
 
 def _word(value):
@@ -104,7 +105,7 @@ def _word(value):
 
 
 @pytest.mark.parametrize("name", QUICK)
-def test_some_keys_act(name):
+def test_selected_keys_change_the_run(name):
     runs = Runs(name)
     values = dict(runs.keys())
     assert [text for text in (complaint(runs, key, values[key]) for key in QUICK[name]) if text] == []
@@ -112,7 +113,7 @@ def test_some_keys_act(name):
 
 @long
 @pytest.mark.parametrize("name", TASKS)
-def test_every_key_acts(name):
+def test_every_key_changes_the_run(name):
     runs = Runs(name)
     keys = [(key, value) for key, value in runs.keys() if not {key, f"{name}: {key}"} & set(UNSEEN)]
     complaints = [complaint(runs, key, value) for key, value in keys]
@@ -120,7 +121,7 @@ def test_every_key_acts(name):
 
 
 @pytest.mark.parametrize("name", TASKS)
-def test_what_is_said_of_keys_is_of_keys_that_there_are(name):
+def test_cases_name_existing_keys(name):
     keys = {key for key, _ in Runs(name).keys()}
     assert set(TASKS[name].cases) - keys == set()
 
@@ -129,11 +130,11 @@ def test_what_is_said_of_keys_is_of_keys_that_there_are(name):
                                        ("stand", "disturbances.surface_friction"), ("stand", "constraints.force_band"),
                                        ("press_hold", "constraints.joint_torque_rate"),
                                        ("push_wall", "disturbances.surface_shape")])
-def test_keys_that_could_do_nothing_are_refused(name, key):
-    with pytest.raises(burnish.Error, match=f"key '{key.partition('.')[2]}' does nothing in this task: "):
+def test_keys_without_effect_in_the_task_are_refused(name, key):
+    with pytest.raises(burnish.Error, match=f"key '{key.partition('.')[2]}' has no effect in this task: "):
         Runs(name).read([f"{key}=1"])
 
 
-def test_what_no_run_shows_is_of_some_task():
+def test_unseen_keys_exist_in_some_task():
     keys = {text for name in TASKS for key, _ in Runs(name).keys() for text in (key, f"{name}: {key}")}
     assert set(UNSEEN) - keys == set()

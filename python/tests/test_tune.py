@@ -1,4 +1,4 @@
-"""Tuning: what the optimiser finds, on which seeds it is judged, what may not get worse, bad input."""
+"""Tuning: the optimum, its assessment on test runs, figures that must not get worse, invalid input."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ either = pytest.mark.skipif(not (has_nlopt or has_scipy),
 
 
 class Made(Machine):
-    """Runs whose figures are a formula: best at a weight of 10, whatever the speed, more slip the more
-    weight; rough ground is noise."""
+    """Machine whose figures are formulas: the force error is least at a weight of 10, the slip grows with
+    the weight, the speed has no effect, and friction acts as noise."""
 
     kernels = ""
 
@@ -66,7 +66,7 @@ def row(result, figure):
 
 
 @either
-def test_it_finds_what_is_better_on_seeds_it_did_not_see(tmp_path):
+def test_tuned_values_are_better_on_unseen_runs(tmp_path):
     result, machine = tuned(tmp_path)
     assert result.better
     assert 7 < result.best["controller.posture_weight"] < 14
@@ -74,28 +74,28 @@ def test_it_finds_what_is_better_on_seeds_it_did_not_see(tmp_path):
     force = row(result, "force_rmse_N")
     assert force["verdict"] == "better" and abs(force["change"] + 1.0) < 0.05 and force["half"] < 0.05
     assert row(result, "moved_aside")["verdict"] == "higher"
-    # Those that it is judged on are no training runs.
+    # The test runs differ from the training runs.
     train, test = ({point["surface.friction"] for point in points} for points in (result.tuning.train, result.tuning.test))
     assert not train & test and len(test) == 6
-    # The key without effect is told from the one that matters.
+    # The report distinguishes a key without effect from a key with an effect.
     weight, speed = result.matters
     assert weight["verdict"] == "worse" and speed.get("verdict", "no sure difference") == "no sure difference"
-    # The task is a file with these values, and the report says all of it.
+    # The tuned task has these values, and the report has the verdict and the tables.
     task = _core.read_yaml(tmp_path / "out" / "tuned.yaml")
     assert task["controller"]["posture_weight"] == result.best["controller.posture_weight"] and task["surface"]["friction"] == 0
     report = (tmp_path / "out" / "tuning.md").read_text()
-    for words in ("better on seeds that it was not tuned on", "| controller.posture_weight | 1 |", "| force_rmse [N] (minimised) |"):
+    for words in ("significantly better on the test runs", "| controller.posture_weight | 1 |", "| force_rmse [N] (minimised) |"):
         assert words in report
     evaluations = (tmp_path / "out" / "evaluations.csv").read_text()
     assert evaluations.count("\n") == len(result.evaluated) + 1
-    # Again from what is there: nothing is made twice, and the same comes out.
+    # A repeated tuning reads the existing results, makes no run, and has the same result.
     again, machine = tuned(tmp_path)
     assert not machine.tasks and again.best == result.best and again.table == result.table
 
 
 @either
-def test_a_sum_of_figures_is_minimised_by_their_weights(tmp_path):
-    # (x - 1)^2 + (2 + x) of the weight's power x is least at 1/2; the force alone at 1.
+def test_weighted_sum_of_figures_is_minimised(tmp_path):
+    # With x = log10(weight), (x - 1)^2 + (2 + x) is least at 1/2, and the force error alone at 1.
     result, _ = tuned(tmp_path, minimise={"force_rmse": 1, "slip": 1000})
     assert 2.5 < result.best["controller.posture_weight"] < 4.0
     total = row(result, "1 force_rmse + 1000 slip")
@@ -106,17 +106,17 @@ def test_a_sum_of_figures_is_minimised_by_their_weights(tmp_path):
 
 
 @either
-def test_what_may_not_get_worse_does_not(tmp_path):
+def test_not_worse_figure_does_not_get_worse(tmp_path):
     result, _ = tuned(tmp_path, not_worse="slip")
     assert result.best["controller.posture_weight"] <= 1.0 + 1e-9 and not result.better
-    assert "keep the task as it was" in _tune.report_text(result)
+    assert "keep the original task" in _tune.report_text(result)
     result, _ = tuned(tmp_path, not_worse="slip", slack=0.3)
     assert 2.0 < result.best["controller.posture_weight"] < 4.1 and result.better
     assert row(result, "slip_m")["verdict"] == "within the slack"
 
 
 class Divided(Made):
-    """On hard ground less weight is better, on soft ground, where errors are large, more."""
+    """On hard ground a lower weight is better; on soft ground, where errors are large, a higher one."""
 
     def make(self, runs, keep):
         def kept(index, outcome):
@@ -130,7 +130,7 @@ class Divided(Made):
 
 
 @either
-def test_no_group_of_runs_pays_for_another(tmp_path, monkeypatch):
+def test_groups_of_runs_are_not_traded_off(tmp_path, monkeypatch):
     monkeypatch.setitem(globals(), "Made", Divided)
     ground = {"vary": {"surface.friction": {"uniform": [0.1, 0.5]}, "surface.stiffness": [1e5, 1e6]}}
     together, _ = tuned(tmp_path / "together", **ground)
@@ -139,14 +139,14 @@ def test_no_group_of_runs_pays_for_another(tmp_path, monkeypatch):
     assert 0.4 < apart.best["controller.posture_weight"] <= 1.01
     assert list(apart.groups) == ["surface.stiffness 100000.0", "surface.stiffness 1000000.0"]
     report = _tune.report_text(apart)
-    assert "on test runs, by group" in report and "| surface.stiffness 1000000.0 |" in report
+    assert "Figures on test runs, by group" in report and "| surface.stiffness 1000000.0 |" in report
     with pytest.raises(campaign.CampaignError, match="per names 'surface.stifness', which is not in vary; did you mean"):
         tuned(tmp_path / "no", **ground, per=["surface.stifness"])
 
 
 class Unseen(Made):
-    """From seed 100 on the slip rises with the weight on soft ground, and falls by more on hard
-    ground; before it stays."""
+    """From seed 100 on, the slip rises with the weight on soft ground and falls faster on hard ground;
+    below seed 100 it does not depend on the weight."""
 
     def make(self, runs, keep):
         def kept(index, outcome):
@@ -161,7 +161,7 @@ class Unseen(Made):
 
 
 @either
-def test_no_figure_of_a_group_pays_for_another_on_test_runs(tmp_path, monkeypatch):
+def test_groups_of_test_runs_are_not_traded_off(tmp_path, monkeypatch):
     monkeypatch.setitem(globals(), "Made", Unseen)
     ground = {"vary": {"surface.stiffness": [1e5, 1e6]}, "not_worse": "slip",
               "train": {"seeds": {"first": 0, "count": 3}},
@@ -181,7 +181,7 @@ def test_no_figure_of_a_group_pays_for_another_on_test_runs(tmp_path, monkeypatc
 
 
 class Changing(Made):
-    """Each set of runs by kernels of one kind, the first by others than the rest."""
+    """Machine that makes the first set of runs with other kernels than the rest."""
 
     @property
     def kernels(self):
@@ -194,20 +194,20 @@ def results(tmp_path):
 
 
 @either
-def test_kernels_are_of_one_kind_over_the_whole_tuning(tmp_path, monkeypatch):
+def test_mixed_kernels_within_a_tuning_raise(tmp_path, monkeypatch):
     monkeypatch.setitem(globals(), "Made", Changing)
     words = "different processors .1 with AVX-512, 3 with AVX2.*or --mixed"
     with pytest.raises(campaign.CampaignError, match=words):
         tuned(tmp_path)
-    assert len(results(tmp_path)) == 3  # what does not go with them is not kept
+    assert len(results(tmp_path)) == 3  # results of other kernels are not kept
     result, _ = tuned(tmp_path / "mixed", mixed=True)
     assert result.kernels == f"{len(results(tmp_path / 'mixed')) - 3} with AVX-512, 3 with AVX2"
-    assert f"Kernels of several kinds, which differ in their last digits: {result.kernels}." in (
+    assert f"The runs used different kernels, whose results differ in their last digits: {result.kernels}." in (
         tmp_path / "mixed" / "out" / "tuning.md").read_text()
 
 
 @either
-def test_kernels_are_of_one_kind_after_going_on_too(tmp_path, monkeypatch):
+def test_mixed_kernels_after_resuming_raise(tmp_path, monkeypatch):
     monkeypatch.setattr(Made, "kernels", "AVX2")
     first, _ = tuned(tmp_path, evaluations=8)
     made = len(results(tmp_path))
@@ -223,7 +223,7 @@ def test_kernels_are_of_one_kind_after_going_on_too(tmp_path, monkeypatch):
 
 
 @pytest.mark.skipif(not has_scipy, reason="SciPy is not installed (python3-scipy)")
-def test_scipy_does_it_where_nlopt_is_not_there(tmp_path, monkeypatch):
+def test_scipy_tunes_if_nlopt_is_missing(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "nlopt", None)
     result, _ = tuned(tmp_path, evaluations=60)
     assert result.better and 6 < result.best["controller.posture_weight"] < 16
@@ -232,7 +232,7 @@ def test_scipy_does_it_where_nlopt_is_not_there(tmp_path, monkeypatch):
         tuned(tmp_path / "other")
 
 
-def test_intervals_are_students():
+def test_confidence_intervals_use_the_t_distribution():
     for freedom, quantile in ((1, 12.706), (2, 4.303), (5, 2.571), (11, 2.201), (100, 1.984)):
         assert abs(_tune._t_quantile(freedom) - quantile) < 0.002 * quantile
     mean, half = _tune.difference([1.0, 2.0, 3.0, 4.0], [0.9, 1.8, 2.9, 3.8])
@@ -242,14 +242,14 @@ def test_intervals_are_students():
 
 @pytest.mark.parametrize("change, words", [
     ({"tune": {"posture_wieght": {"from": 1, "to": 2}}}, "key 'posture_wieght' is unknown"),
-    ({"tune": {"robot": {"from": 1, "to": 2}}}, "says 'arm7' there"),
+    ({"tune": {"robot": {"from": 1, "to": 2}}}, "is 'arm7'; wanted a number"),
     ({"tune": {}}, "wanted keys with their ranges"),
-    ({"tune": {"force": {"from": 40, "to": 20}}}, "wanted the lower one first"),
-    ({"tune": {"force": {"from": 30, "to": 40}}}, "starts at 20; wanted a range that holds it"),
-    ({"tune": {"force": {"from": 30, "to": 40, "start": 50}}}, "starts at 50; wanted a range that holds it"),
+    ({"tune": {"force": {"from": 40, "to": 20}}}, "wanted the lower limit first"),
+    ({"tune": {"force": {"from": 30, "to": 40}}}, "starts at 20; wanted a range that contains the start"),
+    ({"tune": {"force": {"from": 30, "to": 40, "start": 50}}}, "starts at 50; wanted a range that contains the start"),
     ({"tune": {"force": [1, 2]}}, "wanted from and to"),
     ({"tune": {"surface.friction": {"from": 0.0, "to": 0.9}}}, "'surface.friction' is in vary, and 'surface.friction' is tuned"),
-    ({"tune": {"surface_height": {"from": 0, "to": 1, "log": True}}}, "from above 0"),
+    ({"tune": {"surface_height": {"from": 0, "to": 1, "log": True}}}, "wanted a lower limit above 0"),
     ({"train": {"samples": {"count": 2, "seed": 5}}, "test": {"samples": {"count": 2, "seed": 5}}}, "in common"),
     ({"train": 3}, "train is 3; wanted seeds, or samples"),
     ({"evaluations": 2}, "evaluations is 2"),
@@ -260,18 +260,18 @@ def test_intervals_are_students():
     ({"minimise": {"force_rmse": 0}}, "minimise.force_rmse is 0; wanted a weight above 0"),
     ({"not_worse": ["slop"]}, "there is no figure 'slop'"),
 ])
-def test_bad_input_is_one_sentence(tmp_path, change, words):
+def test_invalid_input_raises_one_sentence(tmp_path, change, words):
     with pytest.raises(campaign.CampaignError) as error:
         tuned(tmp_path, **change)
     assert words in str(error.value) and "\n" not in str(error.value)
 
 
-def test_polishing_has_seeds_and_keys_that_are_checked(tmp_path):
+def test_polishing_tuning_checks_seeds_and_keys(tmp_path):
     tree = {"task": str(TASKS / "polishing" / "board.yaml"), "minimise": "force_rmse",
             "tune": {"controller.contact_kd": {"from": 5, "to": 80}},
             "train": {"seeds": {"first": 0, "count": 2}}, "test": {"seeds": {"first": 100, "count": 3}}}
     read = _tune.read_tuning(tree)
-    assert read.keys[0].start == 40.0  # which board.yaml leaves to its default
+    assert read.keys[0].start == 40.0  # the default, because board.yaml does not state it
     assert [point["disturbances.seed"] for point in read.test] == [100, 101, 102]
     for change, words in (({"tune": {"controller.contact_dk": {"from": 5, "to": 80}}}, "did you mean 'contact_kd'?"),
                           ({"test": {"seeds": [5, 1]}}, "{'disturbances.seed': 1} in common")):
@@ -280,7 +280,7 @@ def test_polishing_has_seeds_and_keys_that_are_checked(tmp_path):
         assert words in str(error.value)
 
 
-def test_the_command_line_refuses_in_one_sentence(tmp_path):
+def test_command_line_refuses_in_one_sentence(tmp_path):
     (tmp_path / "t.yaml").write_text(json.dumps({**plan(), "evaluations": 1}))
     done = subprocess.run([sys.executable, "-m", "burnish.campaign", "tune", "t.yaml"], cwd=tmp_path,
                           capture_output=True, text=True)

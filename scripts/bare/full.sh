@@ -1,5 +1,5 @@
-# Sourced by run: builds and runs the two commands of the README, each on a machine as bare as it was
-# made, and says what they took, packages included.
+# Sourced by run: runs the two commands of the README, each in a new root, and prints their times, including
+# the installation of packages.
 
 # shellcheck disable=SC2154
 began() { awk '{print $14 + $15 + $16 + $17}' /proc/$$/stat; }
@@ -15,7 +15,7 @@ for command in $full; do
   minimal_root_run "$command" --chdir=/burnish CCACHE_DISABLE=1 "./$command" 2>&1 | tee "$log" || status=$?
   clock=$((SECONDS - clock))
   cpu=$((($(began) - cpu) / $(getconf CLK_TCK)))
-  page="without the page"
+  page="without the web page"
   [[ ! -e $place/$command/burnish/build/page.html ]] || page="with the page"
   word=passed
   ((status == 0)) || word=FAILED

@@ -1,5 +1,5 @@
-# --all         all of these but --coverage, the tests of (nothing), --types and --bare last; all are run
-#               even where one fails
+# --all         all modes except --coverage; the tests of (nothing), --types and --bare run last. A failed
+#               mode does not stop the others
 
 run_all() {
   local stage began lines=() failed=0

@@ -1,5 +1,5 @@
-# --api         the reference of all installed headers, build/api/html/index.html, by Doxygen; a
-#               warning of its fails
+# --api         reference of all installed headers by Doxygen, build/api/html/index.html; warnings are
+#               errors
 
 run_api() {
   install_packages --api

@@ -1,10 +1,10 @@
-# --bare        on a bare machine, a minimal Debian 12 from Debian's archive alone: set-up,
-#               configuration and every file that ./demo, ./test, plain cmake and pip install need;
-#               the page and the Python tests with that Debian's Node and Python, and a project
-#               that uses what build/ holds; in build-bare/. Skipped without root or user namespaces
-#   --full      instead builds and runs ./demo and ./test there and prints their times;
-#               --full=demo or --full=test: one of them
-#   --without-npm   npm's registry cannot be reached there
+# --bare        tests on a bare machine, a minimal Debian 12, in build-bare/: setup, configuration, and
+#               existence of all files that ./demo, ./test, plain cmake and pip install need; the page
+#               and the Python tests with Debian's Node and Python; a project that uses the
+#               installation of build/. Skipped without root or user namespaces
+#   --full      instead runs ./demo and ./test there and prints their times;
+#               --full=demo or --full=test: only one of them
+#   --without-npm   makes npm's registry unreachable there
 
 run_bare() {
   install_packages --bare

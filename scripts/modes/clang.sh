@@ -1,4 +1,4 @@
-# --clang       with Clang, all warnings being errors, in build-clang/
+# --clang       tests with Clang, with warnings as errors, in build-clang/
 
 run_clang() {
   install_packages --clang

@@ -1,5 +1,5 @@
-# What the modes of ./test share; sourced by it, with setup, builds, cmake_arguments and ctest_arguments
-# set. The CMake flags of a mode are its preset in CMakePresets.json.
+# Common functions of the modes of ./test, which sources this file after setting setup, builds,
+# cmake_arguments and ctest_arguments. The CMake flags of a mode are its preset in CMakePresets.json.
 
 JOBS=$(scripts/jobs)
 export JOBS

@@ -1,4 +1,4 @@
-# --core        what needs Eigen alone (no URDF, no robots, no command line), in build-core/
+# --core        tests of the parts that need only Eigen (no URDF, robots, command line), in build-core/
 
 run_core() {
   install_packages --core

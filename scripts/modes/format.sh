@@ -1,4 +1,4 @@
-# --format      clang-format instead of tests: fails where a file differs
+# --format      check of the format with clang-format, without tests
 
 run_format() {
   install_packages --lint

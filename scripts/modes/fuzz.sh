@@ -1,10 +1,10 @@
-# --fuzz        feeds what reads files (robots, problems, tasks, requests) with made-up text under
-#               sanitizers, in build-fuzz/; fails for a crash, a second of processor time for one
-#               text, 1 GB of memory. What was found lies in build-fuzz/found
-#     --seconds=N   per reader (30)
-#     --runs=N      texts per reader, however long that takes
+# --fuzz        fuzz tests of the readers of files (robots, problems, tasks, requests) with sanitizers, in
+#               build-fuzz/; fails for a crash, 1 s of processor time for one text, or 1 GB of memory.
+#               Failing texts are in build-fuzz/found
+#     --seconds=N   duration per reader (30)
+#     --runs=N      number of texts per reader, without a time limit
 #     --reader=NAME one of urdf, mjcf, srdf, robot, problem, task, request, table
-#     --seed=N      of what is made up (1)
+#     --seed=N      random seed (1)
 
 run_fuzz() {
   local readers=(urdf mjcf srdf robot problem task request table) seed=1 extent=-max_total_time=30 word
@@ -18,10 +18,10 @@ run_fuzz() {
     esac
   done
   [[ ${extent#*=} =~ ^[1-9][0-9]*$ && $seed =~ ^[1-9][0-9]*$ ]] ||
-    refuse "--seconds, --runs and --seed want whole numbers from 1"
+    refuse "--seconds, --runs and --seed must be integers of at least 1"
   local build=$builds-fuzz reader
   for reader in "${readers[@]}"; do
-    [[ -d tests/fuzz/corpus/$reader ]] || refuse "--reader=$reader is not known"
+    [[ -d tests/fuzz/corpus/$reader ]] || refuse "--reader=$reader is unknown; wanted one of urdf, mjcf, srdf, robot, problem, task, request, table"
   done
   install_packages --fuzz
   configure fuzz "$build"
@@ -43,7 +43,7 @@ run_fuzz() {
   report_fuzzing "$build" "${readers[@]}"
 }
 
-# What a reader starts from: its corpus, what was once found, and the files that come with burnish.
+# Collects the seeds of a reader: its corpus, earlier failures, and the files of burnish.
 collect_seeds() { # build folder, reader
   local file seeds=$1/seeds/$2 own=()
   case $2 in
@@ -59,7 +59,7 @@ collect_seeds() { # build folder, reader
   done
 }
 
-# Words that a reader may know, all of those that its seeds hold, and what is often misread.
+# Writes the dictionary of a reader: all words of its seeds, and texts that are often misread.
 write_dictionary() { # build folder, reader
   {
     grep -raohE '[A-Za-z_][A-Za-z_0-9]{2,39}' "$1/seeds/$2" | sort -u
@@ -73,8 +73,8 @@ start_reader() { # build folder, reader, libFuzzer's extent, seed
   collect_seeds "$1" "$2"
   write_dictionary "$1" "$2"
   mkdir -p "$grown"
-  # A second of processor time is what tests/fuzz/run.cpp watches, also where the machine is busy. The
-  # timeout is for what does not end. Freed memory that the sanitizer holds back does not count.
+  # tests/fuzz/run.cpp limits the processor time to 1 s, independent of the load. The timeout ends endless
+  # loops. The small quarantine keeps freed memory from counting towards the limit.
   ASAN_OPTIONS=quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1 \
     "$1/tests/fuzz/fuzz_$2" -seed="$4" "$3" -timeout=30 -report_slow_units=30 -rss_limit_mb=1024 -max_len=65536 \
     -dict="$1/seeds/$2.words" -artifact_prefix="$1/found/$2-" -print_final_stats=1 \
@@ -91,11 +91,11 @@ report_fuzzing() { # build folder, readers...
   local build=$1 reader failed=0 word file
   shift
   stat() { sed -n "s/^stat::$1: *//p" "$build/logs/$reader"; }
-  say "inputs that were read or refused"
+  say "inputs, accepted or rejected"
   printf '%-10s %10s %9s %8s  %s\n' reader inputs per-second peak-MB result
   for reader in "$@"; do
     if [[ -e $build/logs/$reader.passed ]]; then
-      word="nothing found"
+      word=passed
     else
       word=FAILED
       failed=1
@@ -109,7 +109,7 @@ report_fuzzing() { # build folder, readers...
     say "$reader: the end of $build/logs/$reader"
     grep -vE '^(#|stat::|Dictionary|DE:)' "$build/logs/$reader" | tail -n 40
     for file in "$build/found/$reader-"*; do
-      [[ ! -e $file ]] || echo "again: $build/tests/fuzz/fuzz_$reader $file"
+      [[ ! -e $file ]] || echo "to repeat: $build/tests/fuzz/fuzz_$reader $file"
     done
   done
   return 1

@@ -1,6 +1,6 @@
 # --instructions
-#               counts the instructions of kernels and of an iteration with valgrind, and
-#               compares them with their budgets, in build-instructions/
+#               counts of instructions of kernels and of an iteration with valgrind, compared with
+#               their budgets, in build-instructions/
 
 run_instructions() {
   install_packages --lint

@@ -1,10 +1,10 @@
-# --packages    Debian packages, in build-packages/: built, seen by lintian, then installed, used and
-#               removed in a minimal Debian 12; that is skipped without root or user namespaces
+# --packages    Debian packages, in build-packages/: built, checked by lintian, then installed, used and
+#               removed in a minimal Debian 12. The last step is skipped without root or user namespaces
 
 run_packages() {
   install_packages --packages
   local build=$builds-packages
-  # The same sources make the same packages.
+  # With this variable, equal sources make equal packages.
   SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || date +%s)
   export SOURCE_DATE_EPOCH
   configure packages "$build"

@@ -1,5 +1,5 @@
-# --portable    for any machine of this kind (no -march=native) and with shared libraries that
-#               choose their kernels at run time, in build-portable/
+# --portable    tests of a build without -march=native, with shared libraries that choose their kernels at
+#               run time, in build-portable/
 
 run_portable() {
   install_packages --test

@@ -1,7 +1,7 @@
-# --sanitize    with the address and undefined behaviour sanitizers, in build-sanitize/
+# --sanitize    tests with the address and undefined behaviour sanitizers, in build-sanitize/
 
 run_sanitize() {
   install_packages
-  # A false report of any kind would be a reason to stop, hence no suppressions.
+  # Every report is a failure; there are no suppressions.
   build_and_test sanitize "$builds-sanitize"
 }

@@ -1,4 +1,4 @@
-# (nothing)     build for this machine in build/ and run all tests
+# (nothing)     all tests, with a build for this machine in build/
 
 run_tests() {
   install_packages --test

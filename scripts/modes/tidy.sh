@@ -1,5 +1,5 @@
-# --tidy        clang-tidy on the sources that the last 15 commits change, in build-tidy/; --tidy --whole
-#               on all of them
+# --tidy        clang-tidy on the sources that the last 15 commits changed, in build-tidy/; --tidy --whole:
+#               on all sources
 
 run_tidy() {
   install_packages --lint

@@ -1,7 +1,7 @@
-# --tsan        with the thread sanitizer, the tests that use threads, in build-tsan/
+# --tsan        tests that use threads, with the thread sanitizer, in build-tsan/
 
 run_tsan() {
   install_packages
-  # A report of any kind is a failure: no suppressions.
+  # Every report is a failure; there are no suppressions.
   build_and_test tsan "$builds-tsan"
 }

@@ -1,4 +1,4 @@
-# --types       mypy on the Python package, which it builds, and its examples
+# --types       mypy on the Python package, after building it, and on the Python examples
 
 run_types() {
   install_packages --lint

@@ -28,16 +28,16 @@ const char* AllocationGuard::unavailable() {
 #if defined(BURNISH_COUNTS_ALLOCATIONS)
   return nullptr;
 #elif defined(BURNISH_SANITIZED)
-  return "allocations are not counted under a sanitizer, which has a malloc of its own";
+  return "allocations cannot be counted in a build with a sanitizer, which has its own malloc";
 #else
-  return "allocations are counted with glibc only";
+  return "allocations can be counted with glibc only";
 #endif
 }
 
 }  // namespace burnish
 
 #if defined(BURNISH_COUNTS_ALLOCATIONS)
-// The C library's own functions, under the names that glibc keeps for such wrappers.
+// Original functions of the C library, under the names that glibc provides for wrappers.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);

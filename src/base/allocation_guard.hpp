@@ -1,19 +1,20 @@
-// Counts what a scope allocates. allocation_guard.cpp, which is part of a program and of no
-// library, defines malloc and its relatives, which then stand before those of the C library: every
-// allocation of the process goes through them, operator new and Eigen's included.
+// Counts the allocations in a scope. allocation_guard.cpp defines malloc and related functions,
+// which replace those of the C library for the whole process, operator new and Eigen included. Only
+// programs link this file; the libraries do not contain it.
 #pragma once
 
 namespace burnish {
 
-/// Counts the allocations of this thread from its construction on. Guards may nest.
+/// Counter of the allocations of this thread since construction. Guards may be nested.
 class AllocationGuard {
  public:
   AllocationGuard();
-  /// malloc, calloc, realloc, memalign and their relatives called since; free is not counted.
+  /// Number of calls of malloc, calloc, realloc, memalign and related functions since construction.
+  /// Calls of free are not counted.
   long count() const;
 
-  /// Why nothing can be counted in this build, or nullptr: sanitizers put their own malloc in
-  /// place, and other C libraries than glibc offer no way to reach the original.
+  /// Reason why this build cannot count allocations, or nullptr. Sanitizers have their own malloc,
+  /// and C libraries other than glibc do not give access to the original malloc.
   static const char* unavailable();
 
  private:

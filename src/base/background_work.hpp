@@ -1,4 +1,4 @@
-// A thread that does one piece of work at a time, so that whoever asks for it need not wait.
+// Thread that repeats one piece of work on request, while the caller goes on.
 #pragma once
 
 #include <atomic>
@@ -7,19 +7,19 @@
 
 namespace burnish {
 
-/// Nothing is allocated after construction. One thread asks: start(), is_busy() and wait() are its
-/// alone. What it wrote before start() the work sees, and what the work wrote is seen once it is
-/// not busy any more.
+/// Thread that runs a given function at each start(). It does not allocate after construction. Only
+/// one thread may call start(), is_busy() and wait(). Its writes before start() are visible to the
+/// work. Writes of the work are visible as soon as is_busy() returns false.
 class BackgroundWork {
  public:
-  /// `work` throws nothing. Throws std::system_error where there is no thread to be had.
+  /// `work` must not throw. Throws std::system_error if the system cannot create a thread.
   explicit BackgroundWork(std::function<void()> work);
-  /// Waits for the work that was started.
+  /// Waits until the started work is done.
   ~BackgroundWork();
   BackgroundWork(const BackgroundWork&) = delete;
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
-  /// Not while it is busy.
+  /// Starts the work. Must not be called while is_busy().
   void start() noexcept;
   bool is_busy() const noexcept { return state_.load(std::memory_order_acquire) == State::Busy; }
   void wait() const noexcept { state_.wait(State::Busy, std::memory_order_acquire); }
@@ -30,7 +30,7 @@ class BackgroundWork {
 
   std::function<void()> work_;
   std::atomic<State> state_{State::Idle};
-  std::thread thread_;  // the last: it begins when all else is there
+  std::thread thread_;  // last member: starts when all other members exist
 };
 
 }  // namespace burnish

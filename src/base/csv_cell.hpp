@@ -1,4 +1,4 @@
-// Cells of the CSV files that are written.
+// Formats cells of CSV files.
 #pragma once
 
 #include <charconv>
@@ -8,14 +8,14 @@
 
 namespace burnish {
 
-/// Reads back as it was; nothing where it is not a number.
+/// Appends the shortest text that reads back as the same value. Appends nothing for NaN.
 inline void append_cell(std::string& line, double value) {
   if (std::isnan(value)) return;
   char text[32];
   line.append(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
-/// Between quotes where a comma, a quote or a line's end would end the cell.
+/// Appends `text`, in quotes if `text` contains a comma, a quote or a line break.
 inline void append_cell(std::string& line, std::string_view text) {
   if (text.find_first_of(",\"\n") == std::string_view::npos) {
     line += text;

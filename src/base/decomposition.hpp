@@ -1,33 +1,37 @@
-// Decompositions of matrices of any size. Eigen's are templates that take a compiler seconds
-// wherever they are used: here they are compiled once, for what is not done in every tick.
+// Decompositions of matrices of any size, for code outside the control tick. Eigen's templates take
+// seconds to compile in every source file that uses them. Here they are compiled once.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace burnish {
 
-/// A = vectors diag(values) vectors^T, the values ascending and the columns of unit length.
+/// Eigendecomposition A = vectors diag(values) vectors^T. The values are ascending, and the columns
+/// of `vectors` have unit length.
 struct SymmetricEigen {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 };
-/// Of a symmetric A (n x n), of which the lower triangle is read; not finite where that is not.
+/// Returns the eigendecomposition of a symmetric A (n x n). Only the lower triangle of A is read.
+/// The result is not finite if A is not finite.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A);
 
-/// X (n x k) that minimises |A X - B| column by column, A m x n, B m x k; of several the shortest.
+/// Returns the X (n x k) that minimises |A X - B| column by column, for A (m x n) and B (m x k). If
+/// several X do, returns the one of minimum norm.
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-/// Orthonormal columns that span all x with A x = 0 (to rounding), A m x n: n less its rank.
+/// Returns an orthonormal basis, as columns, of the null space of A (m x n). The number of columns
+/// is n minus the numerical rank of A.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& A);
 
-/// A^-1 B (n x k) of a symmetric positive definite A (n x n), of which the lower triangle is read;
-/// NaN where it is indefinite or not finite.
+/// Returns A^-1 B (n x k) for a symmetric positive definite A (n x n). Only the lower triangle of A
+/// is read. All entries are NaN if A is not positive definite or not finite.
 Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-/// L^-1 B, where A = L L^T: half of that.
+/// Returns L^-1 B, where L is the Cholesky factor of A = L L^T. A and errors: see solve_positive().
 Eigen::MatrixXd solve_positive_half(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-/// x = J^T (J J^T + diag(damping))^-1 error: the step of damped least squares towards J x = error,
-/// J m x n. `damping` (m) is above zero where rows of J may depend on each other.
+/// Returns x = J^T (J J^T + diag(damping))^-1 error, the damped least-squares step for J x = error,
+/// with J (m x n). `damping` (m) must be positive for rows of J that may be linearly dependent.
 Eigen::VectorXd damped_step(const Eigen::MatrixXd& J, const Eigen::VectorXd& damping,
                             const Eigen::VectorXd& error);
 

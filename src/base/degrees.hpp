@@ -1,4 +1,4 @@
-// Angles as people read them.
+// Conversion of angles to degrees.
 #pragma once
 
 #include <numbers>

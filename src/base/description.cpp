@@ -21,7 +21,7 @@ std::string Range::text() const {
   const std::string low = (open ? "more than " : "at least ") + number(least),
                     high = (open || below ? "less than " : "at most ") + number(most);
   if (direction) return "a vector that is not zero";
-  if (least == 0.0 && most == 1.0 && !open && !below) return "a share between 0 and 1";
+  if (least == 0.0 && most == 1.0 && !open && !below) return "a fraction between 0 and 1";
   if (from && to)
     return open || below ? low + " and " + high : number(least) + " to " + number(most);
   return from ? low : to ? high : "";
@@ -43,7 +43,7 @@ int Words::value_of(const std::string& word) const {
 
 namespace {
 
-/// Where the unit of a meaning stands, between its braces: begin and end.
+/// Returns begin and end of the unit between the braces of `meaning`, or {0, 0}.
 std::pair<std::size_t, std::size_t> place_of_unit(const std::string& meaning) {
   const std::size_t begin = meaning.find('{'), end = meaning.find('}');
   const std::string inside =
@@ -88,11 +88,11 @@ using Subject = std::function<std::string(const std::string&)>;
               (!wanted.empty() ? wanted : "a finite number"));
 }
 
-void check_value(const Field& field, const ValueType& type, const void* at, const std::string& way,
+void check_value(const Field& field, const ValueType& type, const void* at, const std::string& path,
                  const Subject& subject) {
   const Range& range = field.range;
   const auto check = [&](double value) {
-    if (!range.holds(value)) refuse_value(subject(way), value, range);
+    if (!range.holds(value)) refuse_value(subject(path), value, range);
   };
   if (type.kind == Kind::Number) {
     check(*static_cast<const double*>(at));
@@ -102,19 +102,19 @@ void check_value(const Field& field, const ValueType& type, const void* at, cons
     const double* numbers = type.numbers(to_read(at));
     const Eigen::Index size = type.rows_of(at) * type.columns_of(at);
     std::for_each(numbers, numbers + size, check);
-    constexpr double shortest = 1e-9;
-    if (range.direction && !(Eigen::Map<const Eigen::VectorXd>(numbers, size).norm() > shortest))
-      throw Error(subject(way) + " has no direction; wanted " + range.text());
+    constexpr double min_length = 1e-9;  // chosen by hand
+    if (range.direction && !(Eigen::Map<const Eigen::VectorXd>(numbers, size).norm() > min_length))
+      throw Error(subject(path) + " has no direction; wanted " + range.text());
   } else if (type.kind == Kind::List || type.kind == Kind::Map || type.kind == Kind::Optional) {
     for (std::size_t i = 0; i < type.size(at); ++i)
       check_value(field, type.element(), type.entry(to_read(at), i),
-                  way + (type.kind == Kind::List  ? "[" + std::to_string(i) + "]"
-                         : type.kind == Kind::Map ? "." + type.name(at, i)
-                                                  : ""),
+                  path + (type.kind == Kind::List  ? "[" + std::to_string(i) + "]"
+                          : type.kind == Kind::Map ? "." + type.name(at, i)
+                                                   : ""),
                   subject);
   } else if (type.kind == Kind::Struct) {
     check_ranges(type.description(), at,
-                 [&](const std::string& entry) { return subject(way + "." + entry); });
+                 [&](const std::string& entry) { return subject(path + "." + entry); });
   }
 }
 

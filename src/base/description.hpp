@@ -1,10 +1,9 @@
-// What a specification holds: its entries with unit, range and meaning. From it come files and
-// their comments, range checks, dataclasses in Python and tables in the docs.
+// Description of a specification: its entries with unit, range and meaning. Files and their
+// comments, range checks, Python dataclasses and tables of the docs are derived from it.
 //
-// Comments in headers are the source; scripts/describe writes descriptions.gen.cpp from them, as
-// CONTRIBUTING.md says. A struct is described where a function `const Description&
-// description_of(const Spec*)` is found beside it, an enumeration by `const Words& words_of(Enum)`:
-// declared in its layer's descriptions.gen.hpp, which whoever asks includes.
+// scripts/describe generates descriptions.gen.cpp from the comments in headers; see
+// CONTRIBUTING.md. A struct is described by `const Description& description_of(const Spec*)`, an
+// enumeration by `const Words& words_of(Enum)`. The descriptions.gen.hpp of a layer declares both.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,18 +18,20 @@
 #include <typeindex>
 #include <vector>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 
-/// The numbers that an entry takes, each of them where it has several.
+/// Allowed range of a number, or of each number of an array.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool open = false;       ///< the ends themselves are out of it
-  bool below = false;      ///< the upper end is
-  bool infinite = false;   ///< infinity is in it
-  bool direction = false;  ///< of a vector: any length but zero
+  bool open = false;       ///< Excludes both ends
+  bool below = false;      ///< Excludes the upper end
+  bool infinite = false;   ///< Includes infinity
+  bool direction = false;  ///< For a vector: any length except zero
   bool holds(double value) const;
-  std::string text() const;  ///< such as "more than 0"; empty where any number will do
+  std::string text() const;  ///< Text such as "more than 0"; empty: any number
 };
 
 namespace range {
@@ -47,7 +48,8 @@ constexpr Range between(double least, double most) {
 }
 }  // namespace range
 
-/// An enumeration whose values count from 0, and its words in files, requests and Python.
+/// Description of an enumeration: its words in files, requests and Python. The values of the
+/// enumeration must count from 0.
 struct Words {
   struct Word {
     std::string word, meaning = {};
@@ -77,7 +79,7 @@ struct ValueType {
   enum class Kind { Number, Count, Flag, Word, Text, Array, List, Map, Optional, Struct, Other };
   Kind kind = Kind::Other;
   std::type_index id = typeid(void);
-  void (*assign)(void* to, const void* from) = nullptr;  ///< copies a value; null: it has no copy
+  void (*assign)(void* to, const void* from) = nullptr;  ///< Copies a value; null: not copyable
   bool is_unsigned = false;                              ///< Count
   Eigen::Index rows = 1, columns = 1;                    ///< Array; -1: any number
   const Words& (*words)() = nullptr;                     ///< Word
@@ -88,8 +90,8 @@ struct ValueType {
   std::size_t (*size)(const void*) = nullptr;            ///< List, Map; Optional: 0 or 1
   void (*resize)(void*, std::size_t) = nullptr;          ///< List, Optional; Map: to 0
   void* (*entry)(void*, std::size_t) = nullptr;          ///< List, Map, Optional
-  const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Map, of an entry
-  void* (*named)(void*, const std::string&) = nullptr;  ///< Map: the entry, made if it is not there
+  const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Map: key of an entry
+  void* (*named)(void*, const std::string&) = nullptr;  ///< Map: finds or adds an entry by its key
   bool by_rows = false;                                 ///< Array: numbers are stored row by row
   double* (*numbers)(void*) = nullptr;                  ///< Array
   Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Array
@@ -97,10 +99,12 @@ struct ValueType {
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
 };
 
-/// What gives access to a value's parts takes it as one that may be written.
+/// Removes const from an address, for functions of ValueType that take void* but only read here.
 inline void* to_read(const void* at) {
-  return const_cast<void*>(at);  // NOLINT(cppcoreguidelines-pro-type-const-cast): nothing is
+  return const_cast<void*>(at);  // NOLINT(cppcoreguidelines-pro-type-const-cast): read only
 }
+
+/// Description of one entry of a specification.
 
 struct Field {
   std::string name;     ///< Member name in C++ and Python
@@ -118,7 +122,7 @@ struct Field {
   /// Words in files for the counts 0, 1, ..., separated by spaces; empty: files have the number.
   std::string words = {};
   bool required = false;    ///< Python: users must pass it, it has no default
-  bool stated = false;      ///< files must state it
+  bool stated = false;      ///< Files: the entry must be stated
   bool number_too = false;  ///< Python: one number is also accepted for this vector
 
   void* in(void* spec) const { return static_cast<char*>(spec) + offset; }
@@ -128,18 +132,19 @@ struct Field {
   std::string text() const;     ///< Full text, `more` included
 };
 
-/// Entries that belong together: those from `begin` to the next group.
+/// Group of entries that belong together: from `begin` up to the next group.
 struct Group {
   std::size_t begin;
-  std::string key;  ///< the section of a file that has them; or empty
+  std::string key;  ///< Section of a file that contains the entries; or empty
   std::string meaning;
 };
 
+/// Description of a specification.
 struct Description {
   std::string layer, name, meaning;
   std::vector<Field> fields = {};
   std::vector<Group> groups = {};
-  bool is_result = false;  ///< comes out of the library rather than going in
+  bool is_result = false;  ///< True for output of the library, false for input
   std::shared_ptr<void> (*make)() = nullptr;
 
   std::shared_ptr<const void> defaults = {};
@@ -147,15 +152,15 @@ struct Description {
   const Field& field(const std::string& name_of_field) const;
 };
 
-/// Throws Error "<subject> is <value>; wanted <range>" for the first number that is NaN or out of
-/// its range, in all that the value holds. `subject` is asked with the way to the entry, as
-/// "pushes[0].duration".
+/// Throws Error "<subject> is <value>; wanted <range>" for the first number in `spec` that is NaN
+/// or out of range. `subject` turns the path of an entry, such as "pushes[0].duration", into the
+/// subject of the message.
 void check_ranges(const Description& description, const void* spec,
                   const std::function<std::string(const std::string& entry)>& subject);
 
 /// Overwrites `spec` with the stated parts of `changes`: optionals that are set, entries of maps by
 /// key, and entries of lists of structs by their `name`. Other kinds of entries do not change,
-/// since nothing tells whether they are stated.
+/// since they do not record whether they are stated.
 void put_over(const Description& description, void* spec, const void* changes);
 
 template <class T>
@@ -280,7 +285,7 @@ ValueType make_type() {
       return description_of(static_cast<const T*>(nullptr));
     };
   }
-  return type;  // Other: only those who know the type can do something with it
+  return type;  // Other: only code that uses the type itself can handle it
 }
 
 }  // namespace detail
@@ -292,7 +297,7 @@ const ValueType& type_of() {
 }
 
 namespace detail {
-// What is the same for all specifications is compiled once.
+// Functions that do not depend on the type of the specification; compiled once.
 void add_field(Description& description, const char* name, const char* means, const Range& numbers,
                std::size_t offset, const ValueType& type);
 void add_group(Description& description, const char* means, const char* section);
@@ -305,7 +310,7 @@ std::shared_ptr<void> made() {
 }
 }  // namespace detail
 
-/// Makes a Description, entry by entry in the order of the members.
+/// Builds a Description, entry by entry in the order of the members.
 template <class Spec>
 class Describe : public Description {
  public:
@@ -320,12 +325,11 @@ class Describe : public Description {
     const auto* example = static_cast<const Spec*>(defaults.get());
     const void *begin = example, *at = &(example->*member);
     const auto offset = static_cast<const char*>(at) - static_cast<const char*>(begin);
-    detail::add_field(*this, of_name, means, numbers, static_cast<std::size_t>(offset),
-                      type_of<Value>());
+    detail::add_field(*this, of_name, means, numbers, to_size(offset), type_of<Value>());
     return *this;
   }
   using Description::field;
-  // Of the entry before.
+  // The following functions change the entry that was added last.
   Describe& in_code(const char* text) { return set(&Field::in_code, text); }
   Describe& more(const char* text) { return set(&Field::more, text); }
   Describe& key(const char* text) { return set(&Field::key, text); }
@@ -335,15 +339,15 @@ class Describe : public Description {
   Describe& stated() { return detail::last_field(*this).stated = true, *this; }
   Describe& required() { return detail::last_field(*this).required = true, *this; }
   Describe& number_too() { return detail::last_field(*this).number_too = true, *this; }
-  /// Begins one.
+  /// Begins a group of entries.
   Describe& group(const char* means, const char* section = "") {
     return detail::add_group(*this, means, section), *this;
   }
   Describe& result() { return is_result = true, *this; }
 
  private:
-  Describe& set(std::string Field::*part, const char* text) {
-    return detail::set_text(detail::last_field(*this).*part, text), *this;
+  Describe& set(std::string Field::*member, const char* text) {
+    return detail::set_text(detail::last_field(*this).*member, text), *this;
   }
 };
 

@@ -12,14 +12,14 @@ const Words& words_of(Status /*of*/) {
       "Outcome of an evaluation, ordered by severity. If several values apply, the most severe "
       "one is returned.",
       {{"ok"},
-       {"not_converged", "Proximal iterations reached their maximum number above the tolerance"},
-       {"singular_contacts", "Contact rows are redundant or not controllable, and the compliance mu is 0"},
-       {"singular_mass", "Mass matrix is not positive definite at this posture"},
+       {"not_converged", "Proximal iterations ended at their maximum number, before the tolerance was reached"},
+       {"singular_contacts", "Contact constraints are redundant or not controllable, and their compliance mu is 0"},
+       {"singular_mass", "Mass matrix is not positive definite at this configuration"},
        {"not_normalized", "Length of a quaternion or (cos, sin) pair differs from 1 by over 1e-6"},
        {"not_physical", "Mass distribution that no solid can have"},
        {"not_finite", "Input has a NaN or an infinity, or is so large that the result overflows"},
        {"wrong_size", "Argument has the wrong number of entries"},
-       {"not_evaluated", "Requested derivatives do not belong to the last evaluation"}}};
+       {"not_evaluated", "Derivatives were requested without the evaluation that they belong to"}}};
   return all;
 }
 

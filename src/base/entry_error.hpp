@@ -1,4 +1,4 @@
-// A refusal that knows which entry of a specification it is about.
+// Error about one entry of a specification.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace burnish {
 
-/// Whoever has read the specification from a file says where the entry stands: see files::placed().
+/// Error about one entry of a specification. files::placed() adds the file and line of the entry.
 class EntryError : public Error {
  public:
-  /// `entry`: its keys in files, "tool.frame". what() is "tool.frame: sentence".
+  /// `entry` is the path of keys in files, such as "tool.frame". what() then returns
+  /// "tool.frame: sentence".
   EntryError(std::string entry, const std::string& sentence)
       : Error(entry + ": " + sentence), entry_(std::move(entry)), sentence_(sentence) {}
   const std::string& entry() const { return entry_; }
@@ -20,7 +21,7 @@ class EntryError : public Error {
   std::string entry_, sentence_;
 };
 
-/// Calls `work`; an Error of one sentence is one about the entry.
+/// Calls `work`. Rethrows an Error with one sentence as an EntryError about `entry`.
 template <class Work>
 decltype(auto) about(const std::string& entry, const Work& work) {
   try {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/renames.hpp"
+
 namespace burnish {
 namespace {
 
-/// Bytes of the character that begins at `at`, or 0 where there is none in UTF-8.
+/// Returns the number of bytes of the UTF-8 character at `at`, or 0 for invalid UTF-8.
 std::size_t character_size(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
@@ -16,7 +18,7 @@ std::size_t character_size(std::string_view text, std::size_t at) {
   for (std::size_t i = 1; i < size; ++i) {
     if ((byte(at + i) & 0xC0) != 0x80) return 0;
   }
-  // Codes written longer than needed, the halves of pairs, and what is beyond the last code.
+  // Overlong encodings, surrogate halves, and codes beyond the last code point are invalid.
   const unsigned char second = byte(at + 1);
   const bool valid = !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F) &&
                      !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
@@ -24,10 +26,10 @@ std::size_t character_size(std::string_view text, std::size_t at) {
 }
 
 std::string one_line(std::string_view text) {
-  constexpr std::size_t longest = 4000;
+  constexpr std::size_t max_length = 4000;
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
-    if (result.size() > longest) return result + "...";
+    if (result.size() > max_length) return result + "...";
     const std::size_t size = character_size(text, at);
     if (size == 0) {
       result += '?';
@@ -41,17 +43,18 @@ std::string one_line(std::string_view text) {
   return result;
 }
 
-constexpr std::size_t most_problems = 50;
+/// Maximum number of problems in a message, chosen by hand.
+constexpr std::size_t max_problems = 50;
 
-/// What Error::sentences() gives.
+/// Returns the sentences for Error::sentences(): one per problem, each beginning with `origin`.
 std::vector<std::string> sentences_of(const std::string& origin,
                                       const std::vector<std::string>& problems) {
   const std::string start = origin.empty() ? "" : origin + ": ";
   std::vector<std::string> sentences;
   for (const std::string& problem : problems) {
-    if (sentences.size() == most_problems) {
+    if (sentences.size() == max_problems) {
       sentences.push_back(
-          one_line(start + "and " + std::to_string(problems.size() - most_problems) + " more"));
+          one_line(start + "and " + std::to_string(problems.size() - max_problems) + " more"));
       break;
     }
     sentences.push_back(one_line(start + problem));
@@ -59,20 +62,22 @@ std::vector<std::string> sentences_of(const std::string& origin,
   return sentences;
 }
 
+/// Joins problems to one message with numbers: "<origin>: 2 problems: (1) ... (2) ...".
 std::string numbered(const std::string& origin, const std::vector<std::string>& problems) {
   std::string text = origin.empty() ? "" : one_line(origin) + ": ";
   if (problems.size() == 1) return text + one_line(problems.front());
   text += std::to_string(problems.size()) + " problems:";
-  for (std::size_t i = 0; i < std::min(problems.size(), most_problems); ++i) {
+  for (std::size_t i = 0; i < std::min(problems.size(), max_problems); ++i) {
     text += " (" + std::to_string(i + 1) + ") " + one_line(problems[i]);
   }
-  if (problems.size() > most_problems) {
-    text += " and " + std::to_string(problems.size() - most_problems) + " more";
+  if (problems.size() > max_problems) {
+    text += " and " + std::to_string(problems.size() - max_problems) + " more";
   }
   return text;
 }
 
-/// Letters put in, left out, or taken for another, and neighbours that changed places.
+/// Number of edits between two texts: insertions, deletions, replacements and swaps of neighbours
+/// (optimal string alignment distance).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -103,12 +108,12 @@ Error::Error(std::vector<std::string> sentences, const std::string& joined)
       sentences_(std::make_shared<const std::vector<std::string>>(std::move(sentences))) {}
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
-  // A file may hold text of any length where a name belongs; the distance takes time as the
-  // product.
-  constexpr std::size_t longest_name = 200;
-  if (name.size() > longest_name) return "";
+  // The time for a distance grows with the product of the lengths, and files may contain text of
+  // any length in place of a name.
+  constexpr std::size_t max_length = 200;
+  if (name.size() > max_length) return "";
   std::string best;
-  // One slip, and one more for each three letters: what is farther is another word.
+  // Accepts one edit, and one more for every three letters. Farther names are other words.
   std::size_t best_distance = 1 + name.size() / 3 + 1;
   for (const std::string& candidate : known) {
     const std::size_t longer = std::max(name.size(), candidate.size());
@@ -123,6 +128,8 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+  if (const std::string_view now = replacement(name, known); !now.empty())
+    return "; '" + std::string(name) + "' is now called '" + std::string(now) + "'";
   const std::string best = nearest_name(name, known);
   return best.empty() ? "" : "; did you mean '" + best + "'?";
 }

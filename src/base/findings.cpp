@@ -11,10 +11,10 @@ std::string without(const std::string& origin, const std::string& sentence) {
 }  // namespace
 
 void Findings::warn(const std::string& what) {
-  constexpr std::size_t most = 1000;
-  if (warnings_.size() < most) warnings_.push_back(origin_ + ": " + what);
-  if (warnings_.size() == most)
-    warnings_.push_back(origin_ + ": there are more warnings than 1000");
+  constexpr std::size_t max_warnings = 1000;
+  if (warnings_.size() < max_warnings) warnings_.push_back(origin_ + ": " + what);
+  if (warnings_.size() == max_warnings)
+    warnings_.push_back(origin_ + ": more than 1000 warnings; further warnings are omitted");
 }
 
 void Findings::refuse_problems() const {
@@ -29,7 +29,7 @@ void refuse_warnings(const std::string& origin, const std::vector<std::string>& 
   if (warnings.empty()) return;
   std::vector<std::string> problems;
   for (const std::string& warning : warnings) {
-    problems.push_back(without(origin, warning) + " (a warning, which strict reading refuses)");
+    problems.push_back(without(origin, warning) + " (a warning; strict reading rejects warnings)");
   }
   throw Error(origin, problems);
 }

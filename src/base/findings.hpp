@@ -1,5 +1,5 @@
-// What reading a description comes upon: problems, which refuse it all at once, and what is odd but
-// usable, which travels with the result as warnings.
+// Problems and warnings that readers of robot descriptions collect. Problems make the description
+// unusable and are thrown together. Warnings are returned with the result.
 #pragma once
 
 #include <string>
@@ -10,22 +10,23 @@
 
 namespace burnish {
 
+/// List of the problems and warnings about one description.
 class Findings {
  public:
-  /// `origin` is what every sentence starts with: the file, or else the robot's name.
+  /// `origin` begins every sentence: name of the file, or name of the robot without a file.
   explicit Findings(std::string origin) : origin_(std::move(origin)) {}
 
   void problem(const std::string& what) { problems_.push_back(what); }
-  /// Of more than 1000 the rest is not kept, but for a sentence that there are more.
+  /// Adds a warning. After 1000 warnings, one sentence replaces all further warnings.
   void warn(const std::string& what);
 
-  /// What another has found about the same.
+  /// Appends the problems and warnings of `other`.
   void add(const Findings& other) {
     problems_.insert(problems_.end(), other.problems_.begin(), other.problems_.end());
     warnings_.insert(warnings_.end(), other.warnings_.begin(), other.warnings_.end());
   }
 
-  /// Notes the Error that `call` throws as a problem; false if it throws one.
+  /// Calls `call` and records an Error that it throws as a problem. Returns false after an Error.
   template <class Call>
   bool attempt(Call&& call) {
     try {
@@ -37,7 +38,7 @@ class Findings {
     return true;
   }
 
-  /// Notes the Error as a warning that says what becomes of it.
+  /// Calls `call` and records an Error that it throws as a warning, followed by `consequence`.
   template <class Call>
   void attempt_or_warn(Call&& call, const std::string& consequence) {
     try {
@@ -50,7 +51,8 @@ class Findings {
   const std::string& origin() const { return origin_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   bool has_problems() const { return !problems_.empty(); }
-  /// Whether somebody will read another one: of many, the nearest known names are not looked up.
+  /// Returns true for fewer than 50 problems and warnings. Beyond that, readers skip the search
+  /// for similar names.
   bool are_few() const { return problems_.size() + warnings_.size() < 50; }
   /// Throws an Error that lists all problems, if there are any.
   void refuse_problems() const;
@@ -62,8 +64,8 @@ class Findings {
   std::vector<std::string> problems_, warnings_;
 };
 
-/// Throws an Error that lists the warnings, if there are any: for who wants nothing odd. `origin`
-/// is what they are about, or empty.
+/// Throws an Error that lists `warnings`, if there are any. `origin` begins the sentence; it may be
+/// empty.
 void refuse_warnings(const std::string& origin, const std::vector<std::string>& warnings);
 
 }  // namespace burnish

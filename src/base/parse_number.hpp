@@ -1,4 +1,4 @@
-// Text to number, the same in every locale.
+// Conversion of text to numbers, independent of the locale.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,8 @@
 
 namespace burnish {
 
-/// The number that is the whole of `text`, surrounding blanks aside; "inf" and "nan" are numbers.
+/// Parses all of `text` as one number. Blanks around the number are allowed. "inf" and "nan" are
+/// numbers.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace burnish

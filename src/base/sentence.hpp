@@ -1,4 +1,4 @@
-// Pieces of the sentences that bad input is answered with.
+// Building blocks of error messages about invalid input.
 #pragma once
 
 #include <algorithm>
@@ -11,31 +11,33 @@
 
 namespace burnish {
 
-/// A number as a reader would write it: six significant digits.
+/// Formats a number with six significant digits.
 inline std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
-/// A name between quotes; what is too long for a name is cut.
+/// Returns a name in quotes. Names of more than 80 bytes are cut.
 inline std::string in_quotes(std::string_view name) {
-  constexpr std::size_t longest = 80;
+  constexpr std::size_t max_length = 80;
   std::string result(1, '\'');
-  result.append(name.substr(0, longest)).append(name.size() > longest ? "..." : "");
+  result.append(name.substr(0, max_length)).append(name.size() > max_length ? "..." : "");
   return result.append(1, '\'');
 }
 
-/// "joint 'a'", "joints 'a', 'b' and 'c'"; of more than ten "joints 'a', ... and 5 more".
+/// Lists names: "joint 'a'", "joints 'a', 'b' and 'c'". After ten names, the list ends with
+/// "and 5 more".
 inline std::string listed(const std::string& kind, const std::vector<std::string>& names) {
-  constexpr std::size_t most = 10;
+  constexpr std::size_t max_names = 10;
   std::string text = kind + (names.size() == 1 ? " " : "s ");
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), max_names); ++i) {
     const bool is_last = i > 0 && i + 1 == names.size();
     text += (i == 0 ? "" : is_last ? " and " : ", ") + in_quotes(names[i]);
   }
-  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
-                             : text;
+  return names.size() > max_names
+             ? text + " and " + std::to_string(names.size() - max_names) + " more"
+             : text;
 }
 
 /// Throws Error("<origin>: <what>").

@@ -7,7 +7,7 @@ namespace burnish {
 Signal Signal::over_time(int size, Function function) {
   if (size < 1)
     throw Error("a signal over time has " + std::to_string(size) + " entries; wanted at least 1");
-  if (!function) throw Error("a signal over time has no function");
+  if (!function) throw Error("a signal over time has no function; wanted one");
   Signal result;
   result.size_ = size;
   result.function_ = std::move(function);

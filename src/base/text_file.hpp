@@ -1,4 +1,4 @@
-// Whole files as text.
+// Reads whole files as text.
 #pragma once
 
 #include <filesystem>
@@ -7,17 +7,19 @@
 
 namespace burnish {
 
-/// What is larger is a slip, such as a device that never ends.
+/// Maximum size of an input file [MB]. Larger inputs are probably mistakes, such as endless
+/// devices.
 inline constexpr int max_megabytes = 64;
 
-/// The whole file. Throws Error where it is a folder, cannot be opened or is too large; `wanted`
-/// says in these sentences what it should have been, e.g. "URDF file".
+/// Reads a whole file. Throws Error if the file is a folder, cannot be opened or is too large.
+/// `wanted` names the expected kind of file in these messages, such as "URDF file".
 std::string read_text(const std::filesystem::path& file, const std::string& wanted);
 
-/// What is left of a stream, which is called `source` where it is too large.
+/// Reads the rest of a stream. Throws Error, which calls the stream `source`, if the text is larger
+/// than max_megabytes.
 std::string read_text(std::istream& stream, const std::string& source);
 
-/// Throws Error where a text is larger than its reader takes.
+/// Throws Error if `text`, called `source` in the message, is larger than `megabytes`.
 void check_size(const std::string& text, const std::string& source, int megabytes = max_megabytes);
 
 }  // namespace burnish

@@ -8,13 +8,14 @@
 #include <string>
 #include <utility>
 
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish {
 namespace {
 
-// Rounds follow one another within microseconds during a solve: looking this often before going to
-// sleep bridges the gap without holding a core for long.
+// Number of polls before a thread sleeps. During a solve, loops follow each other within
+// microseconds, and this many polls bridge the gap (about 100 us).
 constexpr int looks_with_a_core_each = 4000;
 
 int looks_for(int workers) {
@@ -22,17 +23,16 @@ int looks_for(int workers) {
   return cores > 0 && workers > cores ? 0 : looks_with_a_core_each;
 }
 
-/// While the pool is kept awake.
+/// Factor on the number of polls while the pool is kept awake.
 constexpr int times_more_awake = 100;
 
-/// In ThreadPool::inside_.
+/// Bit of ThreadPool::inside_ that is set while further threads may enter the loop.
 constexpr int open = 1 << 30;
 
-/// Between looks. Now and then the core is offered to others: whoever is waited for may be the one
-/// that waits for it.
+/// Pauses between two polls. Every 64th poll yields the core, since the awaited thread may need it.
 void relax(int look) {
-  constexpr int between_offers = 64;
-  if (look % between_offers == between_offers - 1) {
+  constexpr int polls_per_yield = 64;
+  if (look % polls_per_yield == polls_per_yield - 1) {
     std::this_thread::yield();
     return;
   }
@@ -67,7 +67,7 @@ void pin(std::thread& thread, int core) {
   CPU_ZERO(&set);
   CPU_SET(core, &set);
   if (pthread_setaffinity_np(thread.native_handle(), sizeof set, &set) != 0)
-    throw Error("thread pool: the system does not let a thread be pinned to core " +
+    throw Error("thread pool: the system does not allow pinning a thread to core " +
                 std::to_string(core));
 }
 #else
@@ -79,19 +79,20 @@ std::vector<int> cores_to_pin_to(int workers) {
   std::vector<int> cores = cores_of_this_thread();
   const int count = static_cast<int>(cores.size());
   if (count == 0)
-    throw Error("thread pool: this system does not say which cores there are to pin threads to");
+    throw Error("thread pool: this system does not report its cores, so threads cannot be pinned");
   if (count < workers)
-    throw Error("thread pool: " + std::to_string(workers) + " workers to pin and " +
+    throw Error("thread pool: " + std::to_string(workers) +
+                " workers are to be pinned, but this thread " + "may run on " +
                 std::to_string(count) + (count == 1 ? " core" : " cores") +
-                " that this thread may run on; wanted a core for each");
+                "; wanted a core for each worker");
   return cores;
 }
 
 }  // namespace
 
 int allowed_cores() {
-  const int known = static_cast<int>(cores_of_this_thread().size());
-  return known > 0 ? known : static_cast<int>(std::thread::hardware_concurrency());
+  const int reported = static_cast<int>(cores_of_this_thread().size());
+  return reported > 0 ? reported : static_cast<int>(std::thread::hardware_concurrency());
 }
 
 ThreadPool::ThreadPool(int workers, Pinning pinning)
@@ -111,10 +112,10 @@ ThreadPool::~ThreadPool() { stop(); }
 void ThreadPool::start(int workers) {
   const bool pinned = pinning_ == Pinning::Cores;
   const std::vector<int> cores = pinned ? cores_to_pin_to(workers) : std::vector<int>();
-  threads_.reserve(static_cast<std::size_t>(workers - 1));
+  threads_.reserve(to_size(workers - 1));
   for (int w = 1; w < workers; ++w) {
     threads_.emplace_back([this, w] { serve(w); });
-    if (pinned) pin(threads_.back(), cores[static_cast<std::size_t>(w)]);
+    if (pinned) pin(threads_.back(), cores[to_size(w)]);
   }
 }
 
@@ -129,7 +130,7 @@ MeetingPoint::MeetingPoint(int workers, int looks)
     : workers_(workers), looks_(looks), missing_(workers) {}
 
 void MeetingPoint::wait() {
-  // Nobody meets for the next time before this worker has come.
+  // No change of meetings_ is possible between this load and the arrival of this worker.
   const std::uint32_t before = meetings_.load(std::memory_order_relaxed);
   if (missing_.fetch_sub(1, std::memory_order_acq_rel) > 1) {
     wait_for_change(meetings_, before, looks_);
@@ -155,7 +156,7 @@ void ThreadPool::take_pieces(int worker) {
   }
 }
 
-/// Of the exception that is being handled.
+/// Records the current exception unless a lower piece has failed already.
 void ThreadPool::note_failure(int piece) noexcept {
   const std::lock_guard lock(failure_mutex_);
   if (failure_ && failed_piece_ < piece) return;
@@ -163,7 +164,8 @@ void ThreadPool::note_failure(int piece) noexcept {
   failure_ = std::current_exception();
 }
 
-/// A thread enters a round that is open, and what the round is about is then seen by it.
+/// Enters the current loop if it is open. The data of the loop are then visible to this thread.
+/// Returns false if the loop is closed.
 bool ThreadPool::enter() {
   int seen = inside_.load(std::memory_order_acquire);
   while ((seen & open) != 0)
@@ -191,7 +193,7 @@ void ThreadPool::serve(int worker) {
     seen = round_.load(std::memory_order_acquire);
     if (stop_.load(std::memory_order_relaxed)) return;
     if (!enter()) continue;
-    // One that woke late for a round may have entered the next, and come by here again in that.
+    // A thread that woke late may have joined the next loop already, and would then run it twice.
     if (inner_round_ != done) {
       done = inner_round_;
       take_pieces(worker);
@@ -213,7 +215,7 @@ void ThreadPool::run(int pieces, Call call, void* context) {
     round_.notify_all();
   }
   take_pieces(0);
-  // Threads are done with it: their last word in `inside_` is acquired.
+  // Waits for all threads to leave the loop. Acquiring `inside_` makes their writes visible.
   if (shared)
     for (int left = inside_.fetch_and(~open, std::memory_order_acq_rel) & ~open; left > 0;
          left = inside_.load(std::memory_order_acquire))

@@ -1,4 +1,4 @@
-// Workers made once, that share the pieces of a loop and sleep in between.
+// Pool of threads that run the iterations of a loop in parallel and sleep between loops.
 #pragma once
 
 #include <atomic>
@@ -9,35 +9,34 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/crew.hpp"
+#include "base/thread_team.hpp"
 
 namespace burnish {
 
-/// Whether the threads of a pool stay where they are put.
+/// Assignment of the threads of a pool to processor cores.
 enum class Pinning {
-  None,  ///< the system places them and moves them as it likes
-  /// Worker i, a thread of the pool, runs on the i-th of the cores that the calling thread was
-  /// allowed when the pool was made, and nowhere else. Worker 0, the calling thread, is left as it
-  /// is: the first of these cores is kept free for it, and it is the caller's to pin it there.
-  /// Linux alone.
+  None,  ///< The system chooses the cores
+  /// Worker i > 0 runs only on the i-th of the cores allowed to the calling thread at construction.
+  /// Worker 0 is the calling thread. The pool keeps core 0 of these free but does not pin worker 0
+  /// to it; the caller can do so. Linux only.
   Cores,
 };
 
-/// Cores that the calling thread may run on; 0 where the system does not say.
+/// Number of cores that the calling thread may run on; 0: unknown.
 int allowed_cores();
 
-/// A fixed number of workers; the thread that calls is worker 0. Which worker takes which piece is
-/// left to chance, so that results are the same for any number of workers if each piece writes only
-/// what is its own. Nothing is allocated after construction. One call at a time.
+/// Pool with a fixed number of workers; the calling thread is worker 0. The assignment of pieces of
+/// work to workers is not deterministic. Results do not depend on the number of workers if each
+/// piece writes only its own data. The pool does not allocate after construction and supports one
+/// call at a time.
 ///
-/// Between rounds of work a thread looks for the next one for some 100 us before it sleeps, and
-/// some 10 ms while the pool is kept awake. With more workers than allowed cores it sleeps at once
-/// and leaves its core to a worker with work. Nobody waits for a thread that wakes too late for a
-/// loop.
+/// Between two loops, a thread polls for about 100 us before it sleeps, or for about 10 ms while
+/// the pool is kept awake. With more workers than allowed cores, it sleeps immediately. A loop does
+/// not wait for threads that wake up too late to take a piece.
 class ThreadPool {
  public:
-  /// Starts workers - 1 threads. Throws Error for less than one worker, and for pinning to fewer
-  /// allowed cores than workers or on a system that cannot pin.
+  /// Starts workers - 1 threads. Throws Error for less than one worker. With pinning, also throws
+  /// Error if there are fewer allowed cores than workers, or if the system cannot pin threads.
   explicit ThreadPool(int workers, Pinning pinning = Pinning::None);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -45,11 +44,11 @@ class ThreadPool {
 
   int workers() const { return static_cast<int>(threads_.size()) + 1; }
   Pinning pinning() const { return pinning_; }
-  /// Whether there were as many allowed cores as workers when the pool was made.
+  /// Returns true if there were at least as many allowed cores as workers at construction.
   bool has_a_core_each() const { return looks_ > 0; }
 
-  /// While it lives, threads that wait for work look for it longer: to wake one can take as long as
-  /// the work that it would share.
+  /// Guard that makes idle threads poll longer before they sleep. Waking a thread can take as long
+  /// as the work itself.
   class Awake {
    public:
     explicit Awake(ThreadPool& pool) : pool_(pool) { pool_.awake_.store(true); }
@@ -61,9 +60,9 @@ class ThreadPool {
     ThreadPool& pool_;
   };
 
-  /// Calls body(worker, piece) once for each piece from 0 to pieces - 1 and returns when all are
-  /// done. What `body` throws does not keep other pieces from being done; then the exception of the
-  /// lowest piece is thrown on to the caller, whatever the number of workers.
+  /// Calls body(worker, piece) once for each piece from 0 to pieces - 1 and returns when all pieces
+  /// are done. After an exception, the other pieces still run. Then the exception of the lowest
+  /// piece is rethrown, for any number of workers.
   template <class Body>
   void for_each(int pieces, Body&& body) {
     using Target = std::remove_reference_t<Body>;
@@ -75,20 +74,19 @@ class ThreadPool {
         const_cast<void*>(static_cast<const void*>(&body)));  // NOLINT(*-const-cast)
   }
 
-  /// Calls body(crew) once in every worker, all at the same time, so that they can meet: for work
-  /// whose shares depend on one another. `body` throws nothing: a worker that left would be waited
-  /// for.
+  /// Calls body(team) once in every worker at the same time, so that the workers can synchronise by
+  /// team.meet(). `body` must not throw, because the others would wait forever for this worker.
   template <class Body>
   void together(Body&& body) {
     using Target = std::remove_reference_t<Body>;
-    static_assert(std::is_nothrow_invocable_v<Target&, const Crew&>);
-    const auto share = [&](int worker, int) {
-      const Crew crew{worker, workers(), workers() > 1 ? &meeting_ : nullptr};
-      crew.meet();  // no round ends before all have come
-      body(crew);
+    static_assert(std::is_nothrow_invocable_v<Target&, const ThreadTeam&>);
+    const auto work = [&](int worker, int) {
+      const ThreadTeam team{worker, workers(), workers() > 1 ? &meeting_ : nullptr};
+      team.meet();  // the loop must not end before every worker has started
+      body(team);
     };
     one_piece_each_ = true;
-    for_each(workers(), share);
+    for_each(workers(), work);
     one_piece_each_ = false;
   }
 
@@ -105,22 +103,22 @@ class ThreadPool {
   void stop();
 
   Pinning pinning_;
-  int looks_;  ///< at what is waited for, before going to sleep
+  int looks_;  ///< Number of polls before a waiting thread sleeps
   MeetingPoint meeting_;
   std::vector<std::thread> threads_;
   Call call_ = nullptr;
   void* context_ = nullptr;
   int pieces_ = 0;
-  bool one_piece_each_ = false;  ///< worker i takes piece i
+  bool one_piece_each_ = false;  ///< Worker i takes piece i
   std::atomic<int> next_{0};
-  std::atomic<int> inside_{0};           ///< threads at work, and a bit while more may come
-  std::atomic<std::uint32_t> round_{0};  ///< of work; threads wait for the next
-  std::uint32_t inner_round_ = 0;        ///< the one that a thread inside is in
+  std::atomic<int> inside_{0};           ///< Number of threads at work, plus the bit `open`
+  std::atomic<std::uint32_t> round_{0};  ///< Number of the loop; idle threads wait for a change
+  std::uint32_t inner_round_ = 0;        ///< Number of the loop in which threads are at work
   std::atomic<bool> stop_{false};
   std::atomic<bool> awake_{false};
   std::mutex failure_mutex_;
   int failed_piece_ = 0;
-  std::exception_ptr failure_;  ///< of failed_piece_, until the round is over
+  std::exception_ptr failure_;  ///< Exception of failed_piece_, until the end of the loop
 };
 
 }  // namespace burnish

@@ -24,7 +24,7 @@ Trace::Trace(std::vector<TraceColumn> columns, int capacity)
     : columns_(std::move(columns)), capacity_(capacity) {
   if (capacity < 0)
     throw Error("the capacity of a trace is " + std::to_string(capacity) +
-                "; wanted a number of rows");
+                "; wanted a number of rows, at least 0");
   for (std::size_t i = 0; i < columns_.size(); ++i) check_name(columns_, i);
   values_ = Eigen::VectorXd::Zero(offset(capacity));
 }
@@ -32,9 +32,9 @@ Trace::Trace(std::vector<TraceColumn> columns, int capacity)
 int Trace::index(std::string_view name) const {
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (columns_[i].name == name) return static_cast<int>(i);
-  std::vector<std::string> known;
-  for (const TraceColumn& column : columns_) known.push_back(column.name);
-  throw Error("the trace has no column '" + std::string(name) + "'" + did_you_mean(name, known));
+  std::vector<std::string> names;
+  for (const TraceColumn& column : columns_) names.push_back(column.name);
+  throw Error("the trace has no column '" + std::string(name) + "'" + did_you_mean(name, names));
 }
 
 bool Trace::has(std::string_view name) const {

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Links are followed: it is their target that is replaced.
+/// Follows links, so that the target of a link is replaced and not the link.
 fs::path behind_links(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_symlink(file, ignored)) return file;
@@ -20,8 +20,9 @@ fs::path behind_links(const fs::path& file) {
   return ignored ? file : target;
 }
 
-/// Empty where there is something that cannot be replaced, such as /dev/stdout.
-fs::path part_of(const fs::path& target) {
+/// Returns the name of the temporary file. Returns an empty path if `target` cannot be replaced,
+/// such as /dev/stdout.
+fs::path temporary_for(const fs::path& target) {
   std::error_code ignored;
   if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored)) return {};
   return target.parent_path() /
@@ -31,27 +32,27 @@ fs::path part_of(const fs::path& target) {
 }  // namespace
 
 WholeFile::WholeFile(const fs::path& file)
-    : name_(file), target_(behind_links(file)), part_(part_of(target_)) {
+    : name_(file), target_(behind_links(file)), temporary_(temporary_for(target_)) {
   errno = 0;
-  stream_.open(part_.empty() ? target_ : part_, std::ios::binary);
+  stream_.open(temporary_.empty() ? target_ : temporary_, std::ios::binary);
   if (!stream_) refuse(errno);
 }
 
 WholeFile::~WholeFile() {
-  if (part_.empty()) return;
+  if (temporary_.empty()) return;
   stream_.close();
   std::error_code ignored;
-  fs::remove(part_, ignored);
+  fs::remove(temporary_, ignored);
 }
 
 void WholeFile::keep() {
   stream_.close();
   if (!stream_) refuse(errno);
-  if (part_.empty()) return;
+  if (temporary_.empty()) return;
   std::error_code error;
-  fs::rename(part_, target_, error);
+  fs::rename(temporary_, target_, error);
   if (error) refuse(error.value());
-  part_.clear();
+  temporary_.clear();
 }
 
 void WholeFile::refuse(int reason) const {

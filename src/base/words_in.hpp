@@ -1,4 +1,4 @@
-// Words in names, whatever their case.
+// Search for words in names, independent of case.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 
 namespace burnish {
 
-/// The text with A to Z in small letters; other bytes stay.
+/// Returns `text` with A to Z in lower case; other bytes do not change.
 inline std::string lower_case(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
 }
 
-/// Whether a text contains one of the words, which are in small letters, in any case.
+/// Returns true if `text` contains one of `words`, in any case. `words` must be in lower case.
 inline bool has_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
   const std::string small = lower_case(std::string(text));
   return std::any_of(words.begin(), words.end(),

@@ -11,10 +11,10 @@ std::string yaml_word(const std::string& text) {
     return plain(c) || c == '/' || c == '.' || c == '-';
   };
   const bool is_path = text.starts_with('/') || text.starts_with("../");
-  // A colon inside a word, as in talos:right_arm, ends no key.
+  // A colon inside a word, as in talos:right_arm, does not end a key.
   bool bare = !text.empty() && (is_path || plain(text.front())) && plain(text.back());
   for (const char c : text) bare = bare && (harmless(c) || c == ':');
-  // Words for nothing at all.
+  // YAML words for a null value.
   for (const char* word : {"null", "Null", "NULL"}) bare = bare && text != word;
   if (bare) return text;
   std::string quoted = "\"";

@@ -1,12 +1,12 @@
-// Texts as YAML reads them back.
+// Quotes text for YAML files.
 #pragma once
 
 #include <string>
 
 namespace burnish {
 
-/// A name or a path for a YAML file, as a value or a key: in quotes where it could be read as
-/// something else. Bytes that are no UTF-8 stay as they are.
+/// Returns a name or a path as a YAML value or key. The result has quotes if YAML could read the
+/// bare text as another type. Bytes that are not UTF-8 are kept.
 std::string yaml_word(const std::string& text);
 
 }  // namespace burnish

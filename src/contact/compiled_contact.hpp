@@ -1,4 +1,5 @@
-// A contact compiled against a model: bodies, offsets, rows, and which entries of v move what.
+// Contact compiled against a model: bodies, frame offsets, rows, and the entries of v that move
+// tool, base and reference.
 #pragma once
 
 #include <vector>
@@ -9,47 +10,48 @@
 
 namespace burnish {
 
-/// An entry of v that moves the tool's body, the base's body, what the reference is fixed in, or
-/// several of them, each by an axis (or sum of axes: tree.hpp) of its own, -1 where it does not
-/// move it. Axes are the same but for followers.
+/// Entry of v that moves the tool's body, the base's body or the bodies of the reference. Each of
+/// them moves along its own axis (or sum of axes, tree.hpp); -1 if the entry does not move it. The
+/// axes differ only for followers.
 struct ContactSupport {
   int v;
   int tool_axis, base_axis;
   ReferenceAxes reference = {};
-  /// 1/m: what a linear row of the Jacobian is multiplied by at this entry to say which part it is
-  /// of what the entry could do, lengths of the robot being what they are; 1 for a sliding joint.
+  /// Scale of a linear row of the Jacobian at this entry: one over the longest lever arm that the
+  /// lengths of the robot allow [1/m]. 1 for a sliding joint.
   double per_reach = 1.0;
 
   bool moves_tool() const { return tool_axis >= 0; }
   bool moves_base() const { return base_axis >= 0; }
-  /// Whether it moves tool and base as one body, or neither.
+  /// Returns true if the entry moves tool and base as one body, or moves neither.
   bool carries_both() const { return tool_axis == base_axis; }
 };
 
-/// Constants of one contact, as the kernels read them.
+/// Constants of one contact for the kernels.
 struct CompiledContact {
   ContactSpec spec;
-  int tool_body, base_body;     ///< joint index, -1 for the world
-  Mat3<double> tool_R, base_R;  ///< of C2 and C1 in their bodies
-  Vec3<double> tool_p, base_p;  ///< m
+  int tool_body, base_body;     ///< Joint indices, -1 for the world
+  Mat3<double> tool_R, base_R;  ///< Rotations of C2 and C1 in their bodies
+  Vec3<double> tool_p, base_p;  ///< Positions of C2 and C1 in their bodies [m]
   CompiledReference reference;
-  Mat3<double> target_R;  ///< spec.target
-  Vec3<double> target_p;
-  std::vector<int> directions;          ///< the held ones, ascending, 0 to 5
-  bool proportional, damped;            ///< some held direction has kp or kd
-  bool holds_rotation;                  ///< some held direction is angular
-  bool rubs = false;                    ///< spec.friction; of the held rows the first is its normal
-  std::vector<ContactSupport> support;  ///< moves tool or base; ascending in v
-  /// The same and what moves the reference alone: by these the acceleration changes that is held.
+  Mat3<double> target_R;                ///< Rotation of spec.target
+  Vec3<double> target_p;                ///< Position of spec.target [m]
+  std::vector<int> directions;          ///< Constrained directions, ascending, 0 to 5
+  bool proportional, damped;            ///< Whether a constrained direction has kp > 0, kd > 0
+  bool holds_rotation;                  ///< Whether a constrained direction is angular
+  bool has_friction = false;            ///< Whether spec.friction is set; row 0 is then the normal
+  std::vector<ContactSupport> support;  ///< Entries that move tool or base, ascending in v
+  /// Entries of `support` and entries that move only the reference: the constrained acceleration
+  /// depends on all of them. Ascending in v.
   std::vector<ContactSupport> influences;
-  double offset_weight = 0.0;  ///< 1/m^2, of the tool's squared distance from the world's origin
-  /// Entries of the support and those on their ways to the root, ascending; the same entries unless
-  /// followers tie branches together. Where L^-T J^T is not zero.
+  double offset_weight = 0.0;  ///< Weight of a squared distance, row_size.hpp [1/m^2]
+  /// Entries of `support` and all their ancestors, ascending: the nonzero rows of L^-T J^T. The
+  /// ancestors add entries only where followers couple branches.
   std::vector<int> coupled;
-  std::vector<int> influenced;  ///< the same of `influences`
+  std::vector<int> influenced;  ///< Entries of `influences` and all their ancestors, ascending
 };
 
-/// Throws Error, named after the call, for a contact without friction.
-void check_rubs(const std::string& call, const CompiledContact& contact);
+/// Throws Error if `contact` has no friction. The message begins with `call`.
+void check_has_friction(const std::string& call, const CompiledContact& contact);
 
 }  // namespace burnish

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/to_size.hpp"
 #include "contact/constrained_dynamics.hpp"
 #include "contact/contact_kinematics.tpp"
 #include "contact/delassus.tpp"
@@ -16,24 +17,24 @@ namespace burnish {
 template <class S>
 ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet& set,
                                             const ContactSolver& solver)
-    : a(static_cast<std::size_t>(model.nv), S(0.0)),
-      lambda(static_cast<std::size_t>(set.rows()), S(0.0)),
-      tau(static_cast<std::size_t>(model.nv), S(0.0)),
-      alpha(static_cast<std::size_t>(set.rows()), S(0.0)),
-      velocity_after(static_cast<std::size_t>(model.nv), S(0.0)),
-      contact_states(static_cast<std::size_t>(set.size())),
+    : a(to_size(model.nv), S(0.0)),
+      lambda(to_size(set.rows()), S(0.0)),
+      tau(to_size(model.nv), S(0.0)),
+      alpha(to_size(set.rows()), S(0.0)),
+      velocity_after(to_size(model.nv), S(0.0)),
+      contact_states(to_size(set.size())),
       lane_iterations(1, S(0.0)),
       proximal_residual(1, S(0.0)),
       tree_(model),
       set_(set),
       solver_(solver),
-      is_active_(static_cast<std::size_t>(set.size()), 1),
-      q_(static_cast<std::size_t>(model.nq), S(0.0)),
-      v_(static_cast<std::size_t>(model.nv), S(0.0)),
-      drift_(static_cast<std::size_t>(set.rows()), S(0.0)),
-      at_rest_(static_cast<std::size_t>(model.nv), S(0.0)),
-      state_status_(static_cast<std::size_t>(lanes), Status::Ok),
-      status_(static_cast<std::size_t>(lanes), Status::Ok),
+      is_active_(to_size(set.size()), 1),
+      q_(to_size(model.nq), S(0.0)),
+      v_(to_size(model.nv), S(0.0)),
+      drift_(to_size(set.rows()), S(0.0)),
+      at_rest_(to_size(model.nv), S(0.0)),
+      state_status_(to_size(lanes), Status::Ok),
+      status_(to_size(lanes), Status::Ok),
       kinematics_(tree_),
       mass_(tree_),
       delassus_(tree_, set_),
@@ -43,8 +44,8 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       id_(tree_) {
   solver.check();
   for (int i = 0; i < model.nq; ++i) q_neutral_.push_back(S(model.q_neutral[i]));
-  active_.contacts.reserve(static_cast<std::size_t>(set.size()));
-  active_.first_row.assign(static_cast<std::size_t>(set.size()), -1);
+  active_.contacts.reserve(to_size(set.size()));
+  active_.first_row.assign(to_size(set.size()), -1);
   for (int i = 0; i < set.size(); ++i) {
     const CompiledReference& reference = set.contacts()[i].reference;
     reference_axes_.push_back(lift<S>(reference.axes));
@@ -53,17 +54,17 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
     coefficients_.push_back(S(friction ? friction->coefficient : 0.0));
     set_active(i, true);
   }
-  stride_ = 1 + friction_.most;
+  stride_ = 1 + friction_.max_contacts;
   for (auto* block : {&rho_, &solved_, &solved_before_})
-    block->assign(static_cast<std::size_t>(set.rows() * stride_), S(0.0));
-  columns_.reserve(static_cast<std::size_t>(stride_));
+    block->assign(to_size(set.rows() * stride_), S(0.0));
+  columns_.reserve(to_size(stride_));
 }
 
 template <class S>
 void ConstrainedDynamics<S>::set_active(int contact, bool active) {
   is_active_[contact] = active ? 1 : 0;
   ++active_version_;
-  // Rows move: what another contact left where this one has no support must be zero again.
+  // Rows get other contacts. Entries outside the support of the new contact must be zero.
   std::fill(delassus_.T.begin(), delassus_.T.end(), S(0.0));
   std::fill(delassus_.jacobian_by_v.begin(), delassus_.jacobian_by_v.end(), S(0.0));
   active_.contacts.clear();
@@ -75,7 +76,7 @@ void ConstrainedDynamics<S>::set_active(int contact, bool active) {
     active_.first_row[i] = active_.rows;
     active_.rows += static_cast<int>(set_.contacts()[i].directions.size());
   }
-  choose_rubbing(set_, active_, friction_);
+  choose_sliding(set_, active_, friction_);
 }
 
 template <class S>
@@ -108,10 +109,10 @@ void ConstrainedDynamics<S>::load_finite(const S* in, int count, S* out) {
 
 template <class S>
 void ConstrainedDynamics<S>::clear_failed(std::vector<S>& results) const {
-  if (status() <= Status::NotConverged) [[likely]]
+  if (is_usable(status())) [[likely]]
     return;
   for (int l = 0; l < lanes; ++l)
-    if (status_[l] > Status::NotConverged)
+    if (!is_usable(status_[l]))
       for (S& x : results) Lanes<S>::set(x, l, 0.0);
 }
 
@@ -200,7 +201,7 @@ auto ConstrainedDynamics<S>::refine(auto open) {
     S largest(0.0);
     for_each_solved([&](int i, int c) {
       S change = absolute(S((solved_[i] - solved_before_[i]) * mu));
-      // A response counts as what the normal force makes of it.
+      // Scales the change of a response to friction by the normal force, to compare forces.
       if (c > 0) change = change * absolute(solved_[friction_.rows[c - 1] * stride_]);
       largest = select(less(largest, change), change, largest);
       solved_[i] = select(open, solved_[i], solved_before_[i]);
@@ -214,7 +215,8 @@ auto ConstrainedDynamics<S>::refine(auto open) {
 
 template <class S>
 auto ConstrainedDynamics<S>::settle_contradiction(const auto& open) {
-  constexpr double rounding = 1e-12;  // of a null space, relative to the right-hand side
+  // Rounding error of the null-space component, relative to the right-hand side; chosen by hand.
+  constexpr double rounding = 1e-12;
   const int m = active_.rows;
   const std::span<const int> columns(columns_), first = columns.first(1);
   Contradiction<S>& c = contradiction_;
@@ -224,17 +226,17 @@ auto ConstrainedDynamics<S>::settle_contradiction(const auto& open) {
   remove_null_part(c, S(1.0), m, first, c.unmet.data(), 1);
   for (int r = 0; r < m; ++r) {
     c.unmet[r] -= rho_[r * stride_];
-    const S whole = absolute(rho_[r * stride_]), part = absolute(c.unmet[r]);
+    const S whole = absolute(rho_[r * stride_]), unmet = absolute(c.unmet[r]);
     size = select(less(size, whole), whole, size);
-    largest = select(less(largest, part), part, largest);
+    largest = select(less(largest, unmet), unmet, largest);
   }
   const auto contradicts = mask_and(mask_and(open, less(S(solver_.proximal_tolerance), largest)),
                                     less(size * S(rounding), largest));
   c.found = any(contradicts);
   c.present = select(contradicts, S(1.0), S(0.0));
   for (int r = 0; r < m; ++r) c.unmet[r] = select(contradicts, c.unmet[r], S(0.0));
-  auto left = open;
-  if (!c.found) return left;
+  auto unconverged = open;
+  if (!c.found) return unconverged;
   remove_null_part(c, c.present, m, columns, rho_.data(), stride_);
   for_each_solved([&](int i, int) {
     solved_before_[i] = solved_[i];
@@ -244,12 +246,13 @@ auto ConstrainedDynamics<S>::settle_contradiction(const auto& open) {
   for_each_solved(
       [&](int i, int) { solved_[i] = select(contradicts, solved_[i], solved_before_[i]); });
   lane_iterations[0] = select(contradicts, S(0.0), lane_iterations[0]);
-  left = mask_or(mask_and(open, mask_not(contradicts)), refine(contradicts));
-  remove_null_part(c, c.present, m, columns, solved_.data(), stride_);  // rounding adds up there
+  unconverged = mask_or(mask_and(open, mask_not(contradicts)), refine(contradicts));
+  // Rounding errors accumulate in the null space.
+  remove_null_part(c, c.present, m, columns, solved_.data(), stride_);
   const auto more = mask_and(contradicts, less(proximal_residual[0], largest));
   proximal_residual[0] = select(more, largest, proximal_residual[0]);
   mark(contradicts, Status::NotConverged, status_);
-  return left;
+  return unconverged;
 }
 
 template <class S>
@@ -275,7 +278,7 @@ void ConstrainedDynamics<S>::solve_lambda() {
   for (int r = 0; r < m; ++r) lambda[r] = solved_[r * stride_];
 }
 
-/// Right-hand sides J M^-1 F_j behind that of the forces.
+/// Fills the columns of friction in rho_ with J M^-1 F_j.
 template <class S>
 void ConstrainedDynamics<S>::update_friction() {
   const S* const T = delassus_.T.data();
@@ -293,20 +296,20 @@ void ConstrainedDynamics<S>::update_friction() {
   }
 }
 
-/// The forces with friction, from those without it.
+/// Corrects lambda and a, computed without friction, for friction.
 template <class S>
 void ConstrainedDynamics<S>::add_friction() {
   const int n = friction_.size();
   if (n == 0) return;
   for (int r = 0; r < active_.rows; ++r)
     for (int j = 0; j < n; ++j)
-      friction_.response[r * friction_.most + j] = solved_[r * stride_ + 1 + j];
+      friction_.response[r * friction_.max_contacts + j] = solved_[r * stride_ + 1 + j];
   mark(factorize_friction(friction_), Status::SingularContacts, status_);
   for (int j = 0; j < n; ++j) friction_.normal[j] = lambda[friction_.rows[j]];
   solve_friction(friction_);
   for (int j = 0; j < n; ++j) {
     for (int r = 0; r < active_.rows; ++r)
-      lambda[r] -= friction_.response[r * friction_.most + j] * friction_.normal[j];
+      lambda[r] -= friction_.response[r * friction_.max_contacts + j] * friction_.normal[j];
     const S* const w = friction_.transformed_of(j);
     for (const int k : set_.contacts()[friction_.contacts[j]].coupled)
       a[k] += w[k] * friction_.normal[j];
@@ -352,7 +355,7 @@ void ConstrainedDynamics<S>::forward(const S* tau_in) {
     for_each_coupled([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
   }
   solve_factor(tree_, mass_, a.data());
-  // Finite inputs can still overflow on the way.
+  // Finite inputs can still overflow.
   load_finite(a.data(), n, a.data());
   load_finite(lambda.data(), m, lambda.data());
   clear_failed(a);

@@ -28,7 +28,7 @@ std::string name_of_origin(const Anchor& origin) {
       [](const std::string& frame) { return ", at the origin of " + frame; });
 }
 
-/// Of the force's reference.
+/// Returns the pose of the force's reference in the world.
 ReferencePose<double> pose_of(const ContactForce& force) {
   using Pose = ReferencePose<double>;
   const auto pose = [](const Eigen::Matrix3d& R, const Eigen::Vector3d& p) {
@@ -45,7 +45,7 @@ ReferencePose<double> pose_of(const ContactForce& force) {
   return {place(reference.axes).R * from_eigen(reference.rotation), place(reference.origin).p};
 }
 
-/// World axes, about the world's origin.
+/// Returns the force in world axes, about the world's origin.
 Force<double> force_in_world(const ContactForce& force) {
   const ReferencePose<double> at = pose_of(force);
   const Vec3<double> f = at.R * from_eigen(Eigen::Vector3d(force.value.head<3>()));
@@ -53,7 +53,7 @@ Force<double> force_in_world(const ContactForce& force) {
   return {f, m + cross(at.p, f)};
 }
 
-/// "30.0 N along +z" for a vector along one axis, "(1.0, 2.0, 30.0) N" otherwise.
+/// Returns "30.0 N along +z" for a vector along one axis, else "(1.0, 2.0, 30.0) N".
 std::string vector_text(const Eigen::Vector3d& value, const char* unit, const char* along) {
   int largest = 0;
   const double length = value.cwiseAbs().maxCoeff(&largest);
@@ -74,20 +74,27 @@ Eigen::Matrix3d ContactForce::axes() const { return to_eigen(pose_of(*this).R); 
 Eigen::Vector3d ContactForce::origin() const { return to_eigen(pose_of(*this).p); }
 
 ContactForce ContactForce::in(const Reference& other) const {
-  const auto is_known = [](const Anchor& anchor, const Anchor& own) {
+  const auto is_recorded = [](const Anchor& anchor, const Anchor& own) {
     return fixed_in(anchor, true, true, true, [&](const std::string&) { return anchor == own; });
   };
-  if (!is_known(other.axes, reference.axes) || !is_known(other.origin, reference.origin))
-    throw Error("contact force of '" + contact + "': it does not know where the frames of the " +
-                other.name() + " are; wanted tool, base or world, or ask the dynamics");
+  if (!is_recorded(other.axes, reference.axes) || !is_recorded(other.origin, reference.origin))
+    throw Error(
+        "contact force of '" + contact +
+        "': the record of this force does not contain the poses of the frames of the reference '" +
+        other.name() +
+        "'; wanted a reference at tool, base or world, or ContactDynamics::force, which computes "
+        "the force in any reference");
   ContactForce result = *this;
   result.reference = other;
   if (other.quadric) {
-    // The place of the axes' frame is known of these alone.
+    // The force contains the poses of base and world only.
     const bool of_base = other.axes == Anchor::Base;
     if (!of_base && other.axes != Anchor::World)
-      throw Error("contact force of '" + contact + "': it does not know where the surface of " +
-                  other.axes.text() + " is; wanted one of the base or world, or ask the dynamics");
+      throw Error("contact force of '" + contact +
+                  "': the record of this force does not contain the pose of the surface fixed to " +
+                  other.axes.text() +
+                  "; wanted a surface fixed to base or world, or ContactDynamics::force, which "
+                  "computes the force in any reference");
     const Eigen::Vector3d x =
         of_base ? Eigen::Vector3d(base_rotation.transpose() * (tool_position - base_position))
                 : tool_position;

@@ -13,7 +13,7 @@ struct Pose {
   Vec3<S> p;
 };
 
-/// Pose in the world of a frame on a body (-1: the world).
+/// Returns the pose in the world of a frame on `body` (-1: the world).
 template <class S>
 BURNISH_INLINE Pose<S> pose_of(int body, const Mat3<double>& R, const Vec3<double>& p,
                                const Kinematics<S>& kinematics) {
@@ -22,15 +22,16 @@ BURNISH_INLINE Pose<S> pose_of(int body, const Mat3<double>& R, const Vec3<doubl
   return {b.R * lift<S>(R), b.p + b.R * lift<S>(p)};
 }
 
-/// Component of a motion (about the reference's origin, world axes) along direction d.
+/// Returns component d of a motion in the axes of the reference. `m` is in world axes, about the
+/// reference's origin.
 template <class S>
 BURNISH_INLINE S component(const Mat3<S>& axes, const Motion<S>& m, int d) {
   return d < 3 ? dot(column(axes, d), m.linear) : dot(column(axes, d - 3), m.angular);
 }
 
-/// Twist of the tool frame seen from the reference, when these are the twist of the tool, the
-/// angular velocity of the axes and, from a function, the reference's twist. An origin at the
-/// tool's point shares its translation.
+/// Returns the twist of the tool frame relative to the reference. Inputs: the twist `tool` of the
+/// tool, the angular velocity `w_axes` of the axes, and a function that returns the twist of the
+/// reference. A reference at the tool's point translates with the tool.
 template <class S>
 BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact,
                                              const ContactState<S>& state, const Motion<S>& tool,
@@ -39,8 +40,8 @@ BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact,
   return tool - twist();
 }
 
-/// The rate of the tool's twist against the base's per unit rate of an entry that does not carry
-/// both.
+/// Returns the twist of the tool relative to the base at a unit rate of `entry`, which must not
+/// move both as one body.
 template <class S>
 BURNISH_INLINE Motion<S> relative_axis(const ContactSupport& entry,
                                        const Kinematics<S>& kinematics) {
@@ -49,7 +50,7 @@ BURNISH_INLINE Motion<S> relative_axis(const ContactSupport& entry,
   return entry.moves_tool() ? kinematics.axes[entry.tool_axis].axis + base : base;
 }
 
-/// Axes that follow the base's surface: turns state.axes, which are those of where they start from.
+/// Rotates state.axes by the least rotation from their normal to the surface normal at the tool.
 template <class S>
 void update_curved(const CompiledContact& contact, const CurvedSurface<S>& surface,
                    const Kinematics<S>& kinematics, ContactState<S>& state) {
@@ -61,7 +62,7 @@ void update_curved(const CompiledContact& contact, const CurvedSurface<S>& surfa
   at = curved_axes(surface, transpose_times(base.R, state.axes.c2), x);
   move_over(base.R, at_point(state.nu, state.p).linear, at);
   const auto turned = [&](const Vec3<S>& axis) {
-    return least_rotation(at.n0, at.n, at.share, axis);
+    return least_rotation(at.n0, at.n, at.inverse_sum, axis);
   };
   state.axes = {turned(state.axes.c0), turned(state.axes.c1), at.n};
 }
@@ -120,9 +121,9 @@ void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
       state.eta = turning_at(tool.p, state.v_tool.angular);
       break;
   }
-  if (contact.rubs)
+  if (contact.has_friction)
     update_sliding(*contact.spec.friction, friction, column(state.axes, contact.directions.front()),
-                   state.pace, state.p, state.nu, state.sliding);
+                   state.step_ratio, state.p, state.nu, state.sliding);
   if (!contact.proportional) return;
   update_error(contact, pose_of<S>(contact.base_body, contact.base_R, contact.base_p, kinematics),
                state);
@@ -173,7 +174,7 @@ template <class S>
 void contact_acceleration(const CompiledContact& contact, const ContactState<S>& state,
                           const Motion<S>& a_tool, const Motion<S>& a_base, S* out) {
   using namespace contact_detail;
-  // a_L = a_tool - a_base + v_tool x v_base, the rate of nu seen from the tool.
+  // a_L = a_tool - a_base + v_tool x v_base: the derivative of nu in tool axes.
   Motion<S> alpha = a_tool - a_base + cross(state.eta, state.nu);
   if (contact.base_body >= 0) alpha += cross(state.v_tool, state.v_base);
   const Motion<S> alpha_there = at_point(alpha, state.origin);
@@ -185,11 +186,11 @@ void contact_acceleration(const CompiledContact& contact, const ContactState<S>&
   if (contact.damped) {
     contact_velocity(contact, state, scratch);
     for (std::size_t i = 0; i < contact.directions.size(); ++i)
-      out[i] += scratch[i] * (state.pace * S(kd[contact.directions[i]]));
+      out[i] += scratch[i] * (state.step_ratio * S(kd[contact.directions[i]]));
   }
   if (contact.proportional) {
     contact_error(contact, state, scratch);
-    const S square = state.pace * state.pace;
+    const S square = state.step_ratio * state.step_ratio;
     for (std::size_t i = 0; i < contact.directions.size(); ++i)
       out[i] += scratch[i] * (square * S(kp[contact.directions[i]]));
   }
@@ -198,16 +199,16 @@ void contact_acceleration(const CompiledContact& contact, const ContactState<S>&
 template <class S>
 BURNISH_INLINE Force<S> wrench_of_rows(const CompiledContact& contact, const S* lambda,
                                        const ContactState<S>& state) {
-  Vec3<S> parts[2] = {Vec3<S>::zero(), Vec3<S>::zero()};
+  Vec3<S> wrench[2] = {Vec3<S>::zero(), Vec3<S>::zero()};  // force, moment
   int r = 0;
-  for (const int d : contact.directions) parts[d / 3] += column(state.axes, d % 3) * lambda[r++];
-  return {parts[0], parts[1] + cross(state.origin, parts[0])};
+  for (const int d : contact.directions) wrench[d / 3] += column(state.axes, d % 3) * lambda[r++];
+  return {wrench[0], wrench[1] + cross(state.origin, wrench[0])};
 }
 
 template <class S>
 void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state) {
   state.force_world = wrench_of_rows(contact, lambda, state);
-  if (!contact.rubs) return;
+  if (!contact.has_friction) return;
   state.sliding.normal_force = lambda[0];
   state.force_world += state.sliding.per_normal * lambda[0];
 }

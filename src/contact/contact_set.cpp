@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "contact/compiled_contact.hpp"
 #include "contact/descriptions.gen.hpp"
@@ -13,7 +14,7 @@
 namespace burnish {
 namespace {
 
-/// What `make` returns; its errors say which contact and what of it.
+/// Returns make(). Puts the name of the contact and `what` in front of messages of its errors.
 auto compiled(const ContactSpec& spec, const char* what, const auto& make) {
   try {
     return make();
@@ -29,12 +30,14 @@ void check(const ContactSpec& spec) {
   const Reference& reference = spec.reference;
   reference.check("contact '" + spec.name + "'");
   if (reference.quadric && (reference.origin != Anchor::Tool || reference.axes != Anchor::Base))
-    throw Error(who + "the reference that follows a curved surface is '" + reference.name() +
-                "'; wanted axes of the base at the tool, as Reference::on makes them");
+    throw Error(who +
+                "the curved surface of a contact needs axes of the base at the tool, but the "
+                "reference is '" +
+                reference.name() + "'; wanted a reference from Reference::on");
   const Eigen::Matrix3d T = spec.target.linear();
   if (!spec.target.matrix().allFinite() ||
       (T.transpose() * T - Eigen::Matrix3d::Identity()).norm() > 1e-6 || T.determinant() < 0.0)
-    throw Error(who + "the target is not a placement");
+    throw Error(who + "the target is not a pose; wanted finite numbers and a rotation matrix");
   if (!spec.kp.allFinite() || !spec.kd.allFinite() || spec.kp.minCoeff() < 0.0 ||
       spec.kd.minCoeff() < 0.0)
     throw Error(who + "a gain is negative or not finite; wanted kp, kd >= 0");
@@ -44,9 +47,9 @@ void check(const ContactSpec& spec) {
   const Directions held{
       static_cast<std::uint8_t>(spec.directions.bits & Directions::linear().bits)};
   if (held.count() != 1)
-    throw Error(who + "it has friction and holds " +
+    throw Error(who + "the contact has friction and holds " +
                 (held.bits == 0 ? std::string("no direction of translation") : held.text()) +
-                "; wanted one of x, y, z, along the normal that friction goes with");
+                "; wanted exactly one of x, y and z, the direction in which the contact presses");
 }
 
 std::vector<ContactSupport> influences(const Model& model, const CompiledContact& contact) {
@@ -69,12 +72,10 @@ std::vector<ContactSupport> influences(const Model& model, const CompiledContact
   return result;
 }
 
-std::vector<int> with_ways_to_the_root(const Model& model,
-                                       const std::vector<ContactSupport>& support) {
+std::vector<int> with_ancestors(const Model& model, const std::vector<ContactSupport>& support) {
   std::set<int> entries;
   for (const ContactSupport& entry : support) {
-    for (int k = entry.v; k >= 0 && entries.insert(k).second;)
-      k = model.parent_of_v[static_cast<std::size_t>(k)];
+    for (int k = entry.v; k >= 0 && entries.insert(k).second;) k = model.parent_of_v[to_size(k)];
   }
   return {entries.begin(), entries.end()};
 }
@@ -90,7 +91,7 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
   const CompiledFrame base = compiled(spec, "base frame", frame(spec.base));
   if (tool.body == base.body)
     throw Error("contact '" + spec.name + "': tool '" + spec.tool + "' and base '" + spec.base +
-                "' are on the same body, so that no joint moves one against the other");
+                "' are on the same body; wanted frames that a joint moves relative to each other");
   c.tool_body = tool.body;
   c.base_body = base.body;
   c.tool_R = tool.R;
@@ -101,7 +102,7 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
                          [&] { return compile_reference(model, spec.reference, tool, base); });
   c.target_R = from_eigen(Eigen::Matrix3d(spec.target.linear()));
   c.target_p = from_eigen(Eigen::Vector3d(spec.target.translation()));
-  c.rubs = spec.friction.has_value();
+  c.has_friction = spec.friction.has_value();
   c.proportional = c.damped = c.holds_rotation = false;
   for (int d = 0; d < 6; ++d) {
     if (!spec.directions.has(d)) continue;
@@ -116,8 +117,8 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
   };
   std::copy_if(c.influences.begin(), c.influences.end(), std::back_inserter(c.support),
                moves_contact);
-  c.coupled = with_ways_to_the_root(model, c.support);
-  c.influenced = with_ways_to_the_root(model, c.influences);
+  c.coupled = with_ancestors(model, c.support);
+  c.influenced = with_ancestors(model, c.influences);
   set_reaches(model, c);
   return c;
 }
@@ -129,10 +130,10 @@ void ContactSolver::check() const {
                [](const std::string& entry) { return "contact solver: " + entry; });
 }
 
-void check_rubs(const std::string& call, const CompiledContact& contact) {
-  if (!contact.rubs)
+void check_has_friction(const std::string& call, const CompiledContact& contact) {
+  if (!contact.has_friction)
     throw Error(call + ": contact '" + contact.spec.name +
-                "' has no friction; wanted one with ContactSpec::friction");
+                "' has no friction; wanted a contact with ContactSpec::friction");
 }
 
 CompiledFrame tool_of(const CompiledContact& contact) {
@@ -165,16 +166,15 @@ ContactSet::ContactSet() : contacts_(std::make_shared<const std::vector<Compiled
 
 ContactSet::ContactSet(const Model& model, const std::vector<ContactSpec>& specs) {
   if (specs.size() > max_contacts)
-    throw Error("there are " + std::to_string(specs.size()) + " contacts; at most " +
-                std::to_string(max_contacts) + " are supported");
+    throw Error("there are " + std::to_string(specs.size()) + " contacts; wanted at most " +
+                std::to_string(max_contacts));
   std::vector<CompiledContact> compiled;
   for (ContactSpec spec : specs) {
     if (spec.name.empty()) spec.name = spec.tool;
     for (const CompiledContact& other : compiled)
       if (other.spec.name == spec.name)
         throw Error("contact '" + spec.name +
-                    "': the name is taken by another contact; give each "
-                    "contact a name of its own");
+                    "': another contact has this name; wanted a unique name for each contact");
     compiled.push_back(compile(model, spec));
     rows_ += static_cast<int>(compiled.back().directions.size());
   }
@@ -189,12 +189,12 @@ std::vector<ContactSpec> ContactSet::specs() const {
 }
 
 int ContactSet::index(const std::string& name) const {
-  std::vector<std::string> known;
+  std::vector<std::string> existing;
   for (const CompiledContact& contact : *contacts_) {
-    if (contact.spec.name == name) return static_cast<int>(known.size());
-    known.push_back(contact.spec.name);
+    if (contact.spec.name == name) return static_cast<int>(existing.size());
+    existing.push_back(contact.spec.name);
   }
-  throw Error("unknown contact '" + name + "'" + did_you_mean(name, known));
+  throw Error("unknown contact '" + name + "'" + did_you_mean(name, existing));
 }
 
 std::vector<std::string> ContactSet::row_names() const {

@@ -1,6 +1,6 @@
-// The contact-space system G lambda = rho, G = J M^-1 J^T + mu 1, with proximal iterations towards
-// mu = 0 (Carpentier, Budhiraja, Mansard, "Proximal and Sparse Resolution of Constrained Dynamic
-// Equations", 2021).
+// Contact-space system G lambda = rho with G = J M^-1 J^T + mu 1. Proximal iterations remove the
+// effect of mu (Carpentier, Budhiraja, Mansard, "Proximal and Sparse Resolution of Constrained
+// Dynamic Equations", 2021).
 #pragma once
 
 #include <span>
@@ -12,39 +12,40 @@
 
 namespace burnish {
 
-/// Rows and columns in play: which contacts are active and where their rows start.
+/// Active contacts and the places of their rows.
 struct ActiveContacts {
-  std::vector<int> contacts;   ///< indices of the active contacts
-  std::vector<int> first_row;  ///< per contact of the set, -1 when inactive
-  int rows = 0;
+  std::vector<int> contacts;   ///< Indices of the active contacts
+  std::vector<int> first_row;  ///< First row of each contact of the set, -1 if inactive
+  int rows = 0;                ///< Rows of all active contacts
 };
 
-/// Filled by update_delassus.
+/// Contact-space system and its Cholesky factor, filled by update_delassus().
 template <class S>
 struct Delassus {
   Delassus(const Tree& tree, const ContactSet& set);
 
-  std::vector<S> jacobian_by_v;  ///< J^T: nv x stride
-  std::vector<S> T;              ///< L^-T J^T: nv x stride
-  std::vector<S> factor;         ///< Cholesky factor C of G = C C^T, stride x stride, lower
-  std::vector<S> inverse_diagonal;
-  std::vector<S> least_pivot;                    ///< per row: what a pivot of G must exceed
-  std::vector<S> pivot_rounding;                 ///< and what rounding may have made of it
-  int stride;                                    ///< rows with every contact active
-  std::vector<std::vector<int>> shared_support;  ///< entries of v coupled to both of two contacts
+  std::vector<S> jacobian_by_v;     ///< J^T: nv x stride
+  std::vector<S> T;                 ///< L^-T J^T: nv x stride
+  std::vector<S> factor;            ///< Cholesky factor C of G = C C^T, stride x stride, lower
+  std::vector<S> inverse_diagonal;  ///< 1 / C_rr, zero at dependent rows
+  std::vector<S> least_pivot;       ///< Lower bound of the pivot of each row of G
+  std::vector<S> pivot_rounding;    ///< Rounding error of the pivot of each row
+  int stride;                       ///< Number of rows if all contacts are active
+  std::vector<std::vector<int>> shared_support;  ///< Entries of v coupled to both of two contacts
 };
 
-/// T and the factor of G. Returns the lanes in which some row is not independent of those before
-/// it; there the factor is finite but meaningless, and inverse_diagonal is zero at those rows. With
-/// mu = 0 that is a row of which no more than independence_tolerance of what could have been is
-/// left beside those before it (row_size.hpp); with mu > 0 one whose pivot is not above 1e-12 of
-/// its diagonal entry.
+/// Computes T and the factor of G. Returns the lanes in which a row depends on earlier rows. In
+/// these lanes the factor is finite but meaningless, and inverse_diagonal is zero at those rows.
+///
+/// With mu = 0, a row is dependent if the length of its independent component is at most
+/// independence_tolerance of its attainable length (row_size.hpp). With mu > 0, a row is dependent
+/// if its pivot is at most 1e-12 of its diagonal entry.
 template <class S>
 auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContacts& active,
                      const std::vector<ContactState<S>>& states, const MassMatrix<S>& mass,
                      double mu, Delassus<S>& d);
 
-/// X <- G^-1 X for X of `rows` rows, its columns listed.
+/// Replaces the columns `columns` of X by G^-1 X. X has `rows` rows.
 template <class S>
 void solve_delassus(const Delassus<S>& d, int rows, std::span<const int> columns, S* x, int stride);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/to_size.hpp"
 #include "contact/delassus.hpp"
 #include "math/gram.hpp"
 #include "math/reciprocal_root.hpp"
@@ -12,12 +13,12 @@ namespace burnish {
 
 template <class S>
 Delassus<S>::Delassus(const Tree& tree, const ContactSet& set)
-    : jacobian_by_v(static_cast<std::size_t>(tree.nv * set.rows()), S(0.0)),
-      T(static_cast<std::size_t>(tree.nv * set.rows()), S(0.0)),
-      factor(static_cast<std::size_t>(set.rows() * set.rows()), S(0.0)),
-      inverse_diagonal(static_cast<std::size_t>(set.rows()), S(0.0)),
-      least_pivot(static_cast<std::size_t>(set.rows()), S(0.0)),
-      pivot_rounding(static_cast<std::size_t>(set.rows()), S(0.0)),
+    : jacobian_by_v(to_size(tree.nv * set.rows()), S(0.0)),
+      T(to_size(tree.nv * set.rows()), S(0.0)),
+      factor(to_size(set.rows() * set.rows()), S(0.0)),
+      inverse_diagonal(to_size(set.rows()), S(0.0)),
+      least_pivot(to_size(set.rows()), S(0.0)),
+      pivot_rounding(to_size(set.rows()), S(0.0)),
       stride(set.rows()) {
   for (const CompiledContact& a : set.contacts())
     for (const CompiledContact& b : set.contacts()) {
@@ -30,8 +31,8 @@ Delassus<S>::Delassus(const Tree& tree, const ContactSet& set)
 
 namespace delassus_detail {
 
-/// X <- L^-T X of columns that are zero outside the entries that a contact is coupled to, and stay
-/// so: x[v * stride + column].
+/// Replaces the first `columns` columns of X by L^-T X, with X stored as x[v * stride + column].
+/// The columns must be zero outside contact.coupled, and remain zero there.
 template <class S>
 void transform_coupled(const Tree& tree, const CompiledContact& contact, const MassMatrix<S>& mass,
                        S* x, int stride, int columns) {
@@ -48,7 +49,7 @@ void transform_coupled(const Tree& tree, const CompiledContact& contact, const M
   }
 }
 
-/// Block of T = L^-T J^T for one contact.
+/// Computes the columns of T = L^-T J^T that belong to one contact.
 template <class S>
 void transform_jacobian(const Tree& tree, const CompiledContact& contact, const MassMatrix<S>& mass,
                         int first, Delassus<S>& d) {
@@ -59,31 +60,31 @@ void transform_jacobian(const Tree& tree, const CompiledContact& contact, const 
   transform_coupled(tree, contact, mass, d.T.data() + first, d.stride, rows);
 }
 
-/// What the pivots of a contact's rows must exceed: the part of them that is as long, in the metric
-/// of M^-1, as the row would be if the joints moved as much along it as they could. A row of zeros
-/// asks for more than any pivot.
+/// Sets the lower bounds of the pivots of a contact's rows. The bound is the squared
+/// independence_tolerance of the row's attainable squared length in the metric of M^-1. A row of
+/// zeros gets a bound above every pivot.
 template <class S>
-void demand_of_rows(const CompiledContact& contact, const ContactState<S>& state, int first,
-                    Delassus<S>& d) {
-  constexpr double least_part = independence_tolerance * independence_tolerance;
+void set_pivot_bounds(const CompiledContact& contact, const ContactState<S>& state, int first,
+                      Delassus<S>& d) {
+  constexpr double min_fraction = independence_tolerance * independence_tolerance;
   for (std::size_t i = 0; i < contact.directions.size(); ++i) {
     const int r = first + static_cast<int>(i), direction = contact.directions[i];
     const S size = row_size(contact, direction, d.jacobian_by_v.data() + r, d.stride);
-    const S demand = S(1.0) + could_have_been(contact, direction, state.p, state.origin) / size;
-    d.least_pivot[r] = d.factor[r * d.stride + r] * demand * S(least_part);
+    const S ratio = S(1.0) + attainable_row_size(contact, direction, state.p, state.origin) / size;
+    d.least_pivot[r] = d.factor[r * d.stride + r] * ratio * S(min_fraction);
     d.pivot_rounding[r] = d.factor[r * d.stride + r] * S(burnish::pivot_rounding);
   }
 }
 
-/// G = C C^T in place, lower triangle.
+/// Factorizes the lower triangle of G = C C^T in place. Returns the lanes with dependent rows.
 template <class S>
 auto cholesky(int rows, Delassus<S>& d) {
   auto bad = less(S(0.0), S(0.0));
   const int m = d.stride;
   S* const c = d.factor.data();
   for (int k = 0; k < rows; ++k) {
-    const S least = d.least_pivot[k] + d.pivot_rounding[k];
-    const auto weak = mask_not(less(least, c[k * m + k]));
+    const S min_pivot = d.least_pivot[k] + d.pivot_rounding[k];
+    const auto weak = mask_not(less(min_pivot, c[k * m + k]));
     bad = mask_or(bad, weak);
     const S reciprocal = reciprocal_root(c[k * m + k], weak);
     d.inverse_diagonal[k] = reciprocal;
@@ -111,13 +112,13 @@ auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContac
   const auto rows_of = [&](int c) { return static_cast<int>(set.contacts()[c].directions.size()); };
   for (const int c : active.contacts)
     transform_jacobian(tree, set.contacts()[c], mass, active.first_row[c], d);
-  const Strided<const S> t{d.T.data(), d.stride};
+  const StridedView<const S> t{d.T.data(), d.stride};
   for (const int a : active.contacts)
     for (const int b : active.contacts) {
       if (b > a) break;
       const int i = active.first_row[a], j = active.first_row[b];
       gram<Gram::Set>(t, t, d.shared_support[a * set.size() + b], i, i + rows_of(a), j,
-                      j + rows_of(b), Strided<S>{d.factor.data(), d.stride});
+                      j + rows_of(b), StridedView<S>{d.factor.data(), d.stride});
     }
   if (mu > 0.0) {
     for (int r = 0; r < active.rows; ++r) {
@@ -127,14 +128,14 @@ auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContac
     }
   } else {
     for (const int c : active.contacts)
-      demand_of_rows(set.contacts()[c], states[c], active.first_row[c], d);
+      set_pivot_bounds(set.contacts()[c], states[c], active.first_row[c], d);
   }
   return cholesky(active.rows, d);
 }
 
 namespace delassus_detail {
 
-/// C columns at once, in place: x <- C^-T C^-1 x, sums kept in registers.
+/// Solves C columns together, in place: x <- C^-T C^-1 x. The sums stay in registers.
 template <int C, class S>
 void solve_columns(const Delassus<S>& d, int rows, const int* columns, S* x, int stride) {
   const S* const c = d.factor.data();
@@ -168,14 +169,14 @@ void solve_delassus(const Delassus<S>& d, int rows, std::span<const int> columns
                     int stride) {
   using delassus_detail::solve_columns;
   const int* column = columns.data();
-  auto left = columns.size();
-  for (; left >= 6; left -= 6, column += 6) solve_columns<6>(d, rows, column, x, stride);
-  if (left >= 3) {
+  auto remaining = columns.size();
+  for (; remaining >= 6; remaining -= 6, column += 6) solve_columns<6>(d, rows, column, x, stride);
+  if (remaining >= 3) {
     solve_columns<3>(d, rows, column, x, stride);
-    left -= 3;
+    remaining -= 3;
     column += 3;
   }
-  for (; left > 0; --left, ++column) solve_columns<1>(d, rows, column, x, stride);
+  for (; remaining > 0; --remaining, ++column) solve_columns<1>(d, rows, column, x, stride);
 }
 
 }  // namespace burnish

@@ -32,8 +32,8 @@ const Description& description_of(const SlidingFriction* /*of*/) {
       Describe<S>("contact", "SlidingFriction",
                   "Smoothed Coulomb friction on a sliding tool. The friction force on the tool is"
                   " -coefficient lambda v_t / sqrt(|v_t|^2 + speed^2). Here lambda is the normal "
-                  "force, and v_t is the tangential velocity of the tool relative to the base, at"
-                  " the point where friction acts.")
+                  "force, and v_t is the tangential velocity of the tool relative to the base. "
+                  "The velocity is taken at the point where friction acts.")
           .field("coefficient", &S::coefficient,
                  "Coefficient of friction",
                  {.least = 0})
@@ -44,7 +44,8 @@ const Description& description_of(const SlidingFriction* /*of*/) {
                  {.least = 0, .open = true})
           .word("none")
           .more("The fade-out makes friction differentiable at rest. The speed chosen from the "
-                "time steps is at least 0.01 m/s. Outside a problem, none stands for 0.01 m/s.")
+                "time steps is at least 0.01 m/s. For a contact without a problem, none means "
+                "0.01 m/s.")
           .field("radius", &S::radius,
                  "Radius of a round tool tip [{m}]",
                  {.least = 0})
@@ -58,9 +59,9 @@ const Description& description_of(const ContactSpec* /*of*/) {
   static const Description all =
       Describe<S>("contact", "ContactSpec",
                   "Contact that constrains a tool frame relative to a base frame in some "
-                  "directions: alpha + kd nu + kp e = 0. The symbols e, nu and alpha are the pose"
-                  " error, velocity and acceleration of the tool relative to the base. They are "
-                  "written in the axes of the reference.")
+                  "directions: alpha + kd nu + kp e = 0. Here e, nu and alpha are the pose error,"
+                  " velocity and acceleration of the tool relative to the base, written in the "
+                  "axes of the reference.")
           .field("name", &S::name,
                  "Unique name (empty: the name of the tool frame)")
           .field("tool", &S::tool,
@@ -70,8 +71,7 @@ const Description& description_of(const ContactSpec* /*of*/) {
           .field("reference", &S::reference)
           .field("directions", &S::directions,
                  "Constrained directions: \"all\", \"linear\", \"angular\", \"pad_x\", \"pad_y\","
-                 " \"pad_z\" (a flat pad with its normal along that axis), or a list "
-                 "(\"z,rx,ry\")")
+                 " \"pad_z\" (a flat pad with normal x, y or z), or a list (\"z,rx,ry\")")
           .field("acceleration", &S::acceleration)
           .field("error", &S::error)
           .field("kp", &S::kp,
@@ -81,7 +81,7 @@ const Description& description_of(const ContactSpec* /*of*/) {
                  "Gains on the velocity, one per direction [{1/s}]")
           .field("target", &S::target,
                  "Desired pose of the tool frame C2 in the base frame C1")
-          .more("The pose error is zero there.")
+          .more("At this pose, the pose error is zero.")
           .field("friction", &S::friction,
                  "Friction on the tool (none: frictionless)");
   return all;
@@ -114,7 +114,8 @@ const Description& description_of(const ContactForce* /*of*/) {
           .field("base_position", &S::base_position,
                  "Position of the base frame in the world [{m}]")
           .field("frame_rotation", &S::frame_rotation,
-                 "Orientation of the frame in which the reference's axes are fixed, in world axes")
+                 "Rotation matrix from a frame to world axes; the axes of the reference are fixed"
+                 " in this frame")
           .field("frame_position", &S::frame_position,
                  "Position of the reference's origin in the world [{m}]");
   return all;
@@ -136,13 +137,13 @@ const Description& description_of(const ContactSolver* /*of*/) {
                  "Maximum number of proximal iterations (0: none)",
                  {.least = 0})
           .more("Proximal iterations remove the effect of the compliance mu on the solution. Each"
-                " one computes lambda <- G^-1 (rho + mu lambda), where G lambda = rho is the "
-                "compliant system.")
+                " iteration computes lambda <- G^-1 (rho + mu lambda), where G lambda = rho is "
+                "the compliant system.")
           .field("proximal_tolerance", &S::proximal_tolerance,
                  "Contact acceleration error at which proximal iterations stop [{m/s^2}]",
                  {.least = 0})
-          .more("They stop once |mu (lambda - previous lambda)| is at most this number in every "
-                "row.");
+          .more("The error of a row is |mu (lambda - previous lambda)|. Proximal iterations stop "
+                "once the errors of all rows are at most this tolerance.");
   return all;
 }
 
@@ -247,8 +248,7 @@ const Words& words_of(LoopMetric /*of*/) {
   static const Words all{
       "contact",
       "LoopMetric",
-      "Norm that a projection of a velocity onto the loops minimizes. The symbol dv is the change"
-      " of velocity.",
+      "Norm of the change dv of a velocity. A projection onto the loops minimizes this norm.",
       {{"plain", "|dv|^2, with equal weights of rad/s and m/s"},
        {"mass", "dv^T M dv, with the mass matrix M; dv is then the effect of impulses in the loops"}}};
   return all;

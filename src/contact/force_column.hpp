@@ -1,4 +1,4 @@
-// Names of a contact's forces in tables.
+// Column names of contact forces in tables.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Such as "table_force_z_centered", "foot_moment_x_local".
+/// Returns a column name such as "table_force_z_centered" or "foot_moment_x_local".
 inline std::string force_column(const ContactSpec& contact, int direction) {
   const char axis = "xyz"[direction % 3];
   return (contact.name.empty() ? contact.tool : contact.name) +

@@ -1,59 +1,63 @@
-// What sliding friction does to the contact-space system. It acts on the joints with F_j lambda_j
-// for each contact j that rubs, lambda_j its normal force and F_j the torques of friction for one
-// of it, and so the forces of the system without friction, lambda_0 = G^-1 rho, become
-//   lambda = lambda_0 - sum over j of R_j lambda_j,   R_j = G^-1 J M^-1 F_j,
-// whose normal rows are a system of one row per contact that rubs:
+// Sliding friction in the contact-space system. The friction of contact j acts on the joints with
+// the torques F_j lambda_j. lambda_j is the normal force of the contact, and F_j are the friction
+// torques per unit of normal force. With lambda_0 = G^-1 rho, the forces without friction, the
+// forces with friction are
+//   lambda = lambda_0 - sum over j of R_j lambda_j,   R_j = G^-1 J M^-1 F_j.
+// Their normal rows form a small system, with one row per contact with friction:
 //   (1 + R at normal rows) lambda_normal = lambda_0 at normal rows.
-// Its pivots are what is left of a row's apparent inertia; where friction takes all of it the tool
-// jams (P. Painleve, "Sur les lois du frottement de glissement", 1895).
+// A pivot of this system is the fraction of the inverse apparent inertia that friction leaves. At
+// zero the tool jams (P. Painleve, "Sur les lois du frottement de glissement", 1895).
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "contact/contact_kinematics.hpp"
 #include "contact/delassus.hpp"
 
 namespace burnish {
 
-/// A contact jams where its pivot is not above this.
+/// Pivot at or below which a contact jams; chosen by hand.
 inline constexpr double least_friction_pivot = 1e-6;
 
+/// Small system of the normal forces of contacts with friction.
 template <class S>
 struct FrictionCoupling {
   FrictionCoupling(const Tree& tree, const ContactSet& set) : nv(tree.nv) {
-    for (const CompiledContact& contact : set.contacts()) most += contact.rubs ? 1 : 0;
-    const auto room = static_cast<std::size_t>(most);
-    contacts.reserve(room);
-    rows.reserve(room);
-    torque.assign(room * static_cast<std::size_t>(nv), S(0.0));
+    for (const CompiledContact& contact : set.contacts())
+      max_contacts += contact.has_friction ? 1 : 0;
+    const auto capacity = to_size(max_contacts);
+    contacts.reserve(capacity);
+    rows.reserve(capacity);
+    torque.assign(capacity * to_size(nv), S(0.0));
     transformed = torque;
-    response.assign(room * static_cast<std::size_t>(set.rows()), S(0.0));
-    factor.assign(room * room, S(0.0));
-    normal.assign(room, S(0.0));
+    response.assign(capacity * to_size(set.rows()), S(0.0));
+    factor.assign(capacity * capacity, S(0.0));
+    normal.assign(capacity, S(0.0));
   }
 
   int size() const { return static_cast<int>(contacts.size()); }
   S* torque_of(int j) { return torque.data() + j * nv; }
   S* transformed_of(int j) { return transformed.data() + j * nv; }
 
-  int nv, most = 0;            ///< contacts of the set that rub
-  std::vector<int> contacts;   ///< the active ones that do
-  std::vector<int> rows;       ///< the active row of each one's normal
-  std::vector<S> torque;       ///< F_j, nv entries each
-  std::vector<S> transformed;  ///< L^-T F_j, alike
-  std::vector<S> response;     ///< R_j as column j of `most`, by row
-  std::vector<S> factor;       ///< of the small system, without pivoting; 1 / pivot on its diagonal
-  std::vector<S> normal;       ///< scratch: lambda_normal
+  int nv, max_contacts = 0;    ///< Number of contacts of the set with friction
+  std::vector<int> contacts;   ///< Active contacts with friction
+  std::vector<int> rows;       ///< Active row of the normal of each of `contacts`
+  std::vector<S> torque;       ///< F_j, nv entries per contact
+  std::vector<S> transformed;  ///< L^-T F_j, nv entries per contact
+  std::vector<S> response;     ///< R_j as column j: active rows x max_contacts
+  std::vector<S> factor;       ///< LU factor of the small system, without pivoting; 1 / pivots
+  std::vector<S> normal;       ///< lambda_normal
 };
 
-/// Which contacts rub among the active ones.
+/// Lists the active contacts with friction.
 template <class S>
-void choose_rubbing(const ContactSet& set, const ActiveContacts& active, FrictionCoupling<S>& f) {
+void choose_sliding(const ContactSet& set, const ActiveContacts& active, FrictionCoupling<S>& f) {
   f.contacts.clear();
   f.rows.clear();
   for (const int c : active.contacts)
-    if (set.contacts()[c].rubs) {
+    if (set.contacts()[c].has_friction) {
       f.contacts.push_back(c);
       f.rows.push_back(active.first_row[c]);
     }
@@ -61,7 +65,7 @@ void choose_rubbing(const ContactSet& set, const ActiveContacts& active, Frictio
   std::fill(f.transformed.begin(), f.transformed.end(), S(0.0));
 }
 
-/// Factor of the small system, from the responses. Returns the lanes in which some contact jams.
+/// Factorizes the small system. Returns the lanes in which a contact jams.
 template <class S>
 auto factorize_friction(FrictionCoupling<S>& f) {
   const int k = f.size();
@@ -69,7 +73,7 @@ auto factorize_friction(FrictionCoupling<S>& f) {
   auto bad = less(S(0.0), S(0.0));
   for (int i = 0; i < k; ++i)
     for (int j = 0; j < k; ++j)
-      A[i * k + j] = f.response[f.rows[i] * f.most + j] + S(i == j ? 1.0 : 0.0);
+      A[i * k + j] = f.response[f.rows[i] * f.max_contacts + j] + S(i == j ? 1.0 : 0.0);
   for (int p = 0; p < k; ++p) {
     const auto jams = mask_not(less(S(least_friction_pivot), A[p * k + p]));
     bad = mask_or(bad, jams);
@@ -82,7 +86,8 @@ auto factorize_friction(FrictionCoupling<S>& f) {
   return bad;
 }
 
-/// f.normal: lambda_0 at normal rows in, lambda_normal out.
+/// Solves the small system in place: f.normal holds lambda_0 at the normal rows, then
+/// lambda_normal.
 template <class S>
 void solve_friction(FrictionCoupling<S>& f) {
   const int k = f.size();

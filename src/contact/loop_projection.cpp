@@ -1,10 +1,11 @@
-// Postures and velocities that the loops of a robot allow.
+// Projection of postures and velocities onto the closed loops of a robot.
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/model/state.hpp"
 #include "contact/descriptions.gen.hpp"
@@ -15,7 +16,7 @@
 namespace burnish {
 namespace {
 
-/// Entries of v that may move, and by how much a unit of cost moves them: W^-1/2, zero where kept.
+/// Returns the diagonal of W^-1/2 for the cost weights W, with zeros at joints that must not move.
 Eigen::VectorXd mobility(const Model& model, const std::vector<std::string>& keep,
                          const Eigen::VectorXd& weights) {
   Eigen::VectorXd result = Eigen::VectorXd::Ones(model.nv);
@@ -25,31 +26,32 @@ Eigen::VectorXd mobility(const Model& model, const std::vector<std::string>& kee
                   " weights; wanted " + std::to_string(model.nv));
     if (!weights.allFinite() || !(weights.minCoeff() > 0.0))
       throw Error("projection onto loops: a weight is " + number(weights.minCoeff()) +
-                  "; wanted positive numbers");
+                  "; wanted positive finite numbers");
     result = weights.cwiseSqrt().cwiseInverse();
   }
   for (const std::string& name : keep) {
-    const Joint& joint = model.joints[static_cast<std::size_t>(model.joint_index(name))];
-    // A follower's entry is its leader's.
+    const Joint& joint = model.joints[to_size(model.joint_index(name))];
+    // Followers have the v_index of their leader.
     result.segment(joint.v_index, std::max(joint.nv, 1)).setZero();
   }
   return result;
 }
 
-/// The search from one posture.
+/// Damped Gauss-Newton search for closed loops.
 class Descent {
  public:
   Descent(const Model& model, LoopRows& rows, const LoopProjectionOptions& options,
           Eigen::VectorXd mobility)
       : model_(model), rows_(rows), options_(options), mobility_(std::move(mobility)) {}
 
-  /// Joints stay within their limits, and where they are at q if that is beyond.
+  /// Sets the ranges of joints: their limits, extended to `q` if a joint starts beyond a limit.
   void set_range(const Eigen::VectorXd& q) {
     lower_ = model_.q_lower.cwiseMin(q);
     upper_ = model_.q_upper.cwiseMax(q);
   }
 
-  /// Steps from q until the loops are closed, nothing gets better, or no iterations are left.
+  /// Searches from `q` until the loops are closed, no step reduces the error, or the iterations
+  /// reach their maximum. Returns the posture found; adds to `iterations`.
   Eigen::VectorXd from(Eigen::VectorXd q, int& iterations) {
     q = within_range(q);
     rows_.update(q);
@@ -85,12 +87,12 @@ class Descent {
     return joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic;
   }
 
-  /// No joint turns by more than a radian at once: farther a linear step means little.
+  /// Scales the step so that no joint moves by more than 1 rad or 1 m, where linearization is poor.
   static Eigen::VectorXd shortened(const Eigen::VectorXd& step) {
     return step / std::max(1.0, step.cwiseAbs().maxCoeff());
   }
 
-  /// Mobility without joints at a limit that the error pushes beyond it.
+  /// Returns the mobility, with zeros at joints that would move beyond their limit.
   Eigen::VectorXd movable(const Eigen::VectorXd& q, const Eigen::VectorXd& error) const {
     Eigen::VectorXd result = mobility_;
     if (!options_.within_limits) return result;
@@ -121,7 +123,7 @@ class Descent {
   Eigen::VectorXd mobility_, lower_, upper_;
 };
 
-/// Reads `rows` as it was updated last.
+/// Returns the closure error of each loop at the configuration of the last rows.update().
 std::vector<LoopMiss> misses_of(const Model& model, const LoopRows& rows) {
   std::vector<LoopMiss> misses;
   int row = 0;
@@ -155,23 +157,23 @@ LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eig
   LoopRows rows(model);
   Descent descent(model, rows, options, moves);
   descent.set_range(q);
-  // At a dead point the error has no slope, and beside it a little one.
+  // At a dead point the gradient of the error vanishes, so later attempts start nearby.
   constexpr int attempts = 6;
-  constexpr double beside = 0.1;  // rad and m, of the first one beside
+  constexpr double spread = 0.1;  // increase per attempt of the largest offset, by hand [rad, m]
   std::mt19937_64 generator(20260102);
-  double least = std::numeric_limits<double>::infinity();
+  double smallest_error = std::numeric_limits<double>::infinity();
   Eigen::VectorXd best = q;
   for (int i = 0; i < attempts && result.iterations < options.max_iterations; ++i) {
-    Eigen::VectorXd apart(model.nv);
-    for (double& x : apart)
-      x = i * beside * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0);
+    Eigen::VectorXd offset(model.nv);
+    for (double& x : offset)
+      x = i * spread * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0);
     const Eigen::VectorXd start =
-        integrate(model, q, (moves.array() > 0.0).select(apart, 0.0).matrix());
+        integrate(model, q, (moves.array() > 0.0).select(offset, 0.0).matrix());
     const Eigen::VectorXd found =
         descent.from(i == 0 ? Eigen::VectorXd(q) : start, result.iterations);
-    const double left = rows.error().norm();
-    if (left < least) {
-      least = left;
+    const double error = rows.error().norm();
+    if (error < smallest_error) {
+      smallest_error = error;
       best = found;
     }
     if (descent.closed()) break;
@@ -190,8 +192,8 @@ std::string LoopProjection::explanation() const {
     if (worst == nullptr || miss.translation + miss.rotation > worst->translation + worst->rotation)
       worst = &miss;
   if (worst == nullptr) return "";
-  return "loop " + in_quotes(worst->loop) + " cannot be closed from there: " +
-         LoopDistance{worst->translation, worst->rotation}.text() + " are left";
+  return "loop " + in_quotes(worst->loop) + " cannot be closed from the given posture: " +
+         LoopDistance{worst->translation, worst->rotation}.text() + " remain";
 }
 
 std::vector<LoopMiss> loop_misses(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q) {
@@ -210,7 +212,9 @@ Eigen::VectorXd project_velocity_onto_loops(const Model& model,
   check_configuration(model, q);
   check_tangent(model, v);
   if (metric == LoopMetric::Mass && !keep.empty())
-    throw Error("projection of a velocity onto loops: 'keep' goes with the plain metric alone");
+    throw Error(
+        "projection of a velocity onto loops: 'keep' does not work with the mass metric; wanted "
+        "the plain metric");
   const Eigen::VectorXd moves = mobility(model, keep, {});
   if (model.loops.empty()) return v;
   LoopRows rows(model);
@@ -220,7 +224,7 @@ Eigen::VectorXd project_velocity_onto_loops(const Model& model,
   if (metric == LoopMetric::Plain) {
     const Eigen::MatrixXd J_moving = J * moves.asDiagonal();
     Eigen::VectorXd result = v - least_squares(J_moving, nu);
-    // What the others cannot follow moves the kept ones too.
+    // All joints correct the error that the moving joints cannot.
     if (!keep.empty()) result -= least_squares(J, J * result);
     return result;
   }
@@ -228,8 +232,8 @@ Eigen::VectorXd project_velocity_onto_loops(const Model& model,
   const Eigen::MatrixXd Y = solve_positive_half(M, J.transpose());  // Y^T Y = J M^-1 J^T
   if (!Y.allFinite())
     throw Error(
-        "projection of a velocity onto loops: the mass matrix is singular; wanted joints that move "
-        "mass, or the plain metric");
+        "projection of a velocity onto loops: the mass matrix is singular; wanted mass on each "
+        "joint, or the plain metric");
   const Eigen::VectorXd impulse = least_squares(Y, least_squares(Y.transpose(), nu));
   return v - solve_positive(M, J.transpose() * impulse);
 }

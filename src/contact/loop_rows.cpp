@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "contact/contact_kinematics.tpp"
 #include "dynamics/kinematics.hpp"
@@ -13,7 +14,7 @@ LoopRows::LoopRows(const Model& model)
     : tree_(model),
       set_(model, loop_contacts(model, {}, true)),
       kinematics_(tree_),
-      states_(static_cast<std::size_t>(set_.size())),
+      states_(to_size(set_.size())),
       at_rest_(Eigen::VectorXd::Zero(model.nv)),
       error_(Eigen::VectorXd::Zero(set_.rows())),
       J_(Eigen::MatrixXd::Zero(set_.rows(), model.nv)) {}
@@ -53,23 +54,23 @@ Eigen::MatrixXd LoopRows::mass_matrix() const {
   return M;
 }
 
-IndependentRows independent_rows(const Eigen::MatrixXd& J, double least) {
+IndependentRows independent_rows(const Eigen::MatrixXd& J, double min_length) {
   IndependentRows result;
   Eigen::MatrixXd rest = J;
-  std::vector<char> taken(static_cast<std::size_t>(J.rows()), 0);
+  std::vector<char> taken(to_size(J.rows()), 0);
   for (Eigen::Index n = 0; n < J.rows(); ++n) {
     const Eigen::VectorXd lengths = rest.rowwise().norm();
-    double most = 0.0;
+    double longest_row = 0.0;
     for (Eigen::Index r = 0; r < J.rows(); ++r)
-      if (!taken[static_cast<std::size_t>(r)]) most = std::max(most, lengths[r]);
-    if (!(most > least)) break;
+      if (!taken[to_size(r)]) longest_row = std::max(longest_row, lengths[r]);
+    if (!(longest_row > min_length)) break;
     Eigen::Index chosen = 0;
-    while (taken[static_cast<std::size_t>(chosen)] || lengths[chosen] < 0.5 * most) ++chosen;
-    taken[static_cast<std::size_t>(chosen)] = 1;
+    while (taken[to_size(chosen)] || lengths[chosen] < 0.5 * longest_row) ++chosen;
+    taken[to_size(chosen)] = 1;
     result.rows.push_back(static_cast<int>(chosen));
     result.weakest = std::min(result.weakest, lengths[chosen]);
     const Eigen::RowVectorXd along = rest.row(chosen) / lengths[chosen];
-    // Twice is enough for orthogonality to rounding.
+    // Two passes make the rows orthogonal up to rounding.
     for (int pass = 0; pass < 2; ++pass) rest -= (rest * along.transpose()).eval() * along;
   }
   std::sort(result.rows.begin(), result.rows.end());

@@ -1,4 +1,5 @@
-// Errors and Jacobian of the loops of a model, as described, at one configuration.
+// Errors and Jacobian of the loops of a model at one configuration, with all directions that the
+// model states.
 #pragma once
 
 #include <utility>
@@ -8,20 +9,20 @@
 
 namespace burnish {
 
-/// Allocates when made. Rows are those of all loops, in their order.
+/// Constraint rows of all loops, in the order of the loops. Only the constructor allocates.
 class LoopRows {
  public:
   explicit LoopRows(const Model& model);
 
   int rows() const { return set_.rows(); }
   const ContactSet& set() const { return set_; }
-  /// Loads the configuration q (nq), which is one.
+  /// Computes errors and Jacobian at `q` (nq), which must be a valid configuration.
   void update(const Eigen::VectorXd& q);
-  const Eigen::VectorXd& error() const { return error_; }  ///< rows, m and rad
-  const Eigen::MatrixXd& jacobian() const { return J_; }   ///< rows x nv
-  /// The same with the entries of linear rows in units of what the joints could do (row_size.hpp).
+  const Eigen::VectorXd& error() const { return error_; }  ///< One error per row [m, rad]
+  const Eigen::MatrixXd& jacobian() const { return J_; }   ///< Jacobian, rows x nv
+  /// Returns the Jacobian with linear rows divided by the longest lever arms (row_size.hpp).
   Eigen::MatrixXd by_reach() const;
-  /// nv x nv, at the last configuration.
+  /// Returns the mass matrix (nv x nv) at the last configuration.
   Eigen::MatrixXd mass_matrix() const;
 
  private:
@@ -33,12 +34,14 @@ class LoopRows {
   Eigen::MatrixXd J_;
 };
 
-/// Rows that span all rows of J, chosen one after the other: the one of which most is left, and of
-/// those within a factor of two the first. Rows shorter than `least` are none.
+/// Linearly independent rows that span all rows of a matrix.
 struct IndependentRows {
-  std::vector<int> rows;  ///< ascending
-  double weakest = 1.0;   ///< length that was left of the last one chosen
+  std::vector<int> rows;  ///< Indices, ascending
+  double weakest = 1.0;   ///< Smallest length of a chosen row without its dependent component, <= 1
 };
-IndependentRows independent_rows(const Eigen::MatrixXd& J, double least);
+/// Chooses independent rows of J one by one. Each choice orthogonalizes the remaining rows. The
+/// next choice is the first row with at least half the length of the longest remaining row. Stops
+/// when no remaining row is longer than `min_length`.
+IndependentRows independent_rows(const Eigen::MatrixXd& J, double min_length);
 
 }  // namespace burnish

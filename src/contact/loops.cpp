@@ -4,16 +4,17 @@
 #include <random>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/model/state.hpp"
 #include "contact/loop_rows.hpp"
 
 namespace burnish {
 namespace {
 
-/// What counts as none of a row, its entries being parts of what the joints could do.
+/// Length below which a row counts as zero, relative to the longest lever arms of the joints.
 constexpr double least_row = independence_tolerance;
 
-/// Directions of the loops to which these rows belong.
+/// Returns the directions of each loop that belong to the rows `rows`.
 std::vector<Directions> directions_of(const Model& model, const std::vector<int>& rows) {
   std::vector<Directions> result(model.loops.size());
   int row = 0;
@@ -34,7 +35,8 @@ Eigen::MatrixXd picked(const Eigen::MatrixXd& J, const std::vector<int>& rows) {
   return result;
 }
 
-/// Jacobians at postures that close the loops: near the neutral one and spread, always the same.
+/// Returns Jacobians at five postures with closed loops: one near the neutral posture, the others
+/// from random postures with a fixed seed. Skips postures whose projection fails.
 std::vector<Eigen::MatrixXd> jacobians_on_the_loops(const Model& model, LoopRows& rows) {
   constexpr int postures = 5;
   std::mt19937_64 generator(20260101);
@@ -49,8 +51,9 @@ std::vector<Eigen::MatrixXd> jacobians_on_the_loops(const Model& model, LoopRows
   return result;
 }
 
-/// The directions to hold, so that rows are independent wherever the mechanism is not at a dead
-/// point: of the choices at some postures the one that is worth most at the worst of the others.
+/// Returns directions whose rows are independent away from dead points of the mechanism. Chooses
+/// the rows at each sample posture, and returns the choice whose worst rating over all postures is
+/// best.
 std::vector<Directions> independent_directions(const Model& model) {
   LoopRows rows(model);
   const std::vector<Eigen::MatrixXd> jacobians = jacobians_on_the_loops(model, rows);
@@ -61,20 +64,20 @@ std::vector<Directions> independent_directions(const Model& model) {
     rank = std::max(rank, choices.back().rows.size());
   }
   std::vector<int> best;
-  double best_worth = 0.0;
+  double best_rating = 0.0;
   for (const IndependentRows& choice : choices) {
     if (choice.rows.size() < rank) continue;  // at a dead point
-    double worth = 1.0;
+    double rating = 1.0;
     for (std::size_t i = 0; i < jacobians.size(); ++i) {
       if (choices[i].rows.size() < rank) continue;
       const IndependentRows kept = independent_rows(picked(jacobians[i], choice.rows), least_row);
-      worth = std::min(worth, kept.rows.size() < rank ? 0.0 : kept.weakest);
+      rating = std::min(rating, kept.rows.size() < rank ? 0.0 : kept.weakest);
     }
-    if (worth <= best_worth) continue;
+    if (rating <= best_rating) continue;
     best = choice.rows;
-    best_worth = worth;
+    best_rating = rating;
   }
-  if (best.empty()) {  // closed nowhere that was looked at: nothing is known to be redundant
+  if (best.empty()) {  // no sample posture closes the loops, so redundancy cannot be detected
     std::vector<Directions> all;
     for (const Loop& loop : model.loops) all.push_back(loop.directions);
     return all;
@@ -89,7 +92,7 @@ ContactSpec contact_of(const Loop& loop, const LoopGains& gains) {
   return spec.with_gains(gains.kp, gains.kd);
 }
 
-bool ties(const ContactSpec& contact, const Loop& loop) {
+bool connects(const ContactSpec& contact, const Loop& loop) {
   return contact.tool == loop.second && contact.base == loop.first;
 }
 
@@ -116,9 +119,9 @@ std::vector<ContactSpec> with_loops(const Model& model, std::vector<ContactSpec>
   if (model.loops.empty()) return contacts;
   for (const ContactSpec& contact : contacts)
     for (const Loop& loop : model.loops)
-      if (contact.name == loop.name && !ties(contact, loop))
+      if (contact.name == loop.name && !connects(contact, loop))
         throw Error("contact " + in_quotes(contact.name) +
-                    " has the name of a loop of the robot and ties other frames; give it another");
+                    " has the same name as a loop, but connects other frames; wanted another name");
   for (ContactSpec& loop : loop_contacts(model, gains)) {
     const auto same = [&](const ContactSpec& contact) { return contact.name == loop.name; };
     if (std::none_of(contacts.begin(), contacts.end(), same)) contacts.push_back(std::move(loop));
@@ -128,7 +131,7 @@ std::vector<ContactSpec> with_loops(const Model& model, std::vector<ContactSpec>
 
 bool is_loop(const Model& model, const ContactSpec& contact) {
   return std::any_of(model.loops.begin(), model.loops.end(), [&](const Loop& loop) {
-    return contact.name == loop.name && ties(contact, loop);
+    return contact.name == loop.name && connects(contact, loop);
   });
 }
 
@@ -157,7 +160,7 @@ std::string LoopFreedom::text() const {
     const char* before = " ";
     for (int d = 0; d < 6; ++d)
       if (of.directions.has(d)) {
-        lines += before + std::string(direction_names[static_cast<std::size_t>(d)]);
+        lines += before + std::string(direction_names[to_size(d)]);
         before = ", ";
       }
     lines += " redundant\n";

@@ -1,5 +1,5 @@
-// Lengths of the robot, from the placements of its joints: how far an entry of v is from the tool
-// by the way through the tree, which no posture exceeds but by what sliding joints add.
+// Lengths of the robot, from the placements of its joints: the distance from a joint axis to the
+// tool along the tree. It bounds the lever arm at all postures, apart from sliding joints.
 #include "contact/row_size.hpp"
 
 #include <algorithm>
@@ -11,9 +11,10 @@
 namespace burnish {
 namespace {
 
-constexpr double usual_travel = 1.0;  // m, where a joint states none or a huge one
+/// Travel of a sliding joint without limits or with larger limits, chosen by hand [m].
+constexpr double usual_travel = 1.0;
 
-/// What a joint adds to the way through it.
+/// Returns the length that the motion of a joint adds to the path through it [m].
 double travel(const Model& model, const Joint& joint) {
   switch (joint.kind) {
     case JointKind::Revolute:
@@ -31,19 +32,20 @@ double travel(const Model& model, const Joint& joint) {
   return usual_travel;
 }
 
-/// From the axis of joint `from` to a point of a body that it carries, itself or further out; m.
-double way(const Model& model, int from, int body, double offset) {
+/// Returns the path length from the axis of joint `from` to a point of `body` [m]. `body` is the
+/// body of the joint or a descendant, and `offset` is the distance of the point from its origin.
+double path_length(const Model& model, int from, int body, double offset) {
   double length = offset;
   for (int j = body; j != from; j = model.joints[j].parent)
     length += model.joints[j].placement.translation().norm() + travel(model, model.joints[j]);
   return length;
 }
 
-/// A joint by which an entry of v moves a body: several where others follow it.
+/// Joint through which an entry of v moves a body. An entry with followers has several.
 struct Lever {
-  double multiplier;  ///< absolute
-  double arm;         ///< m, from its axis to the body's point
-  bool turns;
+  double multiplier;  ///< Absolute value of the follower's multiplier, 1 for the leader
+  double arm;         ///< Path length from the joint's axis to the point of the body [m]
+  bool turns;         ///< Whether the entry is a rotation
 };
 
 std::vector<Lever> levers(const Model& model, int v, int body, double offset) {
@@ -54,7 +56,7 @@ std::vector<Lever> levers(const Model& model, int v, int body, double offset) {
     if (entry < 0 || entry >= std::max(joint.nv, 1)) continue;
     const double multiplier = joint.follows ? std::abs(joint.follows->multiplier) : 1.0;
     result.push_back(
-        {multiplier, way(model, j, body, offset), entry >= sliding_entries(joint.kind)});
+        {multiplier, path_length(model, j, body, offset), entry >= sliding_entries(joint.kind)});
   }
   return result;
 }
@@ -63,40 +65,41 @@ std::vector<Lever> levers(const Model& model, int v, int body, double offset) {
 
 double robot_size(const Model& model) {
   std::vector<double> from_first(model.joints.size(), 0.0);
-  double longest = 0.0;
+  double longest_path = 0.0;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
     if (joint.parent >= 0)
       from_first[i] = from_first[joint.parent] + joint.placement.translation().norm();
-    longest = std::max(longest, from_first[i] + joint.com.norm());
+    longest_path = std::max(longest_path, from_first[i] + joint.com.norm());
   }
-  return longest;
+  return longest_path;
 }
 
 void set_reaches(const Model& model, CompiledContact& contact) {
   const auto length = [](const Vec3<double>& p) { return std::sqrt(dot(p, p)); };
   const double tool_offset = length(contact.tool_p), base_offset = length(contact.base_p);
   std::vector<std::vector<Lever>> reach;
-  double longest = robot_size(model);
+  double longest_arm = robot_size(model);
   for (const ContactSupport& entry : contact.support) {
     reach.push_back(entry.moves_tool() ? levers(model, entry.v, contact.tool_body, tool_offset)
                                        : levers(model, entry.v, contact.base_body, base_offset));
-    for (const Lever& lever : reach.back()) longest = std::max(longest, lever.arm);
+    for (const Lever& lever : reach.back()) longest_arm = std::max(longest_arm, lever.arm);
   }
-  if (!(longest > 0.0)) longest = usual_travel;
-  // A lever that a drawing made 1e-17 m long is none.
-  const double shortest = 0.01 * longest;
+  if (!(longest_arm > 0.0)) longest_arm = usual_travel;
+  // Lower bound of lever arms. A robot description may contain arms of 1e-17 m by rounding.
+  const double shortest_arm = 0.01 * longest_arm;
   const bool elsewhere = !contact.reference.at_tool;
   for (std::size_t i = 0; i < reach.size(); ++i) {
-    double could = 0.0;  // m per unit of the entry
+    double distance = 0.0;  // largest motion of the point per unit of the entry [m]
     for (const Lever& lever : reach[i]) {
-      const double arm = elsewhere ? longest : std::max(lever.arm, shortest);
-      could += lever.multiplier * (lever.turns ? arm : 1.0);
+      const double arm = elsewhere ? longest_arm : std::max(lever.arm, shortest_arm);
+      distance += lever.multiplier * (lever.turns ? arm : 1.0);
     }
-    contact.support[i].per_reach = could > 0.0 ? 1.0 / could : 1.0;
+    contact.support[i].per_reach = distance > 0.0 ? 1.0 / distance : 1.0;
   }
-  // Levers about another origin grow with the distance from it; others gain rounding alone.
-  const double per_distance = elsewhere ? 1.0 / longest : 1e-8 / shortest;
+  // Lever arms about another origin grow with the distance from that origin. Otherwise only
+  // rounding errors grow, with the distance from the world's origin.
+  const double per_distance = elsewhere ? 1.0 / longest_arm : 1e-8 / shortest_arm;
   contact.offset_weight = per_distance * per_distance;
 }
 

@@ -1,5 +1,5 @@
-// Whether a row of a contact's Jacobian is a motion or rounding: its size, before any
-// normalisation, beside what the joints could do with these lengths at some other posture.
+// Size of a row of a contact's Jacobian, relative to the size that the lengths of the robot allow
+// at other postures. The comparison separates rows with a motion from rounding errors.
 #pragma once
 
 #include "burnish/contact/contact_set.hpp"
@@ -7,19 +7,19 @@
 
 namespace burnish {
 
-/// Of a pivot's rounding, relative to the diagonal entry that it is what is left of; where the row
-/// leans on rows that hardly differ from those before them, theirs comes on top.
+/// Rounding error of a pivot, relative to its diagonal entry. Rounding errors of nearly dependent
+/// earlier rows add to it.
 inline constexpr double pivot_rounding = 2e-15;
 
-/// The longest way from a joint that hangs on the world to the centre of a body's mass, m.
+/// Returns the length of the longest path from a root joint to a body's centre of mass [m].
 double robot_size(const Model& model);
 
-/// Fills per_reach of the contact's support, and offset_weight. Where a contact is not about the
-/// tool's origin, all levers are judged beside the longest way of the robot.
+/// Fills per_reach of the contact's support, and offset_weight. If the origin of the reference is
+/// not at the tool, all joints get the longest lever arm of the robot.
 void set_reaches(const Model& model, CompiledContact& contact);
 
-/// Square of a row of the Jacobian, entry by entry in units of what that entry could do; `row`
-/// holds entry k of v at k * stride.
+/// Returns the squared length of a row of the Jacobian, with linear entries divided by their
+/// longest lever arms. `row` holds entry k of v at k * stride.
 template <class S>
 BURNISH_INLINE S row_size(const CompiledContact& contact, int direction, const S* row, int stride) {
   S sum(0.0);
@@ -30,11 +30,12 @@ BURNISH_INLINE S row_size(const CompiledContact& contact, int direction, const S
   return sum;
 }
 
-/// What row_size is judged beside: one, and more the further the tool's origin p is from that of
-/// the reference, or for rounding's sake from the world's, m.
+/// Returns the attainable value of row_size(): 1, plus a term that grows with the distance of the
+/// tool's origin `p` from the origin of the reference. For a reference at the tool, the distance
+/// from the world's origin accounts for rounding errors.
 template <class S>
-BURNISH_INLINE S could_have_been(const CompiledContact& contact, int direction, const Vec3<S>& p,
-                                 const Vec3<S>& origin) {
+BURNISH_INLINE S attainable_row_size(const CompiledContact& contact, int direction,
+                                     const Vec3<S>& p, const Vec3<S>& origin) {
   if (direction >= 3) return S(1.0);
   const Vec3<S> arm = contact.reference.at_tool ? p : p - origin;
   return S(1.0) + dot(arm, arm) * S(contact.offset_weight);

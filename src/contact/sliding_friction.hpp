@@ -1,13 +1,13 @@
-// Coulomb friction of a tool that slides, smoothed (SlidingFriction). With n the held normal, c the
-// point where it acts, r below the tool's origin p along n, and v the velocity there of the tool
-// seen from the base,
+// Smoothed Coulomb friction on a sliding tool (SlidingFriction). The contact constrains the normal
+// n. Friction acts at the point c, the tool's origin p shifted by the radius r against n. With the
+// velocity v of the tool relative to the base at c,
 //   c = p - r n,   v_t = v - n (n . v),   s = v_t / sqrt(|v_t|^2 + speed^2),
-// the force on the tool is lambda (n - coefficient s): a wrench for lambda of one that changes with
-// the state. A step of q changes it by
-//   dn = w x n (w: of the axes),   dc = dp - r dn,   dv = dnu(c) + nu.angular x dc,
+// the force on the tool is lambda (n - coefficient s). The friction wrench per unit of lambda
+// depends on the state. With w, the angular velocity of the axes, a change of q gives
+//   dn = w x n,   dc = dp - r dn,   dv = dnu(c) + nu.angular x dc,
 //   dv_t = dv - n (dn . v + n . dv) - dn (n . v),
 //   ds = (dv_t - s (s . dv_t)) / sqrt(|v_t|^2 + speed^2),
-// and a step of v by dv = J_c dv. All in world axes.
+// and a change of v gives dv = J_c dv (dn = dc = 0). All vectors are in world axes.
 #pragma once
 
 #include "contact/compiled_contact.hpp"
@@ -15,23 +15,24 @@
 
 namespace burnish {
 
+/// State of the friction of one contact.
 template <class S>
 struct Sliding {
   S coefficient;
   Vec3<S> n, c;
-  Motion<S> nu;  ///< of the tool against the base, about the world's origin
-  Vec3<S> v, s;  ///< m/s; of a length below one
-  S per_speed;   ///< 1 / sqrt(|v_t|^2 + speed^2), s/m
-  Force<S>
-      per_normal;  ///< wrench of friction on the tool for lambda of one, about the world's origin
-  S normal_force = S(0.0);  ///< N, lambda along n: set_contact_force
+  Motion<S> nu;  ///< Twist of the tool relative to the base, about the world's origin
+  Vec3<S> v, s;  ///< Velocity v [m/s]; direction s of sliding, shorter than 1
+  S per_speed;   ///< 1 / sqrt(|v_t|^2 + speed^2) [s/m]
+  /// Friction wrench on the tool per unit of lambda, about the world's origin
+  Force<S> per_normal;
+  S normal_force = S(0.0);  ///< Normal force lambda, filled by set_contact_force() [N]
 };
 
-/// Fills all but the normal force. p, m: the tool's origin. The speed is friction.fade_speed() /
-/// pace.
+/// Fills all fields but the normal force. `p` is the tool's origin [m]. The smoothing speed is
+/// friction.fade_speed() / step_ratio.
 template <class S>
 BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coefficient,
-                                   const Vec3<S>& normal, const S& pace, const Vec3<S>& p,
+                                   const Vec3<S>& normal, const S& step_ratio, const Vec3<S>& p,
                                    const Motion<S>& nu, Sliding<S>& at) {
   at.coefficient = coefficient;
   at.n = normal;
@@ -39,27 +40,27 @@ BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coe
   at.nu = nu;
   at.v = at_point(nu, at.c).linear;
   const Vec3<S> across = at.v - normal * dot(normal, at.v);
-  const S speed = S(friction.fade_speed()) / pace;
+  const S speed = S(friction.fade_speed()) / step_ratio;
   at.per_speed = S(1.0) / square_root(S(dot(across, across) + speed * speed));
   at.s = across * at.per_speed;
   const Vec3<S> force = at.s * -coefficient;
   at.per_normal = {force, cross(at.c, force)};
 }
 
-/// Change of the friction's force, for lambda of one, with one of v across a normal that stays.
+/// Returns the change of the friction force per unit of lambda for a change of v across the normal,
+/// at constant n and c.
 template <class S>
-BURNISH_INLINE Vec3<S> rubbing_change(const Sliding<S>& at, const Vec3<S>& dv_across) {
+BURNISH_INLINE Vec3<S> friction_force_change(const Sliding<S>& at, const Vec3<S>& dv_across) {
   const Vec3<S> ds = (dv_across - at.s * dot(at.s, dv_across)) * at.per_speed;
   return ds * -at.coefficient;
 }
 
-/// An entry of v as friction sees it: what it moves tool and base by, and how their twists change
-/// with it, about the world's origin; what it turns the axes by.
+/// Effect of one entry of v on a contact with friction. Motions are about the world's origin.
 template <class S>
 struct SlidingEntry {
-  Motion<S> tool, relative;
-  Motion<S> dnu_dq;  ///< seen from the world
-  Vec3<S> w_axes;
+  Motion<S> tool, relative;  ///< Twist of the tool, and relative to the base, at a unit rate
+  Motion<S> dnu_dq;          ///< Derivative of nu by this entry of q, in world axes
+  Vec3<S> w_axes;            ///< Angular velocity of the axes at a unit rate
 };
 
 template <class S>
@@ -80,7 +81,7 @@ BURNISH_INLINE SlidingEntry<S> sliding_entry(int tool_axis, int base_axis, const
   return entry;
 }
 
-/// Derivative of per_normal by q_k, p being the tool's origin.
+/// Returns the derivative of per_normal by entry k of q. `p` is the tool's origin.
 template <class S>
 BURNISH_INLINE Force<S> sliding_by_q(const SlidingFriction& friction, const Sliding<S>& at,
                                      const Vec3<S>& p, const SlidingEntry<S>& entry) {
@@ -88,15 +89,15 @@ BURNISH_INLINE Force<S> sliding_by_q(const SlidingFriction& friction, const Slid
   const Vec3<S> dc = at_point(entry.tool, p).linear - dn * S(friction.radius);
   const Vec3<S> dv = at_point(entry.dnu_dq, at.c).linear + cross(at.nu.angular, dc);
   const Vec3<S> dv_across = dv - at.n * (dot(dn, at.v) + dot(at.n, dv)) - dn * dot(at.n, at.v);
-  const Vec3<S> df = rubbing_change(at, dv_across);
+  const Vec3<S> df = friction_force_change(at, dv_across);
   return {df, cross(dc, at.per_normal.linear) + cross(at.c, df)};
 }
 
-/// Derivative of per_normal by v_k.
+/// Returns the derivative of per_normal by entry k of v.
 template <class S>
 BURNISH_INLINE Force<S> sliding_by_v(const Sliding<S>& at, const Motion<S>& relative) {
   const Vec3<S> dv = at_point(relative, at.c).linear;
-  const Vec3<S> df = rubbing_change(at, Vec3<S>(dv - at.n * dot(at.n, dv)));
+  const Vec3<S> df = friction_force_change(at, Vec3<S>(dv - at.n * dot(at.n, dv)));
   return {df, cross(at.c, df)};
 }
 

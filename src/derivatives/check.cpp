@@ -25,23 +25,24 @@ std::string default_tool(const Model& model) {
   std::string last;
   for (const Frame& frame : model.frames)
     if (frame.body >= 0 && !has_child[frame.body] && !closes(frame.name)) last = frame.name;
-  if (last.empty()) throw Error("no frame of the robot moves, so that it has no tool");
+  if (last.empty())
+    throw Error("the robot has no moving frame that could be the tool; wanted at least one joint");
   return last;
 }
 
 namespace {
 
-/// What a row of the report is about.
-struct Checked {
+/// Contacts that one row of the report checks.
+struct CheckSubject {
   std::vector<ContactSpec> contacts;
-  std::optional<SurfaceShape> surface = {};  ///< that the only contact follows
+  std::optional<SurfaceShape> surface = {};  ///< Surface that the only contact follows
 };
 
-/// Where the axes of surfaces and the tilted one start.
+/// Normal of the tilted reference and of surfaces at the tool in the neutral posture.
 const Eigen::Vector3d tilted_normal(-0.4, 0.3, 0.8);
 
-/// One entry per row of the report.
-std::vector<Checked> sweep(const Model& model, const CheckOptions& options) {
+/// Returns the contacts of each row of the report.
+std::vector<CheckSubject> sweep(const Model& model, const CheckOptions& options) {
   if (!options.contacts.empty()) return {{options.contacts}};
   ContactSpec spec;
   spec.tool = options.tool.empty() ? default_tool(model) : options.tool;
@@ -50,7 +51,7 @@ std::vector<Checked> sweep(const Model& model, const CheckOptions& options) {
     return frame_placement(model, model.q_neutral, frame);
   };
   spec.target = at(spec.base).inverse() * at(spec.tool);
-  std::vector<Checked> rows;
+  std::vector<CheckSubject> rows;
   const auto add = [&](const Reference& reference, const std::optional<SurfaceShape>& surface) {
     spec.reference = reference;
     for (const Directions& directions : options.directions)
@@ -67,24 +68,27 @@ std::vector<Checked> sweep(const Model& model, const CheckOptions& options) {
   for (const Reference& reference : options.references) add(reference, {});
   const Eigen::Vector3d tool = spec.target.translation();
   for (const SurfaceShape& shape : options.surfaces) {
-    const Surface there(shape, tool, tilted_normal);  // refuses what is no such shape
+    const Surface there(shape, tool, tilted_normal);  // throws Error for an invalid shape
     add(Reference::on(there.at(tool).quadric(tool, 0.0), tool), shape);
   }
   if (rows.empty())
-    throw Error("check: references and surfaces, directions, accelerations or gains are empty");
+    throw Error(
+        "check: the list of references and surfaces, of directions, of accelerations or of gains "
+        "is empty; wanted at least one entry in each list");
   return rows;
 }
 
-/// "kp 10" or "kp 7..12": the range over held directions.
+/// Returns "kp 10", or "kp 7..12" if the gains of the constrained directions differ.
 std::string gain_text(const char* name, const ContactSpec& spec, const Vector6& gains) {
-  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
   for (int d = 0; d < 6; ++d) {
     if (!spec.directions.has(d)) continue;
-    least = std::min(least, gains[d]);
-    most = std::max(most, gains[d]);
+    lowest = std::min(lowest, gains[d]);
+    highest = std::max(highest, gains[d]);
   }
-  if (most == 0.0) return "";
-  return std::string(name) + " " + (least == most ? "" : number(least) + "..") + number(most);
+  if (highest == 0.0) return "";
+  return std::string(name) + " " + (lowest == highest ? "" : number(lowest) + "..") +
+         number(highest);
 }
 
 std::string gains_text(const ContactSpec& spec) {
@@ -93,7 +97,7 @@ std::string gains_text(const ContactSpec& spec) {
   return kp + (kp.empty() || kd.empty() ? "" : ", ") + kd;
 }
 
-/// The words of all contacts, once where they are the same.
+/// Joins the words of all contacts with " + ". Returns the word once if all are equal.
 std::string joined(const std::vector<ContactSpec>& contacts,
                    const std::function<std::string(const ContactSpec&)>& word) {
   const std::string first = word(contacts.front());
@@ -107,7 +111,7 @@ std::string joined(const std::vector<ContactSpec>& contacts,
   return same ? first : text;
 }
 
-CheckRow describe_row(const Checked& checked) {
+CheckRow describe_row(const CheckSubject& checked) {
   const std::vector<ContactSpec>& contacts = checked.contacts;
   CheckRow row;
   row.reference = joined(contacts, [](const auto& spec) {
@@ -124,7 +128,8 @@ CheckRow describe_row(const Checked& checked) {
   return row;
 }
 
-/// Whether M is singular, in a sentence that names the joints; empty: it is not.
+/// Returns a sentence that names the joints that make the mass matrix singular, or an empty text if
+/// it is regular.
 std::string singular_mass(const Model& model, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const Eigen::VectorXd q = random_configuration(model, generator);
@@ -134,9 +139,10 @@ std::string singular_mass(const Model& model, std::uint64_t seed) {
   return dynamics.explanation();
 }
 
-CheckRow check_row(const Model& model, const CheckOptions& options, const Checked& checked,
+CheckRow check_row(const Model& model, const CheckOptions& options, const CheckSubject& checked,
                    bool forward, const TamperWithBlocks& tamper) {
-  // Beside what is checked the robot's loops hold, at postures that leave them open: soft gains.
+  // The loops of the robot are constrained too. Random postures leave them open, so the gains must
+  // be soft.
   const std::vector<ContactSpec> contacts = with_loops(model, checked.contacts, {100.0, 20.0});
   CheckRow row = describe_row(checked);
   ContactDynamics dynamics(model, contacts);
@@ -148,10 +154,10 @@ CheckRow check_row(const Model& model, const CheckOptions& options, const Checke
     dynamics = ContactDynamics(model, contacts, {.mu = row.mu});
   }
   if (!states) {
-    throw Error(
-        "check: contact '" + contacts.front().tool +
-        "': the tool stays within 0.1 rad of half a turn from its target, where the rotation error "
-        "jumps, or where the surface that it follows has no axes; give a closer target or surface");
+    throw Error("check: contact '" + contacts.front().tool +
+                "': too few random postures can be checked: the tool's rotation must be within pi "
+                "- 0.1 rad of the target, and the surface's normal at the tool within 154 degrees "
+                "of its normal at the start; wanted another target or surface");
   }
   CheckValues values(model, dynamics.contacts(), {.mu = row.mu});
   row.states = options.states;
@@ -171,7 +177,8 @@ CheckRow check_row(const Model& model, const CheckOptions& options, const Checke
 }
 
 void check_options(const Model& model, const CheckOptions& options) {
-  if (model.nv == 0) throw Error("check: no joint of the robot moves");
+  if (model.nv == 0)
+    throw Error("check: the robot has no moving joint; wanted at least one degree of freedom");
   if (options.states < 1) {
     throw Error("check: states is " + std::to_string(options.states) + "; wanted at least 1");
   }
@@ -203,7 +210,7 @@ std::vector<Directions> default_check_directions() {
 }
 
 std::vector<CheckGains> default_check_gains() {
-  // Unequal, so that a gain of another direction is noticed.
+  // Unequal gains reveal a gain that is applied to the wrong direction.
   CheckGains split;
   split.kp << 9.0, 11.0, 8.0, 12.0, 10.0, 7.0;
   split.kd << 3.0, 5.0, 4.0, 6.0, 2.0, 7.0;
@@ -215,13 +222,13 @@ std::vector<CheckGains> default_check_gains() {
 CheckReport run_check(const Model& model, const CheckOptions& options,
                       const TamperWithBlocks& tamper) {
   check_options(model, options);
-  const std::vector<Checked> rows = sweep(model, options);
+  const std::vector<CheckSubject> rows = sweep(model, options);
   CheckReport report;
   report.robot = model.name;
   report.tolerance = options.tolerance;
   report.singular_mass = singular_mass(model, options.seed);
   report.pass = report.singular_mass.empty();
-  for (const Checked& checked : rows) {
+  for (const CheckSubject& checked : rows) {
     report.rows.push_back(check_row(model, options, checked, report.singular_mass.empty(), tamper));
     report.pass = report.pass && report.rows.back().pass;
     if (options.progress) {

@@ -6,8 +6,8 @@
 namespace burnish {
 namespace {
 
-// Not the one that is asked for: an error is the same number whatever it is compared with, and a
-// tolerance below what rounding leaves cannot be met.
+// Default tolerance of the check. The scale of an error must not depend on the tolerance that the
+// user chooses, so this value is fixed.
 constexpr double usual_tolerance = 1e-6;
 
 }  // namespace
@@ -17,7 +17,9 @@ BlockMismatch compare(const DerivativeBlock& block) {
   const auto columns = static_cast<Eigen::Index>(block.columns.size());
   if (block.value.rows() != rows || block.value.cols() != columns ||
       block.expected.rows() != rows || block.expected.cols() != columns) {
-    throw Error("block " + block.name + ": the sizes of derivatives, differences and names differ");
+    throw Error("block " + block.name +
+                ": the sizes of derivatives, finite differences and names differ; wanted equal "
+                "sizes");
   }
   const auto in_units = [&](Eigen::Index i, Eigen::Index j, double x) {
     const double by = block.column_units.size() > 0 ? block.column_units[j] : 1.0;
@@ -33,8 +35,8 @@ BlockMismatch compare(const DerivativeBlock& block) {
   BlockMismatch worst;
   for (Eigen::Index j = 0; j < columns; ++j) {
     for (Eigen::Index i = 0; i < rows; ++i) {
-      const double apart = in_units(i, j, block.value(i, j) - block.expected(i, j));
-      double error = apart == 0.0 ? 0.0 : apart / scale;
+      const double deviation = in_units(i, j, block.value(i, j) - block.expected(i, j));
+      double error = deviation == 0.0 ? 0.0 : deviation / scale;
       if (!std::isfinite(error)) error = std::numeric_limits<double>::infinity();
       if (worst.entry.block.empty() || error > worst.error) {
         worst.error = error;

@@ -1,29 +1,32 @@
-// One block of derivatives beside the same block from differences.
+// Comparison of one block of analytic derivatives with finite differences.
 #pragma once
 
 #include "burnish/derivatives/check.hpp"
 
 namespace burnish {
 
+/// Block of derivatives, computed in two ways.
 struct DerivativeBlock {
-  std::string name;  ///< such as "da_dq"
-  std::vector<std::string> rows, columns;
-  Eigen::MatrixXd value;     ///< analytic
-  Eigen::MatrixXd expected;  ///< from differences
-  double floor = 0.0;        ///< what the error is relative to where the block itself is smaller
-  double noise = 0.0;        ///< by how much `expected` is uncertain through rounding
-  /// Units of the rows' values and of what columns are by; floor and noise are in them. Empty: 1.
+  std::string name;                        ///< Name of the block, such as "da_dq"
+  std::vector<std::string> rows, columns;  ///< Names of rows and columns
+  Eigen::MatrixXd value;                   ///< Analytic derivatives
+  Eigen::MatrixXd expected;                ///< Finite differences
+  double floor = 0.0;                      ///< Lower bound of the scale of relative errors
+  double noise = 0.0;                      ///< Rounding error of `expected`
+  /// Units of the rows, and of the arguments of the columns (empty: 1). `floor` and `noise` are in
+  /// these units.
   Eigen::VectorXd row_units = {}, column_units = {};
 };
 
+/// Largest difference between the two versions of a block.
 struct BlockMismatch {
-  double error = 0.0;  ///< relative to the largest entry of `expected`; infinite after a NaN
-  CheckEntry entry;    ///< the worst one; its state is not set
+  double error = 0.0;  ///< Error relative to the scale; infinite if an entry is not finite
+  CheckEntry entry;    ///< Entry with the largest error, without its state
 };
 
-/// Entries are compared in their units. Where the noise is more than 1e-6 of the largest entry, the
-/// error is relative to as much more, so that noise passes with the default tolerance. Throws Error
-/// when the two sides or the names differ in size.
+/// Compares the entries of a block in their units. The scale of relative errors is the largest
+/// entry of `expected`, but at least `floor` and 1e6 times `noise`. Noise therefore passes with the
+/// default tolerance 1e-6. Throws Error if derivatives, differences or names differ in size.
 BlockMismatch compare(const DerivativeBlock& block);
 
 }  // namespace burnish

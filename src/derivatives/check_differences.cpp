@@ -7,13 +7,15 @@
 namespace burnish {
 namespace {
 
+/// Largest steps of the three extrapolations, in units of the argument; chosen by hand.
 constexpr std::array<double, 3> first_steps{0.02, 0.002, 4.0 * smallest_difference};
 
+/// Derivatives with an estimate of their error.
 struct Estimate {
   Eigen::MatrixXd value, uncertainty;
 };
 
-/// Of sixth order in h, from h, h/2 and h/4.
+/// Extrapolates central differences with the steps h, h/2 and h/4 to sixth order in h.
 Estimate extrapolate(const AllMovedValues& values, double h) {
   const Eigen::MatrixXd d1 = central_differences(values, h);
   const Eigen::MatrixXd d2 = central_differences(values, h / 2.0);
@@ -34,6 +36,8 @@ double largest(const Eigen::Ref<const Eigen::MatrixXd>& block) {
   return result;
 }
 
+/// Returns true if the uncertainty of every group is below max(wanted times its largest entry, its
+/// noise).
 bool settled(const Estimate& best, const std::vector<DifferenceGroup>& groups, double wanted) {
   Eigen::Index first = 0;
   const auto is_settled = [&](Eigen::Index rows, double noise) {
@@ -47,11 +51,11 @@ bool settled(const Estimate& best, const std::vector<DifferenceGroup>& groups, d
   return is_settled(best.value.rows() - first, 0.0);
 }
 
-/// Takes the entries of `next` that are the surer ones.
+/// Replaces entries of `best` by entries of `next` with smaller uncertainty.
 void improve(Estimate& best, const Estimate& next) {
   for (Eigen::Index j = 0; j < best.value.cols(); ++j)
     for (Eigen::Index i = 0; i < best.value.rows(); ++i) {
-      // A NaN is never better, and everything is better than a NaN.
+      // A number replaces a NaN; a NaN replaces nothing.
       if (best.uncertainty(i, j) <= next.uncertainty(i, j)) continue;
       if (std::isnan(next.uncertainty(i, j))) continue;
       best.value(i, j) = next.value(i, j);
@@ -59,7 +63,7 @@ void improve(Estimate& best, const Estimate& next) {
     }
 }
 
-/// All entries moved, one after the other.
+/// Evaluates `values` for all n entries, one after the other.
 AllMovedValues one_by_one(const MovedValues& values, int n) {
   return [&values, n](double h) {
     Eigen::MatrixXd result;

@@ -1,4 +1,4 @@
-// Derivatives from values alone.
+// Derivatives by finite differences.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,35 +9,36 @@
 
 namespace burnish {
 
-/// Values (m entries) after entry k of an argument has moved by h. NaN where there are none.
+/// Returns the m values after entry k of the argument has moved by h; NaN if they do not exist.
 using MovedValues = std::function<Eigen::VectorXd(int k, double h)>;
 
-/// The same of all entries at once, each by h alone: m x n, a column per entry.
+/// Returns an m x n matrix. Column k holds the values after entry k alone has moved by h.
 using AllMovedValues = std::function<Eigen::MatrixXd(double h)>;
 
-/// m x n central differences with one step: exact for quadratic functions.
+/// Computes m x n central differences with one step. They are exact for quadratic functions.
 Eigen::MatrixXd central_differences(const MovedValues& values, int n, double step);
 Eigen::MatrixXd central_differences(const AllMovedValues& values, double step);
 
-/// Rows of one unit.
+/// Group of consecutive rows with the same unit.
 struct DifferenceGroup {
-  int rows;
-  double noise = 0.0;  ///< what rounding leaves uncertain in any case: no step is tried for less
+  int rows;            ///< Number of rows
+  double noise = 0.0;  ///< Rounding error of differences; smaller errors need no smaller step
 };
 
-/// m x n: per entry the best of several extrapolations of central differences, by the estimate of
-/// its own error (C. Ridders, Accurate computation of F'(x), 1982). Smaller steps are tried only
-/// while the estimate exceeds `wanted`, relative to the largest entry of a group of rows, and the
-/// group's noise. Rows behind the last group are one more. With `finer` below 1 all steps are that
-/// part of what they are.
+/// Computes m x n derivatives. Each entry is the extrapolation of central differences with the
+/// smallest estimated error (C. Ridders, Accurate computation of F'(x), 1982).
+///
+/// Smaller steps follow while the estimated error of a group exceeds both its noise and `wanted`
+/// times its largest entry. Rows after the last group form a group of their own. `finer` scales all
+/// steps.
 Eigen::MatrixXd extrapolated_differences(const AllMovedValues& values,
                                          const std::vector<DifferenceGroup>& groups,
                                          double wanted = 1e-9, double finer = 1.0);
-/// With two groups, of which the first has `split` rows.
+/// Overload with two groups; the first has `split` rows.
 Eigen::MatrixXd extrapolated_differences(const MovedValues& values, int n, int split,
                                          double wanted = 1e-9);
 
-/// The smallest step that those take, in units of what is moved.
+/// Smallest step of extrapolated_differences(), in units of the argument; chosen by hand.
 inline constexpr double smallest_difference = 0.0002 / 4.0;
 
 }  // namespace burnish

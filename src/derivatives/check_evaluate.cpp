@@ -1,4 +1,4 @@
-// The blocks of one state, twice: from the library's derivatives and from its values.
+// Derivative blocks at one state: analytic derivatives and finite differences of values.
 #include <limits>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -10,16 +10,18 @@
 namespace burnish {
 namespace {
 
-constexpr double exact_step = 0.5;  // of central differences of quadratic functions, in units
+/// Step of central differences of quadratic functions, which are exact, in units of the argument;
+/// chosen by hand.
+constexpr double exact_step = 0.5;
 
-/// What central differences with a step leave of the rounding of sums of this size, some of which
-/// the extrapolation multiplies.
+/// Returns the rounding error of central differences with this step, of sums of this size. The
+/// factor 16 includes the amplification by the extrapolation.
 double noise_of(double size, double step) {
   return 16.0 * std::numeric_limits<double>::epsilon() * size / step;
 }
 
-/// Factor by which differences by q are finer if a contact follows a surface whose radius of
-/// curvature is shorter than the robot.
+/// Returns the factor, at most 1, that scales the steps in q. It is below 1 if a contact follows a
+/// surface whose radius of curvature is smaller than the robot.
 double finer_on(const CheckState& state, const ContactSet& set, const ContactDynamics& dynamics,
                 double length) {
   double sharpest = 1.0;
@@ -36,14 +38,14 @@ double finer_on(const CheckState& state, const ContactSet& set, const ContactDyn
   return 1.0 / sharpest;
 }
 
-/// Differences of the values at one state. Columns are entries of what is moved, in its units, rows
-/// those of CheckValues::at.
+/// Finite differences of the values at one state. Columns are the entries of the argument; rows are
+/// those of CheckValues::at().
 class Differences {
  public:
   Differences(const Model& model, CheckValues& values, const CheckState& state, bool forward)
       : model_(model), values_(values), state_(state), forward_(forward) {}
 
-  /// By q, in the tangent space, as exactly as the comparison needs it.
+  /// Returns the extrapolated derivatives by q, in the tangent space.
   Eigen::MatrixXd by_q(const CheckSizes& sizes, double finer) {
     const CheckUnits& units = values_.units();
     const int nv = values_.nv(), m = values_.rows();
@@ -67,7 +69,7 @@ class Differences {
                                                               1e-8, finer);
     return rows.asDiagonal() * in_units * units.motion.cwiseInverse().asDiagonal();
   }
-  /// By another argument, in which the values are at most quadratic, with a step for each entry.
+  /// Returns the derivatives by another argument, in which the values are at most quadratic.
   Eigen::MatrixXd by(Eigen::MatrixXd CheckColumns::*argument, const Eigen::VectorXd& steps,
                      const Evaluations& wanted) {
     const auto moved = [&](double h) {
@@ -87,13 +89,14 @@ class Differences {
   bool forward_;
 };
 
-/// Errors of entries far below the values themselves, in units, are rounding.
+/// Returns the lower bound of the scale of relative errors: a thousandth of the largest value, in
+/// units. Smaller entries consist of rounding errors.
 double floor_of(const Eigen::VectorXd& values, const Eigen::VectorXd& units) {
   return std::max(
       1e-12, 1e-3 * (values.size() > 0 ? values.cwiseQuotient(units).cwiseAbs().maxCoeff() : 0.0));
 }
 
-/// The blocks of one state, put together.
+/// Builder of the blocks at one state.
 class Blocks {
  public:
   Blocks(const Model& model, ContactDynamics& dynamics, CheckValues& values,
@@ -138,7 +141,7 @@ class Blocks {
                        columns.units});
     if (!good_) blocks_.back().value.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
-  /// What has no result has no derivatives either: its blocks fail.
+  /// Makes the blocks that follow fail (NaN) unless the status is Ok.
   void require(Status status) { good_ = status == Status::Ok; }
   double q_step() const { return finer_ * smallest_difference; }
 
@@ -192,7 +195,7 @@ class Blocks {
   const CheckState& state_;
   const CheckUnits& units_;
   int nv_, m_;
-  double finer_ = 1.0;  ///< part of their usual length that steps of q have
+  double finer_ = 1.0;  ///< Scale of the steps in q, at most 1
   bool forward_ = true, good_ = true;
   Eigen::MatrixXd by_q_, by_v_, by_tau_, by_a_, by_lambda_;
   CheckSizes sizes_;
@@ -208,7 +211,7 @@ std::vector<DerivativeBlock> derivative_blocks(const Model& model, ContactDynami
                                                CheckValues& values, const CheckState& state) {
   if (state.surface) {
     if (dynamics.set_surface(0, *state.surface) != Status::Ok)
-      throw Error("check: the surface at a state holds a NaN or an infinity");
+      throw Error("check: the surface at a state is not finite; wanted finite numbers");
     values.set_surface(*state.surface);
   }
   return Blocks(model, dynamics, values, state).all();

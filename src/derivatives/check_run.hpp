@@ -1,4 +1,4 @@
-// The check of one set of contacts, and a place where tests can put a wrong derivative.
+// Derivative check with a hook through which tests insert wrong derivatives.
 #pragma once
 
 #include "derivatives/check_blocks.hpp"
@@ -7,15 +7,15 @@
 
 namespace burnish {
 
-/// Called with the blocks of each state before they are compared.
+/// Function that may change the blocks of a state before the comparison.
 using TamperWithBlocks = std::function<void(std::vector<DerivativeBlock>&)>;
 
-/// check_derivatives(), with the analytic blocks passed through `tamper` where it is not empty.
+/// Runs check_derivatives(), and calls `tamper`, if not empty, with the blocks of each state.
 CheckReport run_check(const Model& model, const CheckOptions& options,
                       const TamperWithBlocks& tamper = {});
 
-/// All blocks at one state: from the derivatives of `dynamics`, and from differences of `values`,
-/// which are of the same contacts. Those of forward dynamics are left out where M is singular.
+/// Returns all blocks at one state: derivatives from `dynamics`, finite differences from `values`.
+/// Both must have the same contacts. Omits the blocks of forward dynamics if M is singular.
 std::vector<DerivativeBlock> derivative_blocks(const Model& model, ContactDynamics& dynamics,
                                                CheckValues& values, const CheckState& state);
 

@@ -10,14 +10,15 @@
 namespace burnish {
 namespace {
 
-constexpr double largest_angle = std::numbers::pi - 0.1;  // rad, to the target
-constexpr double largest_condition = 1e5;                 // of J M^-1 J^T, rows by their reach
+// Limits of random states; all chosen by hand.
+constexpr double largest_angle = std::numbers::pi - 0.1;  // from tool to target [rad]
+constexpr double largest_condition = 1e5;  // condition number of J M^-1 J^T (condition_by_reach)
 constexpr int tries_per_state = 20;
-constexpr double nearest_surface = 0.02;  // of the robot's length, in each direction, at most
-constexpr double most_tilted = 0.6;       // added to each entry of a normal of length one, at most
-constexpr double half_turn = -0.9;        // cosine from which axes that follow a normal jump
+constexpr double largest_surface_offset = 0.02;  // per axis, relative to the robot's length
+constexpr double largest_tilt = 0.6;             // change of each entry of a unit normal
+constexpr double min_normal_cosine = -0.9;  // cosine to the first normal; curved axes jump at -1
 
-/// Where the tool of a contact is in its base.
+/// Returns the position of a contact's tool in its base [m].
 Eigen::Vector3d tool_in_base(const Model& model, const ContactSpec& contact,
                              const Eigen::VectorXd& q) {
   return frame_placement(model, q, contact.base).inverse() *
@@ -29,7 +30,7 @@ Eigen::Vector3d tool_in_base(const Model& model, const ContactSpec& contact,
 Eigen::VectorXd CheckStates::uniform(Eigen::Index size, double reach) {
   Eigen::VectorXd result(size);
   for (double& x : result) {
-    // The same numbers with every standard library.
+    // std::uniform_real_distribution differs between standard libraries; this formula does not.
     x = reach * (2.0 * static_cast<double>(generator_() >> 11) * 0x1.0p-53 - 1.0);
   }
   return result;
@@ -40,7 +41,7 @@ bool CheckStates::far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q
     const Reference& reference = contact.spec.reference;
     if (reference.quadric && !shape_) {
       const Eigen::Vector3d g = reference.quadric->gradient(tool_in_base(model_, contact.spec, q));
-      const bool has_axes = g.dot(reference.rotation.col(2)) > half_turn * g.norm();
+      const bool has_axes = g.dot(reference.rotation.col(2)) > min_normal_cosine * g.norm();
       if (!(g.norm() > 1e-3) || !has_axes) return false;
     }
     if (!contact.proportional) continue;
@@ -48,8 +49,9 @@ bool CheckStates::far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q
     const Eigen::Isometry3d target =
         frame_placement(model_, q, contact.spec.base) * contact.spec.target;
     const Eigen::Isometry3d tool = frame_placement(model_, q, contact.spec.tool);
-    const Eigen::AngleAxisd apart(Eigen::Matrix3d(target.linear().transpose() * tool.linear()));
-    if (std::abs(apart.angle()) > largest_angle) return false;
+    const Eigen::AngleAxisd rotation_error(
+        Eigen::Matrix3d(target.linear().transpose() * tool.linear()));
+    if (std::abs(rotation_error.angle()) > largest_angle) return false;
   }
   return true;
 }
@@ -57,10 +59,11 @@ bool CheckStates::far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q
 Quadric CheckStates::surface_near(const ContactSpec& contact, const Eigen::VectorXd& q) {
   const Eigen::Vector3d tool = tool_in_base(model_, contact, q);
   const Eigen::Vector3d normal =
-      contact.reference.rotation.col(2) + Eigen::Vector3d(uniform(3, most_tilted));
-  const double bend = Surface(*shape_, tool, normal).at(tool).bend.norm();
-  const double reach = std::min(nearest_surface * units_.length, 0.1 / std::max(bend, 1e-6));
-  const Surface near(*shape_, tool + Eigen::Vector3d(uniform(3, reach)), normal);
+      contact.reference.rotation.col(2) + Eigen::Vector3d(uniform(3, largest_tilt));
+  const double curvature = Surface(*shape_, tool, normal).at(tool).hessian.norm();
+  const double offset =
+      std::min(largest_surface_offset * units_.length, 0.1 / std::max(curvature, 1e-6));
+  const Surface near(*shape_, tool + Eigen::Vector3d(uniform(3, offset)), normal);
   return near.at(tool).quadric(tool, 0.0);
 }
 
@@ -70,8 +73,9 @@ std::optional<std::vector<CheckState>> CheckStates::draw(ContactDynamics& dynami
   const CheckUnits units(model_, set);
   ContactDynamics free(model_);
   std::vector<CheckState> states;
-  for (int left = tries_per_state * count; static_cast<int>(states.size()) < count; --left) {
-    if (left == 0) return std::nullopt;
+  for (int remaining_tries = tries_per_state * count; static_cast<int>(states.size()) < count;
+       --remaining_tries) {
+    if (remaining_tries == 0) return std::nullopt;
     CheckState state;
     state.q = random_configuration(model_, generator_);
     if (!far_from_jumps(set, state.q)) continue;
@@ -85,10 +89,11 @@ std::optional<std::vector<CheckState>> CheckStates::draw(ContactDynamics& dynami
     state.v = uniform(model_.nv, 1.0).cwiseProduct(units.motion);
     state.a = uniform(model_.nv, 5.0).cwiseProduct(units.motion);
     state.lambda = uniform(set.rows(), 0.1).cwiseProduct(units.row_force);
-    const Eigen::VectorXd asked = uniform(model_.nv, 5.0).cwiseProduct(units.motion);
-    const Status status = free.inverse(state.q, state.v, asked, Eigen::VectorXd());
+    const Eigen::VectorXd acceleration = uniform(model_.nv, 5.0).cwiseProduct(units.motion);
+    const Status status = free.inverse(state.q, state.v, acceleration, Eigen::VectorXd());
     if (status != Status::Ok) {
-      throw Error("check: the model has no inverse dynamics: " + std::string(describe(status)));
+      throw Error("check: the inverse dynamics of the model fails: " +
+                  std::string(describe(status)));
     }
     state.tau = free.tau();
     states.push_back(state);
@@ -100,10 +105,11 @@ double CheckStates::compliance(ContactDynamics& dynamics) {
   const Eigen::VectorXd q = random_configuration(model_, generator_);
   const ContactRows rows = contact_rows(model_, dynamics, q);
   double sum = 0.0;
-  for (Eigen::Index r = 0; r < rows.part.size(); ++r)
-    if (rows.part[r] > 0.0) sum += rows.Y.row(r).squaredNorm() / std::min(1.0, rows.part[r]);
-  // Rows that nothing moves need no softness of their own, but some.
-  return sum > 0.0 ? 1e-2 * sum / static_cast<double>(rows.part.size()) : 1e-2;
+  for (Eigen::Index r = 0; r < rows.relative_size.size(); ++r)
+    if (rows.relative_size[r] > 0.0)
+      sum += rows.Y.row(r).squaredNorm() / std::min(1.0, rows.relative_size[r]);
+  // Rows that no joint moves do not add to the sum. The default makes the compliance positive.
+  return sum > 0.0 ? 1e-2 * sum / static_cast<double>(rows.relative_size.size()) : 1e-2;
 }
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Random states at which a set of contacts can be checked.
+// Random states for derivative checks of a set of contacts.
 #pragma once
 
 #include <optional>
@@ -15,32 +15,34 @@ namespace burnish {
 /// Arguments of forward (q, v, tau), inverse (q, v, a, lambda) and acceleration (q, v, a).
 struct CheckState {
   Eigen::VectorXd q, v, tau, a, lambda;
-  std::optional<Quadric> surface = {};  ///< that the first contact follows there
+  std::optional<Quadric> surface = {};  ///< Surface that the first contact follows
 };
 
-/// Draws states of one model.
+/// Generator of random states of one model.
 class CheckStates {
  public:
-  /// Where a shape is given, the only contact follows a surface of it.
+  /// With a `shape`, the only contact follows surfaces of this shape.
   CheckStates(const Model& model, std::uint64_t seed, std::optional<SurfaceShape> shape = {})
       : model_(model), units_(model), shape_(std::move(shape)), generator_(seed) {}
 
-  /// `count` states for the contacts of `dynamics`: q within limits, away from jumps of the pose
-  /// error and, for a rigid contact, from singular postures; v and a up to 1 rad/s and 5 rad/s^2,
-  /// or as many lengths of the robot, lambda up to a tenth of the weight, or of it times that
-  /// length, tau up to what gravity and motion ask for. Empty when the robot can hold the contacts
-  /// rigidly at too few of the postures that were tried.
+  /// Draws `count` states for the contacts of `dynamics`. Returns nothing if too few postures are
+  /// valid.
+  ///
+  /// q is within limits and away from jumps of the pose error; if `rigid`, also away from singular
+  /// postures. Entries of v and a are at most 1 and 5, in rad or robot lengths. Entries of lambda
+  /// are at most a tenth of the weight, or of the weight times the robot length. tau is the inverse
+  /// dynamics of a random acceleration.
   std::optional<std::vector<CheckState>> draw(ContactDynamics& dynamics, int count, bool rigid);
 
-  /// A compliance that leaves the contacts soft enough to solve, m/s^2 per N: a hundredth of the
-  /// mean diagonal of J M^-1 J^T, in which rows that the joints hardly move count as they would at
-  /// postures where they do.
+  /// Returns a compliance that regularizes the contacts at singular postures [m/s^2 per N]: a
+  /// hundredth of the mean diagonal of J M^-1 J^T. Rows that the joints hardly move at this posture
+  /// are scaled up to their size at other postures.
   double compliance(ContactDynamics& dynamics);
 
  private:
   Eigen::VectorXd uniform(Eigen::Index size, double reach);
   bool far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q) const;
-  /// What osculates a surface of the shape near the tool.
+  /// Returns the quadric that osculates, at the tool, a random surface of the shape near it.
   Quadric surface_near(const ContactSpec& contact, const Eigen::VectorXd& q);
 
   const Model& model_;

@@ -1,4 +1,4 @@
-// What the reports of checks have in common: numbers, a table of left-aligned columns, the verdict.
+// Text of check reports: numbers, tables with left-aligned columns, and the verdict.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,8 @@ std::string table(const std::vector<std::array<std::string, Columns>>& lines) {
   return text;
 }
 
-/// The last line: how many of the rows (one at least) failed, or the worst error of all.
+/// Returns the last line of a report: the number of failed rows, or the largest error of all rows.
+/// `rows` must not be empty.
 template <class Row>
 std::string verdict(const std::vector<Row>& rows) {
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const Row& r) { return !r.pass; });

@@ -1,4 +1,4 @@
-// The report of a check as a table.
+// Text of a derivative check: a table with one line per row, failures and the verdict.
 #include <algorithm>
 #include <array>
 
@@ -27,7 +27,7 @@ Cells cells_of(const CheckRow& row) {
 }
 
 std::string failure_text(const CheckRow& row) {
-  return entry_text(row.worst) + " is " + precise(row.worst.value) + ", differences say " +
+  return entry_text(row.worst) + " is " + precise(row.worst.value) + ", finite differences give " +
          precise(row.worst.expected) + " (" + row.reference + ", " + row.directions + ", state " +
          std::to_string(row.worst.state) + ")\n";
 }
@@ -49,8 +49,8 @@ std::string CheckReport::text() const {
   text += table(lines) + "\n";
   if (soft > 0) {
     text += std::to_string(soft) + (soft == 1 ? " row" : " rows") +
-            " checked with compliance mu: at most postures the joints cannot hold that "
-            "contact rigidly\n";
+            " checked with a compliance mu, because the contact is singular at too many random "
+            "postures\n";
   }
   for (const CheckRow& row : rows)
     if (!row.pass) text += failure_text(row);
@@ -58,7 +58,7 @@ std::string CheckReport::text() const {
   const bool others =
       std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.pass; });
   return text + (others ? "" : verdict(rows)) +
-         "FAIL: there is no forward dynamics: " + singular_mass +
+         "FAIL: the model has no forward dynamics: " + singular_mass +
          (others ? "; inverse dynamics and contact accelerations pass\n" : "\n");
 }
 

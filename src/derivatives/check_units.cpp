@@ -9,7 +9,7 @@ namespace burnish {
 
 namespace {
 
-/// The nearest power of ten, so that robots of about 1 m are measured in m; 1 of no length.
+/// Returns the power of ten nearest to `size` [m], or 1 m if the size is zero.
 double decade_of(double size) {
   return size > 0.0 ? std::pow(10.0, std::round(std::log10(size))) : 1.0;
 }
@@ -20,7 +20,7 @@ CheckUnits::CheckUnits(const Model& model, const ContactSet& set)
     : length(decade_of(robot_size(model))),
       motion(Eigen::VectorXd::Ones(model.nv)),
       row(Eigen::VectorXd::Ones(set.rows())) {
-  constexpr double earth = 9.81;  // m/s^2
+  constexpr double earth = 9.81;  // gravity on Earth [m/s^2]
   const double gravity = model.gravity.norm(), mass = model.total_mass();
   force = (mass > 0.0 ? mass : 1.0) * (gravity > 0.0 ? gravity : earth);
   torque = Eigen::VectorXd::Constant(model.nv, force * length);

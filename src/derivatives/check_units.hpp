@@ -1,5 +1,5 @@
-// Units in which a robot of any size and mass has numbers of about one: what differences step by,
-// what states are drawn in, and what entries of a block are compared in.
+// Units that make the numbers of a robot of any size and mass about one. Steps of differences,
+// random states and comparisons of blocks use them.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,17 @@
 
 namespace burnish {
 
-/// Per entry of v, and per row of the contacts: 1 where an angle is meant, the robot's length where
-/// a length is; forces and torques in parts of its weight.
+/// Units per entry of v and per row of the contacts. The unit of angles is 1 rad, the unit of
+/// lengths is the robot's length, and the unit of forces is its weight.
 struct CheckUnits {
   explicit CheckUnits(const Model& model, const ContactSet& set = {});
 
-  double length;              ///< m, power of ten nearest to the way to the furthest centre of mass
-  double force;               ///< N: the weight, or that on Earth where the model has no gravity
-  Eigen::VectorXd motion;     ///< nv, of q, v and a: rad or m
-  Eigen::VectorXd torque;     ///< nv: Nm or N
-  Eigen::VectorXd row;        ///< rows, of alpha: rad or m
-  Eigen::VectorXd row_force;  ///< rows, of lambda: Nm or N
+  double length;              ///< Power of ten nearest to robot_size() [m]
+  double force;               ///< Weight; on Earth if the model has no gravity [N]
+  Eigen::VectorXd motion;     ///< Units of q, v and a (nv) [rad, m]
+  Eigen::VectorXd torque;     ///< Units of tau (nv) [N m, N]
+  Eigen::VectorXd row;        ///< Units of alpha (rows) [rad, m]
+  Eigen::VectorXd row_force;  ///< Units of lambda (rows) [N m, N]
 };
 
 }  // namespace burnish

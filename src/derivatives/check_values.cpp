@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/decomposition.hpp"
+#include "base/to_size.hpp"
 
 namespace burnish {
 
@@ -15,7 +16,8 @@ double size_of(const Vec3<NativePack>& v) {
   return Eigen::Vector3d(v.x.v[0], v.y.v[0], v.z.v[0]).norm();
 }
 
-/// States first to first + lanes of n, the last one again where they end; one stands for all.
+/// Loads columns `first` to `first` + lanes - 1 of n columns. Lanes past the end repeat the last
+/// column. If `from` has only one column, every lane gets it.
 void load(const Eigen::MatrixXd& from, int first, int n, std::vector<NativePack>& to) {
   for (int l = 0; l < native_lanes; ++l) {
     const int column = from.cols() == 1 ? 0 : std::min(first + l, n - 1);
@@ -29,11 +31,11 @@ void load(const Eigen::MatrixXd& from, int first, int n, std::vector<NativePack>
 CheckValues::CheckValues(const Model& model, const ContactSet& set, const ContactSolver& solver)
     : units_(model, set),
       dynamics_(model, set, solver),
-      q_(static_cast<std::size_t>(model.nq)),
-      v_(static_cast<std::size_t>(model.nv)),
+      q_(to_size(model.nq)),
+      v_(to_size(model.nv)),
       tau_(v_),
       a_(v_),
-      lambda_(static_cast<std::size_t>(set.rows())) {}
+      lambda_(to_size(set.rows())) {}
 
 void CheckValues::store(const std::vector<NativePack>& from, int count, int row, int first,
                         Eigen::MatrixXd& to) const {
@@ -42,7 +44,7 @@ void CheckValues::store(const std::vector<NativePack>& from, int count, int row,
     const bool good = dynamics_.status(l) == Status::Ok;
     for (int i = 0; i < count; ++i)
       to(row + i, first + l) =
-          good ? from[static_cast<std::size_t>(i)].v[l] : std::numeric_limits<double>::quiet_NaN();
+          good ? from[to_size(i)].v[l] : std::numeric_limits<double>::quiet_NaN();
   }
 }
 
@@ -56,7 +58,7 @@ Eigen::MatrixXd CheckValues::at(const CheckColumns& states, int n, const Evaluat
     load(states.a, first, n, a_);
     load(states.lambda, first, n, lambda_);
     dynamics_.set_state(q_.data(), v_.data());
-    // Forward dynamics last: its status stays with the state.
+    // Forward dynamics runs last, because its status remains with the state.
     if (wanted.inverse) {
       dynamics_.inverse(a_.data(), lambda_.data());
       store(dynamics_.tau, nv(), nv() + m, first, result);
@@ -79,7 +81,8 @@ void CheckValues::set_surface(const Quadric& surface) {
       0, {lift<NativePack>(from_eigen(surface.Q)), lift<NativePack>(from_eigen(surface.b))});
 }
 
-/// Of the bias: along every axis the product of the lengths that its scalar product is made of.
+/// Returns bounds of the bias torques: for each axis, the products of the vector lengths in its
+/// scalar product.
 Eigen::VectorXd CheckValues::bias_sizes() const {
   const Tree& tree = dynamics_.tree();
   Eigen::VectorXd sizes = Eigen::VectorXd::Zero(nv());
@@ -92,8 +95,8 @@ Eigen::VectorXd CheckValues::bias_sizes() const {
   return sizes;
 }
 
-/// Of the contact acceleration at joint accelerations of zero: gravity that is added and taken away
-/// again, accelerations moved from the world's origin to the tool, and the gains' terms.
+/// Returns bounds of the terms of the contact acceleration at zero joint accelerations: gravity
+/// (which cancels), accelerations moved from the world's origin to the tool, and the gain terms.
 Eigen::VectorXd CheckValues::drift_sizes() const {
   Eigen::VectorXd sizes(rows());
   int row = 0;
@@ -128,16 +131,16 @@ CheckSizes CheckValues::sizes(const CheckState& state) {
       M(i, j) = M(j, i) = dynamics_.mass().mass[i * nv() + j].v[0];
   for (int k = 0; k < nv(); ++k)
     for (int r = 0; r < rows(); ++r) J(r, k) = delassus.jacobian_by_v[k * delassus.stride + r].v[0];
-  const Eigen::MatrixXd moved = J.cwiseAbs();
+  const Eigen::MatrixXd abs_J = J.cwiseAbs();
   const Eigen::VectorXd bias = bias_sizes(), drift = drift_sizes();
   const auto largest = [](const Eigen::VectorXd& x, const Eigen::VectorXd& units) {
     return x.size() > 0 ? x.cwiseQuotient(units).maxCoeff() : 0.0;
   };
   CheckSizes sizes;
   sizes.tau = largest(
-      M.cwiseAbs() * state.a.cwiseAbs() + bias + moved.transpose() * state.lambda.cwiseAbs(),
+      M.cwiseAbs() * state.a.cwiseAbs() + bias + abs_J.transpose() * state.lambda.cwiseAbs(),
       units_.torque);
-  sizes.alpha = largest(moved * state.a.cwiseAbs() + drift, units_.row);
+  sizes.alpha = largest(abs_J * state.a.cwiseAbs() + drift, units_.row);
   if (dynamics_.status(0) >= Status::SingularMass) return sizes;
   const Eigen::MatrixXd inverse =
       solve_positive(M, Eigen::MatrixXd::Identity(nv(), nv())).cwiseAbs();
@@ -147,9 +150,9 @@ CheckSizes CheckValues::sizes(const CheckState& state) {
     G.diagonal().array() += dynamics_.solver().mu;
     const Eigen::VectorXd lambda =
         solve_positive(G, Eigen::MatrixXd::Identity(rows(), rows())).cwiseAbs() *
-        (moved * a + drift);
+        (abs_J * a + drift);
     sizes.lambda = largest(lambda, units_.row_force);
-    a += inverse * (moved.transpose() * lambda);
+    a += inverse * (abs_J.transpose() * lambda);
   }
   sizes.a = largest(a, units_.motion);
   return sizes;

@@ -1,4 +1,5 @@
-// Values of the three evaluations at many states, several at a time.
+// Values of forward dynamics, inverse dynamics and contact acceleration at many states, with one
+// state per lane.
 #pragma once
 
 #include "contact/constrained_dynamics.hpp"
@@ -7,36 +8,37 @@
 
 namespace burnish {
 
-/// Which evaluations are wanted.
+/// Selection of evaluations.
 struct Evaluations {
   bool forward = false, inverse = false, acceleration = false;
 };
 
-/// States, one per column; what has one column is the same for all.
+/// States, one per column. A matrix with one column holds for all states.
 struct CheckColumns {
   explicit CheckColumns(const CheckState& state)
       : q(state.q), v(state.v), tau(state.tau), a(state.a), lambda(state.lambda) {}
   Eigen::MatrixXd q, v, tau, a, lambda;
 };
 
-/// How large the numbers are that the values of a state are sums of, in units of the check: what is
-/// left of them where they cancel is rounding.
+/// Sizes of the terms whose sums are the values of a state, in units of the check. They determine
+/// the rounding errors where terms cancel.
 struct CheckSizes {
   double a = 0.0, lambda = 0.0, tau = 0.0, alpha = 0.0;
 };
 
+/// Evaluator of one set of contacts.
 class CheckValues {
  public:
   CheckValues(const Model& model, const ContactSet& set, const ContactSolver& solver);
 
-  /// Of n states: rows a (nv), lambda (rows), tau (nv), alpha (rows), a column per state. What is
-  /// not wanted is zero, what has no status Ok is NaN.
+  /// Returns the values at n states, one state per column. Rows: a (nv), lambda (rows), tau (nv),
+  /// alpha (rows). Values of unwanted evaluations are zero; values without status Ok are NaN.
   Eigen::MatrixXd at(const CheckColumns& states, int n, const Evaluations& wanted);
 
-  /// Another one that the first contact follows.
+  /// Replaces the surface that the first contact follows.
   void set_surface(const Quadric& surface);
 
-  /// At one state; a and lambda zero where M is singular.
+  /// Returns the sizes at one state. Those of a and lambda are zero if M is singular.
   CheckSizes sizes(const CheckState& state);
   const CheckUnits& units() const { return units_; }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/to_size.hpp"
 #include "contact/constrained_dynamics.tpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/contact_acceleration.tpp"
@@ -28,8 +29,8 @@ inline bool is_influenced(const CompiledContact& contact, int k) {
   return contains(contact.influenced, k);
 }
 
-/// Entries related to a chain: above it, in it, below it, or tied to it by a contact whose tool is
-/// not alone in moving.
+/// Returns the entries of v related to a chain: entries above, in and below it, and entries coupled
+/// to it by a contact that moves more than the tool.
 inline std::vector<int> related_rows(const Tree& tree, const ContactSet& set,
                                      const std::vector<int>& above, int first) {
   std::vector<int> result;
@@ -57,16 +58,16 @@ ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& 
   for (CompiledContact& contact : contacts_without_gains_)
     contact.proportional = contact.damped = false;
   const int all_rows = n_ + set.rows();
-  const auto entries = static_cast<std::size_t>(all_rows * n_);
+  const auto entries = to_size(all_rows * n_);
   for (auto* matrix : {&rhs_q, &rhs_v, &d_dq, &d_dv, &d_dtau}) matrix->assign(entries, S(0.0));
-  if (!tree.deep) factor_inverse_.assign(static_cast<std::size_t>(n_ * n_), S(0.0));
-  by_friction_.assign(static_cast<std::size_t>(dynamics.friction().most * n_), S(0.0));
-  const auto contact_entries = static_cast<std::size_t>(set.rows() * n_);
+  if (!tree.deep) factor_inverse_.assign(to_size(n_ * n_), S(0.0));
+  by_friction_.assign(to_size(dynamics.friction().max_contacts * n_), S(0.0));
+  const auto contact_entries = to_size(set.rows() * n_);
   for (auto* matrix : {&Z_, &lambda_by_tau_, &solved_, &before_, &frozen_})
     matrix->assign(contact_entries, S(0.0));
   if (!dynamics.contradiction().basis.empty()) {
     shifted_.assign(entries, S(0.0));
-    a_.assign(static_cast<std::size_t>(n_), S(0.0));
+    a_.assign(to_size(n_), S(0.0));
   }
   for (int k = 0; k < n_; ++k) all_columns_.push_back(k);
   for (const auto& [first, end] : tree.chains()) {
@@ -81,10 +82,10 @@ ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& 
       shared_ancestors_.push_back(shared);
     }
   segment_rows_.resize(segments_.size());
-  for (auto& rows : segment_rows_) rows.reserve(static_cast<std::size_t>(all_rows));
-  contact_rows_.reserve(static_cast<std::size_t>(set.rows()));
-  supported_columns_.reserve(static_cast<std::size_t>(n_));
-  supported_.assign(static_cast<std::size_t>(n_), 0);
+  for (auto& rows : segment_rows_) rows.reserve(to_size(all_rows));
+  contact_rows_.reserve(to_size(set.rows()));
+  supported_columns_.reserve(to_size(n_));
+  supported_.assign(to_size(n_), 0);
 }
 
 template <class S>
@@ -136,7 +137,7 @@ void ConstrainedDerivatives<S>::fill_joint_rows(ConstrainedDynamics<S>& dynamics
     for (const ContactSupport& row : contact.support)
       for (const ContactSupport& column : contact.influences) {
         rhs_q[row.v * n_ + column.v] = S(0.0);
-        if (contact.rubs) rhs_v[row.v * n_ + column.v] = S(0.0);
+        if (contact.has_friction) rhs_v[row.v * n_ + column.v] = S(0.0);
       }
   }
   inverse_dynamics_derivatives(dynamics.tree(), dynamics.kinematics(), dynamics.mass(),
@@ -155,8 +156,8 @@ void ConstrainedDerivatives<S>::subtract_friction(ConstrainedDynamics<S>& dynami
 
 template <class S>
 void ConstrainedDerivatives<S>::add_friction(ConstrainedDynamics<S>& dynamics) {
-  // Of the system without friction, whose a and lambda the columns are so far, and at the torques
-  // of friction for a normal force of one: da = P F_j, dlambda = -R_j.
+  // The columns hold da and dlambda of the system without friction. A unit of normal force j
+  // changes them by da = P F_j and dlambda = -R_j, with the block P = da/dtau.
   FrictionCoupling<S>& f = dynamics.friction();
   const int m = dynamics.rows();
   for (int j = 0; j < f.size(); ++j) {
@@ -174,7 +175,7 @@ void ConstrainedDerivatives<S>::add_friction(ConstrainedDynamics<S>& dynamics) {
       for (int j = 0; j < f.size(); ++j) {
         for (int k = 0; k < n_; ++k) X[k * n_ + column] += by_friction_[j * n_ + k] * f.normal[j];
         for (int r = 0; r < m; ++r)
-          X[(n_ + r) * n_ + column] -= f.response[r * f.most + j] * f.normal[j];
+          X[(n_ + r) * n_ + column] -= f.response[r * f.max_contacts + j] * f.normal[j];
       }
     }
   }
@@ -199,8 +200,8 @@ void ConstrainedDerivatives<S>::acceleration(ConstrainedDynamics<S>& dynamics) {
 
 template <class S>
 void ConstrainedDerivatives<S>::fill_impact_rows(ConstrainedDynamics<S>& dynamics) {
-  // At rest the contact acceleration at joint accelerations v+ is J v+ in every reference and for
-  // every definition of it, so that its derivative by q is that of J v+; gravity is not in it.
+  // At zero velocity, the contact acceleration for joint accelerations v+ is J v+, for all kinds of
+  // acceleration and references. Its derivative by q is d(J v+)/dq, without gravity.
   InverseDynamics<S>& id = dynamics.inverse_dynamics();
   accelerate(dynamics.tree(), dynamics.kinematics(), dynamics.velocity_after.data(), id);
   fill_contact_rows(dynamics, contacts_without_gains_);
@@ -212,8 +213,9 @@ void ConstrainedDerivatives<S>::fill_impact_rows(ConstrainedDynamics<S>& dynamic
       for (int r = first; r < end; ++r)
         rhs_v[(n_ + r) * n_ + entry.v] = -d.jacobian_by_v[entry.v * d.stride + r];
   }
-  // At rest M a + b is M a and the gravity torques; taking gravity out of the accelerations of
-  // axes and bodies leaves M a, and M dv - J^T Lambda with the velocity change that `a` holds.
+  // At zero velocity, M a + b is M a plus the gravity torques. Subtracting gravity from the
+  // accelerations of axes and bodies leaves M a. `a` holds the velocity change dv, so the rows are
+  // the derivatives of M dv - J^T Lambda.
   dynamics.apply_forces();
   const Motion<S> gravity{lift<S>(dynamics.tree().gravity), Vec3<S>::zero()};
   for (std::size_t k = 0; k < id.axis_acc.size(); ++k)
@@ -230,15 +232,15 @@ void ConstrainedDerivatives<S>::impact(ConstrainedDynamics<S>& dynamics) {
   by_torque(dynamics);
   by_state(dynamics, rhs_q, d_dq);
   by_state(dynamics, rhs_v, d_dv);
-  // So far of the velocity change.
+  // The rows hold the derivatives of v+ - v-; adding 1 gives those of v+.
   for (int k = 0; k < n_; ++k) d_dv[k * n_ + k] += S(1.0);
   for (auto* matrix : {&d_dq, &d_dv, &d_dtau}) dynamics.clear_failed(*matrix);
 }
 
 template <class S>
 void ConstrainedDerivatives<S>::invert_factor(const ConstrainedDynamics<S>& dynamics) {
-  // Row i of W = L^-1: W_ii = 1/L_ii, W_ij = -1/L_ii sum over k in (j, i) of L_ik W_kj; kept as
-  // columns i of W^T.
+  // Row i of W = L^-1: W_ii = 1/L_ii, W_ij = -1/L_ii sum over k in (j, i) of L_ik W_kj. Stored as
+  // column i of W^T.
   const MassMatrix<S>& mass = dynamics.mass();
   const auto& parent = dynamics.tree().parent_of_v;
   S* const W = factor_inverse_.data();
@@ -266,7 +268,7 @@ void ConstrainedDerivatives<S>::solve_contacts(const ConstrainedDynamics<S>& dyn
   solve_delassus(dynamics.delassus(), m, std::span<const int>(columns), x, n_);
   const S mu(dynamics.solver().mu);
   for (int iteration = 0; iteration < dynamics.proximal_iterations; ++iteration) {
-    // A lane takes as many as its values took, so that it does not depend on the others.
+    // Each lane runs as many iterations as forward() did, so it does not depend on other lanes.
     const auto closed =
         mask_not(less(S(static_cast<double>(iteration)), dynamics.lane_iterations[0]));
     const bool some_closed = any(closed);
@@ -295,12 +297,13 @@ void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics
   invert_factor(dynamics);
   const int m = dynamics.rows();
   const Delassus<S>& d = dynamics.delassus();
-  const Strided<const S> W{factor_inverse_.data(), n_};
-  const Strided<S> P{d_dtau.data(), n_};
+  const StridedView<const S> W{factor_inverse_.data(), n_};
+  const StridedView<S> P{d_dtau.data(), n_};
   S* const lambda_rows = d_dtau.data() + n_ * n_;
   for (const Segment& s : segments_)
-    gram<Gram::Set>(Strided<const S>{d.T.data(), d.stride}, W, std::span<const int>(s.ancestors), 0,
-                    m, s.first, s.end, Strided<S>{Z_.data(), n_});
+    gram<Gram::Set>(StridedView<const S>{d.T.data(), d.stride}, W,
+                    std::span<const int>(s.ancestors), 0, m, s.first, s.end,
+                    StridedView<S>{Z_.data(), n_});
   lambda_by_torque(dynamics);
   const std::span<const int> contact_rows(contact_rows_);
   for (std::size_t a = 0; a < segments_.size(); ++a)
@@ -309,7 +312,7 @@ void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics
       gram<Gram::Set>(W, W, std::span<const int>(shared_ancestors_[a * segments_.size() + b]),
                       x.first, x.end, y.first, y.end, P);
       if (m > 0)
-        gram<Gram::Add>(Strided<const S>{Z_.data(), n_}, Strided<const S>{lambda_rows, n_},
+        gram<Gram::Add>(StridedView<const S>{Z_.data(), n_}, StridedView<const S>{lambda_rows, n_},
                         contact_rows, x.first, x.end, y.first, y.end, P);
       if (a == b) continue;
       for (int i = x.first; i < x.end; ++i)
@@ -317,7 +320,7 @@ void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics
     }
 }
 
-/// dlambda/dtau from Z, and its transpose.
+/// Computes dlambda/dtau from Z, and its transpose.
 template <class S>
 void ConstrainedDerivatives<S>::lambda_by_torque(const ConstrainedDynamics<S>& dynamics) {
   const int m = dynamics.rows();
@@ -333,12 +336,13 @@ void ConstrainedDerivatives<S>::by_torque_deep(const ConstrainedDynamics<S>& dyn
   const int m = dynamics.rows();
   const Delassus<S>& d = dynamics.delassus();
   articulated_.invert(dynamics.kinematics(), dynamics.mass(), d_dtau.data());
-  gram<Gram::Set>(Strided<const S>{d.jacobian_by_v.data(), d.stride},
-                  Strided<const S>{d_dtau.data(), n_}, std::span<const int>(supported_columns_), 0,
-                  m, 0, n_, Strided<S>{Z_.data(), n_});
+  gram<Gram::Set>(StridedView<const S>{d.jacobian_by_v.data(), d.stride},
+                  StridedView<const S>{d_dtau.data(), n_}, std::span<const int>(supported_columns_),
+                  0, m, 0, n_, StridedView<S>{Z_.data(), n_});
   lambda_by_torque(dynamics);
-  gram<Gram::Add>(Strided<const S>{Z_.data(), n_}, Strided<const S>{d_dtau.data() + n_ * n_, n_},
-                  std::span<const int>(contact_rows_), 0, n_, 0, n_, Strided<S>{d_dtau.data(), n_});
+  gram<Gram::Add>(
+      StridedView<const S>{Z_.data(), n_}, StridedView<const S>{d_dtau.data() + n_ * n_, n_},
+      std::span<const int>(contact_rows_), 0, n_, 0, n_, StridedView<S>{d_dtau.data(), n_});
 }
 
 template <class S>
@@ -350,14 +354,14 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
   const bool deep = dynamics.tree().deep;
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     const Segment& segment = segments_[s];
-    const Strided<const S> right{rhs.data(), n_};
+    const StridedView<const S> right{rhs.data(), n_};
     if (!deep)
-      gram<Gram::SetNegative>(Strided<const S>{d_dtau.data(), n_}, right,
+      gram<Gram::SetNegative>(StridedView<const S>{d_dtau.data(), n_}, right,
                               std::span<const int>(segment_rows_[s]), 0, n_, segment.first,
-                              segment.end, Strided<S>{out.data(), n_});
-    gram<Gram::SetNegative>(Strided<const S>{lambda_by_tau_.data(), m}, right,
+                              segment.end, StridedView<S>{out.data(), n_});
+    gram<Gram::SetNegative>(StridedView<const S>{lambda_by_tau_.data(), m}, right,
                             std::span<const int>(segment.related), 0, m, segment.first, segment.end,
-                            Strided<S>{out.data() + n_ * n_, n_});
+                            StridedView<S>{out.data() + n_ * n_, n_});
   }
   if (deep)
     articulated_.solve_negative(dynamics.kinematics(), dynamics.mass(), rhs.data(), out.data(), n_,
@@ -369,16 +373,17 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
   for (int r = 0; r < m; ++r)
     for (const int j : supported_columns_) out[(n_ + r) * n_ + j] += solved_[r * n_ + j];
   if (!deep) return;
-  // There da/dz = Z^T dlambda/dz - M^-1 dtau/dz.
-  gram<Gram::Add>(Strided<const S>{Z_.data(), n_}, Strided<const S>{out.data() + n_ * n_, n_},
-                  std::span<const int>(contact_rows_), 0, n_, 0, n_, Strided<S>{out.data(), n_});
+  // The deep form: da/dz = Z^T dlambda/dz - M^-1 dtau/dz.
+  gram<Gram::Add>(
+      StridedView<const S>{Z_.data(), n_}, StridedView<const S>{out.data() + n_ * n_, n_},
+      std::span<const int>(contact_rows_), 0, n_, 0, n_, StridedView<S>{out.data(), n_});
 }
 
-// With n the part of rho in the null space of G = J M^-1 J^T, the forces are lambda = G^+ (rho -
-// n), J^T n = 0 and lambda is orthogonal to the null space. By q that gives dlambda, beside what
-// rho and G add at constant n and null space,
-//   G^+ G^+ Z d(J^T n)/dq,   and within the null space the part of d(J y)/dq, y = Z^T G^+ lambda.
-// Both are differences of the rows of rhs_q, by lambda and by a, which they are affine in.
+// Let n be the component of rho in the null space of G = J M^-1 J^T. The forces are
+// lambda = G^+ (rho - n), with J^T n = 0, and lambda is orthogonal to the null space. dlambda/dq
+// consists of the derivative at constant n and null space, and of two more terms:
+//   G^+ G^+ Z d(J^T n)/dq, and the null-space component of d(J y)/dq with y = Z^T G^+ lambda.
+// The rows of rhs_q are affine in lambda and a, so differences of these rows give both terms.
 template <class S>
 void ConstrainedDerivatives<S>::fill_shifted_rows(ConstrainedDynamics<S>& dynamics) {
   const int m = dynamics.rows();
@@ -392,7 +397,7 @@ void ConstrainedDerivatives<S>::fill_shifted_rows(ConstrainedDynamics<S>& dynami
   dynamics.apply_forces();
   fill_contact_rows(dynamics, dynamics.set().contacts());
   dynamics.a = a_;
-  // unmet is -n.
+  // `unmet` is -n.
   dynamics.apply_forces(dynamics.contradiction().unmet.data());
   fill_joint_rows(dynamics);
   shifted_ = rhs_q;
@@ -413,7 +418,7 @@ void ConstrainedDerivatives<S>::add_contradiction(const ConstrainedDynamics<S>& 
   for (int r = 0; r < m; ++r)
     for (int k = 0; k < n_; ++k)
       for (int j = 0; j < n_; ++j) d_dq[k * n_ + j] += Z_[r * n_ + k] * solved_[r * n_ + j];
-  // The rows of lambda in shifted_ are -d(J y)/dq; their part in the null space is what goes.
+  // The lambda rows of shifted_ are -d(J y)/dq. Adds minus their null-space component.
   S* const by_y = shifted_.data() + n_ * n_;
   const Contradiction<S>& c = dynamics.contradiction();
   for (int i = 0; i < m * n_; ++i) d_dq[n_ * n_ + i] += solved_[i] - by_y[i];

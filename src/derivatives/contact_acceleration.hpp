@@ -1,8 +1,8 @@
 // Derivatives of the contact acceleration (Proposition 3) and of the generalised contact force at
-// constant lambda (Proposition 4), in any reference. Both come from one rule: with xi_k the twist
-// of the tool frame seen from the reference per unit rate of entry k,
-//   d(X m)/dq_k = X (dm/dq_k + xi_k x m),
-// where dm/dq_k is the derivative seen from the tool. See docs/theory.md.
+// constant lambda (Proposition 4), in any reference. Both follow from one rule:
+//   d(X m)/dq_k = X (dm/dq_k + xi_k x m).
+// xi_k is the twist of the tool frame relative to the reference at a unit rate of entry k, and
+// dm/dq_k is the derivative in tool axes. See docs/theory.md.
 #pragma once
 
 #include "contact/contact_kinematics.hpp"
@@ -10,24 +10,23 @@
 
 namespace burnish {
 
-/// Spatial accelerations of the two bodies and what the derivatives need beside them; world axes,
-/// about the world's origin.
+/// Accelerations that the derivatives need, in world axes, about the world's origin.
 template <class S>
 struct ContactAccelerations {
-  Motion<S> a_base;  ///< without gravity
+  Motion<S> a_base;  ///< Spatial acceleration of the base, without gravity
   Motion<S> alpha;   ///< a_L + eta x nu
-  Vec3<S> gravity;   ///< m/s^2, world axes
+  Vec3<S> gravity;   ///< Gravity [m/s^2]
 };
 
-/// Accelerations at the joint accelerations last given to accelerate().
+/// Computes the accelerations at the joint accelerations of the last accelerate().
 template <class S>
 ContactAccelerations<S> contact_accelerations(const Tree& tree, const CompiledContact& contact,
                                               const Kinematics<S>& kinematics,
                                               const InverseDynamics<S>& id,
                                               const ContactState<S>& state);
 
-/// Minus d(alpha + kd nu + kp e)/dq and /dv of the held rows, at constant joint acceleration:
-/// entry (row, v) goes to out[row * stride + v], for the entries of the support.
+/// Computes minus d(alpha + kd nu + kp e)/dq and /dv of the constrained rows at constant joint
+/// acceleration. Writes out[row * stride + v] for the entries v of `influences`.
 template <class S>
 void contact_acceleration_derivatives(const CompiledContact& contact,
                                       const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
@@ -35,20 +34,19 @@ void contact_acceleration_derivatives(const CompiledContact& contact,
                                       const ContactAccelerations<S>& at, S* minus_dq, S* minus_dv,
                                       int stride);
 
-/// Subtracts from dtau_dq (nv x nv row-major) what the reference adds to d(J^T lambda)/dq beyond a
-/// wrench that moves rigidly with the bodies (Proposition 4, eq. 32). Nothing for `Local` with one
-/// moving body.
+/// Subtracts from dtau_dq (nv x nv, row-major) the term of the reference in d(J^T lambda)/dq
+/// (Proposition 4, eq. 32). A wrench that moves rigidly with the bodies lacks this term. It is zero
+/// for `Local` with one moving body.
 template <class S>
 void subtract_force_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                               const ContactState<S>& state, S* dtau_dq, int stride);
 
-/// Subtracts from dtau_dv (nv x nv row-major) how the friction of a contact that rubs changes with
-/// v.
+/// Subtracts the derivative of a contact's friction torques by v from dtau_dv (nv x nv, row-major).
 template <class S>
 void subtract_friction_by_v(const CompiledContact& contact, const Kinematics<S>& kinematics,
                             const ContactState<S>& state, S* dtau_dv, int stride);
 
-/// True when subtract_force_transport couples entries of v that are not on one branch.
+/// Returns true if subtract_force_transport() couples entries of v on different branches.
 bool transport_couples_branches(const CompiledContact& contact);
 
 }  // namespace burnish

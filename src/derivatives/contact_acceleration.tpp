@@ -8,20 +8,20 @@
 namespace burnish {
 namespace contact_detail {
 
-/// What one entry k of v does to a contact.
+/// Motions at a unit rate of one entry k of v, and derivatives by this entry.
 template <class S>
 struct EntryMotion {
-  Motion<S> tool, base;  ///< S_k where it moves that body, else zero; about the world's origin
-  Vec3<S> w_axes;        ///< at which the reference's axes turn
-  Motion<S> relative;    ///< tool - base
-  Motion<S> xi;          ///< of the tool frame seen from the reference
-  Motion<S> dnu_dq;      ///< of nu seen from the tool
-  Motion<S> dalpha_dq, dalpha_dv;  ///< of a_L seen from the tool
-  Motion<S> tool_rate;             ///< psi'_k where it moves the tool, else zero
-  Vec3<S> curved_turn;  ///< part of w_axes by which they follow a surface; valid if they do
+  Motion<S> tool, base;            ///< S_k if k moves the body, else zero; about the world's origin
+  Vec3<S> w_axes;                  ///< Angular velocity of the reference's axes
+  Motion<S> relative;              ///< tool - base
+  Motion<S> xi;                    ///< Twist of the tool frame relative to the reference
+  Motion<S> dnu_dq;                ///< Derivative of nu in tool axes
+  Motion<S> dalpha_dq, dalpha_dv;  ///< Derivatives of a_L in tool axes
+  Motion<S> tool_rate;             ///< psi'_k if k moves the tool, else zero
+  Vec3<S> curved_turn;  ///< Part of w_axes due to the surface; valid if the axes follow one
 };
 
-/// Adds what axes that follow a surface turn by.
+/// Adds the rotation of axes that follow a surface.
 template <class S>
 BURNISH_INLINE void follow_surface(const ContactState<S>& state, EntryMotion<S>& m) {
   m.curved_turn = curved_turn(state, m.relative);
@@ -29,8 +29,8 @@ BURNISH_INLINE void follow_surface(const ContactState<S>& state, EntryMotion<S>&
   m.xi = turning_at(state.p, m.tool.angular - m.w_axes);
 }
 
-/// `two_bodies` is false where the base is the world and nothing but the tool moves the reference,
-/// which saves what would be zero.
+/// Computes the motions of one entry. `two_bodies` is false if the base is the world and only the
+/// tool moves the reference; this skips terms that are zero.
 template <bool two_bodies, class S>
 BURNISH_INLINE EntryMotion<S> entry_motion(
     const CompiledContact& contact, const ContactSupport& entry, const Kinematics<S>& kinematics,
@@ -47,7 +47,7 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
     return reference_twist(entry.reference, state.origin, kinematics);
   });
   if (two_bodies && entry.carries_both()) {
-    // Tool and base move as one, or neither does: nothing changes seen from the tool.
+    // Tool and base move as one body or not at all, so the derivatives in tool axes are zero.
     m.relative = m.dnu_dq = m.dalpha_dq = m.dalpha_dv = zero;
     m.curved_turn = zero.angular;
     return m;
@@ -58,7 +58,7 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   AxisState<S> difference;
   Motion<S> difference_acc;
   if (two_bodies && tool_moves && entry.moves_base()) {
-    // An entry with an axis for each: all that follows is linear in both.
+    // The entry has two axes. All terms below are linear in the axis, so their difference works.
     const AxisState<S>& of_base = kinematics.axes[entry.base_axis];
     difference = {moving->axis - of_base.axis, moving->parent_rate - of_base.parent_rate,
                   moving->rate_sum - of_base.rate_sum};
@@ -69,7 +69,7 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   const AxisState<S>& axis = *moving;
   m.relative = axis.axis;
   m.dnu_dq = axis.parent_rate;
-  // psi''_k with gravity taken out again
+  // psi''_k without gravity
   m.dalpha_dq = *moving_acc;
   m.dalpha_dq.linear += cross(at.gravity, axis.axis.angular);
   m.dalpha_dv = axis.rate_sum - cross(state.v_tool, axis.axis);
@@ -90,30 +90,32 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   return m;
 }
 
-/// Whether nothing moves but the tool's body: base and reference are fixed to it or to the world.
+/// Returns true if only the tool's body moves: the base is the world, and the reference is fixed to
+/// the tool's body or the world.
 inline bool moves_with_tool_alone(const CompiledContact& contact) {
   const auto is_still_or_tool = [&](int body) { return body < 0 || body == contact.tool_body; };
   return contact.base_body < 0 && is_still_or_tool(contact.reference.origin_body) &&
          is_still_or_tool(contact.reference.axes_body);
 }
-/// False where xi is zero for every motion: the reference is fixed to the tool.
+/// Returns false if xi is always zero: the reference is fixed to the tool.
 inline bool xi_matters(const CompiledContact& contact) {
   const CompiledReference& reference = contact.reference;
   return reference.axes_body != contact.tool_body || reference.origin_body != contact.tool_body;
 }
-/// False where eta is zero for every motion.
+/// Returns false if eta is always zero.
 inline bool eta_matters(const CompiledContact& contact) {
   return contact.spec.acceleration == Acceleration::Classical ||
          (contact.spec.acceleration == Acceleration::TimeDerivative && xi_matters(contact));
 }
 
-/// Derivatives of eta's angular part seen from the tool, for an origin at the tool.
+/// Derivatives of eta's angular part in tool axes, for an origin at the tool.
 template <class S>
 struct TurningRates {
   Vec3<S> dq, dv;
 };
-/// Axes fixed in the base that follow its surface: eta is nu's angular part less w. The step of the
-/// point and the change of its velocity are those that the base sees.
+/// Computes the derivatives for axes that follow a surface of the base. Then eta's angular part is
+/// that of nu minus w. The step of the point and the change of its velocity are relative to the
+/// base.
 template <class S>
 BURNISH_INLINE TurningRates<S> following_rates(const ContactState<S>& state,
                                                const EntryMotion<S>& m) {
@@ -137,7 +139,7 @@ BURNISH_INLINE TurningRates<S> turning_rates(const CompiledContact& contact,
   if (body < 0 || contact.spec.acceleration == Acceleration::Classical)
     return {m.tool_rate.angular, m.tool.angular};
   if (body == contact.base_body) return {m.dnu_dq.angular, m.relative.angular};
-  // D_k w_A = psi'_k + (S_k - T_k) x w_A, T_k the tool's axis and S_k that of what A is fixed in.
+  // D_k w_A = psi'_k + (S_k - T_k) x w_A. T_k is the axis of the tool, S_k that of the body of A.
   const Vec3<S> turned = m.w_axes - m.tool.angular;
   Vec3<S> axes_rate = cross(turned, kinematics.bodies[body].v.angular);
   if (entry.reference.axes >= 0)
@@ -145,7 +147,8 @@ BURNISH_INLINE TurningRates<S> turning_rates(const CompiledContact& contact,
   return {m.tool_rate.angular - axes_rate, -turned};
 }
 
-/// Derivative by q_k of the error's components in the reference, times minus one row at a time.
+/// Returns the derivative by q_k of the pose error's components in the reference, as a motion at
+/// the reference's origin in world axes.
 template <class S>
 BURNISH_INLINE Motion<S> error_derivative(const CompiledContact& contact,
                                           const ContactState<S>& state,
@@ -164,7 +167,7 @@ BURNISH_INLINE Motion<S> error_derivative(const CompiledContact& contact,
   if (contact.reference.at_tool)
     return {d.linear - cross(m.w_axes, state.error.linear),
             d.angular - cross(m.w_axes, state.error.angular)};
-  // The error as a motion about the world's origin; -V_k is xi_k less the tool's own twist.
+  // The error as a motion about the world's origin. -V_k is xi_k minus the twist of the tool.
   d.linear += cross(tool_at_p, state.error.angular) + cross(state.p, d.angular);
   if (contact.reference.at_world && contact.reference.axes_body < 0) return d;
   const Motion<S> error = moving_at(state.p, state.error.linear, state.error.angular);
@@ -193,20 +196,21 @@ ContactAccelerations<S> contact_accelerations(const Tree& tree, const CompiledCo
 
 namespace contact_detail {
 
-/// d(alpha)/dq_k and /dv_k in world axes, at the reference's origin.
+/// Derivatives of alpha by q_k and v_k in world axes, at the reference's origin.
 template <class S>
 struct EntryRates {
   Motion<S> dq, dv;
 };
 
-/// What all entries share when the origin is at the tool: nu and alpha there.
+/// Values of nu and alpha at the tool, shared by all entries.
 template <class S>
 struct AtTool {
   Motion<S> nu, alpha;
 };
 
-/// Origin at the tool: eta and xi turn about the tool's point, so that only their angular parts
-/// count, and the angular rows are left out when none is held.
+/// Computes the derivatives for a reference with its origin at the tool. eta and xi then rotate
+/// about the tool's point, so only their angular parts count. Skips angular rows unless the contact
+/// constrains rotation.
 template <class S>
 BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
                                            const ContactSupport& entry,
@@ -232,7 +236,7 @@ BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
   return r;
 }
 
-/// Origin anywhere: the general rule.
+/// Computes the derivatives for a reference with any origin.
 template <class S>
 BURNISH_INLINE EntryRates<S> rates_anywhere(
     const CompiledContact& contact, const ContactSupport& entry, const Kinematics<S>& kinematics,
@@ -245,7 +249,7 @@ BURNISH_INLINE EntryRates<S> rates_anywhere(
       eta_dq = turning_at(state.p, m.tool_rate.angular);
       eta_dv = turning_at(state.p, m.tool.angular);
     } else if (reference.origin_body >= 0 || reference.axes_body >= 0) {
-      // D_k V = dV/dq_k - T_k x V, and V is the tool's twist less eta.
+      // D_k V = dV/dq_k - T_k x V, and V is the twist of the tool minus eta.
       eta_dq += cross(m.tool, state.v_tool - state.eta) -
                 reference_twist_by_q(reference, entry.reference, state.origin, kinematics);
     }
@@ -256,7 +260,7 @@ BURNISH_INLINE EntryRates<S> rates_anywhere(
   return {at_point(r.dq, state.origin), at_point(r.dv, state.origin)};
 }
 
-/// Subtracts the held rows of a motion, each times its gain, from out[row * stride].
+/// Subtracts the constrained rows of a motion, times their gains, from out[row * stride].
 template <class S>
 BURNISH_INLINE void subtract_rows(const CompiledContact& contact, const ContactState<S>& state,
                                   const Motion<S>& m, const S* gain, S* out, int stride) {
@@ -273,10 +277,10 @@ void acceleration_derivatives(const CompiledContact& contact, const Kinematics<S
                               int stride) {
   const AtTool<S> there{at_point(state.nu, state.p), at_point(at.alpha, state.p)};
   const ContactSpec& spec = contact.spec;
-  S kd[6], kp[6];  // at the state's pace, of the held directions
+  S kd[6], kp[6];  // gains of constrained directions, scaled by the step ratio
   for (const int d : contact.directions) {
-    kd[d] = state.pace * S(spec.kd[d]);
-    if (contact.proportional) kp[d] = state.pace * state.pace * S(spec.kp[d]);
+    kd[d] = state.step_ratio * S(spec.kd[d]);
+    if (contact.proportional) kp[d] = state.step_ratio * state.step_ratio * S(spec.kp[d]);
   }
   LogCoefficients<S> log{S(0.0), S(0.0), S(0.0)};
   if (contact.proportional) log = log_coefficients(state.rotation_angle);
@@ -320,8 +324,9 @@ void contact_acceleration_derivatives(const CompiledContact& contact,
 
 namespace contact_detail {
 
-/// One moving body, origin at the tool: with delta_k = w_axes - w_tool the wrench seen from the
-/// tool turns with delta_k, so that S_j . (delta_k x (f, m)) = delta_k . (f x u_j + m x w_j).
+/// Subtracts the term for one moving body, axes fixed in the world and origin at the tool. Relative
+/// to the tool, the wrench rotates with delta_k = w_axes - w_tool, where w_axes is zero. This gives
+/// S_j . (delta_k x (f, m)) = delta_k . (f x u_j + m x w_j).
 template <class S>
 void subtract_turning_axes(const CompiledContact& contact, const Kinematics<S>& kinematics,
                            const ContactState<S>& state, S* dtau_dq, int stride) {
@@ -335,8 +340,8 @@ void subtract_turning_axes(const CompiledContact& contact, const Kinematics<S>& 
   }
 }
 
-/// Any contact: dW_k is what the world wrench really does, which moves with the reference, S_k x* W
-/// what the sweep assumed.
+/// Subtracts the term for any contact: dW_k - S_k x* W. dW_k is the true derivative of the world
+/// wrench, which moves with the reference. The sweep of inverse dynamics assumed S_k x* W.
 template <class S>
 void subtract_general_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                                 const ContactState<S>& state, S* dtau_dq, int stride) {
@@ -350,7 +355,7 @@ void subtract_general_transport(const CompiledContact& contact, const Kinematics
     if (contact.reference.is_curved && !column.carries_both())
       reference += turning_at(state.p, curved_turn(state, relative_axis(column, kinematics)));
     Force<S> dW = cross(reference, held);
-    if (contact.rubs)
+    if (contact.has_friction)
       dW += friction_by_q(contact, state, column.tool_axis, column.base_axis, reference.angular,
                           kinematics);
     const Force<S> on_tool = dW - cross(tool, W);
@@ -370,7 +375,7 @@ void subtract_force_transport(const CompiledContact& contact, const Kinematics<S
                               const ContactState<S>& state, S* dtau_dq, int stride) {
   using namespace contact_detail;
   if (!moves_with_tool_alone(contact) || contact.tool_body < 0 || !contact.reference.at_tool ||
-      contact.reference.is_curved || contact.rubs) {
+      contact.reference.is_curved || contact.has_friction) {
     subtract_general_transport(contact, kinematics, state, dtau_dq, stride);
   } else if (contact.reference.axes_body != contact.tool_body) {
     subtract_turning_axes(contact, kinematics, state, dtau_dq, stride);

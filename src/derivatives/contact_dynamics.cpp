@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "contact/contact_kinematics.tpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
@@ -16,8 +17,8 @@ extern template class ConstrainedDerivatives<double>;
 
 namespace {
 
-/// Which evaluation the workspace holds: derivatives belong to one of them.
-enum class Evaluated { Nothing, Forward, Inverse, Acceleration };
+/// Evaluation that the workspace holds.
+enum class Evaluation { Nothing, Forward, Inverse, Acceleration };
 
 }  // namespace
 
@@ -29,7 +30,7 @@ struct ContactDynamics::Impl {
         derivatives(dynamics),
         nq(robot.nq),
         nv(robot.nv),
-        active(static_cast<std::size_t>(set.size()), 1),
+        active(to_size(set.size()), 1),
         mass(RowMatrix::Zero(nv, nv)),
         jacobian(RowMatrix::Zero(set.rows(), nv)),
         negated_q(RowMatrix::Zero(set.rows(), nv)),
@@ -37,7 +38,7 @@ struct ContactDynamics::Impl {
         velocity(Eigen::VectorXd::Zero(set.rows())),
         error(Eigen::VectorXd::Zero(set.rows())),
         zeros(Eigen::VectorXd::Zero(set.rows())) {
-    entries.reserve(static_cast<std::size_t>(nv));
+    entries.reserve(to_size(nv));
     for (const CompiledContact& contact : set.contacts())
       references.push_back(contact.spec.reference);
     for (const int joint : robot.joint_of_v) joint_names.push_back(robot.joints[joint].name);
@@ -45,8 +46,8 @@ struct ContactDynamics::Impl {
 
   void check(const char* call, int contact) const {
     if (contact < 0 || contact >= set.size())
-      throw Error(std::string(call) + ": there is no contact " + std::to_string(contact) +
-                  "; the set has " + std::to_string(set.size()));
+      throw Error(std::string(call) + ": contact " + std::to_string(contact) +
+                  " does not exist; the set has " + std::to_string(set.size()) + " contacts");
   }
   MatrixView rows_of_a(const std::vector<double>& stacked) const {
     return {stacked.data(), nv, nv};
@@ -55,30 +56,30 @@ struct ContactDynamics::Impl {
     return {stacked.data() + nv * nv, dynamics.rows(), nv};
   }
 
-  /// Rows that contradict each other leave this at the last forward(); zeros where none can.
+  /// Returns the residual acceleration of rows that contradict each other in the last forward().
   VectorView unmet() const {
     const std::vector<double>& found = dynamics.contradiction().unmet;
-    return {evaluated == Evaluated::Forward && !found.empty() ? found.data() : zeros.data(),
+    return {evaluated == Evaluation::Forward && !found.empty() ? found.data() : zeros.data(),
             dynamics.rows()};
   }
-  /// Whether lambda is that of the last evaluation.
+  /// Returns true if the last evaluation determined lambda.
   bool has_forces() const {
-    return evaluated == Evaluated::Forward || evaluated == Evaluated::Inverse;
+    return evaluated == Evaluation::Forward || evaluated == Evaluation::Inverse;
   }
 
-  /// What was evaluated is not that of the robot any more.
-  void forget() {
-    evaluated = Evaluated::Nothing;
+  /// Invalidates the last evaluation.
+  void invalidate() {
+    evaluated = Evaluation::Nothing;
     differentiated = false;
   }
   void check_bodies(const char* call, std::span<const int> bodies) const {
     const auto count = static_cast<int>(model.joints.size());
     for (const int body : bodies)
       if (body < 0 || body >= count)
-        throw Error(std::string(call) + ": there is no body " + std::to_string(body) +
-                    "; the robot has " + std::to_string(count));
+        throw Error(std::string(call) + ": body " + std::to_string(body) +
+                    " does not exist; the robot has " + std::to_string(count) + " bodies");
   }
-  /// Y of the bodies at the accelerations that the workspace holds.
+  /// Fills the regressor Y of `bodies` at the accelerations of the last evaluation.
   void fill_regressor(std::span<const int> bodies, RowMatrix& out) {
     const auto columns = static_cast<Eigen::Index>(10 * bodies.size());
     if (out.rows() != nv || out.cols() != columns) out.resize(nv, columns);
@@ -90,7 +91,7 @@ struct ContactDynamics::Impl {
                      out.data() + 10 * i, static_cast<int>(columns));
   }
 
-  /// Loads the state and the copies that the views show.
+  /// Loads the state, and copies the mass matrix, Jacobian and contact velocities for the views.
   Status load(const ConstVectorRef& q, const ConstVectorRef& v) {
     if (q.size() != nq || v.size() != nv) return Status::WrongSize;
     dynamics.set_state(q.data(), v.data());
@@ -110,24 +111,24 @@ struct ContactDynamics::Impl {
   }
 
   /// Loads the state and runs `kernel` on it, unless an argument has the wrong size.
-  Status evaluate(const ConstVectorRef& q, const ConstVectorRef& v, Evaluated what, bool sizes_fit,
+  Status evaluate(const ConstVectorRef& q, const ConstVectorRef& v, Evaluation what, bool sizes_fit,
                   const auto& kernel) {
-    forget();
+    invalidate();
     if (!sizes_fit || load(q, v) == Status::WrongSize) return Status::WrongSize;
     kernel(dynamics);
     evaluated = what;
     return dynamics.status();
   }
   /// Runs `kernel` if the workspace holds the evaluation that it differentiates.
-  Status differentiate(Evaluated what, const auto& kernel) {
+  Status differentiate(Evaluation what, const auto& kernel) {
     if (evaluated != what) return Status::NotEvaluated;
     kernel(derivatives, dynamics);
     differentiated = true;
     return dynamics.status();
   }
 
-  /// The pose error of the last state. The kernel computes it for contacts with a proportional gain
-  /// only; the others are added here, where it is asked for.
+  /// Fills the pose errors of the last state. The kernel computes them only for contacts with a
+  /// proportional gain; this function computes the others.
   void load_error() {
     for (const int c : dynamics.active().contacts) {
       const CompiledContact& contact = set.contacts()[c];
@@ -147,15 +148,15 @@ struct ContactDynamics::Impl {
   ConstrainedDerivatives<double> derivatives;
   int nq, nv;
   std::vector<char> active;
-  std::vector<Reference> references;  ///< per contact, turned as they are
-  RowMatrix mass, jacobian;           ///< dense copies: nv x nv, rows x nv
+  std::vector<Reference> references;  ///< Current reference of each contact
+  RowMatrix mass, jacobian;           ///< Dense copies, nv x nv and rows x nv
   RowMatrix negated_q, negated_v;     ///< dalpha/dq and dalpha/dv
   Eigen::VectorXd velocity, error, zeros;
-  Evaluated evaluated = Evaluated::Nothing;
-  bool differentiated = false;           ///< it was
-  RowMatrix regressor;                   ///< of the last inertia_derivatives()
-  std::vector<WrenchEntry> entries;      ///< of the last derivatives of a wrench
-  std::vector<std::string> joint_names;  ///< per entry of v
+  Evaluation evaluated = Evaluation::Nothing;
+  bool differentiated = false;           ///< Whether the derivatives of `evaluated` are valid
+  RowMatrix regressor;                   ///< Scratch of inertia_derivatives()
+  std::vector<WrenchEntry> entries;      ///< Scratch of wrench_derivatives()
+  std::vector<std::string> joint_names;  ///< Joint of each entry of v
 };
 
 ContactDynamics::ContactDynamics(const Model& model, const std::vector<ContactSpec>& contacts,
@@ -172,7 +173,7 @@ int ContactDynamics::rows() const { return impl_->dynamics.rows(); }
 void ContactDynamics::set_active(int contact, bool active) {
   impl_->check("set_active", contact);
   impl_->active[contact] = active ? 1 : 0;
-  impl_->forget();
+  impl_->invalidate();
   impl_->dynamics.set_active(contact, active);
 }
 
@@ -181,8 +182,8 @@ bool ContactDynamics::is_active(int contact) const { return impl_->active.at(con
 Status ContactDynamics::set_reference_rotation(int contact, const Eigen::Matrix3d& rotation) {
   impl_->check("set_reference_rotation", contact);
   if (!is_rotation(rotation)) return Status::NotNormalized;
-  impl_->references[static_cast<std::size_t>(contact)].rotation = rotation;
-  impl_->forget();
+  impl_->references[to_size(contact)].rotation = rotation;
+  impl_->invalidate();
   impl_->dynamics.set_reference_rotation(contact, from_eigen(rotation));
   return Status::Ok;
 }
@@ -192,19 +193,19 @@ Status ContactDynamics::set_surface(int contact, const Quadric& surface) {
   if (!impl_->set.contacts()[contact].reference.is_curved)
     throw Error("set_surface: the reference of contact " +
                 in_quotes(impl_->set.contacts()[contact].spec.name) +
-                " follows no surface; wanted one of Reference::on");
+                " has no curved surface; wanted a reference from Reference::on");
   if (!surface.is_finite()) return Status::NotFinite;
-  impl_->references[static_cast<std::size_t>(contact)].quadric = surface;
-  impl_->forget();
+  impl_->references[to_size(contact)].quadric = surface;
+  impl_->invalidate();
   impl_->dynamics.set_surface(contact, {from_eigen(surface.Q), from_eigen(surface.b)});
   return Status::Ok;
 }
 
 Status ContactDynamics::set_friction(int contact, double coefficient) {
   impl_->check("set_friction", contact);
-  check_rubs("set_friction", impl_->set.contacts()[contact]);
+  check_has_friction("set_friction", impl_->set.contacts()[contact]);
   if (!std::isfinite(coefficient) || coefficient < 0.0) return Status::NotFinite;
-  impl_->forget();
+  impl_->invalidate();
   impl_->dynamics.set_friction(contact, coefficient);
   return Status::Ok;
 }
@@ -212,7 +213,7 @@ Status ContactDynamics::set_friction(int contact, double coefficient) {
 Status ContactDynamics::set_payload(std::string_view frame, const InertiaSpec& payload) {
   const LoadedBody loaded = loaded_body("set_payload", impl_->model, frame, payload);
   if (loaded.status != Status::Ok) return loaded.status;
-  impl_->forget();
+  impl_->invalidate();
   impl_->dynamics.set_body_inertia(loaded.body, body_inertia(loaded.inertia));
   return Status::Ok;
 }
@@ -243,33 +244,34 @@ std::string ContactDynamics::explanation() const {
 
 Status ContactDynamics::forward(const ConstVectorRef& q, const ConstVectorRef& v,
                                 const ConstVectorRef& tau) {
-  return impl_->evaluate(q, v, Evaluated::Forward, tau.size() == impl_->nv,
+  return impl_->evaluate(q, v, Evaluation::Forward, tau.size() == impl_->nv,
                          [&](auto& dynamics) { dynamics.forward(tau.data()); });
 }
 
 Status ContactDynamics::forward_derivatives() {
-  return impl_->differentiate(Evaluated::Forward, [](auto& d, auto& of) { d.forward(of); });
+  return impl_->differentiate(Evaluation::Forward, [](auto& d, auto& of) { d.forward(of); });
 }
 
 Status ContactDynamics::inverse(const ConstVectorRef& q, const ConstVectorRef& v,
                                 const ConstVectorRef& a, const ConstVectorRef& lambda) {
-  return impl_->evaluate(q, v, Evaluated::Inverse, a.size() == impl_->nv && lambda.size() == rows(),
+  return impl_->evaluate(q, v, Evaluation::Inverse,
+                         a.size() == impl_->nv && lambda.size() == rows(),
                          [&](auto& dynamics) { dynamics.inverse(a.data(), lambda.data()); });
 }
 
 Status ContactDynamics::inverse_derivatives() {
-  return impl_->differentiate(Evaluated::Inverse, [](auto& d, auto& of) { d.inverse(of); });
+  return impl_->differentiate(Evaluation::Inverse, [](auto& d, auto& of) { d.inverse(of); });
 }
 
 Status ContactDynamics::acceleration(const ConstVectorRef& q, const ConstVectorRef& v,
                                      const ConstVectorRef& a) {
-  return impl_->evaluate(q, v, Evaluated::Acceleration, a.size() == impl_->nv,
+  return impl_->evaluate(q, v, Evaluation::Acceleration, a.size() == impl_->nv,
                          [&](auto& dynamics) { dynamics.acceleration(a.data()); });
 }
 
 Status ContactDynamics::acceleration_derivatives() {
   const int m = rows();
-  return impl_->differentiate(Evaluated::Acceleration, [&](auto& d, auto& of) {
+  return impl_->differentiate(Evaluation::Acceleration, [&](auto& d, auto& of) {
     d.acceleration(of);
     impl_->negated_q.topRows(m) = -impl_->rows_of_lambda(d.rhs_q);
     impl_->negated_v.topRows(m) = -impl_->rows_of_lambda(d.rhs_v);
@@ -278,7 +280,7 @@ Status ContactDynamics::acceleration_derivatives() {
 
 Status ContactDynamics::regressor(std::span<const int> bodies, RowMatrix& out) {
   impl_->check_bodies("regressor", bodies);
-  if (impl_->evaluated != Evaluated::Forward && impl_->evaluated != Evaluated::Inverse)
+  if (impl_->evaluated != Evaluation::Forward && impl_->evaluated != Evaluation::Inverse)
     return Status::NotEvaluated;
   impl_->fill_regressor(bodies, out);
   return impl_->dynamics.status();
@@ -286,7 +288,8 @@ Status ContactDynamics::regressor(std::span<const int> bodies, RowMatrix& out) {
 
 Status ContactDynamics::inertia_derivatives(std::span<const int> bodies, InertiaDerivatives& out) {
   impl_->check_bodies("inertia_derivatives", bodies);
-  if (impl_->evaluated != Evaluated::Forward || !impl_->differentiated) return Status::NotEvaluated;
+  if (impl_->evaluated != Evaluation::Forward || !impl_->differentiated)
+    return Status::NotEvaluated;
   impl_->fill_regressor(bodies, impl_->regressor);
   out.a.noalias() = -da_dtau() * impl_->regressor;
   out.lambda.noalias() = -dlambda_dtau() * impl_->regressor;
@@ -347,7 +350,7 @@ Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
 }
 
 ContactForce ContactDynamics::force(int contact) const {
-  return force(contact, impl_->references.at(static_cast<std::size_t>(contact)));
+  return force(contact, impl_->references.at(to_size(contact)));
 }
 
 ContactForce ContactDynamics::force(int contact, const Reference& reference) const {
@@ -356,12 +359,12 @@ ContactForce ContactDynamics::force(int contact, const Reference& reference) con
   const Kinematics<double>& kinematics = impl_->dynamics.kinematics();
   const auto base = contact_detail::pose_of<double>(compiled.base_body, compiled.base_R,
                                                     compiled.base_p, kinematics);
-  const CompiledReference asked = compile_reference(impl_->model, reference, compiled);
-  const Mat3<double> fixed_in = reference_axes(asked, asked.fixed_in, kinematics);
+  const CompiledReference requested = compile_reference(impl_->model, reference, compiled);
+  const Mat3<double> fixed_in = reference_axes(requested, requested.fixed_in, kinematics);
   Reference now = reference;
-  if (now.quadric) {  // a force is written in the axes that follow the surface as they are
+  if (now.quadric) {  // replaces the surface by its axes at the tool
     now.quadric.reset();
-    now.rotation = to_eigen(transpose_times(fixed_in, reference_pose(asked, kinematics).R));
+    now.rotation = to_eigen(transpose_times(fixed_in, reference_pose(requested, kinematics).R));
   }
   return {compiled.spec.name,
           compiled.spec.tool,
@@ -373,7 +376,7 @@ ContactForce ContactDynamics::force(int contact, const Reference& reference) con
           to_eigen(state.p),
           to_eigen(base.p),
           to_eigen(fixed_in),
-          to_eigen(reference_origin(asked, kinematics))};
+          to_eigen(reference_origin(requested, kinematics))};
 }
 
 ContactForce ContactDynamics::force(const std::string& contact) const {
@@ -382,10 +385,10 @@ ContactForce ContactDynamics::force(const std::string& contact) const {
 
 void ContactDynamics::wrench_derivatives(int contact, const Reference& reference,
                                          WrenchDerivatives& out) const {
-  if (impl_->evaluated != Evaluated::Forward || !impl_->differentiated)
+  if (impl_->evaluated != Evaluation::Forward || !impl_->differentiated)
     throw Error(
-        "wrench_derivatives: they are those of forward_derivatives() at the last forward(), which "
-        "was not called since the last evaluation or change of contacts");
+        "wrench_derivatives: forward_derivatives() was not called since the last evaluation or "
+        "change of contacts; wanted forward(), then forward_derivatives()");
   const int nv = impl_->nv;
   for (RowMatrix* matrix : {&out.dq, &out.dv, &out.dtau}) {
     if (matrix->rows() != 6 || matrix->cols() != nv) matrix->resize(6, nv);
@@ -397,10 +400,10 @@ void ContactDynamics::wrench_derivatives(int contact, const Reference& reference
   ContactState<double> state = impl_->dynamics.contact_states[contact];
   const Kinematics<double>& kinematics = impl_->dynamics.kinematics();
   set_contact_force(compiled, impl_->dynamics.lambda.data() + first, state);
-  const CompiledReference asked = compile_reference(impl_->model, reference, compiled);
-  const auto pose = reference_pose(asked, kinematics);
-  wrench_entries(impl_->dynamics.tree(), compiled, asked, impl_->entries);
-  // World wrench of a change of lambda: the columns of the stacked derivatives.
+  const CompiledReference requested = compile_reference(impl_->model, reference, compiled);
+  const auto pose = reference_pose(requested, kinematics);
+  wrench_entries(impl_->dynamics.tree(), compiled, requested, impl_->entries);
+  // Returns the world wrench of a change of lambda, given by column k of the stacked derivatives.
   const auto change = [&](const std::vector<double>& stacked, int k) {
     double column[6];
     for (std::size_t r = 0; r < compiled.directions.size(); ++r)

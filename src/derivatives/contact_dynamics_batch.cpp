@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/thread_pool.hpp"
+#include "base/to_size.hpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
 #include "math/pack.hpp"
@@ -16,8 +17,8 @@ int pack_width() { return native_lanes; }
 
 namespace {
 
-/// Entry i of every lane, from column `first + lane` of a matrix; lanes past the end repeat the
-/// last column.
+/// Loads column `first + lane` of a matrix into each lane. Lanes past the end repeat the last
+/// column.
 void gather(const Eigen::Ref<const Eigen::MatrixXd>& from, int first, std::vector<NativePack>& to) {
   const int last = static_cast<int>(from.cols()) - 1;
   for (int l = 0; l < native_lanes; ++l) {
@@ -27,7 +28,7 @@ void gather(const Eigen::Ref<const Eigen::MatrixXd>& from, int first, std::vecto
   }
 }
 
-/// What scatter does, for a number of lanes that the compiler may know.
+/// Implements scatter(). Inlining lets the compiler treat `lanes` as a constant.
 BURNISH_INLINE void scatter_lanes(const NativePack* from, int count, double* out, int stride,
                                   int lanes) {
   int i = 0;
@@ -37,7 +38,7 @@ BURNISH_INLINE void scatter_lanes(const NativePack* from, int count, double* out
     for (int l = 0; l < lanes; ++l) out[l * stride + i] = from[i].v[l];
 }
 
-/// One contiguous block per state: lane l of `count` packs goes to out + l * stride.
+/// Stores lane l of `count` packs at out + l * stride.
 void scatter(const NativePack* from, int count, double* out, int stride, int lanes) {
   if (lanes == native_lanes) {
     scatter_lanes(from, count, out, stride, native_lanes);
@@ -49,36 +50,36 @@ void scatter(const NativePack* from, int count, double* out, int stride, int lan
 }  // namespace
 
 struct ContactDynamicsBatch::Impl {
-  /// What one thread works with.
+  /// Workspace of one thread.
   struct Worker {
     Worker(const Model& model, const ContactSet& set, const ContactSolver& solver)
         : dynamics(model, set, solver),
           derivatives(dynamics),
-          q(static_cast<std::size_t>(model.nq)),
-          v(static_cast<std::size_t>(model.nv)),
-          tau(static_cast<std::size_t>(model.nv)) {}
+          q(to_size(model.nq)),
+          v(to_size(model.nv)),
+          tau(to_size(model.nv)) {}
 
     ConstrainedDynamics<NativePack> dynamics;
     ConstrainedDerivatives<NativePack> derivatives;
     std::vector<NativePack> q, v, tau;
   };
 
-  Impl(const Model& model, const std::vector<ContactSpec>& specs, int room,
+  Impl(const Model& model, const std::vector<ContactSpec>& specs, int max_states,
        const ContactSolver& solver, int threads, bool pin_threads)
       : robot(model),
         set(model, specs),
         nq(model.nq),
         nv(model.nv),
-        capacity(room),
+        capacity(max_states),
         pool(threads, pin_threads ? Pinning::Cores : Pinning::None) {
-    if (room < 1)
-      throw Error("ContactDynamicsBatch: a capacity of " + std::to_string(room) +
+    if (max_states < 1)
+      throw Error("ContactDynamicsBatch: capacity is " + std::to_string(max_states) +
                   " states; wanted at least 1");
-    workers.reserve(static_cast<std::size_t>(threads));
+    workers.reserve(to_size(threads));
     for (int w = 0; w < threads; ++w) workers.emplace_back(model, set, solver);
-    const auto states = static_cast<std::size_t>(room);
-    forget();
-    blamed.assign(states * (nv + set.rows()), 0);
+    const auto states = to_size(max_states);
+    invalidate();
+    causes.assign(states * (nv + set.rows()), 0);
     for (const int joint : model.joint_of_v) joint_names.push_back(model.joints[joint].name);
     a.assign(states * nv, 0.0);
     lambda.assign(states * set.rows(), 0.0);
@@ -93,13 +94,12 @@ struct ContactDynamicsBatch::Impl {
     const bool fits = n > 0 && n <= capacity && q_in.rows() == nq && v_in.rows() == nv &&
                       tau_in.rows() == nv && v_in.cols() == n && tau_in.cols() == n;
     if (!fits) return Status::WrongSize;
-    // Enough states that taking a piece costs nothing beside working on it.
+    // Pieces large enough to make the overhead of the thread pool negligible.
     constexpr int states_per_piece = 8 * native_lanes;
     pool.for_each((n + states_per_piece - 1) / states_per_piece, [&](int worker, int piece) {
       const int end = std::min(n, (piece + 1) * states_per_piece);
       for (int first = piece * states_per_piece; first < end; first += native_lanes)
-        run_pack(workers[static_cast<std::size_t>(worker)], q_in, v_in, tau_in, first,
-                 with_derivatives);
+        run_pack(workers[to_size(worker)], q_in, v_in, tau_in, first, with_derivatives);
     });
     std::fill(status.begin() + n, status.end(), Status::NotEvaluated);
     Status worst_of_all = Status::Ok;
@@ -121,16 +121,16 @@ struct ContactDynamicsBatch::Impl {
       status[first + l] = with.dynamics.status(l);
       if (status[first + l] == Status::Ok) [[likely]]
         continue;
-      blame(with.dynamics, l, blamed.data() + (first + l) * (nv + set.rows()));
-      const std::vector<NativePack>& left = with.dynamics.contradiction().unmet;
-      for (std::size_t r = 0; r < left.size(); ++r)
-        unmet[static_cast<std::size_t>((first + l) * set.rows()) + r] = left[r].v[l];
+      record_causes(with.dynamics, l, causes.data() + (first + l) * (nv + set.rows()));
+      const std::vector<NativePack>& residual = with.dynamics.contradiction().unmet;
+      for (std::size_t r = 0; r < residual.size(); ++r)
+        unmet[to_size((first + l) * set.rows()) + r] = residual[r].v[l];
     }
   }
 
-  /// Notes the entries of v that move no mass and, behind them, the rows that cannot be held, and
-  /// as 2 those of contacts whose tools jam.
-  void blame(const ConstrainedDynamics<NativePack>& dynamics, int lane, char* out) const {
+  /// Records the causes of a failure in `out`, for each entry of v and then for each row: 1 for an
+  /// entry that moves no mass or a dependent row, 2 for the normal row of a tool that jams, else 0.
+  void record_causes(const ConstrainedDynamics<NativePack>& dynamics, int lane, char* out) const {
     for (int k = 0; k < nv; ++k) out[k] = dynamics.moves_no_mass(k, lane) ? 1 : 0;
     for (int r = 0; r < dynamics.rows(); ++r) out[nv + r] = dynamics.is_dependent(r, lane) ? 1 : 0;
     for (const int c : dynamics.friction().contacts)
@@ -149,10 +149,10 @@ struct ContactDynamicsBatch::Impl {
     scatter(from.derivatives.d_dtau.data(), count, d_dtau.data() + block(first), stride, lanes);
   }
 
-  /// Results so far are not those of the robot and its contacts any more.
-  void forget() { status.assign(static_cast<std::size_t>(capacity), Status::NotEvaluated); }
+  /// Invalidates all results.
+  void invalidate() { status.assign(to_size(capacity), Status::NotEvaluated); }
   int rows() const { return workers.front().dynamics.rows(); }
-  /// Where the derivatives of a state begin; wide, since those of many states are far apart.
+  /// Returns the offset of a state's derivatives. It can exceed the range of int.
   std::ptrdiff_t block(std::ptrdiff_t state) const { return state * (nv + set.rows()) * nv; }
   MatrixView rows_of_a(const std::vector<double>& stacked, int state) const {
     return {stacked.data() + block(state), nv, nv};
@@ -165,13 +165,13 @@ struct ContactDynamicsBatch::Impl {
   ContactSet set;
   int nq, nv, capacity;
   ThreadPool pool;
-  std::vector<Worker> workers;  ///< one per thread
+  std::vector<Worker> workers;  ///< One per thread
   std::vector<Status> status;
-  std::vector<char> blamed;                ///< per state: nv and rows; of those that failed
-  std::vector<std::string> joint_names;    ///< per entry of v
-  std::vector<double> a, lambda;           ///< per state: nv and rows
-  std::vector<double> unmet;               ///< per state: rows; of those that are not Ok
-  std::vector<double> d_dq, d_dv, d_dtau;  ///< per state: (nv + rows) x nv, row-major
+  std::vector<char> causes;                ///< nv + rows entries per state; valid if not Ok
+  std::vector<std::string> joint_names;    ///< Joint of each entry of v
+  std::vector<double> a, lambda;           ///< nv and rows entries per state
+  std::vector<double> unmet;               ///< rows entries per state; valid if not Ok
+  std::vector<double> d_dq, d_dv, d_dtau;  ///< (nv + rows) x nv per state, row-major
 };
 
 ContactDynamicsBatch::ContactDynamicsBatch(const Model& model,
@@ -185,17 +185,17 @@ ContactDynamicsBatch& ContactDynamicsBatch::operator=(ContactDynamicsBatch&&) no
 
 void ContactDynamicsBatch::set_active(int contact, bool active) {
   if (contact < 0 || contact >= impl_->set.size())
-    throw Error("set_active: there is no contact " + std::to_string(contact) + "; the set has " +
-                std::to_string(impl_->set.size()));
+    throw Error("set_active: contact " + std::to_string(contact) + " does not exist; the set has " +
+                std::to_string(impl_->set.size()) + " contacts");
   for (Impl::Worker& worker : impl_->workers) worker.dynamics.set_active(contact, active);
-  impl_->forget();
+  impl_->invalidate();
 }
 Status ContactDynamicsBatch::set_payload(std::string_view frame, const InertiaSpec& payload) {
   const LoadedBody loaded = loaded_body("set_payload", impl_->robot, frame, payload);
   if (loaded.status != Status::Ok) return loaded.status;
   for (Impl::Worker& worker : impl_->workers)
     worker.dynamics.set_body_inertia(loaded.body, body_inertia(loaded.inertia));
-  impl_->forget();
+  impl_->invalidate();
   return Status::Ok;
 }
 int ContactDynamicsBatch::rows() const { return impl_->rows(); }
@@ -215,25 +215,25 @@ Status ContactDynamicsBatch::forward_with_derivatives(const ConstMatrixRef& q,
 Status ContactDynamicsBatch::status(int state) const { return impl_->status.at(state); }
 std::string ContactDynamicsBatch::explanation(int state) const {
   const Status status = impl_->status.at(state);
-  const char* const blamed =
-      impl_->blamed.data() + static_cast<std::ptrdiff_t>(state) * (impl_->nv + impl_->set.rows());
+  const char* const causes =
+      impl_->causes.data() + static_cast<std::ptrdiff_t>(state) * (impl_->nv + impl_->set.rows());
   std::vector<std::string> joints, rows, jammed, names;
   if (status == Status::Ok || status == Status::NotEvaluated)
     return explain(status, joints, rows, jammed);
   for (int k = 0; k < impl_->nv; ++k)
-    if (blamed[k] != 0) joints.push_back(impl_->joint_names[k]);
+    if (causes[k] != 0) joints.push_back(impl_->joint_names[k]);
   int row = 0;
   for (const int c : impl_->workers.front().dynamics.active().contacts)
     for (const int d : impl_->set.contacts()[c].directions) {
       const ContactSpec& spec = impl_->set.contacts()[c].spec;
-      const char blame = blamed[impl_->nv + row++];
+      const char cause = causes[impl_->nv + row++];
       names.push_back(spec.name + "/" + std::string(direction_names[d]));
-      if (blame == 1) rows.push_back(names.back());
-      if (blame == 2) jammed.push_back(spec.name);
+      if (cause == 1) rows.push_back(names.back());
+      if (cause == 2) jammed.push_back(spec.name);
     }
-  const double* const left =
+  const double* const residual =
       impl_->unmet.data() + static_cast<std::ptrdiff_t>(state) * impl_->set.rows();
-  return explain(status, joints, rows, jammed, unmet_rows(names, {left, names.size()}));
+  return explain(status, joints, rows, jammed, unmet_rows(names, {residual, names.size()}));
 }
 VectorView ContactDynamicsBatch::a(int state) const {
   return {impl_->a.data() + static_cast<std::ptrdiff_t>(state) * impl_->nv, impl_->nv};

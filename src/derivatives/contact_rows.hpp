@@ -1,4 +1,4 @@
-// The rows of contacts at one configuration, as their independence is judged by.
+// Contact rows at one configuration, for tests of their independence.
 #pragma once
 
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -6,23 +6,25 @@
 
 namespace burnish {
 
+/// Contact rows in the metric of M^-1.
 struct ContactRows {
   RowMatrix Y;  ///< J L^-1 with M = L L^T, so that Y Y^T = J M^-1 J^T; rows x nv
-  /// Per row: squared, which part of what the joints could do along it they do at this posture.
-  Eigen::VectorXd part;
+  /// Squared length of each row, relative to its attainable squared length (row_size.hpp)
+  Eigen::VectorXd relative_size;
 };
 
-/// Of all contacts of `dynamics`, which must be active, at q (nq). Throws Error where M is
-/// singular, naming the joint.
+/// Returns the rows of all contacts of `dynamics` at q (nq). All contacts must be active. If M is
+/// singular, throws Error with the name of the joint.
 ContactRows contact_rows(const Model& model, ContactDynamics& dynamics,
                          const Eigen::Ref<const Eigen::VectorXd>& q);
 
-/// diagnose() of rows known already.
+/// Runs diagnose() on given rows.
 ContactDiagnosis diagnose_rows(const ContactSet& set, const ContactRows& rows,
                                const std::vector<int>& active, double tolerance);
 
-/// Condition of J M^-1 J^T with its rows scaled to the part that `part` says, so that it is large
-/// also where the joints hardly move along a row; infinite when redundant, 1 without rows.
+/// Returns the condition number of J M^-1 J^T with rows scaled to length min(1,
+/// sqrt(relative_size)). It is large also if the joints hardly move along a row. Infinite for
+/// redundant rows, 1 without rows.
 double condition_by_reach(const ContactSet& set, const ContactRows& rows);
 
 }  // namespace burnish

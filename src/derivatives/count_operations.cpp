@@ -1,5 +1,6 @@
 #include "derivatives/count_operations.hpp"
 
+#include "base/to_size.hpp"
 #include "derivatives/constrained_derivatives.tpp"
 
 namespace burnish {
@@ -7,8 +8,7 @@ namespace {
 
 thread_local Operations done;
 
-/// A double that counts additions (with subtractions) and multiplications. Signs, comparisons and
-/// choices are free.
+/// Number that counts its arithmetic operations. Signs, comparisons and selections do not count.
 class Counting {
  public:
   Counting() = default;
@@ -46,7 +46,7 @@ OperationCounts count_operations(const Model& model, const std::vector<ContactSp
   const auto at_q = counting(q), at_v = counting(v), at_tau = counting(tau);
   ConstrainedDynamics<Counting> dynamics(model, ContactSet(model, contacts), {});
   ConstrainedDerivatives<Counting> derivatives(dynamics);
-  const std::vector<Counting> lambda(static_cast<std::size_t>(dynamics.rows()), Counting(1.0));
+  const std::vector<Counting> lambda(to_size(dynamics.rows()), Counting(1.0));
   OperationCounts counts;
 
   done = {};

@@ -1,4 +1,4 @@
-// Floating-point operations per state of the kernels. Part of programs that measure, of no library.
+// Floating-point operations of the kernels per state, for benchmark programs.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,22 @@
 
 namespace burnish {
 
-/// Signs, comparisons and choices are free.
+/// Numbers of operations. Signs, comparisons and selections do not count.
 struct Operations {
-  long add = 0;  ///< and subtract
+  long add = 0;  ///< Additions and subtractions
   long multiply = 0, divide = 0, root = 0;
-  long trigonometric = 0;  ///< sine, cosine, arc tangent
+  long trigonometric = 0;  ///< Sines, cosines and arc tangents
 };
 
+/// Operations of three evaluations.
 struct OperationCounts {
   Operations inverse_derivatives;  ///< tau, dtau/dq, dtau/dv at given a and lambda
   Operations dynamics;             ///< a and lambda at given tau
-  Operations derivatives;          ///< the same, and their six derivative blocks
+  Operations derivatives;          ///< a, lambda and their six derivative blocks at given tau
 };
 
-/// Runs the kernels once, on a scalar that counts, from q (nq) and v, tau (nv) on. Throws Error as
-/// ContactSet does.
+/// Counts the operations of one run of the kernels at q (nq), v and tau (nv each). Throws Error for
+/// contacts that ContactSet rejects.
 OperationCounts count_operations(const Model& model, const std::vector<ContactSpec>& contacts,
                                  const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                  const Eigen::VectorXd& tau);

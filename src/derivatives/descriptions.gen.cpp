@@ -42,8 +42,8 @@ const Description& description_of(const CheckRow* /*of*/) {
   using S = CheckRow;
   static const Description all =
       Describe<S>("derivatives", "CheckRow",
-                  "Result of the check for one set of contacts, over all random states. If the "
-                  "contacts have different texts, the texts are joined by \" + \".")
+                  "Result of the check for one set of contacts, over all random states. A text "
+                  "that differs between the contacts lists all values, joined by \" + \".")
           .field("reference", &S::reference)
           .field("directions", &S::directions)
           .field("bodies", &S::bodies,
@@ -60,7 +60,7 @@ const Description& description_of(const CheckRow* /*of*/) {
           .more("The compliance is positive if the contacts cannot be rigid in the majority of "
                 "postures. In that case the robot has too few joints, or rows are redundant.")
           .field("worst_error", &S::worst_error,
-                 "Largest error, as a fraction of the largest entry of its block")
+                 "Largest error, as a fraction of the largest entry of the derivative block")
           .more("Infinite if a value is NaN. The divisor is at least 1e6 times the rounding error"
                 " of the finite differences.")
           .field("worst", &S::worst)
@@ -78,9 +78,9 @@ const Description& description_of(const CheckReport* /*of*/) {
           .field("rows", &S::rows)
           .field("tolerance", &S::tolerance)
           .field("singular_mass", &S::singular_mass,
-                 "Sentence that names the joints that move no mass (empty: there are none)")
-          .more("Such joints make the mass matrix singular. The check then covers inverse "
-                "dynamics and contact accelerations only.")
+                 "Sentence that names the joints that move no mass; empty: all joints move mass")
+          .more("A joint that moves no mass makes the mass matrix singular. The check then covers"
+                " inverse dynamics and contact accelerations only.")
           .field("pass_", &S::pass,
                  "True if all rows pass and the mass matrix is not singular");
   return all;
@@ -90,8 +90,8 @@ const Description& description_of(const WrenchDerivatives* /*of*/) {
   using S = WrenchDerivatives;
   static const Description all =
       Describe<S>("derivatives", "WrenchDerivatives",
-                  "Derivatives of a wrench that is written in a reference. Each matrix is 6 x nv,"
-                  " with the force rows first.")
+                  "Derivatives of a contact wrench, written in a chosen Reference. Each matrix is"
+                  " 6 x nv, with the force rows first.")
           .result()
           .field("dq", &S::dq,
                  "Derivative with respect to a right tangent increment of q")
@@ -128,7 +128,8 @@ const Description& description_of(const ContactDiagnosis* /*of*/) {
   using S = ContactDiagnosis;
   static const Description all =
       Describe<S>("derivatives", "ContactDiagnosis",
-                  "Result of diagnose(). The contacts are independent if no row is redundant.")
+                  "Contact rows that diagnose() found to depend on other rows. Without such rows,"
+                  " the contacts are independent.")
           .result()
           .field("redundant", &S::redundant)
           .field("condition", &S::condition,
@@ -165,13 +166,14 @@ const Description& description_of(const PlacementDerivatives* /*of*/) {
           .field("position", &S::position,
                  "Derivative of the position in world axes: 3 x nv, m/rad (m/m)")
           .field("rotation", &S::rotation,
-                 "Derivative of the rotation R in the frame's own axes: 3 x nv")
+                 "Derivative of the rotation R, in the frame's own axes: 3 x nv")
           .more("Column k is the vector w with R^T dR/dq_k = [w x].")
           .field("rotation_error", &S::rotation_error,
-                 "Derivative of log(R_target^T R): 3 x nv")
+                 "Derivative of log(R_target^T R) for the rotation R: 3 x nv")
           .field("placement_error", &S::placement_error,
-                 "Derivative of the SE(3) logarithm of the frame's placement in the target: 6 x "
-                 "nv");
+                 "Derivative of the pose error relative to a target: 6 x nv")
+          .more("The pose error is the SE(3) logarithm of the frame's placement, written in the "
+                "target.");
   return all;
 }
 

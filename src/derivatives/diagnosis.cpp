@@ -24,8 +24,8 @@ ContactRows contact_rows(const Model& model, ContactDynamics& dynamics,
     const ContactForce force = dynamics.force(c);
     const Vec3<double> p = from_eigen(force.tool_position), origin = from_eigen(force.origin());
     for (const int d : contact.directions) {
-      rows.part[r] =
-          row_size(contact, d, J.row(r).data(), 1) / could_have_been(contact, d, p, origin);
+      rows.relative_size[r] =
+          row_size(contact, d, J.row(r).data(), 1) / attainable_row_size(contact, d, p, origin);
       ++r;
     }
   }
@@ -34,30 +34,31 @@ ContactRows contact_rows(const Model& model, ContactDynamics& dynamics,
 
 namespace {
 
-/// Gram-Schmidt row by row; rows kept so far are written as combinations of the rows of Y, so that
-/// a redundant row can name the ones that imply it.
-struct Orthogonalized {
-  std::vector<Eigen::VectorXd> basis;         ///< orthonormal
-  std::vector<Eigen::VectorXd> combinations;  ///< of rows of Y, per basis vector
-  std::vector<double> uncertain;  ///< of the squared length that each was left with, relative
+/// Gram-Schmidt orthogonalization, row by row. Each basis vector is stored as a combination of rows
+/// of Y, so that a redundant row can name the rows that imply it.
+struct OrthogonalRows {
+  std::vector<Eigen::VectorXd> basis;         ///< Orthonormal vectors
+  std::vector<Eigen::VectorXd> combinations;  ///< Coefficients of the rows of Y, per vector
+  std::vector<double> uncertain;  ///< Relative rounding error of each squared length before scaling
 
-  /// Takes from a row what the basis holds of it. Returns what rounding makes of the squared length
-  /// of the rest where it is the pivot of a factorisation (delassus.hpp).
+  /// Subtracts from a row its projection onto the basis. Returns the rounding error of the squared
+  /// length of the remainder as a pivot of a factorization (delassus.hpp).
   double reduce(Eigen::VectorXd& row, Eigen::VectorXd& combination) const {
     double rounding = pivot_rounding * row.squaredNorm();
-    // Twice is enough for orthogonality to rounding.
+    // Two passes make the row orthogonal up to rounding.
     for (int pass = 0; pass < 2; ++pass)
       for (std::size_t b = 0; b < basis.size(); ++b) {
-        const double part = basis[b].dot(row);
-        if (pass == 0) rounding += part * part * uncertain[b];
-        row -= part * basis[b];
-        combination -= part * combinations[b];
+        const double projection = basis[b].dot(row);
+        if (pass == 0) rounding += projection * projection * uncertain[b];
+        row -= projection * basis[b];
+        combination -= projection * combinations[b];
       }
     return rounding;
   }
 };
 
-/// Of Y Y^T, whose rows are scaled already; at least that of a row of length 1.
+/// Returns the condition number of Y Y^T for scaled rows. The largest eigenvalue counts as at least
+/// 1.
 double condition_of(const Eigen::MatrixXd& Y) {
   const Eigen::VectorXd values = symmetric_eigen(Y * Y.transpose()).values;
   return std::max(1.0, values.maxCoeff()) / values.minCoeff();
@@ -77,9 +78,9 @@ ContactDiagnosis diagnose_rows(const ContactSet& set, const ContactRows& rows,
                                const std::vector<int>& active, double tolerance) {
   const RowMatrix& Y = rows.Y;
   const std::vector<std::string> names = set.row_names();
-  const double least_part = tolerance * tolerance;
+  const double min_fraction = tolerance * tolerance;
   ContactDiagnosis result{{}, 1.0};
-  Orthogonalized done;
+  OrthogonalRows done;
   std::vector<int> examined;
   int row = 0;
   for (int c = 0; c < set.size(); ++c) {
@@ -90,13 +91,13 @@ ContactDiagnosis diagnose_rows(const ContactSet& set, const ContactRows& rows,
       const int r = row++;
       if (!is_wanted) continue;
       examined.push_back(r);
-      const double square = Y.row(r).squaredNorm();
-      const double least = least_part * square * (1.0 + 1.0 / rows.part[r]);
-      const bool immovable = !(square > least + pivot_rounding * square);
+      const double squared_norm = Y.row(r).squaredNorm();
+      const double min_pivot = min_fraction * squared_norm * (1.0 + 1.0 / rows.relative_size[r]);
+      const bool immovable = !(squared_norm > min_pivot + pivot_rounding * squared_norm);
       Eigen::VectorXd rest = Y.row(r).transpose();
       Eigen::VectorXd combination = Eigen::VectorXd::Unit(Y.rows(), r);
       const double rounding = done.reduce(rest, combination);
-      if (!immovable && rest.squaredNorm() > least + rounding) {
+      if (!immovable && rest.squaredNorm() > min_pivot + rounding) {
         done.basis.emplace_back(rest / rest.norm());
         done.uncertain.push_back(rounding / rest.squaredNorm());
         done.combinations.emplace_back(combination / rest.norm());
@@ -104,7 +105,7 @@ ContactDiagnosis diagnose_rows(const ContactSet& set, const ContactRows& rows,
       }
       RedundantRow found{contact.spec.name, std::string(direction_names[d]), r, immovable, {}};
       for (int other = 0; !immovable && other < r; ++other)
-        if (std::abs(combination[other]) * Y.row(other).norm() > 1e-6 * std::sqrt(square))
+        if (std::abs(combination[other]) * Y.row(other).norm() > 1e-6 * std::sqrt(squared_norm))
           found.implied_by.push_back(names[other]);
       result.redundant.push_back(found);
     }
@@ -126,7 +127,7 @@ double condition_by_reach(const ContactSet& set, const ContactRows& rows) {
     return std::numeric_limits<double>::infinity();
   Eigen::MatrixXd scaled = rows.Y;
   for (Eigen::Index r = 0; r < scaled.rows(); ++r)
-    scaled.row(r) *= std::sqrt(std::min(1.0, rows.part[r])) / scaled.row(r).norm();
+    scaled.row(r) *= std::sqrt(std::min(1.0, rows.relative_size[r])) / scaled.row(r).norm();
   return condition_of(scaled);
 }
 

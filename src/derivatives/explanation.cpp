@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-/// An angular row is named after its axis: "pad/rx".
+/// Returns true if the direction in the row's name begins with 'r', as in "pad/rx".
 bool is_angular(const std::string& row) { return row[row.rfind('/') + 1] == 'r'; }
 
 std::string with_amount(const UnmetRow& row) {
@@ -21,14 +21,15 @@ std::string with_amount(const UnmetRow& row) {
 }  // namespace
 
 std::string contradicting(std::vector<UnmetRow> rows) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t max_names = 12;
   std::stable_sort(rows.begin(), rows.end(), [](const UnmetRow& a, const UnmetRow& b) {
     return std::abs(a.acceleration) > (1.0 + 1e-6) * std::abs(b.acceleration);
   });
   std::string text = "contact rows ";
-  for (std::size_t i = 0; i < std::min(rows.size(), most); ++i)
+  for (std::size_t i = 0; i < std::min(rows.size(), max_names); ++i)
     text += (i == 0 ? "" : i + 1 == rows.size() ? " and " : ", ") + with_amount(rows[i]);
-  return rows.size() > most ? text + " and " + std::to_string(rows.size() - most) + " more" : text;
+  if (rows.size() <= max_names) return text;
+  return text + " and " + std::to_string(rows.size() - max_names) + " more";
 }
 
 std::vector<UnmetRow> unmet_rows(const std::vector<std::string>& names,
@@ -46,10 +47,9 @@ std::string explain(Status status, const std::vector<std::string>& joints,
                     const std::vector<UnmetRow>& unmet) {
   if (status == Status::NotConverged && !unmet.empty())
     return contradicting(unmet) +
-           " contradict each other: no acceleration of the joints satisfies all of them (what "
-           "remains "
-           "is in brackets), and the forces are the least-squares solution, which more iterations "
-           "or another mu do not change; give the contacts equal targets, or hold fewer rows";
+           " contradict each other: no joint acceleration satisfies all of them (residuals in "
+           "brackets). The forces are the least-squares solution, and neither more iterations nor "
+           "another mu changes them; wanted contacts with equal targets, or fewer rows";
   if (status == Status::SingularMass && !joints.empty()) {
     std::vector<std::string> once = joints;
     once.erase(std::unique(once.begin(), once.end()), once.end());
@@ -63,14 +63,15 @@ std::string explain(Status status, const std::vector<std::string>& joints,
   if (status == Status::SingularContacts && !rows.empty()) {
     const std::string them = rows.size() == 1 ? "it" : "them";
     return listed("contact row", rows) + (rows.size() == 1 ? " is" : " are") +
-           " redundant or cannot be held: at this posture no " + "joint moves along " + them +
-           ", or the rows before hold " + them +
-           " already; call diagnose() for which, or set mu > 0";
+           " redundant or cannot be held: at this posture no joint moves along " + them +
+           ", or earlier rows already hold " + them +
+           "; diagnose() names these rows, and mu > 0 makes them solvable";
   }
   if (status == Status::SingularContacts && !jammed.empty())
     return listed("the tool of contact", jammed) + (jammed.size() == 1 ? " jams" : " jam") +
-           ": pressing harder, sliding as it does, friction would press it harder than its inertia "
-           "holds against; only less friction or another posture lets it slide";
+           ": at this posture and sliding direction, friction presses the tool against the surface "
+           "at least as strongly as the normal force pushes it away; wanted less friction or "
+           "another posture";
   return std::string(describe(status));
 }
 

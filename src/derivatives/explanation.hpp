@@ -1,4 +1,4 @@
-// A status in one sentence, with the names of what is to blame.
+// Sentences that explain a status, with the names of joints, rows and contacts that cause it.
 #pragma once
 
 #include <span>
@@ -9,24 +9,25 @@
 
 namespace burnish {
 
-/// A row whose contact acceleration other rows contradict, and what stays of it.
+/// Row that contradicts other rows.
 struct UnmetRow {
-  std::string name;     ///< "pad/z"
-  double acceleration;  ///< m/s^2 or rad/s^2
+  std::string name;     ///< Name of the row, such as "pad/z"
+  double acceleration;  ///< Residual contact acceleration [m/s^2, rad/s^2]
 };
 
-/// describe(status), which for a SingularMass names the joints that move no mass, each once, and
-/// for SingularContacts the rows ("pad/z") that depend on those before them, or the contacts whose
-/// tool jams. For NotConverged it names the rows that contradict each other.
+/// Returns describe(status), extended by names. SingularMass names the `joints` that move no mass,
+/// each once. SingularContacts names the dependent `rows` ("pad/z"), or the contacts `jammed`,
+/// whose tools jam. NotConverged names the rows that contradict each other.
 std::string explain(Status status, const std::vector<std::string>& joints,
                     const std::vector<std::string>& rows, const std::vector<std::string>& jammed,
                     const std::vector<UnmetRow>& unmet = {});
 
-/// "contact rows a/x (0.1 m/s^2) and b/x (-0.1 m/s^2)": the largest first, no more than twelve.
+/// Returns "contact rows a/x (0.1 m/s^2) and b/x (-0.1 m/s^2)", with the largest first and at most
+/// twelve rows.
 std::string contradicting(std::vector<UnmetRow> rows);
 
-/// Of unmet accelerations by row, those that rounding does not make: rows below a millionth of the
-/// largest take no part. Empty where all are zero.
+/// Returns the rows whose residual acceleration exceeds a millionth of the largest. Smaller
+/// residuals are rounding errors.
 std::vector<UnmetRow> unmet_rows(const std::vector<std::string>& names,
                                  std::span<const double> unmet);
 

@@ -25,7 +25,7 @@ void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameRefer
                                     const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                                     const FrameState<S>& state, S* dq, S* dv, int stride) {
   if (frame.body < 0) return;
-  // psi''_k holds a_lambda - g, so S_k is crossed with a - g: the two g x S_k cancel.
+  // psi''_k contains a_lambda - g. The product of S_k must use a - g, so that both g x S_k cancel.
   const Motion<S> a_minus_gravity = kinematics.bodies[frame.body].a_bias + id.a_joint[frame.body];
   const CompiledReference& compiled = reference.compiled;
   const ReferencePose<S>& at = reference.pose;

@@ -8,10 +8,11 @@
 
 namespace burnish {
 
-/// d tau / dq and d tau / dv, both row-major with leading dimension nv, at constant qdd and with
-/// the applied wrenches moving rigidly with their bodies. Only entries of related joints are
-/// written, but where axes share entries of v all are. Call after accelerate; sums `force` over
-/// subtrees as it goes. `coriolis_of` is scratch, one entry per body.
+/// Computes dtau/dq and dtau/dv at constant joint accelerations (both nv x nv, row-major). Applied
+/// wrenches move rigidly with their bodies.
+///
+/// Writes only the entries of related joints, or all entries if axes share entries of v. Requires
+/// accelerate(). Sums id.force over subtrees. `coriolis_of` is scratch, one entry per body.
 template <class S>
 void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinematics,
                                   const MassMatrix<S>& mass, InverseDynamics<S>& id,

@@ -1,4 +1,4 @@
-// The kernels for one state at a time.
+// Kernels for one state at a time.
 #include "derivatives/constrained_derivatives.tpp"
 
 namespace burnish {

@@ -1,4 +1,4 @@
-// The kernels for one state per lane.
+// Kernels for packs: one state per lane.
 #include "derivatives/constrained_derivatives.tpp"
 #include "math/pack.hpp"
 

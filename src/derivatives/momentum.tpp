@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/to_size.hpp"
 #include "derivatives/momentum.hpp"
 #include "dynamics/columns.hpp"
 #include "dynamics/momentum.tpp"
@@ -10,7 +11,7 @@
 namespace burnish {
 template <class S>
 MomentumDerivatives<S>::MomentumDerivatives(const Tree& tree) {
-  const auto nv = static_cast<std::size_t>(tree.nv);
+  const auto nv = to_size(tree.nv);
   for (auto* rows : {&com_dq, &com_velocity_dq}) rows->assign(3 * nv, S(0.0));
   for (auto* rows : {&total_dq, &total_dv, &centroidal_dq, &centroidal_dv})
     rows->assign(6 * nv, S(0.0));
@@ -19,7 +20,8 @@ MomentumDerivatives<S>::MomentumDerivatives(const Tree& tree) {
 
 namespace momentum_detail {
 
-/// Writes what axis k gives into the column of its entry of v, or adds it where others have.
+/// Writes the contribution of axis k to the column of its entry of v. Adds it if axes share
+/// entries.
 template <class S>
 BURNISH_INLINE void put(const Tree& tree, const auto& column, int k, std::vector<S>& rows) {
   S* const out = rows.data() + tree.v_of_axis[k];

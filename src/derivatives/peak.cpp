@@ -8,13 +8,13 @@
 namespace burnish {
 namespace {
 
-/// Keeps the compiler from knowing the value, and so from doing the work beforehand.
+/// Hides the value from the optimizer, which could otherwise remove the measured work.
 template <class T>
 void hide(T& value) {
   asm volatile("" : "+m"(value));
 }
 
-// As many independent sums as hide the latency and fit into registers.
+// Number of independent sums: hides the latency of multiply-adds and fits into registers.
 constexpr int sums = 12;
 
 void multiply_add(int repeats, NativePack& factor, NativePack& term, NativePack& result) {

@@ -1,10 +1,10 @@
-// What the processor could do at best, to measure kernels by.
+// Peak arithmetic throughput of the processor, for benchmarks of kernels.
 #pragma once
 
 namespace burnish {
 
-/// Multiply-adds per second that one core reaches with as many states per register as packs hold
-/// (pack_width()) and everything in registers: the best of short runs over about `seconds` s.
+/// Measures the multiply-adds per second of one core on packs (pack_width() numbers each) that stay
+/// in registers. Returns the best of short runs during about `seconds` [s].
 double multiply_add_peak(double seconds = 0.05);
 
 }  // namespace burnish

@@ -24,13 +24,14 @@ Vector6 stacked(const Force<double>& f) {
   return result;
 }
 
-/// Zeros; allocates on first use only.
+/// Sets a matrix of the given size to zero. Allocates only if the size changes.
 void clear(RowMatrix& matrix, int rows, int columns) {
   if (matrix.rows() != rows || matrix.cols() != columns) matrix.resize(rows, columns);
   matrix.setZero();
 }
 
-/// Unit quaternions and (cos, sin) pairs to 1e-6 of their length, as in the contact kernels.
+/// Returns true if quaternions and (cos, sin) pairs have unit length to within 1e-6, as in the
+/// contact kernels.
 bool is_normalized(const Tree& tree, const ConstVectorRef& q) {
   for (const TreeJoint& joint : tree.joints) {
     const int size = unit_entries(joint.kind);
@@ -41,7 +42,7 @@ bool is_normalized(const Tree& tree, const ConstVectorRef& q) {
   return true;
 }
 
-/// All frames of the model, and the world behind them.
+/// Compiles all frames of the model, followed by the world.
 std::vector<CompiledFrame> compile_frames(const Model& model) {
   std::vector<CompiledFrame> result;
   for (const Frame& frame : model.frames) result.push_back(compile_frame(model, frame));
@@ -138,9 +139,9 @@ struct RigidBody::Impl {
   Tree tree;
   PassiveJoints passive;
   std::vector<CompiledFrame> frames;
-  std::vector<FrameState<double>> states;  ///< per frame
-  std::vector<double> slopes;              ///< of the springs' places
-  RowMatrix passive_dq, passive_dv;        ///< zero but at places and the diagonal
+  std::vector<FrameState<double>> states;  ///< One state per frame
+  std::vector<double> slopes;              ///< Derivatives of spring torques by q, per place
+  RowMatrix passive_dq, passive_dv;        ///< Nonzero at spring places and on the diagonal only
   Eigen::VectorXd q, v, a, at_rest;
   Eigen::VectorXd gravity, friction, friction_dv;
   Kinematics<double> kinematics;

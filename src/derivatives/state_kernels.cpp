@@ -1,4 +1,4 @@
-// The derivatives of frames and momentum for one state at a time and for one state per lane.
+// Kernels of frame and momentum derivatives, for one state at a time and for packs.
 #include "derivatives/frame_kinematics.tpp"
 #include "derivatives/momentum.tpp"
 #include "math/pack.hpp"

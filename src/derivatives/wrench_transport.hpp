@@ -1,4 +1,4 @@
-// The wrench of a contact in any reference, and its derivative.
+// Derivatives of the wrench of a contact in any reference.
 #pragma once
 
 #include <vector>
@@ -7,23 +7,26 @@
 
 namespace burnish {
 
-/// An entry of v that moves the contact's own reference or the one that its wrench is asked in.
+/// Entry of v that moves the reference of the contact or the requested reference of its wrench.
 struct WrenchEntry {
   int v;
-  ReferenceAxes own, asked;
-  /// Of the contact, where its own reference follows a surface or it rubs; else the same, which is
-  /// nothing.
+  ReferenceAxes own,
+      requested;  ///< Axes that move the contact's reference, the requested reference
+  /// Axes that move tool and base. Both are -1 unless the contact's reference follows a surface or
+  /// the contact has friction.
   int tool_axis = -1, base_axis = -1;
 };
 
-/// Fills `out`, ascending in v. Allocates nothing where `out` has room for nv entries.
+/// Fills `out` with all entries, ascending in v. Does not allocate if the capacity of `out` is at
+/// least nv.
 void wrench_entries(const Tree& tree, const CompiledContact& contact,
-                    const CompiledReference& asked, std::vector<WrenchEntry>& out);
+                    const CompiledReference& requested, std::vector<WrenchEntry>& out);
 
-/// Derivative of state.force_world in the reference at `pose`, when lambda changes by `dlambda`
-/// (world wrench of the change) and an entry of q moves both references: what is held moves with
-/// the contact's own, V_k x* W, friction as it does, and both are seen from the one that is asked
-/// for.
+/// Returns the derivative of state.force_world by an entry of q, in the requested reference at
+/// `pose`. `dlambda` is the world wrench of the derivative of lambda.
+///
+/// The wrench of lambda moves with the contact's reference: V_k x* W. Friction has its own
+/// derivative. Both are relative to the requested reference.
 template <class S>
 Force<S> wrench_rate(const CompiledContact& contact, const ReferencePose<S>& pose,
                      const WrenchEntry& entry, const ContactState<S>& state,
@@ -34,21 +37,23 @@ Force<S> wrench_rate(const CompiledContact& contact, const ReferencePose<S>& pos
     const Motion<S> relative = axis(entry.tool_axis) - axis(entry.base_axis);
     own += turning_at(state.p, curved_turn(state, relative));
   }
-  const Motion<S> asked = reference_twist(entry.asked, pose, kinematics);
-  if (!contact.rubs) return in_reference(pose, dlambda + cross(own - asked, state.force_world));
+  const Motion<S> requested = reference_twist(entry.requested, pose, kinematics);
+  if (!contact.has_friction)
+    return in_reference(pose, dlambda + cross(own - requested, state.force_world));
   const Force<S> friction =
       friction_by_q(contact, state, entry.tool_axis, entry.base_axis, own.angular, kinematics);
   const Force<S> moved =
-      cross(own, held_force(contact, state)) - cross(asked, state.force_world) + friction;
+      cross(own, held_force(contact, state)) - cross(requested, state.force_world) + friction;
   return in_reference(pose, dlambda + moved);
 }
 
-/// The same when an entry of v changes, beside `dlambda`: that of a contact that rubs.
+/// Returns the derivative of state.force_world by an entry of v, in the requested reference at
+/// `pose`. It consists of `dlambda` and the derivative of friction.
 template <class S>
 Force<S> wrench_rate_by_v(const CompiledContact& contact, const ReferencePose<S>& pose,
                           const ContactSupport& entry, const ContactState<S>& state,
                           const Kinematics<S>& kinematics, const Force<S>& dlambda) {
-  if (!contact.rubs || entry.carries_both()) return in_reference(pose, dlambda);
+  if (!contact.has_friction || entry.carries_both()) return in_reference(pose, dlambda);
   const Motion<S> relative = contact_detail::relative_axis(entry, kinematics);
   const Force<S> friction = sliding_by_v(state.sliding, relative) * state.sliding.normal_force;
   return in_reference(pose, dlambda + friction);

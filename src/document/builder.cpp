@@ -22,7 +22,7 @@ std::string Builder::sentence(Place place, const std::string& what) const {
   for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
     const bool is_map = open_[i].kind == Kind::Map;
     const std::size_t count = open_[i].values.size();
-    if (is_map && count % 2 == 0) break;  // what is open below is a key, and no path leads into one
+    if (is_map && count % 2 == 0) break;  // the next open node is a key, which does not have a path
     path = path_into(path, open_[i], is_map ? count - 1 : count);
   }
   return name_ + ": " + place_text(place, path) + what;
@@ -44,12 +44,12 @@ void Builder::check_key(const Node& node) {
 
 void Builder::count(const Node& node, std::size_t depth) {
   if (++values_ > max_values_)
-    refuse(node.place, "it has more than " + std::to_string(max_values_) +
-                           " values; at most that many are read");
+    refuse(node.place, "the document has more than " + std::to_string(max_values_) +
+                           " values, the maximum number");
   if (node.is_scalar()) return;
   if (depth >= max_nesting)
     refuse(node.place,
-           "values are nested more than " + std::to_string(max_nesting) + " deep; wanted less");
+           "values are nested more than " + std::to_string(max_nesting) + " deep, the maximum");
   for (const Node& value : node.values) count(value, depth + 1);
 }
 
@@ -67,8 +67,8 @@ void Builder::add(Node&& node) {
 }
 
 namespace {
+/// Number of values in a tree. Each 32 bytes of a long text count as one more value.
 std::size_t weight(const Node& node) {
-  // Of a long text every 32 bytes are one value.
   std::size_t sum = 1 + node.text.size() / 32;
   for (const Node& value : node.values) sum += weight(value);
   return sum;
@@ -76,11 +76,11 @@ std::size_t weight(const Node& node) {
 }  // namespace
 
 void Builder::count_copy(const Node& node, Place place) {
-  constexpr std::size_t most = 200'000;
+  constexpr std::size_t max_copied = 200'000;
   copied_ += weight(node);
-  if (copied_ > most)
-    refuse(place, "anchors and aliases stand for more than " + std::to_string(most) +
-                      " values; at most that many are read");
+  if (copied_ > max_copied)
+    refuse(place, "anchors and aliases expand to more than " + std::to_string(max_copied) +
+                      " values, the maximum number");
 }
 
 void Builder::add_copy(const Node& node, Place place) {

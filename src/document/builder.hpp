@@ -1,4 +1,4 @@
-// A tree from the events of a parser, with what every text has to keep to.
+// Builds a tree of nodes from the events of a YAML or JSON parser, and checks the limits of both.
 #pragma once
 
 #include <string>
@@ -8,26 +8,27 @@
 
 namespace burnish::document {
 
-/// Throws Error for what is nested too deep or has too many values, for keys that are no names,
-/// and for those that a map has twice.
+/// Builder of a tree. Throws Error if values are nested too deep, if there are too many values, if
+/// a key is not a name, or if a map has a key twice.
 class Builder {
  public:
-  /// `name` is what refusals call the text; it has to live as long.
+  /// Messages call the text `name`, which must outlive the Builder.
   Builder(const std::string& name, std::size_t max_values) : name_(name), max_values_(max_values) {}
 
-  /// What comes next is a key of a map.
+  /// Returns true if the next scalar is a key of a map.
   bool expects_key() const {
     return !open_.empty() && open_.back().kind == Kind::Map && open_.back().values.size() % 2 == 0;
   }
-  /// A scalar.
+  /// Adds a scalar.
   void add(Node&& node);
-  /// Counts what is about to be copied, of which there is less than of what is read: a text of a
-  /// few lines can ask for a lot of it.
+  /// Counts the values of an anchored node before it is copied. Copies have a lower limit than
+  /// other values, since a few lines of aliases can expand to millions of values.
   void count_copy(const Node& node, Place place);
-  /// A copy of a tree, which stands here.
+  /// Adds a copy of `node` for an alias at `place`.
   void add_copy(const Node& node, Place place);
+  /// Begins a list or a map.
   void begin(Kind kind, Place place);
-  /// Ends the innermost list or map, which `seen` sees before it goes into what holds it.
+  /// Ends the innermost list or map and passes it to `seen` before adding it to its parent.
   template <class See>
   void end(See&& seen) {
     check_keys(open_.back());
@@ -39,8 +40,8 @@ class Builder {
   void end() {
     end([](const Node&) {});
   }
-  /// The tree; null where nothing came. Here keys that are no names are refused: of a text that is
-  /// cut off they are no news.
+  /// Returns the tree, or a Null node without any events. Throws Error for the first key that is
+  /// not a name. This check comes last, so that syntax errors are reported before it.
   Node take();
 
   /// Throws Error("<name>: line N: <keys that lead to here>: <what>").
@@ -57,12 +58,12 @@ class Builder {
   std::size_t max_values_, values_ = 0, copied_ = 0;
   std::vector<Node> open_;
   Node root_;
-  std::string bad_key_;  ///< what is wrong with the first one, or empty
+  std::string bad_key_;  ///< Message about the first invalid key, or empty
 };
 
-/// "line 3: a.b[2]: ", as much of it as there is.
+/// Returns "line 3: a.b[2]: ", without the line or the path if it is not available.
 std::string place_text(Place place, const std::string& path);
-/// The path of what a list or a map holds at `index` of its values.
+/// Returns the path of the value at `index` of Node::values of `holder`.
 std::string path_into(const std::string& path, const Node& holder, std::size_t index);
 
 }  // namespace burnish::document

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "base/yaml_word.hpp"
 #include "document/text.hpp"
 
@@ -20,7 +21,7 @@ void check(double value, const Range& range, const Reader& reader) {
     reader.refuse("it is " + burnish::number(value) + "; wanted " + range.text());
 }
 
-/// Of a count that has some in files.
+/// Returns the words in files for the values 0, 1, ... of a count.
 std::vector<std::string> words_of(const Field& field) {
   std::istringstream text(field.words);
   return {std::istream_iterator<std::string>(text), {}};
@@ -28,7 +29,7 @@ std::vector<std::string> words_of(const Field& field) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// As YAML writes it or as C++ does.
+/// Reads an infinity as YAML or C++ writes it. Returns nothing for any other value.
 std::optional<double> infinite(const Reader& reader) {
   for (const char* word : {".inf", "+.inf", "inf", "+inf"})
     if (reader.is(word)) return infinity;
@@ -41,8 +42,8 @@ void read_array(const Field& field, const ValueType& type, void* at, const Reade
   const bool any_size = type.rows < 0;
   const Eigen::VectorXd values = any_size ? reader.numbers() : reader.numbers(type.rows);
   for (const double value : values) check(value, field.range, reader);
-  constexpr double shortest = 1e-9;
-  if (field.range.direction && !(values.norm() > shortest))
+  constexpr double min_length = 1e-9;  // chosen by hand
+  if (field.range.direction && !(values.norm() > min_length))
     reader.refuse("the " + field.key + " has no direction; wanted " + field.range.text());
   if (any_size) type.resize_array(at, values.size(), 1);
   Eigen::Map<Eigen::VectorXd>(type.numbers(at), values.size()) = values;
@@ -61,14 +62,14 @@ void read_count(const Field& field, const ValueType& type, void* at, const Reade
     const std::string word = reader.word(words);
     return type.set(at, std::find(words.begin(), words.end(), word) - words.begin());
   }
-  constexpr double most = 1e9;
-  const double least = type.is_unsigned ? 0.0 : -most;
-  const int value = reader.count(static_cast<int>(std::max(field.range.least, least)));
+  constexpr double max_count = 1e9;
+  const double min_count = type.is_unsigned ? 0.0 : -max_count;
+  const int value = reader.count(static_cast<int>(std::max(field.range.least, min_count)));
   check(value, field.range, reader);
   type.set(at, value);
 }
 
-/// Reads values, whatever specification holds them.
+/// Reads values of any described specification.
 struct DescribedReader {
   const Reading& reading;
 
@@ -77,7 +78,8 @@ struct DescribedReader {
     return type.element != nullptr ? can_read(type.element()) : type.kind != Type::Other;
   }
 
-  /// Entries of a list state all keys but those that have a word for what they are without.
+  /// Reads a struct. With `all`, as for entries of a list, every key must be stated unless it has a
+  /// word for its absence.
   void structure(const Description& description, void* spec, const Reader& reader, bool all,
                  const std::vector<std::string>& also = {}) const {
     std::vector<const Field*> fields;
@@ -102,7 +104,7 @@ struct DescribedReader {
 
   void list(const Field& field, const ValueType& type, void* at, const Reader& reader) const {
     type.resize(at, 0);
-    if (type.element().kind == Type::Text) {  // one alone, or a list
+    if (type.element().kind == Type::Text) {  // one text, or a list of texts
       const std::vector<std::string> texts = reader.texts();
       type.resize(at, texts.size());
       for (std::size_t i = 0; i < texts.size(); ++i)
@@ -148,7 +150,7 @@ struct DescribedReader {
         return;
       case Type::List:
         if (!is_word) return list(field, type, at, reader);
-        type.resize(at, 1);  // of texts: the word alone
+        type.resize(at, 1);  // list of texts: the word is the only entry
         *static_cast<std::string*>(type.entry(at, 0)) = field.word;
         return;
       case Type::Map:
@@ -209,12 +211,12 @@ std::string value_text(const Field& field, const ValueType& type, void* at) {
       return std::isinf(value) && !field.word.empty() ? field.word : number_text(value);
     }
     case Type::Count:
-      if (!field.words.empty()) return words_of(field)[static_cast<std::size_t>(type.get(at))];
+      if (!field.words.empty()) return words_of(field)[to_size(type.get(at))];
       return std::to_string(type.get(at));
     case Type::Flag:
       return *static_cast<const bool*>(at) ? "true" : "false";
     case Type::Word:
-      return type.words().words[static_cast<std::size_t>(type.get(at))].word;
+      return type.words().words[to_size(type.get(at))].word;
     case Type::Text:
       return yaml_word(*static_cast<const std::string*>(at));
     case Type::Array:
@@ -246,7 +248,7 @@ void read_described(const Description& description, void* spec, const Reader& re
 }
 
 std::optional<std::string> entry_text(const Field& field, const void* spec) {
-  // What gives access to a value's parts takes it as one that may be written; nothing is.
+  // ValueType takes void*, but the functions below only read the value.
   void* at = const_cast<void*>(field.in(spec));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
   if (field.type->kind == Type::Text && static_cast<const std::string*>(at)->empty()) {
     if (field.word.empty()) return std::nullopt;

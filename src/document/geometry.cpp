@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 
 namespace burnish::document {
 namespace {
@@ -15,7 +16,7 @@ Eigen::Quaterniond from_rpy(const Eigen::Vector3d& rpy) {
 
 Eigen::Quaterniond quaternion_of(const Reader& reader) {
   const Eigen::Vector4d xyzw = reader.numbers(4);
-  // Files are rounded.
+  // Tolerance for rounded numbers in files, chosen by hand.
   if (std::abs(xyzw.norm() - 1.0) > 1e-3)
     reader.refuse("the quaternion has length " + number(xyzw.norm()) + "; wanted 1");
   return Eigen::Quaterniond(Eigen::Vector4d(xyzw.normalized()));
@@ -25,13 +26,13 @@ Eigen::Matrix3d matrix_of(const Reader& reader) {
   const std::vector<Reader> rows = reader.entries();
   if (rows.size() != 3) reader.refuse("it has " + std::to_string(rows.size()) + " rows; wanted 3");
   Eigen::Matrix3d R;
-  for (int i = 0; i < 3; ++i) R.row(i) = rows[static_cast<std::size_t>(i)].vector3();
+  for (int i = 0; i < 3; ++i) R.row(i) = rows[to_size(i)].vector3();
   if ((R.transpose() * R - Eigen::Matrix3d::Identity()).norm() > 1e-6 || R.determinant() < 0.0)
-    reader.refuse("it is not a rotation matrix");
+    reader.refuse("it is not a rotation matrix; wanted orthonormal rows and determinant 1");
   return R;
 }
 
-/// The rotation of a map with rpy, quaternion or matrix, or the identity.
+/// Returns the rotation of the key rpy, quaternion or matrix of a map, or the identity.
 Eigen::Quaterniond rotation_in(const Reader& reader) {
   if (int(reader.has("rpy")) + int(reader.has("quaternion")) + int(reader.has("matrix")) > 1)
     reader.refuse("more than one of the keys rpy, quaternion and matrix is stated; state one");

@@ -11,8 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Goes through the text and lets others see how far it is.
-class Watched {
+/// Iterator over the text that reports the position of the parser.
+class ProgressIterator {
  public:
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -20,21 +20,22 @@ class Watched {
   using pointer = const char*;
   using reference = const char&;
 
-  Watched(const char* at, const char** seen) : at_(at), seen_(seen) {}
+  ProgressIterator(const char* at, const char** seen) : at_(at), seen_(seen) {}
   const char& operator*() const { return *at_; }
-  Watched& operator++() {
+  ProgressIterator& operator++() {
     *seen_ = ++at_;
     return *this;
   }
-  bool operator==(const Watched& other) const { return at_ == other.at_; }
-  bool operator!=(const Watched& other) const { return at_ != other.at_; }
+  bool operator==(const ProgressIterator& other) const { return at_ == other.at_; }
+  bool operator!=(const ProgressIterator& other) const { return at_ != other.at_; }
 
  private:
   const char* at_;
   const char** seen_;
 };
 
-/// The parser tells no places: each token is found behind the one before it.
+/// Receiver of the parser's events. The parser does not report places, so each token is located
+/// after the previous one.
 class JsonEvents {
  public:
   JsonEvents(const std::string& text, const std::string& name)
@@ -68,19 +69,19 @@ class JsonEvents {
   bool end_array() { return end(); }
   bool parse_error(std::size_t /*at*/, const std::string& token, const json::exception& error) {
     if (dynamic_cast<const json::out_of_range*>(&error) != nullptr)
-      tree_.refuse(next(), in_quotes(token) + " is larger than any number can be");
-    // "parse error at line 1, column 2: ..." without the library's own number in front.
+      tree_.refuse(next(), in_quotes(token) + " is too large; wanted a magnitude below 1.8e308");
+    // "parse error at line 1, column 2: ..." without the error code of the library in front.
     const std::string sentence = error.what();
     const std::size_t bracket = sentence.find("] ");
     refuse(name_, bracket == std::string::npos ? sentence : sentence.substr(bracket + 2));
   }
 
-  Watched begin() { return {seen_, &seen_}; }
-  Watched end_of_text() { return {end_, &seen_}; }
+  ProgressIterator begin() { return {seen_, &seen_}; }
+  ProgressIterator end_of_text() { return {end_, &seen_}; }
   Node take() { return tree_.take(); }
 
  private:
-  /// Where the next token begins.
+  /// Advances to the next token and returns its place.
   Place next() {
     for (; at_ != end_; ++at_) {
       if (*at_ == '\n') {
@@ -122,15 +123,17 @@ class JsonEvents {
 
   const std::string& name_;
   Builder tree_;
-  const char *at_, *line_begin_, *end_;  ///< behind the last token
-  const char* seen_;                     ///< of the parser
+  const char* at_;          ///< End of the last token
+  const char* line_begin_;  ///< Begin of the current line
+  const char* end_;         ///< End of the text
+  const char* seen_;        ///< Position of the parser
   std::uint32_t line_ = 1;
 };
 
 }  // namespace
 
 Node parse_json(const std::string& text, const std::string& name) {
-  constexpr int megabytes = 32;  // of the shortest lists 1 GB in memory
+  constexpr int megabytes = 32;  // text of this size that holds only short lists takes 1 GB
   check_size(text, name, megabytes);
   JsonEvents events(text, name);
   json::sax_parse(events.begin(), events.end_of_text(), &events);

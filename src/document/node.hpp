@@ -1,4 +1,4 @@
-// One tree for what YAML and JSON say: values, and where each of them stands.
+// Tree of the values of a YAML or JSON document, with the place of each value in the text.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,25 @@ namespace burnish::document {
 
 enum class Kind : std::uint8_t { Null, Bool, Number, Text, List, Map };
 
-/// Where a value begins in its text, counted from 1; 0: it was made, not read.
+/// Line and column at which a value begins, counted from 1; 0: the value does not come from a text.
 struct Place {
   std::uint32_t line = 0, column = 0;
 };
 
+/// One value: a scalar, a list or a map.
 struct Node {
   Kind kind = Kind::Null;
   Place place = {};
-  std::string text = {};          ///< of a scalar: as it was written, a Text without its quotes
-  std::vector<Node> values = {};  ///< of a list; of a map key, value, key, value, in order
+  std::string text = {};  ///< Scalar: text as in the file, without quotes
+  /// List: the entries. Map: key, value, key, value, ..., in the order of the file.
+  std::vector<Node> values = {};
 
   bool is_scalar() const { return kind < Kind::List; }
-  /// Of a list its values, of a map its pairs.
+  /// Number of entries of a list, or of pairs of a map.
   std::size_t size() const { return kind == Kind::Map ? values.size() / 2 : values.size(); }
 };
 
-/// Trees that are nested deeper are refused: those who read them follow by functions that call
-/// themselves.
+/// Maximum nesting depth of a tree. It bounds the recursion of the functions that read trees.
 inline constexpr std::size_t max_nesting = 64;
 
 }  // namespace burnish::document

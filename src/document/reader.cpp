@@ -12,7 +12,7 @@
 namespace burnish::document {
 namespace {
 
-/// What a sentence calls a value.
+/// Returns the words for a value in messages.
 std::string kind_text(const Node& node) {
   switch (node.kind) {
     case Kind::Null:
@@ -31,7 +31,7 @@ std::string kind_text(const Node& node) {
   return "keys with values";
 }
 
-/// Appends the path that leads to `wanted`; false where it is not below `at`.
+/// Appends the path from `at` to `wanted`. Returns false if `wanted` is not below `at`.
 bool find_path(const Node& at, const Node* wanted, std::string& path) {
   if (&at == wanted) return true;
   for (std::size_t i = 0; i < at.values.size(); ++i) {
@@ -43,7 +43,7 @@ bool find_path(const Node& at, const Node* wanted, std::string& path) {
   return false;
 }
 
-/// The only line of a word is no news.
+/// Clears the places, since line numbers do not help in the single line of an override.
 void forget_places(Node& node) {
   node.place = {};
   for (Node& value : node.values) forget_places(value);
@@ -127,7 +127,7 @@ std::optional<Reader> Reader::find(const std::string& key) const {
 }
 
 Reader Reader::operator[](const std::string& key) const {
-  if (!is_map()) refuse_kind("keys with values, " + in_quotes(key) + " among them");
+  if (!is_map()) refuse_kind("keys with values, including " + in_quotes(key));
   if (const Node* const value = value_of(key)) return {document_, value};
   refuse("key " + in_quotes(key) + " is missing");
 }
@@ -165,9 +165,10 @@ Reader Reader::changed_by(const Reader& changes) const {
 
 double Reader::number() const {
   if (node_->kind == Kind::Text && !node_->text.empty())
-    refuse(in_quotes(node_->text) + (kind_of_plain(node_->text) == Kind::Number
-                                         ? " in quotes is a text; wanted a number, without them"
-                                         : " is no number"));
+    refuse(in_quotes(node_->text) +
+           (kind_of_plain(node_->text) == Kind::Number
+                ? " has quotes, so it is a text; wanted a number without quotes"
+                : " is not a number"));
   const std::optional<double> value = is_number() ? parse_number(node_->text) : std::nullopt;
   if (!value) refuse_kind("a number");
   if (!std::isfinite(*value)) refuse(burnish::number(*value) + " is not finite");
@@ -194,14 +195,14 @@ double Reader::not_negative() const {
   return value;
 }
 
-int Reader::count(int least, int most) const {
+int Reader::count(int low, int high) const {
   const double value = number();
   if (value != std::floor(value))
     refuse("it is " + burnish::number(value) + "; wanted a whole number");
-  if (value < least)
-    refuse("it is " + burnish::number(value) + "; wanted at least " + std::to_string(least));
-  if (value > most)
-    refuse("it is " + burnish::number(value) + "; wanted at most " + std::to_string(most));
+  if (value < low)
+    refuse("it is " + burnish::number(value) + "; wanted at least " + std::to_string(low));
+  if (value > high)
+    refuse("it is " + burnish::number(value) + "; wanted at most " + std::to_string(high));
   return static_cast<int>(value);
 }
 
@@ -211,7 +212,7 @@ bool Reader::yes_or_no() const {
 }
 
 std::string Reader::text() const {
-  if (!node_->is_scalar() || node_->text.empty()) refuse("wanted a text");
+  if (!node_->is_scalar() || node_->text.empty()) refuse_kind("a text");
   return node_->text;
 }
 

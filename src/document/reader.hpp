@@ -1,4 +1,4 @@
-// A value of a YAML or JSON text that knows where it stands, read strictly.
+// Strict reader of values in YAML or JSON text. Error messages name file, line and key.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,23 +15,25 @@
 
 namespace burnish::document {
 
-/// Every refusal is an Error "FILE: line N: path.of.keys: sentence". Cheap to copy; the tree lives
-/// as long as one of its readers.
+/// Access to one value of a YAML or JSON tree. All functions throw Error
+/// "FILE: line N: path.of.keys: sentence" if the value does not fit. Readers are cheap to copy and
+/// share ownership of the tree.
 class Reader {
  public:
-  /// A whole file of YAML. Throws Error where it cannot be opened or is no YAML.
+  /// Reads a YAML file. Throws Error if the file cannot be opened or is not valid YAML.
   static Reader load(const std::filesystem::path& file);
-  /// A text, called `name` in refusals. Throws Error where it is no YAML.
+  /// Parses YAML text, called `name` in messages. Throws Error if the text is not valid YAML.
   static Reader parse(const std::string& text, const std::string& name);
-  /// The same of JSON.
+  /// Parses JSON text, called `name` in messages. Throws Error if the text is not valid JSON.
   static Reader parse_json(const std::string& text, const std::string& name);
-  /// {a: {b: value}} of the path "a.b", called `name` in refusals. The value is YAML where it
-  /// begins with a bracket, a brace or a quote, and otherwise a scalar, whatever stands in it.
+  /// Returns the tree {a: {b: value}} for the path "a.b", called `name` in messages. A value that
+  /// begins with a bracket, a brace or a quote is parsed as YAML; any other value is one scalar.
   static Reader parse_override(const std::string& path, const std::string& value,
                                const std::string& name);
-  /// A tree that was made.
+  /// Reads a given tree, called `name` in messages. `path` is the path of keys to its root.
   Reader(Node root, std::string name, std::string path = "");
 
+  /// Throws Error about this value: "<file>: line N: <path>: <what>".
   [[noreturn]] void refuse(const std::string& what) const;
   std::string path() const;
   const std::string& file() const { return document_->name; }
@@ -42,40 +44,43 @@ class Reader {
   bool is_list() const { return node_->kind == Kind::List; }
   bool is_text() const { return node_->kind == Kind::Text || node_->kind == Kind::Bool; }
   bool is_number() const { return node_->kind == Kind::Number; }
-  /// A word, such as `here`.
+  /// Returns true if the value is the scalar `word`.
   bool is(const std::string& word) const { return node_->is_scalar() && node_->text == word; }
-  /// Of a list its entries, of a map its keys, or 0.
+  /// Number of entries of a list or of keys of a map; 0 for a scalar.
   std::size_t size() const { return node_->size(); }
 
-  /// Refuses anything but a map with keys among these.
+  /// Throws Error unless the value is a map whose keys are all in `keys`.
   void allow_only(const std::vector<std::string>& keys) const;
   bool has(const std::string& key) const { return value_of(key) != nullptr; }
-  /// The value of a key; refuses where it is missing.
+  /// Returns the value of a key. Throws Error if the key is missing.
   Reader operator[](const std::string& key) const;
+  /// Returns the value of a key, or nothing if the key is missing.
   std::optional<Reader> find(const std::string& key) const;
-  /// Keys and values in the order of the file.
+  /// Returns keys and values of a map, in the order of the file.
   std::vector<std::pair<std::string, Reader>> items() const;
-  /// Entries of a list.
+  /// Returns the entries of a list.
   std::vector<Reader> entries() const;
-  /// This map, with the keys of `changes` in place of its own. Stands where `changes` stands.
+  /// Returns this map with the keys of `changes` added or replaced. Messages about the result name
+  /// the place of `changes`.
   Reader changed_by(const Reader& changes) const;
 
-  double number() const;                         ///< finite
-  double number(double low, double high) const;  ///< in this range
+  double number() const;                         ///< Returns a finite number
+  double number(double low, double high) const;  ///< Returns a number from low to high
   double positive() const;
   double not_negative() const;
-  int count(int least, int most = 1'000'000'000) const;  ///< a whole number in this range
+  /// Returns a whole number from `low` to `high`.
+  int count(int low, int high = 1'000'000'000) const;
   bool yes_or_no() const;
   std::string text() const;
-  std::vector<std::string> texts() const;  ///< a text or a list of them
-  Eigen::VectorXd numbers() const;         ///< a list of any length, not empty
-  Eigen::VectorXd numbers(Eigen::Index wanted) const;
+  std::vector<std::string> texts() const;              ///< Returns the texts of a list, or one text
+  Eigen::VectorXd numbers() const;                     ///< Returns a list of any length except 0
+  Eigen::VectorXd numbers(Eigen::Index wanted) const;  ///< Returns a list of this length
   Eigen::Vector3d vector3() const { return numbers(3); }
-  /// One of these words; refuses others with the nearest one.
+  /// Returns a text that is one of `known`. Throws Error with the nearest word for other texts.
   std::string word(const std::vector<std::string>& known) const;
 
-  /// Calls `function` and puts this place in front of the sentence of any Error, unless one of this
-  /// file stands there.
+  /// Calls `function` and rethrows its Error with file, line and path of this value in front. A
+  /// message that already begins with this file does not change.
   template <class Function>
   decltype(auto) named(Function&& function) const {
     try {
@@ -87,7 +92,8 @@ class Reader {
 
  private:
   struct Document {
-    std::string name, path;  ///< path: of the root, where this is a part of something
+    std::string name;  ///< Name of the file
+    std::string path;  ///< Path of keys to the root, if the tree is a part of a larger one
     Node root;
   };
   Reader(std::shared_ptr<const Document> document, const Node* node)
@@ -100,7 +106,7 @@ class Reader {
   const Node* node_;
 };
 
-/// Known words as a sentence names them: "a, b or c".
+/// Joins words for a sentence: "a, b or c".
 std::string either(const std::vector<std::string>& words);
 
 }  // namespace burnish::document

@@ -1,4 +1,4 @@
-// Trees as text.
+// Conversion between YAML or JSON text and trees of nodes.
 #pragma once
 
 #include <string>
@@ -7,22 +7,28 @@
 
 namespace burnish::document {
 
-/// Throws Error, calling the text `name`, where it is no YAML, is too large or too deep, holds
-/// several documents, states a key twice, or is endless or as good as endless because aliases stand
-/// for what holds aliases. No text is an empty tree. Bytes that are no UTF-8 stay as they are.
+/// Parses YAML. Messages call the text `name`. An empty text gives a Null node. Bytes that are not
+/// UTF-8 are kept. Throws Error if the text
+/// - is not valid YAML, is too large or nested too deep,
+/// - has several documents or a key twice,
+/// - has aliases that are recursive or expand to too many values.
 Node parse_yaml(const std::string& text, const std::string& name);
 
-/// Throws Error likewise. Numbers that are too large for a double are refused.
+/// Parses JSON. Messages call the text `name`. Throws Error if the text is not valid JSON, is too
+/// large or nested too deep, has a key twice, or has a number too large for a double.
 Node parse_json(const std::string& text, const std::string& name);
 
-/// A tree in one line. Bytes that are no UTF-8 stay, which JSON does not know.
+/// Writes a tree as JSON on one line. Bytes that are not UTF-8 are kept; the result is then not
+/// valid JSON.
 std::string json_text(const Node& node);
-/// The same with quotes only where a text could be read as something else.
+/// Writes a tree as YAML on one line, with quotes only for texts that YAML could read as another
+/// kind.
 std::string yaml_text(const Node& node);
-/// The shortest that reads back as it was: plain from 1e-4 to 1e9.
+/// Writes the shortest text that reads back as the same value. Magnitudes from 1e-4 to 1e9 have no
+/// exponent.
 std::string number_text(double value);
 
-/// What YAML takes a scalar without quotes for. "inf" and "nan" are numbers.
+/// Returns the kind of a YAML scalar without quotes. "inf" and "nan" are numbers.
 Kind kind_of_plain(const std::string& text);
 
 }  // namespace burnish::document

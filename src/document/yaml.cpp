@@ -23,7 +23,7 @@ class YamlEvents final : public YAML::EventHandler {
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (documents_++ > 0)
-      tree_.refuse(place_of(mark), "a second document begins here; wanted one in a file");
+      tree_.refuse(place_of(mark), "a second document begins here; wanted one document in a file");
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -33,7 +33,8 @@ class YamlEvents final : public YAML::EventHandler {
                 const std::string& value) override {
     const bool quoted = tag == "!" || tag == "tag:yaml.org,2002:str";
     if (!quoted && value == "<<" && tree_.expects_key())
-      tree_.refuse(place_of(mark), "maps are not merged by '<<' here; wanted the keys themselves");
+      tree_.refuse(place_of(mark),
+                   "the merge key '<<' is not supported; wanted the keys themselves");
     scalar({.kind = quoted ? Kind::Text : kind_of_plain(value),
             .place = place_of(mark),
             .text = value},
@@ -51,7 +52,8 @@ class YamlEvents final : public YAML::EventHandler {
   void OnMapEnd() override { end(); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchored_.find(anchor);
-    if (found == anchored_.end()) tree_.refuse(place_of(mark), "an alias stands for what holds it");
+    if (found == anchored_.end())
+      tree_.refuse(place_of(mark), "an alias refers to a value that contains it");
     tree_.add_copy(found->second, place_of(mark));
   }
 
@@ -79,7 +81,7 @@ class YamlEvents final : public YAML::EventHandler {
 
   Builder tree_;
   int documents_ = 0;
-  std::vector<YAML::anchor_t> anchors_;  ///< of the lists and maps that are open
+  std::vector<YAML::anchor_t> anchors_;  ///< Anchors of the open lists and maps
   std::map<YAML::anchor_t, Node> anchored_;
 };
 
@@ -93,7 +95,7 @@ Kind kind_of_plain(const std::string& text) {
 }
 
 Node parse_yaml(const std::string& text, const std::string& name) {
-  constexpr int megabytes = 4;  // of lists without end 1 GB in memory
+  constexpr int megabytes = 4;  // text of this size that only opens lists takes 1 GB of memory
   check_size(text, name, megabytes);
   std::istringstream stream(text);
   YamlEvents events(name);
@@ -102,7 +104,8 @@ Node parse_yaml(const std::string& text, const std::string& name) {
     while (parser.HandleNextDocument(events)) {
     }
   } catch (const YAML::Exception& error) {
-    refuse(name, "line " + std::to_string(error.mark.line + 1) + ": this is no YAML: " + error.msg);
+    const std::string line = "line " + std::to_string(error.mark.line + 1);
+    refuse(name, line + ": this is not valid YAML: " + error.msg);
   }
   return events.take();
 }

@@ -1,5 +1,5 @@
-// Results per axis, added up to results per entry of v: S^T x and S^T X S, the axes being scaled
-// already. Only for trees whose axes share entries.
+// Sums results per axis to results per entry of v: S^T x and S^T X S, with axes that are scaled
+// already. Used only for trees in which several axes have the same entry of v (see tree.hpp).
 #pragma once
 
 #include <algorithm>
@@ -8,20 +8,21 @@
 
 namespace burnish {
 
-/// by_v (nv) from by_axis (axes).
+/// Computes by_v (nv) from by_axis (axes).
 template <class S>
 void add_up(const Tree& tree, const S* by_axis, S* by_v) {
   std::fill_n(by_v, tree.nv, S(0.0));
   for (int k = 0; k < tree.axes; ++k) by_v[tree.v_of_axis[k]] += by_axis[k];
 }
 
-/// Calls visit(i, j) for every axis i and every axis j on its way to the root, itself included.
+/// Calls visit(i, j) for every axis i and every axis j on the path from i to the root, including i.
 inline void for_related_axes(const Tree& tree, const auto& visit) {
   for (int i = 0; i < tree.axes; ++i)
     for (int j = i; j >= 0; j = tree.parent_of_axis[j]) visit(i, j);
 }
 
-/// A symmetric matrix, of which entries (i, j) for ancestors j of i count: by_v's lower triangle.
+/// Sums a symmetric matrix. Reads entries (i, j) for ancestors j of i, and fills the lower triangle
+/// of by_v.
 template <class S>
 void add_up_symmetric(const Tree& tree, const S* by_axis, S* by_v) {
   std::fill_n(by_v, tree.nv * tree.nv, S(0.0));
@@ -34,7 +35,7 @@ void add_up_symmetric(const Tree& tree, const S* by_axis, S* by_v) {
   });
 }
 
-/// Any matrix, of which entries of related axes count.
+/// Sums a general matrix. Reads entries (i, j) and (j, i) for ancestors j of i.
 template <class S>
 void add_up_square(const Tree& tree, const S* by_axis, S* by_v) {
   std::fill_n(by_v, tree.nv * tree.nv, S(0.0));

@@ -1,10 +1,11 @@
-// The mass matrix of a deep tree, solved in as many steps as it has joints.
+// Solver for the mass matrix of deep trees, with a cost that is linear in the number of joints.
 //
-// Eliminating joints from the tips to the root leaves articulated-body inertias (Featherstone,
-// Rigid Body Dynamics Algorithms, chapter 7). Entry k's, projected on its axis, is row k of the
-// factor of M = L^T L as one force: L_kj = S_j . row_force_k for all ancestors j. A row thus costs
-// 6 multiplications an entry, and a solve 24 an entry of v, however deep the tree is; working on L
-// itself costs half the depth for either. Shallow trees are better off with L.
+// Eliminating the joints from the tips to the root leaves articulated-body inertias (Featherstone,
+// Rigid Body Dynamics Algorithms, chapter 7). The articulated inertia at entry k, projected on the
+// axis, stores row k of the factor of M = L^T L as one force: L_kj = S_j . row_force_k for all
+// ancestors j. An entry of a row then costs 6 multiplications, and a solve costs 24 per entry of v,
+// for any depth. With L itself, both cost about half the depth of the tree, which is less for
+// shallow trees.
 #pragma once
 
 #include <vector>
@@ -13,30 +14,31 @@
 
 namespace burnish {
 
-/// What factorize() does for deep trees: fills row_force, the factor and its diagonal, and returns
-/// the weak lanes.
+/// Version of factorize() for deep trees. Fills row_force, factor and inverse_diagonal, and returns
+/// the lanes whose M is not positive definite.
 template <class S>
 auto factorize_articulated(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
-/// Solves with a mass matrix that factorize_articulated() prepared, from the same kinematics. Where
-/// that found a lane weak, its results are finite but meaningless. Allocates only when it is made.
+/// Solver for a mass matrix factorized by factorize_articulated() with the same kinematics. In
+/// lanes whose M is not positive definite, results are finite but meaningless. Only the constructor
+/// allocates.
 template <class S>
 class ArticulatedSolver {
  public:
   explicit ArticulatedSolver(const Tree& tree);
 
-  /// x = -M^-1 rhs; both nv x `columns`, row-major with `stride` entries from row to row.
+  /// Computes x = -M^-1 rhs. Both are nv x `columns`, row-major with leading dimension `stride`.
   void solve_negative(const Kinematics<S>& kinematics, const MassMatrix<S>& m, const S* rhs, S* x,
                       int columns, int stride);
-  /// x = M^-1, nv x nv.
+  /// Computes x = M^-1 (nv x nv).
   void invert(const Kinematics<S>& kinematics, const MassMatrix<S>& m, S* x);
 
  private:
-  /// Entries of v in one unbranched chain; forces and motions of a block of columns pass from one
-  /// to the next.
+  /// Entries of v in one unbranched chain. Forces and motions of a block of columns pass from one
+  /// segment to the next.
   struct Segment {
     int first, end;
-    int parent;  ///< segment, -1 at the root
+    int parent;  ///< Index of the parent segment; -1 at the root
   };
   template <int C>
   void pull(const Segment& segment, int end, const Kinematics<S>& kinematics,
@@ -52,8 +54,8 @@ class ArticulatedSolver {
 
   int n_, stride_ = 0;
   std::vector<Segment> segments_;
-  std::vector<Force<S>> pulled_;   ///< per segment and column: what its children pass on
-  std::vector<Motion<S>> pushed_;  ///< per segment and column: what its children start from
+  std::vector<Force<S>> pulled_;   ///< Sum of the children's forces, per segment and column
+  std::vector<Motion<S>> pushed_;  ///< Motion passed to the children, per segment and column
 };
 
 }  // namespace burnish

@@ -1,15 +1,17 @@
-// Definitions of articulated.hpp, for any scalar.
+// Definitions of the templates in articulated.hpp.
 #pragma once
 
 #include <algorithm>
 
+#include "base/to_size.hpp"
 #include "dynamics/articulated.hpp"
 #include "math/reciprocal_root.hpp"
 
 namespace burnish {
 namespace articulated_detail {
 
-// Forces (or motions) of a block of columns, six registers each, beside one axis and its force.
+// Number of columns in a block. The forces (or motions) of a block, with six registers per column,
+// and one axis with its force fit into the vector registers of the target.
 #if defined(__AVX512F__) || defined(__aarch64__)
 inline constexpr int block = 4;
 #else
@@ -18,19 +20,20 @@ inline constexpr int block = 2;
 
 }  // namespace articulated_detail
 
-/// The sums about the world's origin that axis k, which moves body `i`, adds to the diagonal of M.
+/// Size of the terms about the world's origin that axis k of body `i` contributes to the diagonal
+/// of M.
 template <class S>
 BURNISH_INLINE S added_about_origin(const Kinematics<S>& kinematics, const MassMatrix<S>& m, int i,
                                     int k) {
-  const Inertia<S>& carried = m.composite[i];
+  const Inertia<S>& composite = m.composite[i];
   const Vec3<S>& linear = kinematics.axes[k].axis.linear;
-  const S turned = carried.second.xx + carried.second.yy + carried.second.zz;
-  return turned + dot(linear, linear) * carried.mass;
+  const S trace = composite.second.xx + composite.second.yy + composite.second.zz;
+  return trace + dot(linear, linear) * composite.mass;
 }
 
-/// What the pivot of entry k of v, which moves body `i`, must exceed to be more than rounding:
-/// 1e-13 of the diagonal entry that it is left of, and ten roundings of the sums about the world's
-/// origin that the entry is made of.
+/// Minimum pivot of entry k of v, which moves body `i`. Smaller pivots can be rounding errors. The
+/// minimum is 1e-13 of the diagonal entry, plus ten rounding errors of the terms about the world's
+/// origin.
 template <class S>
 BURNISH_INLINE S least_mass_pivot(const Tree& tree, const Kinematics<S>& kinematics,
                                   const MassMatrix<S>& m, int i, int k) {
@@ -70,7 +73,7 @@ auto factorize_articulated(const Tree& tree, const Kinematics<S>& kinematics, Ma
 
 template <class S>
 ArticulatedSolver<S>::ArticulatedSolver(const Tree& tree) : n_(tree.nv) {
-  std::vector<int> segment_of_v(static_cast<std::size_t>(tree.nv));
+  std::vector<int> segment_of_v(to_size(tree.nv));
   for (const auto& [first, end] : tree.chains()) {
     const int above = tree.parent_of_v[first];
     for (int k = first; k < end; ++k) segment_of_v[k] = static_cast<int>(segments_.size());
@@ -80,12 +83,12 @@ ArticulatedSolver<S>::ArticulatedSolver(const Tree& tree) : n_(tree.nv) {
   pushed_.resize(segments_.size() * articulated_detail::block);
 }
 
-/// t = L^-T of the right-hand side in the segment's rows below `end`, into x.
+/// Solves L^T x = right-hand side in the rows of the segment before `end`.
 template <class S>
 template <int C>
 void ArticulatedSolver<S>::pull(const Segment& segment, int end, const Kinematics<S>& kinematics,
                                 const MassMatrix<S>& m, const auto& right_side, S* x) {
-  const auto at = static_cast<std::size_t>(&segment - segments_.data());
+  const auto at = to_size(&segment - segments_.data());
   Force<S> force[C];
   for (int c = 0; c < C; ++c) force[c] = pulled_[at * C + c];
   for (int k = end - 1; k >= segment.first; --k) {
@@ -102,12 +105,12 @@ void ArticulatedSolver<S>::pull(const Segment& segment, int end, const Kinematic
   for (int c = 0; c < C; ++c) pulled_[segment.parent * C + c] += force[c];
 }
 
-/// x <- L^-1 x in the segment's rows.
+/// Replaces x by L^-1 x in the rows of the segment.
 template <class S>
 template <int C>
 void ArticulatedSolver<S>::push(const Segment& segment, const Kinematics<S>& kinematics,
                                 const MassMatrix<S>& m, S* x) {
-  const auto at = static_cast<std::size_t>(&segment - segments_.data());
+  const auto at = to_size(&segment - segments_.data());
   Motion<S> motion[C];
   for (int c = 0; c < C; ++c)
     motion[c] = segment.parent < 0 ? Motion<S>::zero() : pushed_[segment.parent * C + c];
@@ -147,8 +150,8 @@ void ArticulatedSolver<S>::solve_negative(const Kinematics<S>& kinematics, const
   for (; j < columns; ++j) solve_block<1>(kinematics, m, rhs + j, x + j, stride);
 }
 
-/// Columns `column` to `column + C` of M^-1, which are of the segment: the right-hand sides are
-/// zero but on the way from there to the root, and so is t.
+/// Computes columns `column` up to `column + C` of M^-1, all of one segment. L^-T of these unit
+/// vectors is nonzero only on the path from the segment to the root.
 template <class S>
 template <int C>
 void ArticulatedSolver<S>::invert_block(const Kinematics<S>& kinematics, const MassMatrix<S>& m,

@@ -1,11 +1,11 @@
-// Writing spatial vectors into columns of row-major matrices.
+// Functions that write spatial vectors into columns of row-major matrices.
 #pragma once
 
 #include "math/spatial.hpp"
 
 namespace burnish {
 
-/// Three rows of a column: out[0], out[stride], out[2 stride].
+/// Writes three rows of a column: out[0], out[stride] and out[2 stride].
 template <class S>
 BURNISH_INLINE void store_column(const Vec3<S>& x, S* out, int stride) {
   out[0] = x.x;
@@ -13,7 +13,7 @@ BURNISH_INLINE void store_column(const Vec3<S>& x, S* out, int stride) {
   out[2 * stride] = x.z;
 }
 
-/// Six rows, linear part first.
+/// Writes six rows of a column, linear part first.
 template <class S>
 BURNISH_INLINE void store_column(const Motion<S>& m, S* out, int stride) {
   store_column(m.linear, out, stride);
@@ -25,7 +25,7 @@ BURNISH_INLINE void store_column(const Force<S>& f, S* out, int stride) {
   store_column(f.angular, out + 3 * stride, stride);
 }
 
-/// Adds to a column of as many rows.
+/// Adds a vector to a column: three rows, or six with the linear part first.
 template <class S>
 BURNISH_INLINE void add_column(const Vec3<S>& x, S* out, int stride) {
   out[0] += x.x;

@@ -1,4 +1,4 @@
-// A reference as the kernels read it: dynamics/reference.hpp makes and asks it.
+// Constants of a Reference for kernels. Functions: dynamics/reference.hpp.
 #pragma once
 
 #include "math/vec3.hpp"
@@ -8,24 +8,25 @@ namespace burnish {
 /// Constants of a reference. Bodies are joint indices, -1 for the world.
 struct CompiledReference {
   int origin_body = -1, axes_body = -1;
-  Vec3<double> origin;      ///< in its body, m
-  Mat3<double> axes;        ///< of the reference, in their body
-  Mat3<double> fixed_in;    ///< in the same: those that the rotation starts from
-  bool at_tool = false;     ///< the origin is the tool's own
-  bool at_world = false;    ///< it is the world's
-  bool is_aligned = false;  ///< the axes are the world's
-  /// The axes follow a surface (curved_axes.hpp), in those that the rotation starts from; `place`
-  /// is their origin in the axes' body, m, and `tool` the point that they look at it from, in its.
+  Vec3<double> origin;      ///< Origin in the body origin_body [m]
+  Mat3<double> axes;        ///< Axes of the reference in the body axes_body
+  Mat3<double> fixed_in;    ///< Axes before the rotation of the reference, in the body axes_body
+  bool at_tool = false;     ///< True if the origin is the origin of the tool
+  bool at_world = false;    ///< True if the origin is the world's origin
+  bool is_aligned = false;  ///< True if the axes are world axes
+  /// True if the axes follow a surface (curved_axes.hpp). The surface is given by Q, b and c in the
+  /// frame with axes `fixed_in` and origin `place`.
   bool is_curved = false;
   int tool_body = -1;
-  Vec3<double> place, tool;
+  Vec3<double> place;  ///< Origin of the frame of the surface, in the body axes_body [m]
+  Vec3<double> tool;   ///< Point whose surface normal the axes follow, in the body tool_body [m]
   Mat3<double> Q;
   Vec3<double> b;
   double c = 0.0;
 };
 
-/// The axes (tree.hpp) by which an entry of v moves a reference's origin, turns what its axes are
-/// fixed in and moves the tool, which matters where they follow a surface; -1 where it does not.
+/// Axes (tree.hpp) by which an entry of v moves the origin of a reference, the body of its axes,
+/// and the tool; -1: does not move it. The tool matters only for axes that follow a surface.
 struct ReferenceAxes {
   int origin = -1, axes = -1, tool = -1;
 };

@@ -1,48 +1,49 @@
-// Axes that follow a curved surface, at a point that moves over it. With phi the surface's function
-// (Quadric), g = grad phi and H = Q at the point, the unit normal and its rate with the point's
-// velocity v are
+// Axes that follow the normal of a curved surface at a moving point. phi is the function of the
+// surface (Quadric), with g = grad phi and H = Q at the point. For the velocity v of the point, the
+// unit normal and its rate are
 //   n = g / |g|,   n' = (H v - n (n . H v)) / |g|.
-// The axes are those at a normal n0 turned by the least rotation that takes n0 to n, which depends
-// on n alone: with c = n0 x n, T y = y + c x y + c x (c x y) / (1 + n0 . n). It turns with
-//   w = n x n' - n (n0 . (n x n')) / (1 + n0 . n),
-// since half way between n0 and n it does not spin: w . (n0 + n) = 0.
-// All of it is in the axes of the frame that the surface is fixed in, or all of it in the world's.
+// The axes are the initial axes, with normal n0, turned by the smallest rotation T from n0 to n:
+//   T y = y + c x y + c x (c x y) / (1 + n0 . n)   with c = n0 x n.
+// T depends on n only. The angular velocity of T has no component along n0 + n, so it is
+//   w = n x n' - n (n0 . (n x n')) / (1 + n0 . n).
+// All vectors are either in the axes of the frame of the surface or in world axes.
 #pragma once
 
 #include "math/spatial.hpp"
 
 namespace burnish {
 
-/// A Quadric as the kernels read it.
+/// Coefficients of a Quadric, for kernels.
 template <class S>
 struct CurvedSurface {
   Mat3<S> Q;
   Vec3<S> b;
 };
 
-/// At a point and a velocity, which changes with both.
+/// Axes at one position and velocity of the point.
 template <class S>
 struct CurvedAxes {
   Vec3<S> n, n0;
   Mat3<S> H;
   S per_gradient;      ///< 1 / |g|
-  S share;             ///< 1 / (1 + n0 . n)
+  S inverse_sum;       ///< 1 / (1 + n0 . n)
   Vec3<S> Hv, n_rate;  ///< H v and n'
   Vec3<S> swing;       ///< n x n'
-  S spin;              ///< (n0 . swing) share
-  Vec3<S> w;           ///< of the axes, rad/s
+  S spin;              ///< (n0 . swing) inverse_sum
+  Vec3<S> w;           ///< Angular velocity of the axes [rad/s]
 
-  /// dn by a step of the point; n' where that is the velocity.
+  /// Change dn of the normal for a displacement dx of the point. With dx = v, this is n'.
   BURNISH_INLINE Vec3<S> normal_change(const Vec3<S>& dx) const {
     const Vec3<S> Hx = H * dx;
     return (Hx - n * dot(n, Hx)) * per_gradient;
   }
-  /// Angle by which the axes turn with dn.
+  /// Rotation of the axes for a change dn of the normal [rad].
   BURNISH_INLINE Vec3<S> turn(const Vec3<S>& dn) const {
-    const Vec3<S> over = cross(n, dn);
-    return over - n * (dot(n0, over) * share);
+    const Vec3<S> tilt = cross(n, dn);
+    return tilt - n * (dot(n0, tilt) * inverse_sum);
   }
-  /// dw by a step dx of the point, with dn of the normal, and a change dv of its velocity.
+  /// Change dw for a displacement dx of the point, a change dn of the normal and a change dv of the
+  /// velocity of the point.
   BURNISH_INLINE Vec3<S> turn_rate_change(const Vec3<S>& dx, const Vec3<S>& dn,
                                           const Vec3<S>& dv) const {
     const Vec3<S> H_dv = H * dv;
@@ -51,20 +52,20 @@ struct CurvedAxes {
         (H_dv - dn * along - n * (dot(dn, Hv) + dot(n, H_dv)) - n_rate * dot(n, H * dx)) *
         per_gradient;
     const Vec3<S> dswing = cross(dn, n_rate) + cross(n, dn_rate);
-    const S dspin = (dot(n0, dswing) - spin * dot(n0, dn)) * share;
+    const S dspin = (dot(n0, dswing) - spin * dot(n0, dn)) * inverse_sum;
     return dswing - dn * spin - n * dspin;
   }
 };
 
-/// T y.
+/// Returns T y: turns y by the smallest rotation from n0 to n. `inverse_sum` is 1 / (1 + n0 . n).
 template <class S>
-BURNISH_INLINE Vec3<S> least_rotation(const Vec3<S>& n0, const Vec3<S>& n, const S& share,
+BURNISH_INLINE Vec3<S> least_rotation(const Vec3<S>& n0, const Vec3<S>& n, const S& inverse_sum,
                                       const Vec3<S>& y) {
   const Vec3<S> c = cross(n0, n), once = cross(c, y);
-  return y + once + cross(c, once) * share;
+  return y + once + cross(c, once) * inverse_sum;
 }
 
-/// All but what the velocity has a part in.
+/// Axes at the point x, without the members that depend on the velocity.
 template <class S>
 BURNISH_INLINE CurvedAxes<S> curved_axes(const CurvedSurface<S>& surface, const Vec3<S>& n0,
                                          const Vec3<S>& x) {
@@ -73,12 +74,13 @@ BURNISH_INLINE CurvedAxes<S> curved_axes(const CurvedSurface<S>& surface, const 
   at.per_gradient = S(1.0) / square_root(dot(g, g));
   at.n = g * at.per_gradient;
   at.n0 = n0;
-  at.share = S(1.0) / (S(1.0) + dot(n0, at.n));
+  at.inverse_sum = S(1.0) / (S(1.0) + dot(n0, at.n));
   at.H = surface.Q;
   return at;
 }
 
-/// The same in the axes that R leads to, and with the velocity there.
+/// Turns the vectors in `at` by R, for example from the frame of the surface to the world. Then
+/// fills the members that depend on the velocity v, given in the new axes.
 template <class S>
 BURNISH_INLINE void move_over(const Mat3<S>& R, const Vec3<S>& v, CurvedAxes<S>& at) {
   at.n = R * at.n;
@@ -87,7 +89,7 @@ BURNISH_INLINE void move_over(const Mat3<S>& R, const Vec3<S>& v, CurvedAxes<S>&
   at.Hv = at.H * v;
   at.n_rate = (at.Hv - at.n * dot(at.n, at.Hv)) * at.per_gradient;
   at.swing = cross(at.n, at.n_rate);
-  at.spin = dot(at.n0, at.swing) * at.share;
+  at.spin = dot(at.n0, at.swing) * at.inverse_sum;
   at.w = at.swing - at.n * at.spin;
 }
 

@@ -48,12 +48,12 @@ const Description& description_of(const SurfaceShape* /*of*/) {
           .more("The height of the saddle is (k_0 x^2 + k_1 y^2) / 2, with the curvatures k_0 and"
                 " k_1 and distances x and y along the tangents.")
           .field("edge", &S::edge,
-                 "Distance from the point to the edge of a ridge, along the first tangent [{m}]")
+                 "Distance from the given point to the edge of a ridge, along the first tangent "
+                 "[{m}]")
           .field("slope", &S::slope,
                  "Downward slope of a ridge's second plane, behind the edge [{rad}]")
           .field("hollow", &S::hollow,
-                 "Whether the material is outside the shape, so that the tool works inside, as in"
-                 " a bowl")
+                 "Whether the material is outside the shape: the tool works inside, as in a bowl")
           .field("turn_deg", &S::turn_deg,
                  "Rotation of the shape about the normal [{degrees}]");
   return all;
@@ -63,8 +63,7 @@ const Words& words_of(SurfaceShape::Kind /*of*/) {
   static const Words all{
       "contact",
       "SurfaceKind",
-      "Kinds of surface shapes. The tangents are the two axes of the tangent plane at a given "
-      "point.",
+      "Kinds of surface shapes. Tangents below are the two axes of the tangent plane at `point`.",
       {{"plane"},
        {"sphere"},
        {"cylinder", "Cylinder with its axis along the first tangent"},

@@ -1,5 +1,7 @@
 #include "dynamics/frame.hpp"
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 
 CompiledFrame compile_frame(const Model& model, const Frame& frame) {
@@ -10,7 +12,7 @@ CompiledFrame compile_frame(const Model& model, const Frame& frame) {
 
 CompiledFrame compile_frame(const Model& model, std::string_view name) {
   if (name == "world" && !model.has_frame(name)) return world_frame();
-  return compile_frame(model, model.frames[static_cast<std::size_t>(model.frame_index(name))]);
+  return compile_frame(model, model.frames[to_size(model.frame_index(name))]);
 }
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// A frame that is fixed to a body, as the kernels read it.
+// Constants of a frame that is fixed to a body, for kernels.
 #pragma once
 
 #include <string_view>
@@ -10,17 +10,19 @@ namespace burnish {
 
 /// Constants of one frame.
 struct CompiledFrame {
-  int body;                         ///< joint index, -1 for the world
-  Mat3<double> R;                   ///< frame -> body
-  Vec3<double> p;                   ///< origin in the body, m
-  std::vector<MovingAxis> support;  ///< entries of v that move the body, ascending
+  int body;                         ///< Joint index of the body; -1: the world
+  Mat3<double> R;                   ///< Rotation from the frame to the body
+  Vec3<double> p;                   ///< Origin in the body [m]
+  std::vector<MovingAxis> support;  ///< Entries of v that move the body, in ascending order
 };
 
+/// Prepares a frame for the kernels.
 CompiledFrame compile_frame(const Model& model, const Frame& frame);
-/// By name; "world" is always known. Throws Error with the nearest known name.
+/// Prepares the frame called `name`; "world" always exists. Throws Error with the nearest name if
+/// the model does not have this frame.
 CompiledFrame compile_frame(const Model& model, std::string_view name);
 
-/// The world, which nothing moves.
+/// Frame of the world, which does not move.
 inline CompiledFrame world_frame() {
   return {-1, Mat3<double>::identity(), Vec3<double>::zero(), {}};
 }

@@ -1,4 +1,4 @@
-// Definitions of frame_kinematics.hpp, for any scalar.
+// Definitions of the templates in frame_kinematics.hpp.
 #pragma once
 
 #include "dynamics/columns.hpp"

@@ -1,12 +1,12 @@
-// Which vector instructions the kernels here were compiled for.
+// Vector instruction set for which the kernels were compiled.
 #pragma once
 
 #include <string>
 
 namespace burnish {
 
-/// "AVX-512", "AVX2", "SSE2" or "NEON": of the library that the loader took. Kernels of another
-/// set round otherwise.
+/// Returns the instruction set of the loaded library: "AVX-512", "AVX2", "SSE2" or "NEON". Results
+/// of different sets differ by rounding.
 std::string instruction_set();
 
 }  // namespace burnish

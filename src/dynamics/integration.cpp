@@ -1,4 +1,5 @@
-// Arithmetic on configurations for one state at a time and for one state per lane.
+// Instantiations of the arithmetic on configurations for one state (double) and for one state per
+// lane.
 #include "dynamics/integration.tpp"
 
 #include "math/pack.hpp"

@@ -1,4 +1,4 @@
-// Definitions of integration.hpp, for any scalar.
+// Definitions of the templates in integration.hpp.
 #pragma once
 
 #include "dynamics/integration.hpp"
@@ -9,7 +9,7 @@
 namespace burnish {
 namespace integration_detail {
 
-/// The vector v turned by a unit quaternion.
+/// Returns the vector v turned by a unit quaternion.
 template <class S>
 BURNISH_INLINE Vec3<S> turned(const Quaternion<S>& by, const Vec3<S>& v) {
   const Vec3<S> twice = cross(by.vector, v) * S(2.0);
@@ -32,7 +32,7 @@ BURNISH_INLINE Quaternion<S> load_quaternion(const S* q) {
   return {{q[0], q[1], q[2]}, q[3]};
 }
 
-/// The unit pair (cos, sin) times (c, s), as complex numbers, in place.
+/// Multiplies the unit pair (cos, sin) by (c, s) as complex numbers, in place, and normalizes it.
 template <class S>
 BURNISH_INLINE void turn_pair(const S& c, const S& s, S* pair) {
   const S x = pair[0] * c - pair[1] * s, y = pair[1] * c + pair[0] * s;
@@ -54,7 +54,7 @@ BURNISH_INLINE void integrate_planar(const S* dq, S* q) {
   turn_pair(c, s, q + 2);
 }
 
-/// Turns the unit quaternion x, y, z, w by the rotation vector w of length theta, in place.
+/// Turns the unit quaternion q (x, y, z, w) by the rotation vector w of length theta, in place.
 template <class S>
 BURNISH_INLINE void turn_quaternion(const Vec3<S>& w, const S& theta, S* q) {
   const Quaternion<S> after = load_quaternion(q) * exp_rotation(w, theta);
@@ -118,7 +118,7 @@ BURNISH_INLINE void difference_ball(const S* q0, const S* q1, S* dq) {
   dq[2] = w.z;
 }
 
-/// Calls visit(k, twist of entry k alone at unit rate).
+/// Calls visit(k, twist) for every entry k of a block, with the twist of entry k at unit rate.
 template <class S>
 BURNISH_INLINE void for_each_entry(const TangentBlock& block, const auto& visit) {
   for (int k = 0; k < block.size; ++k) {

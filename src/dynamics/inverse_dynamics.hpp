@@ -1,5 +1,5 @@
-// Inverse dynamics: accelerations outward, forces inward, in world coordinates (recursive
-// Newton-Euler).
+// Inverse dynamics by the recursive Newton-Euler algorithm in world coordinates: accelerations from
+// the root to the tips, then forces from the tips to the root.
 #pragma once
 
 #include <vector>
@@ -8,29 +8,31 @@
 
 namespace burnish {
 
-/// Filled by accelerate, then by a sweep. World coordinates.
+/// Results of inverse dynamics in world coordinates, filled by accelerate and then by
+/// inverse_dynamics_sweep.
 template <class S>
 struct InverseDynamics {
   explicit InverseDynamics(const Tree& tree);
 
-  std::vector<Motion<S>> a_joint;  ///< per body: sum of S_k qdd_k up to it
-  std::vector<Motion<S>>
-      axis_acc;  ///< per axis and sum: psi''_k = (a_parent - g) x S_k + v_parent x psi'_k
-  std::vector<Force<S>>
-      force;           ///< per body: inertia * a_joint - applied wrench; then of its subtree
-  std::vector<S> tau;  ///< nv
-  // Of trees whose axes share entries of v alone; the derivatives are scratch of theirs.
+  std::vector<Motion<S>> a_joint;  ///< Sum of S_k qdd_k from the root to each body
+  /// psi''_k = (a_parent - g) x S_k + v_parent x psi'_k for each axis and sum of axes
+  std::vector<Motion<S>> axis_acc;
+  /// inertia * a_joint - applied wrench for each body; after the sweep, the sum over its subtree
+  std::vector<Force<S>> force;
+  std::vector<S> tau;  ///< Joint torques, nv
+  // Scratch memory, only for trees in which an entry of v can have several axes:
   std::vector<S> tau_by_axis, dq_by_axis, dv_by_axis;
 };
 
-/// Body accelerations at joint accelerations qdd (nv), and the force that they ask of each body
-/// beyond its bias force. Wrenches applied from outside are subtracted from `force` afterwards,
-/// before the sweep.
+/// Computes the accelerations of all bodies for joint accelerations qdd (nv), and the forces that
+/// they need in addition to the bias forces. Callers subtract external wrenches from `force`
+/// between accelerate and inverse_dynamics_sweep.
 template <class S>
 void accelerate(const Tree& tree, const Kinematics<S>& kinematics, const S* qdd,
                 InverseDynamics<S>& id);
 
-/// tau = M qdd + b - (generalised force of the applied wrenches). Sums `force` over subtrees.
+/// Computes tau = M qdd + b - (generalized force of the applied wrenches), and sums `force` over
+/// subtrees.
 template <class S>
 void inverse_dynamics_sweep(const Tree& tree, const Kinematics<S>& kinematics,
                             const MassMatrix<S>& mass, const S* qdd, InverseDynamics<S>& id);

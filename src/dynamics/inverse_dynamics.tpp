@@ -1,6 +1,7 @@
-// Definitions of inverse_dynamics.hpp, for any scalar.
+// Definitions of the templates in inverse_dynamics.hpp.
 #pragma once
 
+#include "base/to_size.hpp"
 #include "dynamics/add_up.hpp"
 #include "dynamics/inverse_dynamics.hpp"
 
@@ -9,13 +10,13 @@ namespace burnish {
 template <class S>
 InverseDynamics<S>::InverseDynamics(const Tree& tree)
     : a_joint(tree.joints.size()),
-      axis_acc(static_cast<std::size_t>(tree.axes) + tree.sums.size()),
+      axis_acc(to_size(tree.axes) + tree.sums.size()),
       force(tree.joints.size()),
-      tau(static_cast<std::size_t>(tree.nv), S(0.0)) {
+      tau(to_size(tree.nv), S(0.0)) {
   if (!tree.shares_entries()) return;
-  tau_by_axis.assign(static_cast<std::size_t>(tree.axes), S(0.0));
+  tau_by_axis.assign(to_size(tree.axes), S(0.0));
   for (auto* matrix : {&dq_by_axis, &dv_by_axis})
-    matrix->assign(static_cast<std::size_t>(tree.axes * tree.axes), S(0.0));
+    matrix->assign(to_size(tree.axes * tree.axes), S(0.0));
 }
 
 template <class S>
@@ -25,16 +26,16 @@ void accelerate(const Tree& tree, const Kinematics<S>& kinematics, const S* qdd,
   for (int i = 0; i < tree.bodies(); ++i) {
     const TreeJoint& joint = tree.joints[i];
     const BodyState<S>& body = kinematics.bodies[i];
-    const bool rooted = joint.parent < 0;
+    const bool at_root = joint.parent < 0;
     const Motion<S> a_parent =
-        rooted ? minus_gravity : kinematics.bodies[joint.parent].a_bias + id.a_joint[joint.parent];
-    Motion<S> sum = rooted ? Motion<S>::zero() : id.a_joint[joint.parent];
+        at_root ? minus_gravity : kinematics.bodies[joint.parent].a_bias + id.a_joint[joint.parent];
+    Motion<S> sum = at_root ? Motion<S>::zero() : id.a_joint[joint.parent];
     const S* const own_qdd = qdd + joint.v;
     for (int e = 0; e < joint.nv; ++e) {
       const int k = joint.axis + e;
       const AxisState<S>& axis = kinematics.axes[k];
       id.axis_acc[k] = cross(a_parent, axis.axis);
-      if (!rooted) id.axis_acc[k] += cross(kinematics.bodies[joint.parent].v, axis.parent_rate);
+      if (!at_root) id.axis_acc[k] += cross(kinematics.bodies[joint.parent].v, axis.parent_rate);
       sum += axis.axis * own_qdd[e];
     }
     id.a_joint[i] = sum;

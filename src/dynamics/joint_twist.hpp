@@ -1,4 +1,4 @@
-// The entries of v of a joint of several as a twist in body axes, and back.
+// Conversion between the entries of v of a joint with several entries and a twist in body axes.
 #pragma once
 
 #include "burnish/model/model.hpp"
@@ -6,7 +6,8 @@
 
 namespace burnish {
 
-/// Entries of a planar joint (v_x, v_y, w_z), a free-flyer (v, w) or a ball (w), `stride` apart.
+/// Reads the twist of a planar joint (v_x, v_y, w_z), a free-flyer (v, w) or a ball (w) from
+/// entries at a distance of `stride`.
 template <class S>
 BURNISH_INLINE Motion<S> load_twist(JointKind kind, const S* from, int stride = 1) {
   if (kind == JointKind::Planar)
@@ -16,7 +17,7 @@ BURNISH_INLINE Motion<S> load_twist(JointKind kind, const S* from, int stride = 
   return {first, {from[3 * stride], from[4 * stride], from[5 * stride]}};
 }
 
-/// Writes them; what the joint cannot do is left out.
+/// Writes the entries of the joint for the twist m. Other components of m are ignored.
 template <class S>
 BURNISH_INLINE void store_twist(JointKind kind, const Motion<S>& m, S* to, int stride = 1) {
   const Vec3<S>& first = kind == JointKind::Ball ? m.angular : m.linear;

@@ -1,4 +1,4 @@
-// The kernels of this layer for one state at a time and for one state per lane.
+// Instantiations of the kernels of this layer for one state (double) and for one state per lane.
 #include "dynamics/frame_kinematics.tpp"
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"

@@ -1,27 +1,28 @@
 // Placements, twists, inertias and bias forces of all bodies, in world coordinates about the
-// world's origin. One forward pass; everything after it reads from here.
+// world's origin. They are computed in one forward pass, on which all other kernels build.
 #pragma once
 
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "dynamics/tree.hpp"
 
 namespace burnish {
 
-/// Filled by update_kinematics. World axes; motions and forces about the world's origin.
+/// State of one body, filled by update_kinematics. Vectors are in world axes; motions and forces
+/// are about the world's origin.
 template <class S>
 struct BodyState {
-  Mat3<S> R;            ///< rotation body -> world
-  Vec3<S> p;            ///< origin of the body, m
-  Motion<S> v;          ///< twist
-  Motion<S> a_bias;     ///< spatial acceleration at zero joint acceleration, minus gravity
-  Inertia<S> inertia;   ///< of this body alone
+  Mat3<S> R;            ///< Rotation from the body to the world
+  Vec3<S> p;            ///< Origin of the body [m]
+  Motion<S> v;          ///< Twist
+  Motion<S> a_bias;     ///< Spatial acceleration at zero joint acceleration, minus gravity
+  Inertia<S> inertia;   ///< Inertia of this body only
   Force<S> momentum;    ///< inertia * v
   Force<S> force_bias;  ///< inertia * a_bias + v x* momentum
 };
 
-/// Per axis k of the tree, and per sum of axes behind them: the joint axis as a motion (a
-/// follower's times its multiplier), and its rates.
+/// Joint axis as a motion, and its rates. The axis of a follower is scaled by its multiplier.
 template <class S>
 struct AxisState {
   Motion<S> axis;         ///< S_k
@@ -29,15 +30,16 @@ struct AxisState {
   Motion<S> rate_sum;     ///< psi'_k + dS_k/dt
 };
 
+/// State of all bodies, and of all axes of the tree followed by its sums of axes (Tree::sums).
 template <class S>
 struct Kinematics {
   explicit Kinematics(const Tree& tree)
-      : bodies(tree.joints.size()), axes(static_cast<std::size_t>(tree.axes) + tree.sums.size()) {}
+      : bodies(tree.joints.size()), axes(to_size(tree.axes) + tree.sums.size()) {}
   std::vector<BodyState<S>> bodies;
   std::vector<AxisState<S>> axes;
 };
 
-/// Fills `kinematics` at (q, v): q has nq entries, v nv.
+/// Computes `kinematics` at (q, v), where q has nq entries and v has nv.
 template <class S>
 void update_kinematics(const Tree& tree, const S* q, const S* v, Kinematics<S>& kinematics);
 

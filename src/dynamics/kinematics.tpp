@@ -1,4 +1,4 @@
-// Definitions of kinematics.hpp, for any scalar.
+// Definitions of the templates in kinematics.hpp.
 #pragma once
 
 #include "dynamics/kinematics.hpp"
@@ -6,7 +6,7 @@
 namespace burnish {
 namespace kinematics_detail {
 
-/// Rotation about z of the frame Rp by the angle with the given sine and cosine.
+/// Returns Rp turned about its z axis by the angle with sine s and cosine c.
 template <class S>
 BURNISH_INLINE Mat3<S> turned_about_z(const Mat3<S>& Rp, const S& s, const S& c) {
   return {Rp.c0 * c + Rp.c1 * s, Rp.c1 * c - Rp.c0 * s, Rp.c2};
@@ -29,7 +29,7 @@ BURNISH_INLINE Motion<S> translation_axis(const Vec3<S>& direction) {
   return {direction, Vec3<S>::zero()};
 }
 
-/// Placement of the body and the axes S_k of its joint.
+/// Computes the placement of a body and the axes S_k of its joint.
 template <class S>
 BURNISH_INLINE void place(const TreeJoint& joint, const BodyState<S>* parent, const S* q,
                           BodyState<S>& body, AxisState<S>* axes) {
@@ -104,7 +104,7 @@ BURNISH_INLINE Inertia<S> world_inertia(const TreeJoint& joint, const BodyState<
   return r;
 }
 
-/// Twist and bias acceleration of the body, rates of its axes.
+/// Computes the twist and the bias acceleration of a body, and the rates of its axes.
 template <class S>
 BURNISH_INLINE void move(const TreeJoint& joint, const Motion<S>& v_parent,
                          const Motion<S>& a_parent, const S* v, BodyState<S>& body,
@@ -116,7 +116,7 @@ BURNISH_INLINE void move(const TreeJoint& joint, const Motion<S>& v_parent,
     body.v += axes[k].axis * v[k];
   }
   if (joint.nv == 1) {
-    // S x S = 0: the axis moves alike with the parent and with the body.
+    // S x S = 0, so the twists of the parent and of the body give the axis the same rate.
     axes[0].rate_sum = axes[0].parent_rate + axes[0].parent_rate;
     body.a_bias += axes[0].parent_rate * v[0];
     return;
@@ -128,8 +128,8 @@ BURNISH_INLINE void move(const TreeJoint& joint, const Motion<S>& v_parent,
   }
 }
 
-/// Where a follower is when its leader is at q, in coordinates of its own kind: the multiple of an
-/// angle as a power of (cos, sin).
+/// Computes the coordinates of a follower whose leader is at q. For Continuous joints, the multiple
+/// of the angle is a power of the complex number (cos, sin).
 template <class S>
 void follow(const TreeFollower& follower, JointKind kind, const S* q, S* own) {
   if (kind != JointKind::Continuous) {
@@ -140,9 +140,9 @@ void follow(const TreeFollower& follower, JointKind kind, const S* q, S* own) {
   own[0] = S(follower.cosine);
   own[1] = S(follower.sine);
   S c = q[0], s = back ? S(-q[1]) : q[1];
-  for (auto left = static_cast<long>(back ? -follower.multiplier : follower.multiplier); left > 0;
-       left /= 2) {
-    if (left % 2 == 1) {
+  for (auto power = static_cast<long>(back ? -follower.multiplier : follower.multiplier); power > 0;
+       power /= 2) {
+    if (power % 2 == 1) {
       const S x = own[0] * c - own[1] * s;
       own[1] = own[1] * c + own[0] * s;
       own[0] = x;
@@ -153,7 +153,7 @@ void follow(const TreeFollower& follower, JointKind kind, const S* q, S* own) {
   }
 }
 
-/// As place(), its axis times the multiplier.
+/// Computes the placement of a follower's body, and the axis scaled by the multiplier.
 template <class S>
 void place_follower(const TreeFollower& follower, const TreeJoint& joint,
                     const BodyState<S>* parent, const S* q, BodyState<S>& body,
@@ -169,7 +169,7 @@ void place_follower(const TreeFollower& follower, const TreeJoint& joint,
 template <class S>
 void update_kinematics(const Tree& tree, const S* q, const S* v, Kinematics<S>& kinematics) {
   using namespace kinematics_detail;
-  const Motion<S> still = Motion<S>::zero();
+  const Motion<S> at_rest = Motion<S>::zero();
   const Motion<S> minus_gravity{-lift<S>(tree.gravity), Vec3<S>::zero()};
   for (int i = 0; i < tree.bodies(); ++i) {
     const TreeJoint& joint = tree.joints[i];
@@ -180,7 +180,7 @@ void update_kinematics(const Tree& tree, const S* q, const S* v, Kinematics<S>& 
       place(joint, parent, q + joint.q, body, axes);
     else
       place_follower(tree.followers[joint.follower], joint, parent, q + joint.q, body, axes);
-    move(joint, parent == nullptr ? still : parent->v,
+    move(joint, parent == nullptr ? at_rest : parent->v,
          parent == nullptr ? minus_gravity : parent->a_bias, v + joint.v, body, axes);
     body.inertia = world_inertia(joint, body);
     body.momentum = body.inertia * body.v;

@@ -1,6 +1,6 @@
-// The joint-space mass matrix M, the bias b, and the factorisation M = L^T L that keeps the tree's
-// sparsity (Featherstone, "Efficient Factorization of the Joint-Space Inertia Matrix for Branched
-// Kinematic Trees", 2005): L_ij is non-zero only where j is an ancestor of i.
+// Joint-space mass matrix M, bias b, and the factorization M = L^T L, which keeps the sparsity of
+// the tree: L_ij is nonzero only if j is i or an ancestor of i (Featherstone, "Efficient
+// Factorization of the Joint-Space Inertia Matrix for Branched Kinematic Trees", 2005).
 #pragma once
 
 #include <vector>
@@ -9,39 +9,40 @@
 
 namespace burnish {
 
-/// Filled by update_mass_and_bias; the factor by factorize.
+/// Mass matrix and bias, filled by update_mass_and_bias, and factor, filled by factorize.
 template <class S>
 struct MassMatrix {
   explicit MassMatrix(const Tree& tree);
 
-  std::vector<Inertia<S>> composite;     ///< per body: of its subtree, world coordinates
-  std::vector<Force<S>> composite_bias;  ///< per body: bias force of its subtree
-  std::vector<S> mass;    ///< nv x nv row-major, kg m^2; entry (i, j) for ancestors j of i
-  std::vector<S> bias;    ///< nv, b(q, v): Coriolis, centrifugal and gravity forces
-  std::vector<S> factor;  ///< L, stored like mass
-  std::vector<S> inverse_diagonal;  ///< nv, 1 / L_ii
-  // Of trees whose axes share entries of v alone:
+  std::vector<Inertia<S>> composite;     ///< Inertia of the subtree of each body, in world axes
+  std::vector<Force<S>> composite_bias;  ///< Bias force of the subtree of each body
+  /// M, nv x nv, row-major [kg m^2]. Only entries (i, j) for ancestors j of i are set.
+  std::vector<S> mass;
+  std::vector<S> bias;              ///< Coriolis, centrifugal and gravity forces b(q, v), nv
+  std::vector<S> factor;            ///< L, stored like mass
+  std::vector<S> inverse_diagonal;  ///< 1 / L_ii, nv
+  // Only for trees in which an entry of v can have several axes:
   std::vector<S> mass_by_axis, bias_by_axis;
-  std::vector<S> added;  ///< nv, the sums about the world's origin that M's diagonal is made of
-  // Of deep trees alone (articulated.hpp), world axes, about the world's origin:
-  std::vector<Force<S>> row_force;                 ///< nv: row k of L is S_j . row_force[k]
-  std::vector<ArticulatedInertia<S>> articulated;  ///< per body
+  std::vector<S> added;  ///< Sums about the world's origin that make up the diagonal of M, nv
+  // Only for deep trees (articulated.hpp), in world axes about the world's origin:
+  std::vector<Force<S>> row_force;  ///< Entry j of row k of L is S_j . row_force[k], nv
+  std::vector<ArticulatedInertia<S>> articulated;  ///< Articulated-body inertia of each body
 };
 
-/// M(q) by composite inertias and b(q, v), from the kinematics. Armature is on M's diagonal.
+/// Computes M(q) from composite inertias, and b(q, v). Armature is added to the diagonal of M.
 template <class S>
 void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
-/// M = L^T L, after update_mass_and_bias with the same kinematics. Returns the lanes whose M is not
-/// positive definite (a pivot not above least_mass_pivot); there the factor is finite but
-/// meaningless, and inverse_diagonal is zero at the entries to blame.
+/// Computes L with M = L^T L, after update_mass_and_bias with the same kinematics. Returns the
+/// lanes whose M is not positive definite (a pivot not above least_mass_pivot). In these lanes the
+/// factor is finite but meaningless, and inverse_diagonal is zero at the entries with a weak pivot.
 template <class S>
 auto factorize(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
-/// x <- L^-T x, x: nv.
+/// Replaces x (nv) by L^-T x.
 template <class S>
 void solve_transposed(const Tree& tree, const MassMatrix<S>& m, S* x);
-/// x <- L^-1 x, x: nv.
+/// Replaces x (nv) by L^-1 x.
 template <class S>
 void solve_factor(const Tree& tree, const MassMatrix<S>& m, S* x);
 

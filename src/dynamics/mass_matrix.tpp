@@ -1,6 +1,7 @@
-// Definitions of mass_matrix.hpp, for any scalar.
+// Definitions of the templates in mass_matrix.hpp.
 #pragma once
 
+#include "base/to_size.hpp"
 #include "dynamics/add_up.hpp"
 #include "dynamics/articulated.tpp"
 #include "dynamics/mass_matrix.hpp"
@@ -11,17 +12,17 @@ template <class S>
 MassMatrix<S>::MassMatrix(const Tree& tree)
     : composite(tree.joints.size()),
       composite_bias(tree.joints.size()),
-      mass(static_cast<std::size_t>(tree.nv * tree.nv), S(0.0)),
-      bias(static_cast<std::size_t>(tree.nv), S(0.0)),
-      factor(static_cast<std::size_t>(tree.nv * tree.nv), S(0.0)),
-      inverse_diagonal(static_cast<std::size_t>(tree.nv), S(0.0)) {
+      mass(to_size(tree.nv * tree.nv), S(0.0)),
+      bias(to_size(tree.nv), S(0.0)),
+      factor(to_size(tree.nv * tree.nv), S(0.0)),
+      inverse_diagonal(to_size(tree.nv), S(0.0)) {
   if (tree.shares_entries()) {
-    mass_by_axis.assign(static_cast<std::size_t>(tree.axes * tree.axes), S(0.0));
-    bias_by_axis.assign(static_cast<std::size_t>(tree.axes), S(0.0));
-    added.assign(static_cast<std::size_t>(tree.nv), S(0.0));
+    mass_by_axis.assign(to_size(tree.axes * tree.axes), S(0.0));
+    bias_by_axis.assign(to_size(tree.axes), S(0.0));
+    added.assign(to_size(tree.nv), S(0.0));
   }
   if (!tree.deep) return;
-  row_force.assign(static_cast<std::size_t>(tree.nv), Force<S>::zero());
+  row_force.assign(to_size(tree.nv), Force<S>::zero());
   articulated.resize(tree.joints.size());
 }
 

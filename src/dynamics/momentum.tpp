@@ -1,4 +1,4 @@
-// Definitions of momentum.hpp, for any scalar.
+// Definitions of the templates in momentum.hpp.
 #pragma once
 
 #include "dynamics/momentum.hpp"

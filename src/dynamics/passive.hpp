@@ -1,8 +1,7 @@
-// Torques that joints feel without a motor: viscous damping and Coulomb friction, the latter
-// smoothed so that it has a derivative,
+// Passive joint torques: viscous damping and smoothed Coulomb friction,
 //   tau_k = -damping_k v_k - friction_k tanh(v_k / slip),
-// and those of springs and tendons (springs.hpp). The model holds the coefficients; forward and
-// inverse dynamics leave these torques out unless the caller adds them to tau.
+// and torques of springs and tendons (springs.hpp). The coefficients are part of the model. Forward
+// and inverse dynamics do not include passive torques; the caller adds them to tau.
 #pragma once
 
 #include <vector>
@@ -13,23 +12,24 @@
 
 namespace burnish {
 
+/// Coefficients of the passive torques of all joints.
 struct PassiveJoints {
-  /// Throws Error for a slip velocity that is not positive.
+  /// Throws Error if `slip_velocity` is not positive.
   explicit PassiveJoints(const Model& model, double slip_velocity = 0.01);
 
-  std::vector<double> damping;   ///< nv, Nms/rad or Ns/m
-  std::vector<double> friction;  ///< nv, Nm or N
+  std::vector<double> damping;   ///< Viscous damping, nv entries [Nms/rad or Ns/m]
+  std::vector<double> friction;  ///< Coulomb friction, nv entries [Nm or N]
   Springs springs;
-  double slip;  ///< rate at which friction has reached tanh(1) = 76 %, rad/s or m/s; positive
+  double slip;  ///< Velocity at which friction reaches tanh(1) = 76 %, positive [rad/s or m/s]
 };
 
-/// The torques of damping and friction at v (nv), into tau (nv: Nm or N), and their derivatives
-/// d(tau_k)/dv_k, into dtau_dv (nv: the diagonal of a diagonal matrix). With a pace of at most 1
-/// friction has its full size at slip / pace.
+/// Computes the torques of damping and friction at v (nv) into tau (nv) [Nm or N]. Computes their
+/// derivatives d(tau_k)/dv_k into dtau_dv (nv), the diagonal of a diagonal matrix. `step_ratio`, at
+/// most 1, widens the smoothing of friction from slip to slip / step_ratio.
 template <class S>
 void passive_torque(const PassiveJoints& joints, const S* v, S* tau, S* dtau_dv,
-                    const S& pace = S(1.0)) {
-  const S inverse_slip = S(1.0 / joints.slip) * pace;
+                    const S& step_ratio = S(1.0)) {
+  const S inverse_slip = S(1.0 / joints.slip) * step_ratio;
   for (std::size_t k = 0; k < joints.damping.size(); ++k) {
     const S damping(joints.damping[k]), friction(joints.friction[k]);
     const S sliding = hyperbolic_tangent(S(v[k] * inverse_slip));

@@ -1,5 +1,6 @@
 #include "burnish/dynamics/placement.hpp"
 
+#include "base/to_size.hpp"
 #include "burnish/model/state.hpp"
 #include "dynamics/kinematics.tpp"
 
@@ -17,7 +18,7 @@ Kinematics<double> kinematics_at(const Model& model, const Eigen::Ref<const Eige
 
 Eigen::Isometry3d placement_of(const Frame& frame, const Kinematics<double>& kinematics) {
   if (frame.body < 0) return frame.placement;
-  const BodyState<double>& body = kinematics.bodies[static_cast<std::size_t>(frame.body)];
+  const BodyState<double>& body = kinematics.bodies[to_size(frame.body)];
   Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
   placement.linear() = to_eigen(body.R);
   placement.translation() = to_eigen(body.p);
@@ -37,7 +38,7 @@ std::vector<Eigen::Isometry3d> frame_placements(const Model& model,
 Eigen::Isometry3d frame_placement(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                                   std::string_view frame) {
   if (frame == "world" && !model.has_frame(frame)) return Eigen::Isometry3d::Identity();
-  const Frame& found = model.frames[static_cast<std::size_t>(model.frame_index(frame))];
+  const Frame& found = model.frames[to_size(model.frame_index(frame))];
   return placement_of(found, kinematics_at(model, q));
 }
 

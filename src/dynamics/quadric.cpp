@@ -24,7 +24,7 @@ void check_length(double length, const char* what) {
     throw Error(std::string(what) + " is " + number(length) + " m; wanted a positive number");
 }
 
-/// (x - center)^T M (x - center) / 2 - level, or less that.
+/// Returns the quadric (x - center)^T M (x - center) / 2 - level, with the opposite sign if hollow.
 Quadric about(const Eigen::Vector3d& center, const Eigen::Matrix3d& M, double level, bool hollow) {
   const double sign = hollow ? -1.0 : 1.0;
   return {sign * M, -sign * M * center, sign * (0.5 * center.dot(M * center) - level)};
@@ -69,10 +69,10 @@ Quadric Quadric::ellipsoid(const Eigen::Vector3d& center, const Eigen::Matrix3d&
                            const Eigen::Vector3d& semi_axes, bool hollow) {
   check_point(center, "the ellipsoid's centre");
   if (!is_rotation(axes)) throw Error("the ellipsoid's axes are not a rotation matrix");
-  for (const double semi_axis : semi_axes) check_length(semi_axis, "an axis of the ellipsoid");
-  const double least = semi_axes.minCoeff();
-  const Eigen::Vector3d weights = least * semi_axes.array().square().inverse();
-  return about(center, axes * weights.asDiagonal() * axes.transpose(), 0.5 * least, hollow);
+  for (const double semi_axis : semi_axes) check_length(semi_axis, "a semi-axis of the ellipsoid");
+  const double shortest = semi_axes.minCoeff();
+  const Eigen::Vector3d weights = shortest * semi_axes.array().square().inverse();
+  return about(center, axes * weights.asDiagonal() * axes.transpose(), 0.5 * shortest, hollow);
 }
 
 Quadric Quadric::osculating(const Eigen::Vector3d& point, const Eigen::Matrix3d& axes, double k_xx,
@@ -81,9 +81,9 @@ Quadric Quadric::osculating(const Eigen::Vector3d& point, const Eigen::Matrix3d&
   if (!is_rotation(axes)) throw Error("the surface's axes are not a rotation matrix");
   if (!std::isfinite(k_xx + k_xy + k_yy))
     throw Error("the surface's curvatures hold a NaN or an infinity");
-  Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
-  bend.topLeftCorner<2, 2>() << k_xx, k_xy, k_xy, k_yy;
-  const Eigen::Matrix3d Q = -axes * bend * axes.transpose();
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  hessian.topLeftCorner<2, 2>() << k_xx, k_xy, k_xy, k_yy;
+  const Eigen::Matrix3d Q = -axes * hessian * axes.transpose();
   const Eigen::Vector3d n = axes.col(2);
   return {Q, n - Q * point, 0.5 * point.dot(Q * point) - n.dot(point)};
 }
@@ -105,7 +105,7 @@ void Quadric::check(const std::string& who) const {
   if ((Q - Q.transpose()).norm() > 1e-9 * (1.0 + Q.norm()))
     throw Error(who + ": the surface's matrix is not symmetric");
   if (Q.isZero(0.0) && b.isZero(0.0))
-    throw Error(who + ": the surface's function is constant, which has no normal anywhere");
+    throw Error(who + ": the surface's function is constant, so the surface has no normal");
 }
 
 }  // namespace burnish

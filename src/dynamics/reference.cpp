@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "dynamics/reference.hpp"
 
 namespace burnish {
 namespace {
 constexpr const char* moves_with_tool =
-    "the reference follows a curved surface that moves with the tool itself; wanted axes of the "
-    "base, of the world or of another frame";
+    "the curved surface of the reference is fixed to the tool itself; wanted a surface fixed to "
+    "the base, to the world or to another frame";
 }  // namespace
 
 Anchor Anchor::parse(const std::string& text) {
@@ -24,7 +25,7 @@ Anchor Anchor::parse(const std::string& text) {
 }
 
 std::string Anchor::text() const {
-  switch (of) {
+  switch (kind) {
     case Tool:
       return "tool";
     case Base:
@@ -55,7 +56,7 @@ Reference Reference::surface_with_normal(const Eigen::Vector3d& normal) {
   if (!normal.allFinite() || normal.norm() < 1e-9)
     throw Error("surface_with_normal: the normal must be finite and not zero");
   const Eigen::Vector3d z = normal.normalized();
-  // The tangent that leans least out of the horizontal; along x where the surface is horizontal.
+  // Horizontal tangent; for a horizontal surface, the projection of the x axis.
   Eigen::Vector3d x = Eigen::Vector3d::UnitZ().cross(z);
   if (x.norm() < 1e-6) {
     x = Eigen::Vector3d::UnitX() - z * z.x();
@@ -79,8 +80,9 @@ Reference Reference::on(const Quadric& surface, const Eigen::Vector3d& near,
   const Eigen::Vector3d n = result.rotation.col(2);
   const Eigen::Vector3d tangent = along - n.dot(along) * n;
   if (!along.allFinite() || !(tangent.norm() > 1e-6 * along.norm()))
-    throw Error("on: no tangent leads along [" + number(along.x()) + ", " + number(along.y()) +
-                ", " + number(along.z()) + "]; wanted a direction that is not the normal's");
+    throw Error("on: the direction [" + number(along.x()) + ", " + number(along.y()) + ", " +
+                number(along.z()) +
+                "] has no tangential part; wanted a direction that is not parallel to the normal");
   const Eigen::Vector3d x = tangent.normalized();
   result.rotation << x, n.cross(x), n;
   return result;
@@ -93,8 +95,8 @@ Reference Reference::at(const Eigen::Vector3d& point) const {
   if (n0.dot(n) < -1.0 + 1e-9)
     throw Error("the surface's normal at [" + number(point.x()) + ", " + number(point.y()) + ", " +
                 number(point.z()) +
-                "] is half a turn from that of the axes, which leaves no least "
-                "rotation to it");
+                "] is opposite to the normal of the axes, so the smallest rotation between them is "
+                "not unique");
   Reference result = *this;
   result.quadric.reset();
   result.rotation = Eigen::Quaterniond::FromTwoVectors(n0, n).toRotationMatrix() * rotation;
@@ -107,7 +109,7 @@ std::string Reference::name() const {
   if (origin == Anchor::Tool && axes == Anchor::Base) return "surface";
   if (origin == Anchor::Tool && axes == Anchor::World) return "centered";
   const auto of = [](const Anchor& anchor) {
-    return anchor.of == Anchor::Frame ? anchor.text() : "the " + anchor.text();
+    return anchor.kind == Anchor::Frame ? anchor.text() : "the " + anchor.text();
   };
   return "axes of " + of(axes) + " at " + of(origin);
 }
@@ -134,7 +136,8 @@ void Reference::check(const std::string& who) const {
   }
   if (rotation_over_time.empty()) return;
   if (!rotation.isIdentity(0.0))
-    throw Error(who + ": the reference has a rotation and one over time; wanted one of them");
+    throw Error(who +
+                ": the reference has a rotation and a rotation over time; wanted one of them");
   if (rotation_over_time.size() != 4)
     throw Error(who + ": the reference's rotation over time has " +
                 std::to_string(rotation_over_time.size()) +
@@ -147,8 +150,8 @@ Reference Reference::at(double time) const {
   Eigen::VectorXd xyzw(4);
   rotation_over_time.at(time, xyzw);
   if (!is_unit_quaternion(xyzw))
-    throw Error("its rotation has length " + number(xyzw.norm()) + " at " + number(time) +
-                " s; wanted a quaternion of length 1");
+    throw Error("the reference's rotation has length " + number(xyzw.norm()) + " at " +
+                number(time) + " s; wanted a quaternion of length 1");
   return {origin, axes, rotation_matrix(xyzw)};
 }
 
@@ -181,7 +184,7 @@ Place place_of(const Model& model, const Anchor& anchor, const CompiledFrame& to
   const Place world = place(world_frame());
   return fixed_in(anchor, place(tool), place(base), world, [&](const std::string& name) {
     if (name == "world" && !model.has_frame(name)) return world;
-    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(name))];
+    const Frame& frame = model.frames[to_size(model.frame_index(name))];
     return Place{frame.body, from_eigen(Eigen::Matrix3d(frame.placement.linear())),
                  from_eigen(Eigen::Vector3d(frame.placement.translation()))};
   });
@@ -197,8 +200,8 @@ CompiledReference compile_reference(const Model& model, const Reference& referen
                                     const CompiledFrame& tool, const CompiledFrame& base) {
   if (!reference.rotation_over_time.empty())
     throw Error(
-        "its rotation changes over time, which the knots of a problem have; wanted that of "
-        "one time: Reference::at");
+        "the reference's rotation changes over time, and only optimal control problems support "
+        "this; wanted the reference at one time, from Reference::at");
   if (reference.quadric && reference.axes == Anchor::Tool)
     throw Error(std::string(moves_with_tool));
   const Place origin = place_of(model, reference.origin, tool, base);

@@ -1,12 +1,12 @@
-// A reference at a state: where it is, how it moves, and how both change with the state. Whatever
-// writes numbers in a reference asks here: contacts, wrenches, frames and costs.
+// Pose and twist of a Reference at a state, and their derivatives. Contacts, wrenches, frames and
+// costs use these functions for numbers in a Reference.
 //
-// With X the map from motions in world coordinates about the world's origin to the reference, and
-// V_k the twist of the reference per unit rate of entry k of v,
+// X maps motions in world coordinates about the world's origin to the reference. V_k is the twist
+// of the reference per unit rate of entry k of v. Then
 //   d(X m)/dq_k = X (dm/dq_k - V_k x m),   d(X^-T f)/dq_k = X^-T (df/dq_k - V_k x* f).
-// The origin o may be fixed in one body and the axes in another: the twist moves o with the first
-// and turns with the second. Axes that follow a curved surface (curved_axes.hpp) turn as the tool
-// moves against the second, on top of that.
+// The origin o can be fixed in one body and the axes in another. The twist moves o with the first
+// body and turns with the second. Axes that follow a curved surface (curved_axes.hpp) also turn
+// when the tool moves relative to the second body.
 #pragma once
 
 #include <span>
@@ -19,11 +19,12 @@
 
 namespace burnish {
 
-/// What an anchor is fixed in, of those that it may mean; frame(name) answers for one of the robot.
+/// Returns the argument that `anchor` selects: `tool`, `base`, `world`, or frame(name) for a frame
+/// of the robot.
 template <class Place>
 Place fixed_in(const Anchor& anchor, const Place& tool, const Place& base, const Place& world,
                const auto& frame) {
-  switch (anchor.of) {
+  switch (anchor.kind) {
     case Anchor::Tool:
       return tool;
     case Anchor::Base:
@@ -36,41 +37,47 @@ Place fixed_in(const Anchor& anchor, const Place& tool, const Place& base, const
   return world;
 }
 
-/// `tool` and `base` are what the reference means by these names. Throws Error with the nearest
-/// known name where it names a frame that the model lacks, where it turns over time, and where it
-/// follows a surface that moves with the tool.
+/// Prepares a reference for the kernels. `tool` and `base` are the frames for Anchor::Tool and
+/// Anchor::Base. Throws Error if the reference
+/// - names a frame that the model lacks (with the nearest name),
+/// - has a rotation over time, or
+/// - follows a surface that moves with the tool.
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledFrame& tool, const CompiledFrame& base);
 
-/// As the position of the tool itself is asked in it: where it follows a surface and has its origin
-/// at the tool, with the origin of the frame that the surface is fixed in.
+/// Returns the reference in which to write the position of the tool. If the axes follow a surface
+/// and the origin is at the tool, the origin moves to the frame of the surface. Other references do
+/// not change.
 Reference asked_for_positions(Reference reference);
 
-/// To 1e-6.
+/// Returns true if `matrix` is a rotation matrix, within 1e-6.
 bool is_rotation(const Eigen::Matrix3d& matrix);
-/// Of entries x, y, z, w: whether they are a rotation (to 1e-6), and which.
+/// Returns true if the quaternion (x, y, z, w) has unit length, within 1e-6.
 bool is_unit_quaternion(const ConstVectorRef& xyzw);
+/// Returns the rotation matrix of the quaternion (x, y, z, w).
 Eigen::Matrix3d rotation_matrix(const ConstVectorRef& xyzw);
 
-/// World axes.
+/// Pose of a reference, in world axes.
 template <class S>
 struct ReferencePose {
-  Mat3<S> R;  ///< reference -> world
-  Vec3<S> p;  ///< origin, m
+  Mat3<S> R;  ///< Rotation from the reference to the world
+  Vec3<S> p;  ///< Origin [m]
   bool is_curved = false;
-  // Where the axes follow a surface, else not set:
-  Vec3<S> tool;          ///< point that they look at it from, m
-  CurvedAxes<S> curved;  ///< world axes
+  // Set only if the axes follow a surface:
+  Vec3<S> tool;          ///< Point of the tool whose surface normal the axes follow [m]
+  CurvedAxes<S> curved;  ///< Axes at this point, in world axes
 
   ReferencePose(const Mat3<S>& rotation, const Vec3<S>& origin) : R(rotation), p(origin) {}
 };
 
-/// A motion that turns with w about a line through the point p, about the world's origin.
+/// Returns the motion, about the world's origin, of a rotation with angular velocity w about a line
+/// through the point p.
 template <class S>
 BURNISH_INLINE Motion<S> turning_at(const Vec3<S>& p, const Vec3<S>& w) {
   return {cross(p, w), w};
 }
-/// A motion with linear part l at the point p, about the world's origin.
+/// Returns the motion, about the world's origin, with linear velocity l at the point p and angular
+/// velocity w.
 template <class S>
 BURNISH_INLINE Motion<S> moving_at(const Vec3<S>& p, const Vec3<S>& l, const Vec3<S>& w) {
   return {l + cross(p, w), w};
@@ -84,7 +91,8 @@ BURNISH_INLINE Vec3<S> reference_origin(const CompiledReference& reference,
   return body.p + body.R * lift<S>(reference.origin);
 }
 
-/// `axes` are those of the reference in their body: reference.axes, or others in their place.
+/// Returns the axes of the reference in world axes. `axes` are the axes in their body:
+/// reference.axes, or other axes that replace them.
 template <class S>
 BURNISH_INLINE Mat3<S> reference_axes(const CompiledReference& reference, const Mat3<S>& axes,
                                       const Kinematics<S>& kinematics) {
@@ -92,13 +100,13 @@ BURNISH_INLINE Mat3<S> reference_axes(const CompiledReference& reference, const 
   return kinematics.bodies[reference.axes_body].R * axes;
 }
 
-/// Of a body, about the world's origin; -1 is the world.
+/// Twist of a body (-1: the world) about the world's origin.
 template <class S>
 BURNISH_INLINE Motion<S> twist_of(int body, const Kinematics<S>& kinematics) {
   return body < 0 ? Motion<S>::zero() : kinematics.bodies[body].v;
 }
 
-/// The frame that a surface is fixed in.
+/// Pose of the frame to which the surface of the reference is fixed.
 template <class S>
 BURNISH_INLINE ReferencePose<S> frame_of_surface(const CompiledReference& reference,
                                                  const Kinematics<S>& kinematics) {
@@ -109,7 +117,7 @@ BURNISH_INLINE ReferencePose<S> frame_of_surface(const CompiledReference& refere
   return {body.R * R, body.p + body.R * p};
 }
 
-/// Turns the axes of `pose`, which are those that they start from, to the surface at the tool.
+/// Turns the initial axes in `pose` so that they follow the surface at the tool.
 template <class S>
 void follow_surface(const CompiledReference& reference, const CurvedSurface<S>& surface,
                     const Kinematics<S>& kinematics, ReferencePose<S>& pose) {
@@ -120,17 +128,17 @@ void follow_surface(const CompiledReference& reference, const CurvedSurface<S>& 
     const BodyState<S>& body = kinematics.bodies[reference.tool_body];
     pose.tool = body.p + body.R * pose.tool;
   }
-  const Motion<S> seen =
+  const Motion<S> relative =
       twist_of(reference.tool_body, kinematics) - twist_of(reference.axes_body, kinematics);
   CurvedAxes<S>& at = pose.curved;
   at = curved_axes(surface, transpose_times(R, pose.R.c2), transpose_times(R, pose.tool - base.p));
-  move_over(R, at_point(seen, pose.tool).linear, at);
-  pose.R = {least_rotation(at.n0, at.n, at.share, pose.R.c0),
-            least_rotation(at.n0, at.n, at.share, pose.R.c1), at.n};
+  move_over(R, at_point(relative, pose.tool).linear, at);
+  pose.R = {least_rotation(at.n0, at.n, at.inverse_sum, pose.R.c0),
+            least_rotation(at.n0, at.n, at.inverse_sum, pose.R.c1), at.n};
   pose.is_curved = true;
 }
 
-/// Of a reference that follows a surface: this one, in the place of its own.
+/// Pose of a reference that follows a surface, with `surface` in place of its own surface.
 template <class S>
 BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& reference,
                                                const CurvedSurface<S>& surface,
@@ -141,6 +149,7 @@ BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& referenc
   return pose;
 }
 
+/// Pose of a reference.
 template <class S>
 BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& reference,
                                                const Kinematics<S>& kinematics) {
@@ -151,7 +160,7 @@ BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& referenc
           reference_origin(reference, kinematics)};
 }
 
-/// The same with another rotation in the place of its own.
+/// Pose of a reference with `rotation` in place of its own rotation.
 template <class S>
 BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& reference,
                                                const Mat3<S>& rotation,
@@ -160,7 +169,8 @@ BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& referenc
           reference_origin(reference, kinematics)};
 }
 
-/// X m: a motion in world coordinates about the world's origin, in the reference.
+/// Returns X m: transforms a motion from world coordinates about the world's origin to the
+/// reference.
 template <class S>
 BURNISH_INLINE Motion<S> in_reference(const CompiledReference& reference,
                                       const ReferencePose<S>& at, const Motion<S>& m) {
@@ -168,22 +178,24 @@ BURNISH_INLINE Motion<S> in_reference(const CompiledReference& reference,
   if (reference.is_aligned) return there;
   return {transpose_times(at.R, there.linear), transpose_times(at.R, there.angular)};
 }
-/// X^-T f: a wrench in world coordinates about the world's origin, in the reference.
+/// Returns X^-T f: transforms a wrench from world coordinates about the world's origin to the
+/// reference.
 template <class S>
 BURNISH_INLINE Force<S> in_reference(const ReferencePose<S>& at, const Force<S>& f) {
   const Force<S> there = at_point(f, at.p);
   return {transpose_times(at.R, there.linear), transpose_times(at.R, there.angular)};
 }
 
-/// Twist of the reference, when these are the twists of what its origin (at p) and its axes are
-/// fixed in.
+/// Twist of a reference with its origin at p. `origin` and `axes` are the twists of the bodies to
+/// which its origin and its axes are fixed.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist(const Vec3<S>& p, const Motion<S>& origin,
                                          const Motion<S>& axes) {
   return moving_at(p, at_point(origin, p).linear, axes.angular);
 }
 
-/// The same at the velocity of the state, of axes that follow no surface, and of any.
+/// Twist of a reference with its origin at p, at the velocity of the state. The rotation of axes
+/// that follow a surface is left out.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist(const CompiledReference& reference, const Vec3<S>& p,
                                          const Kinematics<S>& kinematics) {
@@ -191,6 +203,8 @@ BURNISH_INLINE Motion<S> reference_twist(const CompiledReference& reference, con
   if (reference.origin_body == reference.axes_body) return of_axes;
   return reference_twist(p, twist_of(reference.origin_body, kinematics), of_axes);
 }
+/// Twist of a reference at the velocity of the state. Includes the rotation of axes that follow a
+/// surface.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist(const CompiledReference& reference,
                                          const ReferencePose<S>& at,
@@ -200,7 +214,8 @@ BURNISH_INLINE Motion<S> reference_twist(const CompiledReference& reference,
   return V;
 }
 
-/// V_k: the same per unit rate of an entry.
+/// Returns V_k: twist of a reference per unit rate of one entry of v. The rotation of axes that
+/// follow a surface is left out.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist(const ReferenceAxes& by, const Vec3<S>& p,
                                          const Kinematics<S>& kinematics) {
@@ -210,20 +225,21 @@ BURNISH_INLINE Motion<S> reference_twist(const ReferenceAxes& by, const Vec3<S>&
   return reference_twist(p, axis(by.origin), axis(by.axes));
 }
 
-/// Step of the tool's point against what the axes are fixed in, per unit of an entry.
+/// Displacement of the tool's point relative to the body of the axes, per unit of one entry of v.
 template <class S>
 BURNISH_INLINE Vec3<S> step_over_surface(const ReferenceAxes& by, const ReferencePose<S>& at,
                                          const Kinematics<S>& kinematics) {
   const auto axis = [&](int k) { return k < 0 ? Motion<S>::zero() : kinematics.axes[k].axis; };
   return at_point(axis(by.tool) - axis(by.axes), at.tool).linear;
 }
-/// Angle by which axes that follow a surface turn with that, rad.
+/// Rotation, per unit of one entry of v, of axes that follow a surface [rad].
 template <class S>
 BURNISH_INLINE Vec3<S> turn_over_surface(const ReferenceAxes& by, const ReferencePose<S>& at,
                                          const Kinematics<S>& kinematics) {
   return at.curved.turn(at.curved.normal_change(step_over_surface(by, at, kinematics)));
 }
-/// V_k of axes that may follow a surface.
+/// Returns V_k: twist of a reference per unit rate of one entry of v. Includes the rotation of axes
+/// that follow a surface.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist(const ReferenceAxes& by, const ReferencePose<S>& at,
                                          const Kinematics<S>& kinematics) {
@@ -232,7 +248,7 @@ BURNISH_INLINE Motion<S> reference_twist(const ReferenceAxes& by, const Referenc
   return V;
 }
 
-/// Derivative by q_k of a body's twist, where `k` is the axis by which the entry moves it.
+/// Derivative of the twist of a body by q_k. `k` is the axis by which the entry moves the body.
 template <class S>
 BURNISH_INLINE Motion<S> twist_by_q(int body, int k, const Kinematics<S>& kinematics) {
   if (k < 0) return Motion<S>::zero();
@@ -240,10 +256,12 @@ BURNISH_INLINE Motion<S> twist_by_q(int body, int k, const Kinematics<S>& kinema
   return cross(axis.axis, kinematics.bodies[body].v) + axis.parent_rate;
 }
 
-/// Derivative of the reference's twist by q_k; by v_k it is V_k. With v_O, w_A the twist of the
-/// origin's body and the angular velocity of the axes, u_k the step of o per unit of q_k,
+/// Derivative by q_k of the twist V of a reference. (The derivative by v_k is V_k.) v_O and w_O are
+/// the twist and the angular velocity of the origin's body, w_A is the angular velocity of the
+/// axes, and u_k is the displacement of the origin o per unit of q_k. Then
 ///   dV/dq_k moves o with (dv_O/dq_k)(o) + (w_O - w_A) x u_k and turns with dw_A/dq_k,
-/// where dv/dq_k = S_k x v + psi'_k for both bodies.
+/// where dv/dq_k = S_k x v + psi'_k for both bodies. The rotation of axes that follow a surface is
+/// left out.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference,
                                               const ReferenceAxes& by, const Vec3<S>& p,
@@ -258,9 +276,10 @@ BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference
   return moving_at(p, at_point(of_origin, p).linear + cross(w, step), of_axes.angular);
 }
 
-/// The same of axes that may follow a surface: w_C, by which they turn in what they are fixed in
-/// (A), changes with A and with what A sees of the tool's point x and of its velocity u, which
-/// changes by du/dq_k + w_u x dx, w_u being that of the tool less that of A.
+/// Derivative by q_k of the twist of a reference, including the rotation of axes that follow a
+/// surface. Let A be the body of the axes, and w_C the angular velocity of the axes relative to A.
+/// w_C changes with A, and with position x and velocity u of the tool's point relative to A. u
+/// changes by du/dq_k + w_u x dx, where w_u is the angular velocity of the tool relative to A.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference,
                                               const ReferenceAxes& by, const ReferencePose<S>& at,
@@ -268,14 +287,14 @@ BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference
   const Motion<S> fixed = reference_twist_by_q(reference, by, at.p, kinematics);
   if (!at.is_curved) return fixed;
   const auto axis = [&](int k) { return k < 0 ? Motion<S>::zero() : kinematics.axes[k].axis; };
-  const Motion<S> seen =
+  const Motion<S> relative =
       twist_of(reference.tool_body, kinematics) - twist_of(reference.axes_body, kinematics);
-  const Motion<S> seen_by_q = twist_by_q(reference.tool_body, by.tool, kinematics) -
-                              twist_by_q(reference.axes_body, by.axes, kinematics);
+  const Motion<S> relative_by_q = twist_by_q(reference.tool_body, by.tool, kinematics) -
+                                  twist_by_q(reference.axes_body, by.axes, kinematics);
   const Vec3<S> carried = axis(by.axes).angular;
   const Vec3<S> moved = at_point(axis(by.tool), at.tool).linear;
-  const Vec3<S> rate = at_point(seen_by_q, at.tool).linear + cross(seen.angular, moved) -
-                       cross(carried, at_point(seen, at.tool).linear);
+  const Vec3<S> rate = at_point(relative_by_q, at.tool).linear + cross(relative.angular, moved) -
+                       cross(carried, at_point(relative, at.tool).linear);
   const Vec3<S> step = step_over_surface(by, at, kinematics);
   const CurvedAxes<S>& curved = at.curved;
   const Vec3<S> dw =
@@ -289,8 +308,8 @@ struct ReferenceSupport {
   std::span<const MovingAxis> origin, axes;
 };
 
-/// Calls visit(v, axis, ReferenceAxes) for every entry of v that moves a frame or the reference
-/// that it is seen in, ascending; axis is -1 where the frame stands still.
+/// Calls visit(v, axis, ReferenceAxes) in ascending order for every entry of v that moves the frame
+/// or its reference. `axis` is -1 if the entry does not move the frame.
 template <class Visit>
 BURNISH_INLINE void for_each_entry(const CompiledFrame& frame, const ReferenceSupport& support,
                                    const Visit& visit) {

@@ -1,15 +1,16 @@
-// The regressor of inverse dynamics: the torque as a linear function of mass distributions, which
-// it is because the force that moves a body is one (C. Atkeson, C. An, J. Hollerbach, "Estimation
-// of Inertial Parameters of Manipulator Loads and Links", 1986).
+// Regressor of inverse dynamics: joint torques as a linear function of the inertial parameters of
+// bodies (C. Atkeson, C. An, J. Hollerbach, "Estimation of Inertial Parameters of Manipulator Loads
+// and Links", 1986).
 #pragma once
 
 #include "dynamics/inverse_dynamics.hpp"
 
 namespace burnish {
 
-/// Ten columns, row-major with leading dimension `stride`, of a body's parameters (mass, mass times
-/// centre, moments of inertia about the body's origin as xx xy xz yy yz zz, all in body axes): adds
-/// to nv rows what each adds to the torques at the accelerations of the last accelerate().
+/// Adds the regressor of one body to `out` (nv x 10, row-major with leading dimension `stride`), at
+/// the accelerations of the last accelerate(). Column j is the torque per unit of parameter j. The
+/// parameters are mass, mass times centre of mass (3), and moments of inertia about the origin of
+/// the body (xx, xy, xz, yy, yz, zz), all in body axes.
 template <class S>
 void body_regressor(const Tree& tree, const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                     int body, S* out, int stride);

@@ -1,4 +1,4 @@
-// Definitions of regressor.hpp, for any scalar.
+// Definitions of the templates in regressor.hpp.
 #pragma once
 
 #include "dynamics/inverse_dynamics.tpp"
@@ -7,12 +7,12 @@
 namespace burnish {
 namespace regressor_detail {
 
-/// How a body moves, in its own axes at its own origin.
+/// Motion of a body, in body axes at its origin.
 template <class S>
 struct BodyMotion {
-  Vec3<S> v;      ///< of turning, rad/s
-  Vec3<S> turn;   ///< its rate, rad/s^2
-  Vec3<S> accel;  ///< classical acceleration of the origin minus gravity, m/s^2
+  Vec3<S> v;      ///< Angular velocity [rad/s]
+  Vec3<S> turn;   ///< Angular acceleration [rad/s^2]
+  Vec3<S> accel;  ///< Classical acceleration of the origin minus gravity [m/s^2]
 };
 
 template <class S>
@@ -23,10 +23,10 @@ BodyMotion<S> motion_of(const BodyState<S>& body, const Motion<S>& a_joint) {
           transpose_times(body.R, Vec3<S>(a.linear + cross(v.angular, v.linear)))};
 }
 
-/// The product of the axis with the ten columns of the body's force (lin over ang),
+/// Adds to `out` the products of the axis with the ten columns of the body's force,
 ///   [ accel   turn x e_j + w x (w x e_j)   0                          ]
 ///   [ 0       e_j x accel                  E_i turn + w x (E_i w)     ],
-/// E_i being the symmetric unit matrices.
+/// with force above moment. E_i are the symmetric unit matrices.
 template <class S>
 void add_row(const Motion<S>& axis, const BodyMotion<S>& m, S* out) {
   const Vec3<S>&l = axis.linear, &r = axis.angular, &w = m.v, &t = m.turn;

@@ -9,9 +9,9 @@
 namespace burnish {
 namespace {
 
-/// The linear law while springs and dampers are added up.
+/// Sum of springs and dampers in the linear law.
 struct Sum {
-  std::map<std::pair<int, int>, Springs::Linear> parts;
+  std::map<std::pair<int, int>, Springs::Linear> entries;
   std::map<int, Springs::Pull> pulls;
   double energy_at_zero = 0.0;
 
@@ -23,11 +23,11 @@ struct Sum {
         pull.torque += tendon.stiffness * tendon.rest * a.coefficient;
       }
       for (const Tendon::Entry& b : tendon.parts) {
-        Springs::Linear& part =
-            parts.try_emplace({a.v, b.v}, Springs::Linear{a.v, b.v, a.q, b.q, 0.0, 0.0})
+        Springs::Linear& entry =
+            entries.try_emplace({a.v, b.v}, Springs::Linear{a.v, b.v, a.q, b.q, 0.0, 0.0})
                 .first->second;
-        part.by_q -= tendon.stiffness * a.coefficient * b.coefficient;
-        part.by_v -= tendon.damping * a.coefficient * b.coefficient;
+        entry.by_q -= tendon.stiffness * a.coefficient * b.coefficient;
+        entry.by_v -= tendon.damping * a.coefficient * b.coefficient;
       }
     }
   }
@@ -51,8 +51,8 @@ Springs::Springs(const Model& model) {
   for (const Tendon& tendon : model.tendons) sum.add(tendon);
   energy_at_zero = sum.energy_at_zero;
   for (const auto& [row, pull] : sum.pulls) pulls.push_back(pull);
-  for (const auto& [at, part] : sum.parts) linear.push_back(part);
-  for (const Linear& part : linear) places.push_back({part.row, part.column, part.by_v});
+  for (const auto& [at, entry] : sum.entries) linear.push_back(entry);
+  for (const Linear& entry : linear) places.push_back({entry.row, entry.column, entry.by_v});
   for (const Circle& circle : circles) places.push_back({circle.row, circle.row, 0.0});
   for (const Ball& ball : balls)
     for (int i = 0; i < 3; ++i)

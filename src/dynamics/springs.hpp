@@ -1,8 +1,9 @@
-// Torques that joints feel by where they are: springs in joints, springs and dampers of tendons,
-//   tau = tau_0 - K q - D v
-// over joints of one coordinate, with K and D the sums of k c c^T and d c c^T over springs and
-// dampers on a length c^T q; -k times the angle from rest, the short way, on a circle; -k log(q) of
-// a ball. As damping and friction they are in no dynamics unless the caller adds them to tau.
+// Torques of springs in joints, and of springs and dampers of tendons.
+//  - For joints with one coordinate, tau = tau_0 - K q - D v. K and D are the sums of k c c^T and
+//    d c c^T over all springs and dampers that act on a length c^T q.
+//  - For continuous joints, the torque is -k times the angle from rest, within [-pi, pi].
+//  - For balls, the torque is -k log(q).
+// Forward and inverse dynamics do not include these torques; the caller adds them to tau.
 #pragma once
 
 #include <vector>
@@ -11,30 +12,33 @@
 
 namespace burnish {
 
+/// Springs and dampers of a model.
 struct Springs {
   explicit Springs(const Model& model);
 
-  /// A place of d(tau)/dq and d(tau)/dv that is not zero: no place comes twice.
+  /// Nonzero entry of d(tau)/dq and d(tau)/dv. Each entry occurs once.
   struct Place {
-    int row, column;  ///< entries of v
-    double by_v;      ///< constant, Nms/rad (Ns/m)
+    int row, column;  ///< Entries of v
+    double by_v;      ///< Entry of d(tau)/dv, a constant [Nms/rad or Ns/m]
   };
-  /// Where the law is linear, with the entries of q of row and column.
+  /// Entry (row, column) of the linear law, with the entries of q for row and column.
   struct Linear {
     int row, column;
     int q_row, q_column;
     double by_q, by_v;
   };
-  /// A torque at q = 0, Nm or N.
+  /// Torque of the linear law at q = 0 [Nm or N].
   struct Pull {
     int row, q;
     double torque;
   };
+  /// Spring of a continuous joint.
   struct Circle {
     int row, q;
     double stiffness;
-    double cosine, sine;  ///< of the rest
+    double cosine, sine;  ///< Cosine and sine of the rest angle
   };
+  /// Spring of a ball.
   struct Ball {
     int row, q;
     double stiffness;
@@ -42,25 +46,26 @@ struct Springs {
 
   bool empty() const { return places.empty(); }
 
-  std::vector<Place> places;  ///< of `linear`, of `circles`, and of each ball nine, row by row
+  /// Entries of `linear`, then of `circles`, then nine for each ball, row by row
+  std::vector<Place> places;
   std::vector<Linear> linear;
   std::vector<Pull> pulls;
   std::vector<Circle> circles;
   std::vector<Ball> balls;
-  double energy_at_zero = 0.0;  ///< of the linear ones, J
+  double energy_at_zero = 0.0;  ///< Energy of the linear law at q = 0 [J]
 };
 
-/// Adds the torques at (q, v) (nq, nv) to tau (nv: Nm or N).
+/// Adds the torques at q (nq) and v (nv) to tau (nv) [Nm or N].
 template <class S>
 void add_spring_torque(const Springs& springs, const S* q, const S* v, S* tau);
 
-/// d(tau)/dq by the right tangent increment at every place, into by_q (as many as there are
-/// places). d(tau)/dv is constant: Place::by_v.
+/// Computes d(tau)/dq, by right tangent increments, into by_q with one number for each of `places`.
+/// (d(tau)/dv is the constant Place::by_v.)
 template <class S>
 void spring_slopes(const Springs& springs, const S* q, S* by_q);
 
-/// Energy in the springs, J. Springs of a joint and of its followers that pull against each other
-/// count as the one that they make together: their energy at its rest is left out.
+/// Energy in the springs [J]. Opposing springs of a joint and its followers count as one combined
+/// spring, whose energy is zero at its rest position.
 template <class S>
 S spring_energy(const Springs& springs, const S* q);
 

@@ -1,4 +1,4 @@
-// Definitions of springs.hpp, for any scalar.
+// Definitions of the templates in springs.hpp.
 #pragma once
 
 #include "dynamics/springs.hpp"
@@ -7,14 +7,14 @@
 namespace burnish {
 namespace springs_detail {
 
-/// The angle from rest, in [-pi, pi].
+/// Angle of a continuous joint from the rest angle of its spring, in [-pi, pi] [rad].
 template <class S>
 BURNISH_INLINE S angle_of(const Springs::Circle& circle, const S* q) {
   const S rest[2] = {S(circle.cosine), S(circle.sine)};
   return angle_between(rest, q + circle.q);
 }
 
-/// The rotation vector of a ball, and its length.
+/// Returns the rotation vector of a ball, and sets theta to its length [rad].
 template <class S>
 BURNISH_INLINE Vec3<S> turn_of(const Springs::Ball& ball, const S* q, S& theta) {
   const S* const x = q + ball.q;
@@ -26,8 +26,8 @@ BURNISH_INLINE Vec3<S> turn_of(const Springs::Ball& ball, const S* q, S& theta) 
 template <class S>
 void add_spring_torque(const Springs& springs, const S* q, const S* v, S* tau) {
   for (const Springs::Pull& pull : springs.pulls) tau[pull.row] += S(pull.torque);
-  for (const Springs::Linear& part : springs.linear)
-    tau[part.row] += S(part.by_q) * q[part.q_column] + S(part.by_v) * v[part.column];
+  for (const Springs::Linear& entry : springs.linear)
+    tau[entry.row] += S(entry.by_q) * q[entry.q_column] + S(entry.by_v) * v[entry.column];
   for (const Springs::Circle& circle : springs.circles)
     tau[circle.row] -= S(circle.stiffness) * springs_detail::angle_of(circle, q);
   for (const Springs::Ball& ball : springs.balls) {
@@ -42,7 +42,7 @@ void add_spring_torque(const Springs& springs, const S* q, const S* v, S* tau) {
 template <class S>
 void spring_slopes(const Springs& springs, const S* q, S* by_q) {
   S* block = by_q;
-  for (const Springs::Linear& part : springs.linear) *block++ = S(part.by_q);
+  for (const Springs::Linear& entry : springs.linear) *block++ = S(entry.by_q);
   for (const Springs::Circle& circle : springs.circles) *block++ = S(-circle.stiffness);
   for (const Springs::Ball& ball : springs.balls) {
     S theta;
@@ -63,8 +63,8 @@ template <class S>
 S spring_energy(const Springs& springs, const S* q) {
   S energy(springs.energy_at_zero);
   for (const Springs::Pull& pull : springs.pulls) energy -= S(pull.torque) * q[pull.q];
-  for (const Springs::Linear& part : springs.linear)
-    energy -= S(0.5 * part.by_q) * q[part.q_row] * q[part.q_column];
+  for (const Springs::Linear& entry : springs.linear)
+    energy -= S(0.5 * entry.by_q) * q[entry.q_row] * q[entry.q_column];
   for (const Springs::Circle& circle : springs.circles) {
     const S angle = springs_detail::angle_of(circle, q);
     energy += S(0.5 * circle.stiffness) * angle * angle;

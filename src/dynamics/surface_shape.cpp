@@ -8,6 +8,7 @@
 
 #include "base/parse_number.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "dynamics/descriptions.gen.hpp"
@@ -16,9 +17,11 @@ namespace burnish {
 namespace {
 
 using Kind = SurfaceShape::Kind;
-constexpr double tiny = 1e-12;  // m, 1/m: no direction leads there
+// Length [m] or gradient below which a direction is undefined, chosen by hand.
+constexpr double tiny = 1e-12;
 
-/// Unit vector from an axis, and around it, at a point off it; any where it is on it.
+/// Distance of a point from an axis, unit vector `out` away from the axis, and unit vector `along`
+/// around it. On the axis, `out` is arbitrary.
 struct Around {
   double distance;
   Eigen::Vector3d out, along;
@@ -38,13 +41,13 @@ SurfaceDistance of_sphere(double radius, const Eigen::Vector3d& y) {
   return {y.norm() - radius, n, (Eigen::Matrix3d::Identity() - n * n.transpose()) / length};
 }
 
-/// About z.
+/// Cylinder about the z axis.
 SurfaceDistance of_cylinder(double radius, const Eigen::Vector3d& y) {
   const Around at = around_z(y);
   return {at.distance - radius, at.out, at.along * at.along.transpose() / at.distance};
 }
 
-/// Opening along z from the origin, and its mirror image.
+/// Double cone about the z axis, with its apex at the origin.
 SurfaceDistance of_cone(double half_angle, const Eigen::Vector3d& y) {
   const Around at = around_z(y);
   const double c = std::cos(half_angle), s = std::sin(half_angle);
@@ -53,7 +56,7 @@ SurfaceDistance of_cone(double half_angle, const Eigen::Vector3d& y) {
           c / at.distance * at.along * at.along.transpose()};
 }
 
-/// A ring about z.
+/// Torus whose ring is a circle about the z axis.
 SurfaceDistance of_torus(double ring, double radius, const Eigen::Vector3d& y) {
   const Around at = around_z(y);
   const double out = at.distance - ring;
@@ -65,15 +68,15 @@ SurfaceDistance of_torus(double ring, double radius, const Eigen::Vector3d& y) {
               out / (length * at.distance) * at.along * at.along.transpose()};
 }
 
-/// Zeros of F(y) = y^T A y / 2 + b^T y + c with A diagonal. The nearest point p has
-/// y = p + m grad F(p), so that p(m) = (1 + m A)^-1 (y - m b), and F(p(m)) = 0 is solved for m by
-/// Newton's method: dF/dm = -grad F^T (1 + m A)^-1 grad F.
+/// Surface F = 0 with F(y) = y^T A y / 2 + b^T y + c and a diagonal A. The nearest point p of the
+/// surface satisfies y = p + m grad F(p), so p(m) = (1 + m A)^-1 (y - m b). Newton's method solves
+/// F(p(m)) = 0 for m, with dF/dm = -grad F^T (1 + m A)^-1 grad F.
 SurfaceDistance of_quadric(const Eigen::Vector3d& A, const Eigen::Vector3d& b, double c,
                            const Eigen::Vector3d& y) {
-  constexpr int most = 30;
+  constexpr int max_iterations = 30;  // chosen by hand
   double m = 0.0;
   Eigen::Vector3d p = y, g = A.cwiseProduct(p) + b;
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const Eigen::Vector3d scale = (1.0 + m * A.array()).max(1e-6).inverse();
     p = scale.cwiseProduct(y - m * b);
     g = A.cwiseProduct(p) + b;
@@ -89,17 +92,17 @@ SurfaceDistance of_quadric(const Eigen::Vector3d& A, const Eigen::Vector3d& b, d
   const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
   const Eigen::Matrix3d here = tangent * A.asDiagonal() * tangent / length;
   const double distance = n.dot(y - p);
-  // Of the surface that is this far away.
+  // Second derivative for the parallel surface through y.
   const Eigen::Matrix3d there = (Eigen::Matrix3d::Identity() + distance * here).inverse() * here;
   return {distance, n, 0.5 * (there + there.transpose())};
 }
 
-/// The planes z = 0 and, from x = edge on, one that falls off by the slope: the material is under
-/// both. Nearest is one of them, or the edge where neither's foot is on it.
+/// Ridge: the plane z = 0 and, for x > edge, a plane that falls by the angle `slope`. The material
+/// is below both. The nearest point is on one of the planes or on the edge.
 SurfaceDistance of_ridge(double edge, double slope, const Eigen::Vector3d& y) {
   const double x = y.x() - edge, c = std::cos(slope), s = std::sin(slope);
   const double second = x * s + y.z() * c, along = x * c - y.z() * s;
-  if (x > 0.0 && along < 0.0 && y.z() > 0.0) {  // over the edge
+  if (x > 0.0 && along < 0.0 && y.z() > 0.0) {  // nearest to the edge
     const double length = std::max(std::hypot(x, y.z()), tiny);
     const Eigen::Vector3d n = Eigen::Vector3d(x, 0.0, y.z()) / length;
     const Eigen::Vector3d around(n.z(), 0.0, -n.x());
@@ -122,11 +125,11 @@ Eigen::Matrix3d turned_axes(const Eigen::Vector3d& normal, double turn_deg) {
 
 }  // namespace
 
-std::string name_of(Kind kind) { return words_of(kind).words[static_cast<std::size_t>(kind)].word; }
+std::string name_of(Kind kind) { return words_of(kind).words[to_size(kind)].word; }
 std::vector<std::string> surface_kinds() { return words_of(Kind{}).list(); }
 
 namespace {
-/// What a text states of each kind after its name, in this order.
+/// Returns the numbers that follow the name of a kind in a text, in this order.
 std::vector<double*> stated_of(SurfaceShape& shape) {
   switch (shape.kind) {
     case Kind::Sphere:
@@ -159,20 +162,21 @@ SurfaceShape SurfaceShape::parse(const std::string& text) {
   const std::vector<std::string> known = surface_kinds();
   const auto found = std::find(known.begin(), known.end(), name);
   if (found == known.end())
-    throw Error(who + ": there is no shape " + in_quotes(name) + "; wanted such as sphere:0.3" +
-                did_you_mean(name, known));
+    throw Error(who + ": there is no shape " + in_quotes(name) +
+                "; wanted a shape such as sphere:0.3" + did_you_mean(name, known));
   shape.kind = static_cast<Kind>(found - known.begin());
   shape.hollow = pieces.size() > 1 && pieces.back() == "hollow";
   const std::vector<double*> numbers = stated_of(shape);
   const std::size_t stated = pieces.size() - 1 - (shape.hollow ? 1 : 0);
   if (stated != 0 && stated != numbers.size())
-    throw Error(who + ": it states " + std::to_string(stated) + " numbers; a " + name + " has " +
-                std::to_string(numbers.size()));
+    throw Error(who + ": " + name + " is followed by " + std::to_string(stated) +
+                " numbers; wanted " + std::to_string(numbers.size()) + " or none");
   for (std::size_t i = 0; i < stated; ++i) {
     const std::optional<double> number = parse_number(pieces[i + 1]);
     if (!number)
-      throw Error(who + ": " + in_quotes(pieces[i + 1]) + " is no number; wanted such as " + name +
-                  ":0.3, and ':hollow' at the end of one that is worked in");
+      throw Error(who + ": " + in_quotes(pieces[i + 1]) +
+                  " is not a number; wanted numbers as in " + name +
+                  ":0.3, and ':hollow' at the end if the tool touches the inner side");
     *numbers[i] = *number;
   }
   shape.check(who);
@@ -180,29 +184,33 @@ SurfaceShape SurfaceShape::parse(const std::string& text) {
 }
 
 Quadric SurfaceDistance::quadric(const Eigen::Vector3d& x, double offset) const {
-  Quadric result{.Q = bend, .b = normal - bend * x};
-  result.c = distance - offset - normal.dot(x) + 0.5 * x.dot(bend * x);
+  Quadric result{.Q = hessian, .b = normal - hessian * x};
+  result.c = distance - offset - normal.dot(x) + 0.5 * x.dot(hessian * x);
   return result;
 }
 
 void SurfaceShape::check(const std::string& who) const {
   const std::string what = who + ": " + name_of(kind);
-  if (!std::isfinite(turn_deg)) throw Error(what + ": its turn is not finite");
+  if (!std::isfinite(turn_deg))
+    throw Error(what + ": turn_deg is not finite; wanted a number in degrees");
   switch (kind) {
     case Kind::Plane:
-      if (hollow) throw Error(what + ": it is hollow, which a plane cannot be");
+      if (hollow) throw Error(what + ": a plane cannot be hollow");
       return;
     case Kind::Saddle:
       if (hollow)
-        throw Error(what + ": it is hollow; wanted curvatures of the other signs in its place");
-      if (!curvature.allFinite()) throw Error(what + ": its curvatures are not finite");
+        throw Error(what +
+                    ": a saddle cannot be hollow; wanted both curvatures with the opposite sign");
+      if (!curvature.allFinite())
+        throw Error(what + ": its curvatures are not finite; wanted numbers in 1/m");
       return;
     case Kind::Ridge:
       if (!std::isfinite(edge))
-        throw Error(what + ": the way to its edge is not finite; wanted a number in m");
+        throw Error(what + ": the distance to its edge is not finite; wanted a number in m");
       if (!(slope > 0.0 && slope < 1.5))
         throw Error(what + ": its slope is " + number(slope) +
-                    " rad; wanted above 0 and below 1.5 (hollow: it rises)");
+                    " rad; wanted above 0 and below 1.5, and a hollow ridge if the surface rises "
+                    "behind its edge");
       return;
     case Kind::Ellipsoid:
       for (const double length : semi_axes) check_length(what, "semi-axis", length);
@@ -211,8 +219,8 @@ void SurfaceShape::check(const std::string& who) const {
       check_length(what, "ring", ring);
       check_length(what, "radius", radius);
       if (!(radius < ring))
-        throw Error(what + ": its tube of radius " + number(radius) + " m runs along a ring of " +
-                    number(ring) + " m; wanted a tube that is thinner than that");
+        throw Error(what + ": the radius of its tube is " + number(radius) +
+                    " m; wanted less than the radius of its ring, " + number(ring) + " m");
       return;
     case Kind::Cone:
       if (!(half_angle > 0.0 && half_angle < 1.5))
@@ -259,7 +267,7 @@ Surface::Surface(const SurfaceShape& shape, const Eigen::Vector3d& point,
   shape.check("the surface");
   normal_ = axes_.col(2);
   const Eigen::Vector3d x = axes_.col(0), y = axes_.col(1), n = normal_;
-  const double into = shape.hollow ? -1.0 : 1.0;  // of the middle, against the normal
+  const double into = shape.hollow ? -1.0 : 1.0;  // 1: the centre is on the side opposite to n
   switch (shape.kind) {
     case Kind::Plane:
     case Kind::Saddle:
@@ -271,14 +279,14 @@ Surface::Surface(const SurfaceShape& shape, const Eigen::Vector3d& point,
       center_ -= into * shape.radius * n;
       axes_ << y, n, x;
       break;
-    case Kind::Cone: {  // its own z along the axis: x turned into the material by the half angle
+    case Kind::Cone: {  // axis z: x turned into the material by the half angle
       const double c = std::cos(shape.half_angle), s = std::sin(shape.half_angle);
       const Eigen::Vector3d z = c * x - into * s * n;
       center_ -= shape.radius / std::tan(shape.half_angle) * x;
       axes_ << y, z.cross(y), z;
       break;
     }
-    case Kind::Torus:  // touched where its ring is farthest out
+    case Kind::Torus:  // the given point is at the outer equator of the torus
       center_ -= into * (shape.ring + shape.radius) * n;
       axes_ << n, x, n.cross(x);
       break;
@@ -311,9 +319,9 @@ SurfaceDistance Surface::at(const Eigen::Vector3d& x) const noexcept {
       result = of_torus(shape_.ring, shape_.radius, y);
       break;
     case Kind::Ellipsoid: {
-      const double least = shape_.semi_axes.minCoeff();
-      result = of_quadric(least * shape_.semi_axes.array().square().inverse(),
-                          Eigen::Vector3d::Zero(), -0.5 * least, y);
+      const double shortest = shape_.semi_axes.minCoeff();
+      result = of_quadric(shortest * shape_.semi_axes.array().square().inverse(),
+                          Eigen::Vector3d::Zero(), -0.5 * shortest, y);
       break;
     }
     case Kind::Ridge:
@@ -326,33 +334,34 @@ SurfaceDistance Surface::at(const Eigen::Vector3d& x) const noexcept {
   }
   const double sign = shape_.hollow ? -1.0 : 1.0;
   return {sign * result.distance, sign * axes_ * result.normal,
-          sign * axes_ * result.bend * axes_.transpose()};
+          sign * axes_ * result.hessian * axes_.transpose()};
 }
 
 Eigen::Vector3d Surface::along_normal(const Eigen::Vector3d& x) const noexcept {
-  constexpr int most = 50;
+  constexpr int max_iterations = 50;  // chosen by hand
+  constexpr double min_slope = 0.1;   // bounds the steps of Newton's method, chosen by hand
   Eigen::Vector3d p = x - normal_.dot(x - point_) * normal_;  // in the tangent plane
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const SurfaceDistance here = at(p);
-    const double slope = std::max(here.normal.dot(normal_), 0.1);
+    const double slope = std::max(here.normal.dot(normal_), min_slope);
     p -= here.distance / slope * normal_;
     if (std::abs(here.distance) < 1e-14) break;
   }
   return p;
 }
 
-double Surface::most_concave() const {
+double Surface::max_concavity() const {
   switch (shape_.kind) {
     case Kind::Plane:
-    case Kind::Ridge:  // a tip of any size lies in a valley, on both of its planes
+    case Kind::Ridge:  // a tip of any radius fits into a valley and touches both planes
       return 0.0;
     case Kind::Saddle:
       return std::max({0.0, shape_.curvature.x(), shape_.curvature.y()});
-    case Kind::Torus:  // outside of a full one it is its inner side, which paths do not come to
+    case Kind::Torus:  // a solid torus is concave only around its hole, which paths do not reach
       return shape_.hollow ? 1.0 / shape_.radius : 0.0;
     case Kind::Ellipsoid: {
-      const double longest = shape_.semi_axes.maxCoeff(), least = shape_.semi_axes.minCoeff();
-      return shape_.hollow ? longest / (least * least) : 0.0;
+      const double longest = shape_.semi_axes.maxCoeff(), shortest = shape_.semi_axes.minCoeff();
+      return shape_.hollow ? longest / (shortest * shortest) : 0.0;
     }
     case Kind::Sphere:
     case Kind::Cylinder:

@@ -3,32 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 namespace {
 
-// Relatives (ancestors, descendants, itself) of an entry on average. Measured on chains, where it
-// is their length, with packs of 8 states.
+// Minimum mean number of relatives (ancestors, descendants and the entry itself) of an entry of v
+// for which the articulated-body solver is used. Measured on chains, where this number is the
+// length of the chain, with packs of 8 states.
 constexpr double relatives_of_deep_trees = 22.0;
 
 double mean_relatives(const std::vector<int>& parent_of_v) {
-  double pairs = 0.0;  // of an entry and an ancestor, counted from both sides
+  double pairs = 0.0;  // pairs of an entry and an ancestor, counted from both sides
   for (int k : parent_of_v)
-    for (; k >= 0; k = parent_of_v[static_cast<std::size_t>(k)]) pairs += 2.0;
+    for (; k >= 0; k = parent_of_v[to_size(k)]) pairs += 2.0;
   return 1.0 + pairs / static_cast<double>(parent_of_v.size());
 }
 
-/// How the axes of a model are numbered.
+/// Numbering of the axes of a model.
 struct AxisNumbers {
-  std::vector<int> first;       ///< of each joint
-  std::vector<int> up_to_root;  ///< of each joint: its axis, or the sum of those of its entry
+  std::vector<int> first;       ///< First axis of each joint
+  std::vector<int> up_to_root;  ///< Axis of each joint, or sum of the axes of its entry of v
   std::vector<AxisSum> sums;
 };
 
-/// The nearest joint above that moves by the same entry of v, -1 for none.
+/// Returns the nearest ancestor that moves with the same entry of v, or -1.
 int same_entry_above(const Model& model, const Joint& joint) {
   int above = joint.parent;
-  while (above >= 0 && model.joints[static_cast<std::size_t>(above)].v_index != joint.v_index)
-    above = model.joints[static_cast<std::size_t>(above)].parent;
+  while (above >= 0 && model.joints[to_size(above)].v_index != joint.v_index)
+    above = model.joints[to_size(above)].parent;
   return above;
 }
 
@@ -47,7 +50,7 @@ AxisNumbers number_axes(const Model& model) {
     const int above = same_entry_above(model, model.joints[i]);
     if (above < 0) continue;
     result.up_to_root[i] = count + static_cast<int>(result.sums.size());
-    result.sums.push_back({result.first[i], result.up_to_root[static_cast<std::size_t>(above)]});
+    result.sums.push_back({result.first[i], result.up_to_root[to_size(above)]});
   }
   return result;
 }
@@ -56,10 +59,11 @@ TreeFollower follower_of(const Following& follows) {
   return {follows.multiplier, follows.offset, std::cos(follows.offset), std::sin(follows.offset)};
 }
 
-/// A turning follower counts its angle as its leader does.
+/// Returns the kind of a joint in the tree. A rotary follower uses the angle coordinates of its
+/// leader.
 JointKind kind_in_tree(const Model& model, const Joint& joint) {
   if (!joint.follows || joint.kind == JointKind::Prismatic) return joint.kind;
-  const Joint& leader = model.joints[static_cast<std::size_t>(joint.follows->leader)];
+  const Joint& leader = model.joints[to_size(joint.follows->leader)];
   return leader.kind == JointKind::Continuous ? JointKind::Continuous : JointKind::Revolute;
 }
 
@@ -68,12 +72,12 @@ JointKind kind_in_tree(const Model& model, const Joint& joint) {
 std::vector<MovingAxis> moving_axes(const Model& model, int body) {
   const AxisNumbers numbers = number_axes(model);
   std::vector<MovingAxis> result;
-  for (; body >= 0; body = model.joints[static_cast<std::size_t>(body)].parent) {
-    const Joint& joint = model.joints[static_cast<std::size_t>(body)];
+  for (; body >= 0; body = model.joints[to_size(body)].parent) {
+    const Joint& joint = model.joints[to_size(body)];
     const auto same = [&](const MovingAxis& entry) { return entry.v == joint.v_index; };
     if (std::any_of(result.begin(), result.end(), same)) continue;
     for (int k = 0; k < joint_nv(joint.kind); ++k)
-      result.push_back({joint.v_index + k, numbers.up_to_root[static_cast<std::size_t>(body)] + k});
+      result.push_back({joint.v_index + k, numbers.up_to_root[to_size(body)] + k});
   }
   std::sort(result.begin(), result.end(),
             [](const MovingAxis& a, const MovingAxis& b) { return a.v < b.v; });
@@ -82,7 +86,7 @@ std::vector<MovingAxis> moving_axes(const Model& model, int body) {
 
 int moving_axis(const Tree& tree, int body, int v) {
   while (body >= 0) {
-    const TreeJoint& joint = tree.joints[static_cast<std::size_t>(body)];
+    const TreeJoint& joint = tree.joints[to_size(body)];
     if (joint.v <= v && v < joint.v + joint.nv) {
       for (std::size_t i = 0; i < tree.sums.size(); ++i)
         if (tree.sums[i].own == joint.axis) return tree.axes + static_cast<int>(i);
@@ -101,7 +105,7 @@ BodyInertia body_inertia(const InertiaSpec& inertia) {
 }
 
 void set_body_inertia(Tree& tree, int body, const BodyInertia& inertia) {
-  TreeJoint& joint = tree.joints[static_cast<std::size_t>(body)];
+  TreeJoint& joint = tree.joints[to_size(body)];
   joint.mass = inertia.mass;
   joint.com = inertia.com;
   joint.inertia = inertia.inertia;
@@ -134,7 +138,7 @@ Tree::Tree(const Model& model)
     if (joint.follows) followers.push_back(follower_of(*joint.follows));
     int previous = -1;
     if (joint.parent >= 0) {
-      const TreeJoint& parent = joints[static_cast<std::size_t>(joint.parent)];
+      const TreeJoint& parent = joints[to_size(joint.parent)];
       previous = parent.axis + parent.nv - 1;
     }
     for (int k = 0; k < count; ++k) {
@@ -149,7 +153,7 @@ Tree::Tree(const Model& model)
 }
 
 std::vector<std::pair<int, int>> Tree::chains() const {
-  std::vector<int> children(static_cast<std::size_t>(nv), 0);
+  std::vector<int> children(to_size(nv), 0);
   for (int k = 0; k < nv; ++k)
     if (parent_of_v[k] >= 0) ++children[parent_of_v[k]];
   std::vector<std::pair<int, int>> result;

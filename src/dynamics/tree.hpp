@@ -1,8 +1,8 @@
-// The model as the kernels read it: constants in plain structs, ancestor lists.
+// Kinematic tree of a model for kernels: constants in plain structs, and lists of ancestors.
 //
-// Axes and entries of v are the same, one by one, unless joints follow others. A follower has an
-// axis of its own but moves by its leader's entry of v: with q_full = S q + s, axis k of S's column
-// is multiplier * S_k. Kernels work on axes, scaled so, and add up what the axes of an entry give.
+// Each entry of v has one axis, unless joints follow other joints. A follower has its own axis but
+// moves with the entry of v of its leader. Kernels scale the axis of a follower by its multiplier,
+// compute one result per axis, and then add the results of all axes of an entry.
 #pragma once
 
 #include <utility>
@@ -13,91 +13,93 @@
 
 namespace burnish {
 
-/// Constants of one joint and its body. The joint's axis is z of its frame.
+/// Constants of one joint and its body. The axis of the joint is the z axis of its frame.
 struct TreeJoint {
-  JointKind kind;    ///< of a turning follower: Continuous where its leader is, else Revolute
-  int parent;        ///< joint index, -1 for the world
-  int q, v, nv;      ///< first entry in q and v, number of entries in v; of a follower its leader's
-  int axis;          ///< first of its nv axes
-  int follower;      ///< index into the tree's followers, -1 for none
-  Mat3<double> R;    ///< joint frame at zero in the parent body
-  Vec3<double> p;    ///< m
-  double mass;       ///< kg
-  Vec3<double> com;  ///< in the body, m
-  Sym3<double> inertia;  ///< about com, body axes, kg m^2
+  JointKind kind;  ///< Kind. A rotary follower is Continuous if its leader is, otherwise Revolute
+  int parent;      ///< Joint index of the parent; -1: the world
+  int q, v, nv;  ///< First entry in q and in v, number of entries in v; a follower has its leader's
+  int axis;      ///< First of the nv axes
+  int follower;  ///< Index in Tree::followers; -1: not a follower
+  Mat3<double> R;        ///< Rotation from the joint frame at zero to the parent body
+  Vec3<double> p;        ///< Origin of the joint frame in the parent body [m]
+  double mass;           ///< Mass of the body [kg]
+  Vec3<double> com;      ///< Centre of mass, in the body [m]
+  Sym3<double> inertia;  ///< Inertia about com, in body axes [kg m^2]
 };
 
-/// Mass distribution of a body, in its axes.
+/// Mass distribution of a body, in body axes.
 struct BodyInertia {
-  double mass;           ///< kg
-  Vec3<double> com;      ///< m
-  Sym3<double> inertia;  ///< about com, kg m^2
+  double mass;           ///< Mass [kg]
+  Vec3<double> com;      ///< Centre of mass [m]
+  Sym3<double> inertia;  ///< Inertia about com [kg m^2]
 };
 
-/// Value of a follower: multiplier * value of its leader + offset, rad or m.
+/// Relation of a follower to its leader: value = multiplier * value of the leader + offset
+/// [rad or m].
 struct TreeFollower {
   double multiplier, offset;
-  double cosine, sine;  ///< of the offset
+  double cosine, sine;  ///< Cosine and sine of the offset
 };
 
-/// An axis that stands for all those of one entry of v on a body's way to the root: axis `own`, the
-/// nearest to the body, plus `above`, which may be such a sum itself.
+/// Sum of all axes of one entry of v on the path from a body to the root. `own` is the axis nearest
+/// to the body. `above` is the next axis or the next sum.
 struct AxisSum {
   int own, above;
 };
 
+/// Kinematic tree of a model.
 struct Tree {
   explicit Tree(const Model& model);
 
   std::vector<TreeJoint> joints;
   std::vector<TreeFollower> followers;
   std::vector<int> parent_of_v;     ///< Model::parent_of_v
-  std::vector<int> parent_of_axis;  ///< previous axis on the way to the root, -1 at the root
+  std::vector<int> parent_of_axis;  ///< Next axis on the path to the root; -1 at the root
   std::vector<int> v_of_axis;
   std::vector<int> joint_of_axis;
-  std::vector<double> armature;  ///< per axis: that of an entry of v is on its owner's
-  std::vector<AxisSum> sums;     ///< sum i has the number axes + i
-  Vec3<double> gravity;          ///< m/s^2, world axes
+  std::vector<double> armature;  ///< Armature per axis; zero for axes of followers
+  std::vector<AxisSum> sums;     ///< Sums of axes; sum i has the axis number axes + i
+  Vec3<double> gravity;          ///< Gravity in world axes [m/s^2]
   int nq = 0, nv = 0;
   int axes = 0;
 
-  /// Whether entries of v have so many relatives on the ways to the root and to the tips that
-  /// articulated bodies are cheaper than sparse matrices (articulated.hpp). Never with followers,
-  /// which tie branches together.
+  /// True if the tree is so deep that articulated bodies are cheaper than sparse matrices
+  /// (articulated.hpp). Always false with followers, which connect branches.
   bool deep = false;
 
-  /// Whether entries of v have several axes, so that results per axis are to be added up.
+  /// Returns true if an entry of v can have several axes, whose results must be added.
   bool shares_entries() const { return !followers.empty(); }
   int bodies() const { return static_cast<int>(joints.size()); }
-  /// Maximal chains [first, end) of entries of v in which each but the first hangs on the one
-  /// before it and each but the last carries that one alone; ascending.
+  /// Returns the maximal unbranched chains [first, end) of entries of v, in ascending order. In a
+  /// chain, each entry is the only child of the previous entry.
   std::vector<std::pair<int, int>> chains() const;
 };
 
+/// Converts an InertiaSpec.
 BodyInertia body_inertia(const InertiaSpec& inertia);
-/// Another mass distribution in the place of that of a body: a payload taken up, for states that
-/// are evaluated from then on. Allocates nothing.
+/// Replaces the mass distribution of a body, for example with a payload. Evaluations after the call
+/// use the new values. Does not allocate.
 void set_body_inertia(Tree& tree, int body, const BodyInertia& inertia);
 
-/// A body of a model together with what it carries at one of its frames, whatever it carried
-/// before; `status` is that of check_inertia. Throws Error as frame_on_body does. Allocates nothing
-/// otherwise.
+/// Body of a model with a load.
 struct LoadedBody {
-  Status status;
-  int body;
-  InertiaSpec inertia;  ///< in the body's axes
+  Status status;        ///< Result of check_inertia for the load
+  int body;             ///< Joint index of the body
+  InertiaSpec inertia;  ///< Inertia of the body with its load, in body axes
 };
+/// Adds the load `carried`, given in `frame`, to the body of this frame in the model. Earlier loads
+/// are not included. Throws Error if frame_on_body does. Does not allocate otherwise.
 LoadedBody loaded_body(std::string_view call, const Model& model, std::string_view frame,
                        const InertiaSpec& carried);
 
-/// An entry of v that moves a body, and the axis, or sum of axes, by which it does.
+/// Entry of v that moves a body, with the axis or sum of axes by which it moves the body.
 struct MovingAxis {
   int v, axis;
 };
-/// Of a body (joint index, -1 for the world), ascending in v.
+/// Returns the entries of v that move a body (joint index; -1: the world), in ascending order.
 std::vector<MovingAxis> moving_axes(const Model& model, int body);
-/// The axis, or sum of axes, by which entry v moves a body; -1 where it does not. Allocates
-/// nothing.
+/// Returns the axis or sum of axes by which entry v moves a body, or -1 if v does not move the
+/// body. Does not allocate.
 int moving_axis(const Tree& tree, int body, int v);
 
 }  // namespace burnish

@@ -26,7 +26,7 @@ const BaseEstimatorOptions& checked(const BaseEstimatorOptions& options) {
     for (std::size_t j = 0; j < i; ++j)
       if (options.feet[i].frame == options.feet[j].frame)
         throw Error("the estimator has the foot " + in_quotes(options.feet[i].frame) +
-                    " twice; wanted every foot once");
+                    " twice; wanted each foot once");
   return options;
 }
 
@@ -60,7 +60,8 @@ Eigen::MatrixXd initial_covariance(const BaseEstimatorOptions& o, const Vector3d
   return P;
 }
 
-/// xi of the error in world axes, or back: xi_v = dv + v x theta, xi_p = dp + p x theta.
+/// Converts the covariance P from the error in world axes to the error xi (`sign` 1), or back
+/// (`sign` -1): xi_v = dv + v x theta, xi_p = dp + p x theta.
 void change_coordinates(const InertialState<double>& x, double sign, Eigen::MatrixXd& P) {
   Eigen::Matrix3d v, p;
   v << 0.0, -x.v.z, x.v.y, x.v.z, 0.0, -x.v.x, -x.v.y, x.v.x, 0.0;
@@ -106,22 +107,22 @@ struct BaseEstimator::Impl {
   void start(const ConstVectorRef& q_start, const ConstVectorRef& v_start,
              const Eigen::Ref<const Eigen::MatrixXd>& P, const Vector3d& b_gyro = Vector3d::Zero(),
              const Vector3d& b_accelerometer = Vector3d::Zero()) noexcept;
-  void see_feet() noexcept;
+  void update_foot_noise() noexcept;
   void follow_slips(FootSet standing, FootSet rejected, const Vector3d& gyro, double dt) noexcept;
   double speed_limit() const noexcept;
-  void tell_base(const Vector3d& gyro) noexcept;
+  void update_base(const Vector3d& gyro) noexcept;
 
   BaseEstimatorOptions options;
   FootKinematics kinematics;
   ContactFilter filter;
-  Eigen::MatrixXd initial;  ///< of the options
+  Eigen::MatrixXd initial;  ///< Initial covariance, from the options.
   Eigen::VectorXd q, v;
   Eigen::MatrixXd covariance, start_covariance;
   Eigen::MatrixXd jacobian, noise;
-  Eigen::VectorXd gates;   ///< squares
-  Eigen::VectorXd rested;  ///< s, of feet that slip
+  Eigen::VectorXd gates;   ///< Outlier gates for the squared innovations of feet.
+  Eigen::VectorXd rested;  ///< Time for which each slipping foot has been at rest [s].
   FootSet slipping = 0;
-  double lost = 0.0;  ///< s in which all feet that stand slip
+  double lost = 0.0;  ///< Time for which all standing feet have been slipping [s].
   EstimatorInnovation innovation;
 };
 
@@ -131,7 +132,7 @@ BaseEstimator::~BaseEstimator() = default;
 BaseEstimator::BaseEstimator(BaseEstimator&&) noexcept = default;
 BaseEstimator& BaseEstimator::operator=(BaseEstimator&&) noexcept = default;
 
-/// The kinematics are those of q_start and v_start.
+/// Starts the filter. Before the call, the kinematics must be updated to q_start and v_start.
 void BaseEstimator::Impl::start(const ConstVectorRef& q_start, const ConstVectorRef& v_start,
                                 const Eigen::Ref<const Eigen::MatrixXd>& P, const Vector3d& b_gyro,
                                 const Vector3d& b_accelerometer) noexcept {
@@ -156,8 +157,8 @@ void BaseEstimator::Impl::start(const ConstVectorRef& q_start, const ConstVector
   innovation = {};
 }
 
-/// The covariance of where feet are seen.
-void BaseEstimator::Impl::see_feet() noexcept {
+/// Updates the noise covariance of the poses of feet seen from the IMU.
+void BaseEstimator::Impl::update_foot_noise() noexcept {
   for (int k = 0; k < filter.feet(); ++k)
     jacobian.middleRows(filter.first_seen(k), filter.rows(k)) =
         kinematics.jacobian(k).topRows(filter.rows(k));
@@ -172,8 +173,9 @@ void BaseEstimator::Impl::see_feet() noexcept {
   }
 }
 
-/// Of a foot that rests, m/s: with three deviations of the unit's own velocity, so that a base that
-/// has lost its feet finds them again.
+/// Returns the speed below which a slipping foot counts as at rest [m/s]. It includes three
+/// standard deviations of the IMU's velocity. A base whose feet have all slipped can therefore
+/// recover.
 double BaseEstimator::Impl::speed_limit() const noexcept {
   const Eigen::MatrixXd& P = filter.covariance();
   const Vec3<double>& v_unit = filter.state().v;
@@ -186,7 +188,7 @@ double BaseEstimator::Impl::speed_limit() const noexcept {
   return options.rejoin_speed + 3.0 * std::sqrt(std::max(square, 0.0));
 }
 
-/// Which feet are left out, and put down again.
+/// Removes slipping feet from the filter, and adds them again once they are at rest.
 void BaseEstimator::Impl::follow_slips(FootSet standing, FootSet rejected, const Vector3d& gyro,
                                        double dt) noexcept {
   filter.remove(rejected);
@@ -203,7 +205,7 @@ void BaseEstimator::Impl::follow_slips(FootSet standing, FootSet rejected, const
         unit.v + unit.R * (kinematics.velocity(k) + cross(w, kinematics.seen(k).p));
     const double length = std::sqrt(dot(speed, speed));
     fastest = std::max(fastest, length);
-    // One noisy reading does not begin it anew.
+    // The rest time decreases gradually, so that a single noisy reading does not reset it.
     rested[k] = std::max(0.0, rested[k] + (length < limit ? dt : -dt));
     if (rested[k] >= options.rejoin_after) rests |= foot_bit(k);
   }
@@ -217,8 +219,8 @@ void BaseEstimator::Impl::follow_slips(FootSet standing, FootSet rejected, const
   filter.add(standing & ~slipping, kinematics.all_seen(), noise);
 }
 
-/// The base from the unit.
-void BaseEstimator::Impl::tell_base(const Vector3d& gyro_reading) noexcept {
+/// Computes the state of the base from the state of the IMU.
+void BaseEstimator::Impl::update_base(const Vector3d& gyro_reading) noexcept {
   const FramePose<double>& unit = kinematics.unit_in_base();
   const FramePose<double>& joint = kinematics.base_joint();
   const InertialState<double>& x = filter.state();
@@ -283,7 +285,7 @@ Status BaseEstimator::update(const ImuReading& imu, const ConstVectorRef& q,
   const FootSet slipped = d.slipping;
   const double lost = d.lost;
   d.filter.propagate(imu, dt);
-  d.see_feet();
+  d.update_foot_noise();
   d.filter.remove(d.filter.standing() & ~standing);
   bool good = true;
   const FootSet rejected =
@@ -297,7 +299,7 @@ Status BaseEstimator::update(const ImuReading& imu, const ConstVectorRef& q,
   }
   d.q.tail(d.q.size() - 7) = q.tail(d.q.size() - 7);
   d.v.tail(d.v.size() - 6) = v.tail(d.v.size() - 6);
-  d.tell_base(imu.gyro);
+  d.update_base(imu.gyro);
   d.innovation = {d.filter.squared_innovation(), d.filter.innovation_rows()};
   return Status::Ok;
 }

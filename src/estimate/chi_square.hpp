@@ -1,12 +1,15 @@
-// The distribution of a sum of squares of normal numbers.
+// Chi-square distribution: the distribution of a sum of squares of independent standard normal
+// numbers.
 #pragma once
 
 namespace burnish {
 
-/// Share of the sums of `freedom` squares, at least 1, that are at most x >= 0.
+/// Returns the probability that a chi-square variable is at most `x` >= 0. `freedom`: number of
+/// degrees of freedom, at least 1.
 double chi_square_share(int freedom, double x);
 
-/// The x that the share `share`, in (0, 1), of them stays below, to 1e-9 of it.
-double chi_square_quantile(int freedom, double share);
+/// Returns the `x` for which chi_square_share() returns `probability`, with a relative error of
+/// 1e-9. `probability`: between 0 and 1, both excluded.
+double chi_square_quantile(int freedom, double probability);
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/to_size.hpp"
 #include "math/logarithm.hpp"
 
 namespace burnish {
@@ -18,7 +19,7 @@ Matrix3d skew(const Vec3<double>& a) {
   return m;
 }
 
-/// What rounding takes off a rotation, to second order: R (3 - R^T R)/2.
+/// Returns a rotation matrix without its rounding error, to second order: R (3 - R^T R)/2.
 Mat3<double> orthonormal(const Mat3<double>& R) {
   Mat3<double> half = transpose_times(R, R);
   half = {half.c0 * -0.5, half.c1 * -0.5, half.c2 * -0.5};
@@ -26,14 +27,14 @@ Mat3<double> orthonormal(const Mat3<double>& R) {
   return R * half;
 }
 
-/// R (...) R^T of every block of three rows and columns.
+/// Sets `out` to R N R^T for every 3 x 3 block N of `noise`.
 void turn_blocks(const Matrix3d& R, const Eigen::MatrixXd& noise, Eigen::MatrixXd& out) noexcept {
   for (Eigen::Index i = 0; i < noise.rows(); i += 3)
     for (Eigen::Index j = 0; j < noise.cols(); j += 3)
       out.block<3, 3>(i, j).noalias() = R * noise.block<3, 3>(i, j) * R.transpose();
 }
 
-/// For feet of a set, in their order.
+/// Calls `call` for each foot of a set, in ascending order.
 template <class Call>
 void for_each(FootSet feet, int count, const Call& call) {
   for (int k = 0; k < count; ++k)
@@ -61,9 +62,9 @@ ContactFilter::ContactFilter(const std::vector<char>& soles, const FilterNoise& 
   K_ = APHt_ = PHt_;
   S_.setZero(m, m);
   N_ = turned_ = S_;
-  chosen_.reserve(static_cast<std::size_t>(m));
+  chosen_.reserve(to_size(m));
   state_ = {Mat3<double>::identity(), Vec3<double>::zero(), Vec3<double>::zero()};
-  saved_P_ = P_;  // allocated here, rather than in a tick
+  saved_P_ = P_;  // allocates here, because ticks must not allocate
   save();
 }
 
@@ -81,10 +82,10 @@ void ContactFilter::reset(const InertialState<double>& state, const Vector3d& b_
   for (Foot& foot : feet_) foot.squared = 0.0;
 }
 
-/// Factors of zeta in (1) to (4), at the state after the tick.
-void ContactFilter::fill_bias_factors(const Matrix3d& R_before, const Vec3<double>& phi,
-                                      const RotationSeries<double>& c, const Vec3<double>& f,
-                                      double dt) noexcept {
+/// Computes the coefficients of zeta in equations (1) to (4), at the state after the tick.
+void ContactFilter::fill_bias_jacobian(const Matrix3d& R_before, const Vec3<double>& phi,
+                                       const RotationSeries<double>& c, const Vec3<double>& f,
+                                       double dt) noexcept {
   const Matrix3d R_gamma_1 = R_before * to_eigen(gamma_1(phi, c));
   const Matrix3d B_Rg = -dt * R_gamma_1;
   B_.setZero();
@@ -99,8 +100,10 @@ void ContactFilter::fill_bias_factors(const Matrix3d& R_before, const Vec3<doubl
            [&](int k) { B_.block<3, 3>(at(k), 0) = skew(foot_position(k)) * B_Rg; });
 }
 
-/// Phi P by rows, each of entries that are still those before the tick.
-void ContactFilter::carry_rows(Eigen::MatrixXd& P, const Matrix3d& g, double dt) const noexcept {
+/// Replaces P by Phi P in place. The order ensures that each row only uses rows that are not yet
+/// replaced.
+void ContactFilter::propagate_rows(Eigen::MatrixXd& P, const Matrix3d& g,
+                                   double dt) const noexcept {
   const auto rows = [&](int entry) { return P.middleRows<3>(entry); };
   const auto biases = P.middleRows<6>(gyro_bias);
   for_each(standing_, feet(),
@@ -120,13 +123,13 @@ void ContactFilter::propagate(const ImuReading& reading, double dt) noexcept {
   const Vec3<double> phi = w * dt;
   state_ = strapdown(state_, w, f, gravity_, dt);
   state_.R = orthonormal(state_.R);
-  fill_bias_factors(R_before, phi, rotation_series(phi), f, dt);
+  fill_bias_jacobian(R_before, phi, rotation_series(phi), f, dt);
 
   const Matrix3d g = skew(gravity_);
-  carry_rows(P_, g, dt);
+  propagate_rows(P_, g, dt);
   P_.transposeInPlace();
-  carry_rows(P_, g, dt);
-  // Noise of a density s is s^2/dt of a reading, which B carries.
+  propagate_rows(P_, g, dt);
+  // White noise of density s gives a reading the variance s^2/dt, which B maps to xi.
   const double of_gyro = noise_.gyro * noise_.gyro / dt;
   const double of_accelerometer = noise_.accelerometer * noise_.accelerometer / dt;
   P_.noalias() += of_gyro * (B_.leftCols<3>().lazyProduct(B_.leftCols<3>().transpose()));
@@ -142,7 +145,7 @@ void ContactFilter::propagate(const ImuReading& reading, double dt) noexcept {
   });
 }
 
-/// (6) and (7) of a foot, into r_.
+/// Computes the innovation of a foot in r_, by equations (6) and (7).
 void ContactFilter::innovate(int k, const SeenFoot& seen, int row) noexcept {
   const Foot& foot = feet_[index(k)];
   r_.segment<3>(row) = to_eigen(state_.R * seen.p - (foot.d - state_.p));
@@ -151,12 +154,13 @@ void ContactFilter::innovate(int k, const SeenFoot& seen, int row) noexcept {
   r_.segment<3>(row + 3) = to_eigen(log_rotation(state_.R * seen.R * transposed(foot.C), angle));
 }
 
-/// Covariance of (xi_a - xi_b) with (xi_c - xi_d).
+/// Returns the covariance of the differences (xi_a - xi_b) and (xi_c - xi_d).
 Matrix3d ContactFilter::between(int a, int b, int c, int d) const noexcept {
   return P_.block<3, 3>(a, c) - P_.block<3, 3>(a, d) - P_.block<3, 3>(b, c) + P_.block<3, 3>(b, d);
 }
 
-/// r^T S^-1 r of a foot alone; its noise has been turned. Negative where that is no number.
+/// Returns the squared innovation r^T S^-1 r of a foot alone, with its noise in world axes
+/// (turned_). Returns a negative number if S is not positive definite.
 double ContactFilter::squared_alone(int k) const noexcept {
   const Foot& foot = feet_[index(k)];
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
@@ -196,7 +200,8 @@ FootSet ContactFilter::update(FootSet asked, const std::vector<SeenFoot>& seen,
   return out;
 }
 
-/// The update of Kalman's filter with the rows of chosen_, in Joseph's form.
+/// Performs the Kalman update with the measurement rows of chosen_, in Joseph's form. Returns false
+/// if S is not positive definite.
 bool ContactFilter::correct_by_chosen() noexcept {
   const auto count = static_cast<int>(chosen_.size());
   const int m = 3 * count;
@@ -205,7 +210,7 @@ bool ContactFilter::correct_by_chosen() noexcept {
   for (int i = 0; i < count; ++i) {
     const Rows& row = chosen_[index(i)];
     PHt.middleCols<3>(3 * i) = P_.middleCols<3>(row.plus) - P_.middleCols<3>(row.minus);
-    // Rows go up, never down, so that none is overwritten before it is read.
+    // Rows only move to smaller or equal indices, so that no row is overwritten before it is read.
     r_.segment<3>(3 * i) = Vector3d(r_.segment<3>(row.seen));
     for (int j = 0; j < count; ++j)
       N.block<3, 3>(3 * i, 3 * j) = turned_.block<3, 3>(row.seen, chosen_[index(j)].seen);
@@ -227,7 +232,7 @@ bool ContactFilter::correct_by_chosen() noexcept {
 
   AP_ = P_;
   AP_.noalias() -= K * PHt.transpose();
-  auto rest = APHt_.leftCols(m);  // K N - A P H^T, which rounding makes other than zero
+  auto rest = APHt_.leftCols(m);  // K N - A P H^T, which is zero except for rounding errors
   rest.noalias() = K * N;
   for (int i = 0; i < count; ++i)
     rest.middleCols<3>(3 * i) -=
@@ -239,7 +244,8 @@ bool ContactFilter::correct_by_chosen() noexcept {
   return true;
 }
 
-/// X^ becomes exp(change) X^.
+/// Applies the correction: replaces X^ by exp(change) X^, and corrects biases and rotations of
+/// soles.
 void ContactFilter::correct() noexcept {
   const Vec3<double> turn = segment(change_, R);
   const RotationSeries<double> c = rotation_series(turn);
@@ -268,7 +274,7 @@ void ContactFilter::add(FootSet added, const std::vector<SeenFoot>& seen,
     const SeenFoot& at_unit = seen[index(k)];
     foot.d = state_.p + state_.R * at_unit.p;
     foot.C = state_.R * at_unit.R;
-    for (int i = 0; i < rows(k); i += 3) {  // (8)
+    for (int i = 0; i < rows(k); i += 3) {  // equation (8)
       const int from = i == 0 ? p : R;
       P_.middleRows<3>(foot.at + i) = P_.middleRows<3>(from);
       P_.middleCols<3>(foot.at + i) = P_.middleCols<3>(from);

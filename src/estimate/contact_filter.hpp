@@ -1,19 +1,21 @@
-// The right-invariant extended Kalman filter of a unit with a gyroscope and an accelerometer whose
-// robot stands on feet (Hartley, Ghaffari, Eustice, Grizzle, "Contact-aided invariant extended
-// Kalman filtering for robot state estimation", 2020), extended to soles. It knows no robot: feet
-// come as places seen from the unit.
+// Right-invariant extended Kalman filter for an inertial measurement unit (IMU) whose robot stands
+// on feet. The IMU has a gyroscope and an accelerometer. The filter follows Hartley, Ghaffari,
+// Eustice, Grizzle, "Contact-aided invariant extended Kalman filtering for robot state estimation",
+// 2020 ("the paper"). This version also handles planar feet (soles). The filter does not use a
+// robot model: its inputs are the poses of the feet seen from the IMU.
 //
-// The state is X = (R, v, p, d_1 ... d_N) of SE_(N+2)(3): the unit's rotation, velocity and
-// position, and the feet's positions, all in the world; the rotations C_k of feet that are soles,
-// each in SO(3); and the biases b of both sensors. The error is right-invariant: with the truth X
-// and the estimate X^,
-//   X = exp(xi) X^,  C_k = exp(xi_Ck) C^_k,  b = b^ + zeta,
-// so that rotating the world about the vertical and moving it is one constant direction of xi, in
-// which the filter learns nothing (section on observability): its covariance never shrinks there,
-// which that of an error-state filter does where it linearises anew at each estimate.
+// The state is X = (R, v, p, d_1 ... d_N) in SE_(N+2)(3). R, v and p are the IMU's rotation,
+// velocity and position, and d_k is the position of foot k, all in the world. Further states are
+// the rotation C_k in SO(3) of each sole and the biases b of both sensors. The error is
+// right-invariant: with the true state X and the estimate X^,
+//   X = exp(xi) X^,  C_k = exp(xi_Ck) C^_k,  b = b^ + zeta.
+// A rotation of the world about the vertical, or a translation of the world, is then one constant
+// direction of xi. The measurements contain no information along these directions, and the
+// covariance never shrinks along them (section on observability). In an error-state filter it does
+// shrink, because that filter linearizes at each new estimate.
 //
-// Over a tick, with phi = (w - b_g) dt and f = a - b_a (own derivation; to first order in dt it is
-// A of the paper's section on biases):
+// Propagation over a tick, with phi = (w - b_g) dt and f = a - b_a. These equations are an own
+// derivation. To first order in dt, they equal the matrix A of the paper's section on biases:
 //   xi_R' = xi_R                                     - R Gamma_1 dt zeta_g                     (1)
 //   xi_v' = xi_v + dt g x xi_R                       + (v' x B_Rg - R D_1 dt^2) zeta_g
 //                                                    - R Gamma_1 dt zeta_a                     (2)
@@ -21,14 +23,15 @@
 //                                                    - R Gamma_2 dt^2 zeta_a                   (3)
 //   xi_dk' = xi_dk                                   + d_k x B_Rg zeta_g                       (4)
 //   xi_Ck' = xi_Ck                                                                             (5)
-// B_Rg = -R Gamma_1 dt being (1)'s factor of zeta_g and D_m = d(Gamma_m(phi) f)/d(phi). The noise
-// of readings enters as biases do, and a foot's slip adds to (4) and (5).
+// where B_Rg = -R Gamma_1 dt is the coefficient of zeta_g in (1) and D_m = d(Gamma_m(phi)
+// f)/d(phi). Noise of the readings has the same coefficients as the biases. The slip of a foot is
+// added to (4) and (5).
 //
-// A foot seen at h, with the rotation Q, from the unit (noise n_h, n_Q in the unit's axes; Q =
-// exp(n_Q) R^T C) gives, to first order,
+// Measurement of a foot at the position h with the rotation Q, seen from the IMU. n_h and n_Q are
+// its noise in the axes of the IMU, with Q = exp(n_Q) R^T C. To first order,
 //   R^ h - (d^ - p^)       = xi_d - xi_p + R n_h                                               (6)
 //   log(R^ Q C^^T)         = xi_C - xi_R + R n_Q                                               (7)
-// and a foot that is put down there, d^ = p^ + R^ h and C^ = R^ Q, has the errors
+// A foot that is added at this pose, d^ = p^ + R^ h and C^ = R^ Q, has the errors
 //   xi_d = xi_p - R n_h,  xi_C = xi_R - R n_Q.                                                 (8)
 #pragma once
 
@@ -36,102 +39,113 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "burnish/estimate/imu.hpp"
 #include "estimate/strapdown.hpp"
 
 namespace burnish {
 
-/// A foot as joints and links say it is, seen from the unit.
+/// Pose of a foot seen from the IMU, from joint positions and links.
 struct SeenFoot {
-  Vec3<double> p;  ///< m, in the unit's axes
-  Mat3<double> R;  ///< foot -> unit
+  Vec3<double> p;  ///< Position in the axes of the IMU [m].
+  Mat3<double> R;  ///< Rotation from the foot's axes to the axes of the IMU.
 };
 
-/// Densities of white noise, per square root of Hz.
+/// Densities of the white noise that the filter assumes, per sqrt(Hz).
 struct FilterNoise {
-  double gyro = 0.0, accelerometer = 0.0;            ///< rad/s, m/s^2
-  double gyro_bias = 0.0, accelerometer_bias = 0.0;  ///< rad/s^2, m/s^3
-  double slip = 0.0, sole_turn = 0.0;                ///< m/s, rad/s
+  double gyro = 0.0, accelerometer = 0.0;            ///< Readings [rad/s, m/s^2].
+  double gyro_bias = 0.0, accelerometer_bias = 0.0;  ///< Random walk of biases [rad/s^2, m/s^3].
+  double slip = 0.0, sole_turn = 0.0;                ///< Slip of standing feet [m/s, rad/s].
 };
 
-/// Sets of feet: bit k is foot k.
+/// Set of feet: bit k is foot k.
 using FootSet = std::uint32_t;
 constexpr FootSet foot_bit(int k) { return FootSet{1} << k; }
 
-/// Allocates nothing after construction.
+/// Contact-aided filter of one IMU with a fixed list of feet. Allocates nothing after construction.
 class ContactFilter {
  public:
-  /// First entries of xi; those of feet follow.
+  /// First entry of each part of (xi, zeta). The entries of feet come last.
   enum : int { R = 0, v = 3, p = 6, gyro_bias = 9, accelerometer_bias = 12, unit_size = 15 };
 
-  /// Per foot, whether it is a sole; gravity in the world, m/s^2.
+  /// `soles`: one entry per foot, nonzero for a planar foot. `gravity`: gravity vector in the world
+  /// [m/s^2].
   ContactFilter(const std::vector<char>& soles, const FilterNoise& noise,
                 const Eigen::Vector3d& gravity);
 
-  /// No foot stands. `covariance` (15 x 15) of xi and zeta without feet.
+  /// Starts the filter without standing feet. `covariance`: covariance of (xi, zeta) without feet,
+  /// 15 x 15.
   void reset(const InertialState<double>& state, const Eigen::Vector3d& b_gyro,
              const Eigen::Vector3d& b_accelerometer, const Eigen::MatrixXd& covariance) noexcept;
 
+  /// Propagates state and covariance over a reading that holds for `dt` [s].
   void propagate(const ImuReading& reading, double dt) noexcept;
 
-  /// What feet that stand say by where they are seen. `seen` has an entry for each foot of the
-  /// filter, `noise` is the covariance of (n_h, n_Q) of all of them, seen_size() rows. Feet whose
-  /// own innovation, squared, is beyond gates[k] are left out: it returns them. `good` is false
-  /// where the numbers do not allow an update, which then changes nothing.
+  /// Corrects the estimate with the poses of the standing feet in `asked`. `seen`: pose of each
+  /// foot, seen from the IMU. `noise`: covariance of (n_h, n_Q) of all feet, with seen_size() rows.
+  /// A foot is not used if its own squared innovation exceeds gates[k]; the function returns the
+  /// set of these feet. If an update is numerically impossible, the estimate stays unchanged and
+  /// `good` becomes false.
   FootSet update(FootSet asked, const std::vector<SeenFoot>& seen, const Eigen::MatrixXd& noise,
                  const Eigen::VectorXd& gates, bool& good) noexcept;
-  /// Puts feet down where they are seen.
+  /// Adds standing feet whose poses are those in `seen`.
   void add(FootSet added, const std::vector<SeenFoot>& seen, const Eigen::MatrixXd& noise) noexcept;
   void remove(FootSet feet_to_remove) noexcept;
 
-  /// The unit's velocity is known that much less, m/s.
+  /// Adds the variance `deviation`^2 to each component of the IMU's velocity. `deviation`: standard
+  /// deviation [m/s].
   void doubt_velocity(double deviation) noexcept;
 
   const InertialState<double>& state() const { return state_; }
-  const Eigen::Vector3d& b_gyro() const { return b_gyro_; }                    ///< rad/s
-  const Eigen::Vector3d& b_accelerometer() const { return b_accelerometer_; }  ///< m/s^2
+  const Eigen::Vector3d& b_gyro() const { return b_gyro_; }  ///< Bias of the gyroscope [rad/s].
+  /// Returns the bias of the accelerometer [m/s^2].
+  const Eigen::Vector3d& b_accelerometer() const { return b_accelerometer_; }
   FootSet standing() const { return standing_; }
-  const Vec3<double>& foot_position(int k) const { return feet_[index(k)].d; }  ///< world, m
+  /// Returns the position of a standing foot in the world [m].
+  const Vec3<double>& foot_position(int k) const { return feet_[index(k)].d; }
   const Mat3<double>& foot_rotation(int k) const { return feet_[index(k)].C; }
-  /// Of all of xi and zeta; zero for feet that do not stand.
+  /// Returns the covariance of (xi, zeta); zero for feet that do not stand.
   const Eigen::MatrixXd& covariance() const { return P_; }
 
   int feet() const { return static_cast<int>(feet_.size()); }
-  int size() const { return static_cast<int>(P_.rows()); }        ///< of xi and zeta
-  int seen_size() const { return seen_size_; }                    ///< rows of all feet
-  int rows(int k) const { return feet_[index(k)].sole ? 6 : 3; }  ///< that a foot is seen with
-  int first_seen(int k) const { return feet_[index(k)].row; }     ///< of them
-  /// First entry of a foot in xi: of d, then of C.
+  int size() const { return static_cast<int>(P_.rows()); }        ///< Size of (xi, zeta).
+  int seen_size() const { return seen_size_; }                    ///< Measurement rows of all feet.
+  int rows(int k) const { return feet_[index(k)].sole ? 6 : 3; }  ///< Measurement rows of a foot.
+  int first_seen(int k) const { return feet_[index(k)].row; }  ///< First measurement row of a foot.
+  /// Returns the index in xi of a foot's first entry; its d precedes its C.
   int at(int k) const { return feet_[index(k)].at; }
 
-  /// Of the last update: r^T S^-1 r of all rows together, and how many there were.
+  /// Returns the squared innovation r^T S^-1 r of the last update; innovation_rows() returns its
+  /// number of rows.
   double squared_innovation() const { return squared_innovation_; }
   int innovation_rows() const { return innovation_rows_; }
-  double squared_innovation(int k) const { return feet_[index(k)].squared; }  ///< of a foot alone
+  /// Returns the squared innovation of one foot, computed without the other feet.
+  double squared_innovation(int k) const { return feet_[index(k)].squared; }
 
-  /// All numbers are some, and no variance is negative.
+  /// Returns true if all numbers are finite and no variance is negative.
   bool is_finite() const noexcept;
-  /// Keeps the estimate to go back to.
+  /// Saves the estimate for restore().
   void save() noexcept;
   void restore() noexcept;
 
  private:
-  static std::size_t index(int k) { return static_cast<std::size_t>(k); }
+  static std::size_t index(int k) { return to_size(k); }
   struct Foot {
     bool sole;
-    int at, row;  ///< first entries in xi, and in what is seen
+    int at, row;  ///< Index of the foot's first entry in xi, and of its first measurement row.
     Vec3<double> d;
     Mat3<double> C;
     double squared;
   };
-  /// Three rows of H: +1 at `plus`, -1 at `minus`, and where they stand in what is seen.
+  /// Three rows of the measurement matrix H, with +1 at the entry `plus` and -1 at the entry
+  /// `minus`. `seen`: index of the first of these rows.
   struct Rows {
     int plus, minus, seen;
   };
-  void fill_bias_factors(const Eigen::Matrix3d& R_before, const Vec3<double>& phi,
-                         const RotationSeries<double>& c, const Vec3<double>& f,
-                         double dt) noexcept;
-  void carry_rows(Eigen::MatrixXd& P, const Eigen::Matrix3d& g, double dt) const noexcept;
+  void fill_bias_jacobian(const Eigen::Matrix3d& R_before, const Vec3<double>& phi,
+                          const RotationSeries<double>& c, const Vec3<double>& f,
+                          double dt) noexcept;
+  void propagate_rows(Eigen::MatrixXd& P, const Eigen::Matrix3d& g, double dt) const noexcept;
   void innovate(int k, const SeenFoot& seen, int row) noexcept;
   Eigen::Matrix3d between(int a, int b, int c, int d) const noexcept;
   double squared_alone(int k) const noexcept;
@@ -146,7 +160,8 @@ class ContactFilter {
   FootSet standing_ = 0;
   int seen_size_ = 0;
   Eigen::MatrixXd P_;
-  Eigen::Matrix<double, Eigen::Dynamic, 6> B_;  ///< d(xi')/d(zeta)
+  /// Derivative of the propagated error, d(xi')/d(zeta).
+  Eigen::Matrix<double, Eigen::Dynamic, 6> B_;
   Eigen::VectorXd r_, change_;
   Eigen::MatrixXd AP_, PHt_, APHt_, K_, S_, N_, turned_;
   std::vector<Rows> chosen_;

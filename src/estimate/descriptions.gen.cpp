@@ -9,7 +9,7 @@ const Words& words_of(FootKind /*of*/) {
   static const Words all{
       "estimate",
       "FootKind",
-      "Kind of foot. It defines which motion is zero while the foot stands.",
+      "Kind of a robot's foot: which of its motions are zero while the foot stands.",
       {{"ball", "Point foot: the origin of its frame does not move"},
        {"sole", "Planar foot: its frame neither moves nor rotates"}}};
   return all;
@@ -19,7 +19,7 @@ const Description& description_of(const FootSpec* /*of*/) {
   using S = FootSpec;
   static const Description all =
       Describe<S>("estimate", "FootSpec",
-                  "Foot that may stand on the ground.")
+                  "Foot of a robot. The estimator uses the foot while it stands on the ground.")
           .field("frame", &S::frame,
                  "Name of the foot's frame")
           .more("For a ball, the frame is at the centre of the ball, and the ball should roll "
@@ -48,12 +48,12 @@ const Description& description_of(const UnitWatchOptions* /*of*/) {
                  "Largest accepted difference in rotation between IMU and feet in the window "
                  "[{rad}]",
                  {.least = 0, .open = true})
-          .more("Expected effects of noise and biases are added to this threshold.")
+          .more("The threshold is increased by the expected effects of noise and biases.")
           .field("place", &S::place,
                  "Largest accepted difference in displacement between IMU and feet in the window "
                  "[{m}]",
                  {.least = 0, .open = true})
-          .more("Expected effects of noise and biases are added to this threshold.")
+          .more("The threshold is increased by the expected effects of noise and biases.")
           .field("rate", &S::rate,
                  "Largest accepted difference in angular velocity between IMU and feet [{rad/s}]",
                  {.least = 0, .open = true})
@@ -72,8 +72,8 @@ const Description& description_of(const UnitWatchOptions* /*of*/) {
           .field("back_after", &S::back_after,
                  "Time of agreement with the feet after which a faulty IMU is used again [{s}]",
                  {.least = 0, .open = true})
-          .field("fading", &S::fading,
-                 "Decay time of the jump that occurs when the feet take over [{s}]",
+          .field("decay_time", &S::decay_time,
+                 "Decay time of the jump when the feet replace a faulty IMU [{s}]",
                  {.least = 0, .open = true})
           .more("The jump is the difference between the last estimate and the estimate from the "
                 "feet.");
@@ -91,7 +91,7 @@ const Description& description_of(const BaseEstimatorOptions* /*of*/) {
                  "Frame of the inertial measurement unit (empty: the floating base's body)")
           .more("Readings are in the axes of this frame.")
           .field("feet", &S::feet,
-                 "Feet that may stand, 1 to 32 of them")
+                 "Feet of the robot, 1 to 32 of them")
           .group("Noise.")
           .field("gyro_noise", &S::gyro_noise,
                  "Noise density of the gyroscope [{rad/s/sqrt(Hz)}]",
@@ -126,7 +126,7 @@ const Description& description_of(const BaseEstimatorOptions* /*of*/) {
                  {.least = 0})
           .group("Feet that slip.")
           .field("gate", &S::gate,
-                 "Fraction of the readings of a resting foot that pass the outlier gate",
+                 "Fraction of the readings of a resting foot that the outlier test accepts",
                  {.least = 0, .most = 1, .open = true})
           .field("rejoin_after", &S::rejoin_after,
                  "Rest time after which a foot that slipped is used again [{s}]",
@@ -137,7 +137,7 @@ const Description& description_of(const BaseEstimatorOptions* /*of*/) {
           .field("lost_after", &S::lost_after,
                  "Longest time in which all standing feet may seem to slip [{s}]",
                  {.least = 0})
-          .more("After this time, the filter assumes that its velocity is wrong instead.")
+          .more("After this time, the filter assumes that its own velocity is wrong.")
           .group("Standard deviations of the initial state.")
           .field("tilt_deviation", &S::tilt_deviation,
                  "Standard deviation of the initial rotation about horizontal axes (tilt) [{rad}]",

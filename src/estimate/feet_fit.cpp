@@ -3,31 +3,35 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// What turns of the unit cost: of M turn = b, M and b.
+/// Normal equations M turn = b for a rotation of the IMU.
 struct Turning {
   Matrix3d M = Matrix3d::Zero();
   Vector3d b = Vector3d::Zero();
 
-  void add_place(const Vector3d& lever, const Vector3d& way) {
+  void add_place(const Vector3d& lever, const Vector3d& error) {
     M += lever.squaredNorm() * Matrix3d::Identity() - lever * lever.transpose();
-    b += lever.cross(way);
+    b += lever.cross(error);
   }
   void add_turn(double weight, const Vector3d& turn) {
     M.diagonal().array() += weight;
     b += weight * turn;
   }
-  /// False where a turn costs next to nothing.
+  /// Solves for the rotation. Returns false if the rotation about some axis is undetermined.
   bool solve(Vector3d& turn) const {
-    constexpr double least = 0.02 * 0.02;  // m^2: feet on a line leave the turn about it free
+    // Smallest allowed eigenvalue of M [m^2], chosen by hand. If feet are on a line, they do not
+    // determine the rotation about this line.
+    constexpr double min_eigenvalue = 0.02 * 0.02;
     Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
     eigen.computeDirect(M, Eigen::EigenvaluesOnly);
-    if (!(eigen.eigenvalues()[0] > least)) return false;
+    if (!(eigen.eigenvalues()[0] > min_eigenvalue)) return false;
     turn = M.ldlt().solve(b);
     return turn.allFinite();
   }
@@ -75,13 +79,14 @@ bool FeetFit::fit(FootSet feet, const std::vector<SeenFoot>& seen, UnitPose& uni
   }
   const Vector3d p = d_middle - R * h_middle;
   if (!R.allFinite() || !p.allFinite()) return false;
-  // What rounding takes off a rotation, to second order.
+  // Removes the rounding error of the rotation matrix, to second order.
   unit.R = 0.5 * R * (3.0 * Matrix3d::Identity() - R.transpose() * R);
   unit.p = p;
   return true;
 }
 
-/// A foot that stays: 0 = v + w x h_k + dh_k/dt, and of a sole 0 = w + how it turns from the unit.
+/// Solves the equations of feet at rest, 0 = v + w x h_k + dh_k/dt. For soles, there is a second
+/// equation: w is the negative of their angular velocity relative to the IMU.
 bool FeetFit::fit_velocity(FootSet feet, const FootKinematics& kinematics, Vector3d& v,
                            Vector3d& w) const noexcept {
   Vector3d h_middle = Vector3d::Zero(), rate_middle = Vector3d::Zero();
@@ -112,7 +117,7 @@ bool FeetFit::fit_velocity(FootSet feet, const FootKinematics& kinematics, Vecto
 }
 
 FeetFit::Apart FeetFit::apart(int k, const SeenFoot& seen, const UnitPose& unit) const noexcept {
-  const Anchor& foot = feet_[static_cast<std::size_t>(k)];
+  const Anchor& foot = feet_[to_size(k)];
   Apart result{(unit.p + unit.R * to_eigen(seen.p) - foot.d).norm(), 0.0};
   if (foot.sole) result.turn = turn_of(foot.C * (unit.R * to_eigen(seen.R)).transpose()).norm();
   return result;

@@ -9,17 +9,19 @@
 namespace burnish {
 namespace {
 
-/// What white noise of a density is behind a first-order low-pass: its bandwidth for noise is
-/// 1/(2 smoothing), half of that on either side of zero.
+/// Throws Error if noise of the smoothed force could switch a contact. White noise with a given
+/// density, after a first-order low-pass, has the standard deviation density / sqrt(2 smoothing).
+/// The reason is the two-sided noise bandwidth of the filter, 1/(2 smoothing).
 void check_noise(const FootContactOptions& options, double weight) {
   if (options.smoothing == 0.0) return;
   const double deviation = options.force_noise / std::sqrt(2.0 * options.smoothing);
   const double gap = (options.touch - options.lift) * weight;
   if (4.0 * deviation <= gap) return;
-  throw Error("foot contacts: noise of " + number(options.force_noise) +
-              " N/sqrt(Hz) smoothed over " + number(options.smoothing) + " s is " +
-              number(deviation) + " N; wanted a quarter at most of the " + number(gap) +
-              " N between touch and lift");
+  throw Error("foot contacts: force_noise of " + number(options.force_noise) +
+              " N/sqrt(Hz), smoothed over " + number(options.smoothing) +
+              " s, has a standard deviation of " + number(deviation) + " N; wanted at most " +
+              number(0.25 * gap) + " N, a quarter of the " + number(gap) +
+              " N between 'touch' and 'lift'");
 }
 
 }  // namespace
@@ -32,7 +34,7 @@ FootContacts::FootContacts(const Model& model, int feet, const FootContactOption
     throw Error("foot contacts: " + std::to_string(feet) + " feet; wanted 1 to 32");
   if (!(options.lift < options.touch))
     throw Error("foot contacts: 'lift' is " + number(options.lift) + " and 'touch' is " +
-                number(options.touch) + "; wanted a lift below touch");
+                number(options.touch) + "; wanted lift below touch");
   const double weight = model.total_mass() * model.gravity.norm();
   check_noise(options, weight);
   touch_ = options.touch * weight;
@@ -49,9 +51,9 @@ void FootContacts::reset(Feet standing) noexcept {
 Status FootContacts::update(const ConstVectorRef& normal_forces, double dt) noexcept {
   if (normal_forces.size() != forces_.size()) return Status::WrongSize;
   if (!normal_forces.allFinite() || !(dt > 0.0) || !std::isfinite(dt)) return Status::NotFinite;
-  const double part = started_ && smoothing_ > 0.0 ? -std::expm1(-dt / smoothing_) : 1.0;
+  const double weight = started_ && smoothing_ > 0.0 ? -std::expm1(-dt / smoothing_) : 1.0;
   started_ = true;
-  forces_ += part * (normal_forces - forces_);
+  forces_ += weight * (normal_forces - forces_);
   for (Eigen::Index k = 0; k < forces_.size(); ++k) {
     const Feet bit = Feet{1} << k;
     if (forces_[k] > touch_) standing_ |= bit;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "dynamics/frame.hpp"
@@ -43,21 +44,20 @@ struct FootForces::Impl {
       rows.push_back(spec.kind == FootKind::Sole ? 6 : 3);
     }
     if (!(rate > 0.0) || !std::isfinite(rate))
-      throw Error("foot forces: a bandwidth of " + number(rate) +
+      throw Error("foot forces: the bandwidth is " + number(rate) +
                   " rad/s; wanted a positive number");
   }
 
-  /// Of the feet's origins, world axes; of soles the turning too.
+  /// Computes the Jacobian of the feet's origins in world axes; for soles, also of their rotations.
   void fill_jacobian() noexcept {
     J.setZero();
     int row = 0;
     for (std::size_t i = 0; i < feet.size(); ++i) {
       const CompiledFrame& foot = feet[i];
-      const BodyState<double>& body = kinematics.bodies[static_cast<std::size_t>(foot.body)];
+      const BodyState<double>& body = kinematics.bodies[to_size(foot.body)];
       const Vec3<double> p = body.p + body.R * foot.p;
       for (const MovingAxis& moving : foot.support) {
-        const Motion<double> at =
-            at_point(kinematics.axes[static_cast<std::size_t>(moving.axis)].axis, p);
+        const Motion<double> at = at_point(kinematics.axes[to_size(moving.axis)].axis, p);
         J.block<3, 1>(row, moving.v) = to_eigen(at.linear);
         if (rows[i] == 6) J.block<3, 1>(row + 3, moving.v) = to_eigen(at.angular);
       }
@@ -66,7 +66,7 @@ struct FootForces::Impl {
   }
   bool fit() noexcept {
     normal.noalias() = J * J.transpose();
-    normal.diagonal().array() += 1e-9;  // m^2
+    normal.diagonal().array() += 1e-9;  // regularization [m^2]
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(normal);
     if (factor.info() != Eigen::Success) return false;
     wrenches.noalias() = J * rest;
@@ -114,12 +114,12 @@ Status FootForces::update(const ConstVectorRef& q, const ConstVectorRef& v,
   else
     d.a.setZero();
   const Status status = d.dynamics.inverse(q, v, d.a, d.none);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   update_kinematics(d.tree, q.data(), v.data(), d.kinematics);
   d.fill_jacobian();
-  const double part = d.started ? -std::expm1(-d.bandwidth * dt) : 1.0;
-  d.a = d.rest;  // to go back to
-  d.rest += part * (d.dynamics.tau() - tau - d.rest);
+  const double weight = d.started ? -std::expm1(-d.bandwidth * dt) : 1.0;
+  d.a = d.rest;  // saved, so that it can be restored
+  d.rest += weight * (d.dynamics.tau() - tau - d.rest);
   if (!d.fit()) {
     d.rest = d.a;
     return Status::SingularContacts;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "model/joint_entries.hpp"
 
@@ -24,12 +25,13 @@ CompiledFrame base_frame(const Model& model) {
 const Model& floating(const Model& model) {
   if (model.joints.empty() || model.joints.front().kind != JointKind::FreeFlyer ||
       model.joints.front().parent != -1 || model.joints.front().v_index != 0)
-    throw Error("the state of a base is estimated, and robot " + in_quotes(model.name) +
-                " has none that floats; wanted a model with a free-flying base");
+    throw Error("robot " + in_quotes(model.name) +
+                " has no floating base to estimate; wanted a model with a free-flying base");
   return model;
 }
 
-/// Joints but the base: unit quaternions and (cos, sin) pairs to 1e-6 of their length.
+/// Returns true if the unit quaternions and the (cos, sin) pairs of all joints except the base have
+/// length 1 within 1e-6.
 bool joints_are_normalized(const Tree& tree, const ConstVectorRef& q) {
   for (std::size_t i = 1; i < tree.joints.size(); ++i) {
     const TreeJoint& joint = tree.joints[i];
@@ -51,20 +53,20 @@ FootKinematics::FootKinematics(const Model& model, const std::string& unit,
       kinematics_(tree_),
       q_(model.q_neutral),
       v_(Eigen::VectorXd::Zero(model.nv)),
-      column_of_v_(static_cast<std::size_t>(model.nv), -1),
+      column_of_v_(to_size(model.nv), -1),
       seen_(feet.size()),
       velocities_(feet.size(), Vec3<double>::zero()),
       turnings_(velocities_) {
   for (const std::string& foot : feet) feet_.push_back(moving_frame(model, foot, "the foot"));
   q_.head<7>() << 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0;
   base_joint_ = {tree_.joints.front().R, tree_.joints.front().p};
-  std::vector<char> moves(static_cast<std::size_t>(model.nv), 0);
-  for (const MovingAxis& axis : unit_.support) moves[static_cast<std::size_t>(axis.v)] = 1;
+  std::vector<char> moves(to_size(model.nv), 0);
+  for (const MovingAxis& axis : unit_.support) moves[to_size(axis.v)] = 1;
   for (const CompiledFrame& foot : feet_)
-    for (const MovingAxis& axis : foot.support) moves[static_cast<std::size_t>(axis.v)] = 1;
+    for (const MovingAxis& axis : foot.support) moves[to_size(axis.v)] = 1;
   for (int k = 6; k < model.nv; ++k) {
-    if (moves[static_cast<std::size_t>(k)] == 0) continue;
-    column_of_v_[static_cast<std::size_t>(k)] = static_cast<int>(columns_.size());
+    if (moves[to_size(k)] == 0) continue;
+    column_of_v_[to_size(k)] = static_cast<int>(columns_.size());
     columns_.push_back(k);
   }
   jacobian_.setZero(static_cast<Eigen::Index>(6 * feet.size()),
@@ -83,17 +85,18 @@ Status FootKinematics::update(const ConstVectorRef& q, const ConstVectorRef& v) 
   unit_pose_ = pose_of(unit_, kinematics_);
   const BodyState<double>& base = kinematics_.bodies.front();
   unit_in_base_ = seen_from(FramePose<double>{base.R, base.p}, unit_pose_);
-  const BodyState<double>& carrier = kinematics_.bodies[static_cast<std::size_t>(unit_.body)];
+  const BodyState<double>& carrier = kinematics_.bodies[to_size(unit_.body)];
   const Motion<double> twist = at_point(carrier.v, unit_pose_.p);
   unit_in_base_velocity_ = {transpose_times(base.R, twist.linear),
                             transpose_times(base.R, twist.angular)};
   for (int foot = 0; foot < feet(); ++foot) {
-    const auto i = static_cast<std::size_t>(foot);
+    const auto i = to_size(foot);
     const FramePose<double> pose = pose_of(feet_[i], kinematics_);
     const FramePose<double> in_unit = seen_from(unit_pose_, pose);
     seen_[i] = {in_unit.p, in_unit.R};
-    const BodyState<double>& body = kinematics_.bodies[static_cast<std::size_t>(feet_[i].body)];
-    // d(R^T (p_f - p))/dt = R^T (dp_f/dt - dp/dt - w x (p_f - p)): the unit's twist at the foot.
+    const BodyState<double>& body = kinematics_.bodies[to_size(feet_[i].body)];
+    // d(R^T (p_f - p))/dt = R^T (dp_f/dt - dp/dt - w x (p_f - p)). The last two terms are the
+    // velocity of the IMU's body at the foot.
     velocities_[i] = transpose_times(
         unit_pose_.R, at_point(body.v, pose.p).linear - at_point(carrier.v, pose.p).linear);
     turnings_[i] = transpose_times(unit_pose_.R, body.v.angular - carrier.v.angular);
@@ -105,13 +108,13 @@ Status FootKinematics::update(const ConstVectorRef& q, const ConstVectorRef& v) 
 void FootKinematics::update_jacobian(int foot) noexcept {
   auto J = jacobian_.middleRows(6 * foot, 6);
   J.setZero();
-  const CompiledFrame& frame = feet_[static_cast<std::size_t>(foot)];
+  const CompiledFrame& frame = feet_[to_size(foot)];
   const Vec3<double> p_foot = pose_of(frame, kinematics_).p;
   const auto add = [&](const std::vector<MovingAxis>& support, double sign) {
     for (const MovingAxis& moving : support) {
-      const int column = column_of_v_[static_cast<std::size_t>(moving.v)];
+      const int column = column_of_v_[to_size(moving.v)];
       if (column < 0) continue;
-      const Motion<double>& axis = kinematics_.axes[static_cast<std::size_t>(moving.axis)].axis;
+      const Motion<double>& axis = kinematics_.axes[to_size(moving.axis)].axis;
       const Motion<double> at_foot = at_point(axis, p_foot);
       J.block<3, 1>(0, column) += sign * to_eigen(transpose_times(unit_pose_.R, at_foot.linear));
       J.block<3, 1>(3, column) += sign * to_eigen(transpose_times(unit_pose_.R, axis.angular));

@@ -26,25 +26,31 @@ std::vector<std::string> frames_in(const BaseEstimatorOptions& options) {
   return result;
 }
 
-/// m that a radian of a sole counts as, by how the two creep: soles that turn on the spot are not
-/// to take the yaw along.
+/// Returns the weight of a sole's rotation in the fit [m/rad]: the ratio of the slip noise to the
+/// rotation noise. Soles that rotate in place must not rotate the estimated yaw.
 double length_of(const BaseEstimatorOptions& options) {
   const double turns = std::max(options.sole_turn_noise, 1e-9);
   return std::clamp(options.slip_noise / turns, 0.05, 0.5);
 }
 
-/// Where feet stood at a time, the biases that were believed then, and how far unit and feet may
-/// come apart by what was not known.
+/// Snapshot of the estimate at some time. It contains the poses of the feet, the biases, and
+/// thresholds for later differences between IMU and feet.
 struct Moment {
   Moment(const std::vector<char>& soles, double length) : feet(soles, length) {}
   FeetFit feet;
   Vector3d b_gyro = Vector3d::Zero(), b_accelerometer = Vector3d::Zero();
-  double turn_gate = 0.0, place_gate = 0.0;  ///< rad, m
-  double speed_gate = 0.0;                   ///< m/s, of what is not known
+  /// Thresholds for rotation [rad] and displacement [m].
+  double turn_gate = 0.0, place_gate = 0.0;
+  double speed_gate = 0.0;  ///< Three standard deviations of the speed difference [m/s].
 };
 
-constexpr double stuck = 0.01;          // s of the same reading, to the last digit
-constexpr double moment_period = 0.25;  // s: a fault is found within it, and anchors are older
+// Time constants, chosen by hand.
+
+// Duration of identical readings after which the IMU counts as stuck [s].
+constexpr double stuck = 0.01;
+// Age at which a snapshot is replaced [s]. A fault must be detected within this time, so that the
+// older snapshot was taken before the fault.
+constexpr double moment_period = 0.25;
 
 }  // namespace
 
@@ -61,19 +67,19 @@ struct GuardedBase::Impl {
         v(Eigen::VectorXd::Zero(model.nv)),
         rested(Eigen::VectorXd::Zero(filter.feet())) {}
 
-  UnitPose told_unit() const noexcept;
-  Vector3d told_velocity() const noexcept;
-  void tell_unit(const UnitPose& at, const Vector3d& v_unit, const Vector3d& w_unit) noexcept;
+  UnitPose last_unit() const noexcept;
+  Vector3d last_velocity() const noexcept;
+  void set_base(const UnitPose& at, const Vector3d& v_unit, const Vector3d& w_unit) noexcept;
   void take_moment(Moment& moment, FootSet feet, const UnitPose& unit) noexcept;
   void begin_again(FootSet standing) noexcept;
   bool feet_agree(const UnitPose& unit, FootSet feet, FootSet& worst,
                   const ConstVectorRef& loads) const noexcept;
   double encoder_place() const noexcept;
   void compare(const ImuReading& imu, double dt) noexcept;
-  double share_of_gates() const noexcept;
+  double gate_ratio() const noexcept;
   bool feet_rest() const noexcept;
   UnitWatch::Tips tips() const noexcept;
-  ImuReading believed(const ImuReading& imu, double dt) const noexcept;
+  ImuReading vetted_reading(const ImuReading& imu, double dt) const noexcept;
   Status follow_filter(const ImuReading* imu, const ConstVectorRef& q_read,
                        const ConstVectorRef& v_read, FootSet standing, const ConstVectorRef& loads,
                        double dt) noexcept;
@@ -87,20 +93,24 @@ struct GuardedBase::Impl {
   UnitWatchOptions watch_options;
   FootKinematics kinematics;
   UnitWatch watch;
-  Moment older, newer;       ///< at least `moment_period` ago but after a beginning, and since
-  double since_newer = 0.0;  ///< s
-  FootSet followed = 0;      ///< feet that both moments are of
-  UnitPose by_feet;          ///< at the older moment's feet
+  /// Snapshots. `newer` is the latest. `older` has an age of `moment_period` or more, except after
+  /// a start.
+  Moment older, newer;
+  double since_newer = 0.0;  ///< Time since `newer` [s].
+  FootSet followed = 0;      ///< Feet that both snapshots contain.
+  UnitPose by_feet;          ///< Pose of the IMU, computed from the feet in `older`.
   Vector3d gravity;
   Eigen::VectorXd q, v;
   BaseSource source = BaseSource::Filter;
-  bool was_silent = false;  ///< the unit was given up since it said nothing
-  double tipping = 0.0;     ///< s in which the robot is still believed to tip
+  bool was_silent = false;  ///< True if the IMU was rejected because its readings were missing.
+  double tipping = 0.0;     ///< Remaining time for which the robot counts as tipping [s].
   double lost = 0.0, agreed = 0.0;
   int takeovers = 0;
-  Vector3d off_turn = Vector3d::Zero(), off_place = Vector3d::Zero();  ///< rad, m, world: to fade
-  FootSet out = 0;         ///< that contradict the others
-  Eigen::VectorXd rested;  ///< s, of those
+  /// Offset of the reported pose from the pose by the feet: rotation [rad] and displacement [m], in
+  /// the world. It avoids jumps when the source of the pose changes, and decays.
+  Vector3d off_turn = Vector3d::Zero(), off_place = Vector3d::Zero();
+  FootSet out = 0;         ///< Feet that contradict the other feet and are not used.
+  Eigen::VectorXd rested;  ///< Time for which the feet in `out` have been at rest [s].
 };
 
 GuardedBase::GuardedBase(const Model& model, const BaseEstimatorOptions& options)
@@ -146,8 +156,8 @@ Status GuardedBase::update(const ImuReading* imu, const ConstVectorRef& q, const
   return Status::Ok;
 }
 
-/// By the base that was told last, and the joints of now.
-UnitPose GuardedBase::Impl::told_unit() const noexcept {
+/// Returns the pose of the IMU, from the last estimate of the base and the current joint readings.
+UnitPose GuardedBase::Impl::last_unit() const noexcept {
   const FramePose<double>& joint = kinematics.base_joint();
   const FramePose<double>& unit = kinematics.unit_in_base();
   const Matrix3d R_base =
@@ -156,8 +166,8 @@ UnitPose GuardedBase::Impl::told_unit() const noexcept {
   return {R_base * to_eigen(unit.R), p_base + R_base * to_eigen(unit.p)};
 }
 
-/// Of the unit, world axes.
-Vector3d GuardedBase::Impl::told_velocity() const noexcept {
+/// Returns the velocity of the IMU from the last estimate of the base, in world axes [m/s].
+Vector3d GuardedBase::Impl::last_velocity() const noexcept {
   const FramePose<double>& unit = kinematics.unit_in_base();
   const Vector3d w_base = v.segment<3>(3);
   const Vector3d in_base = v.head<3>() + w_base.cross(to_eigen(unit.p)) +
@@ -166,9 +176,10 @@ Vector3d GuardedBase::Impl::told_velocity() const noexcept {
          (Eigen::Quaterniond(q[6], q[3], q[4], q[5]).toRotationMatrix() * in_base);
 }
 
-/// v_unit, w_unit: in its axes.
-void GuardedBase::Impl::tell_unit(const UnitPose& at, const Vector3d& v_unit,
-                                  const Vector3d& w_unit) noexcept {
+/// Sets the base from pose and velocities of the IMU. `v_unit`, `w_unit`: velocity and angular
+/// velocity in the axes of the IMU.
+void GuardedBase::Impl::set_base(const UnitPose& at, const Vector3d& v_unit,
+                                 const Vector3d& w_unit) noexcept {
   const FramePose<double>& joint = kinematics.base_joint();
   const FramePose<double>& unit = kinematics.unit_in_base();
   const Motion<double>& moves = kinematics.unit_in_base_velocity();
@@ -185,16 +196,18 @@ void GuardedBase::Impl::tell_unit(const UnitPose& at, const Vector3d& v_unit,
   v.head<3>() = R_unit * v_unit - w_base.cross(to_eigen(unit.p)) - to_eigen(moves.linear);
 }
 
-/// m, a deviation of where a foot is seen, and within a factor of 2 rad of how it is turned.
+/// Returns the standard deviation of a foot's position due to encoder noise [m]. It is also used
+/// for the foot's rotation [rad], for which it is right within a factor of 2.
 double GuardedBase::Impl::encoder_place() const noexcept {
-  double most = 0.0;
+  double max_square = 0.0;
   for (int k = 0; k < kinematics.feet(); ++k)
-    most = std::max(most, kinematics.jacobian(k).squaredNorm());
-  return filter.options().encoder_noise * std::sqrt(most);
+    max_square = std::max(max_square, kinematics.jacobian(k).squaredNorm());
+  return filter.options().encoder_noise * std::sqrt(max_square);
 }
 
-/// Gates are what the options say and three times what comes of noise and of what biases and tilt
-/// are not known by: of three axes together, which makes five of one.
+/// Takes a snapshot. Each threshold is the value in the options plus three standard deviations due
+/// to noise, biases and tilt. The deviations are those of three axes together; for a single axis,
+/// they correspond to about five.
 void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose& unit) noexcept {
   const BaseEstimatorOptions& o = filter.options();
   moment.feet.put(feet, unit, kinematics.all_seen());
@@ -203,13 +216,17 @@ void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose
   const Eigen::MatrixXd& P = filter.covariance();
   const double time = watch_options.window, encoder = encoder_place();
   const auto square = [](double x) { return x * x; };
-  // d(R f) = theta x R f - R zeta, which at rest, R f = -g, is g x theta - R zeta.
+  // The error of the specific force is d(R f) = theta x R f - R zeta. At rest, R f = -g, so that
+  // d(R f) = g x theta - R zeta.
   Matrix3d up;
   up << 0.0, -gravity.z(), gravity.y(), gravity.z(), 0.0, -gravity.x(), -gravity.y(), gravity.x(),
       0.0;
   const Matrix3d across = up * P.block<3, 3>(0, 12) * unit.R.transpose();
   const double of_force = std::max(0.0, (up * P.block<3, 3>(0, 0) * up.transpose()).trace() +
                                             P.block<3, 3>(12, 12).trace() - 2.0 * across.trace());
+  // Variances of turned() and moved() in UnitWatch, as sums over three axes. White noise
+  // contributes 3/2 noise^2 time to turned() and 3/4 noise^2 time^3 to moved(). A velocity error v
+  // contributes at most v time / e to moved().
   const double turn = P.block<3, 3>(9, 9).trace() * square(time) +
                       1.5 * square(o.gyro_noise) * time + square(encoder);
   const double place = of_force * square(square(time)) +
@@ -220,40 +237,43 @@ void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose
   moment.place_gate = watch_options.place + 3.0 * std::sqrt(place);
 }
 
-/// From where the base is told to be now.
+/// Replaces both snapshots by the last estimate of the base.
 void GuardedBase::Impl::begin_again(FootSet standing) noexcept {
   followed = standing;
   tipping = 0.0;
-  by_feet = told_unit();
+  by_feet = last_unit();
   take_moment(older, followed, by_feet);
   newer = older;
   since_newer = 0.0;
   Vector3d v_unit, w_unit;
-  // What the feet say of its velocity may be what one of them slips with: it is the one told.
+  // Uses the last estimated velocity. The velocity computed from the feet could be wrong, because
+  // one of them may slip.
   if (older.feet.are_redundant(followed) &&
       older.feet.fit_velocity(followed, kinematics, v_unit, w_unit))
-    watch.begin(by_feet, told_velocity());
+    watch.begin(by_feet, last_velocity());
   else
     watch.stop();
 }
 
-/// Whether feet are to each other as they were; else `worst` is the one that they do without.
+/// Returns true if the feet have kept their poses relative to each other. If not, `worst` receives
+/// the foot to leave out first.
 bool GuardedBase::Impl::feet_agree(const UnitPose& unit, FootSet feet, FootSet& worst,
                                    const ConstVectorRef& loads) const noexcept {
   const double noise = 3.0 * encoder_place();
   const double place = watch_options.feet_place + noise, turn = watch_options.feet_turn + noise;
   bool agree = true;
-  double most = 0.0;
+  double max_blame = 0.0;
   worst = 0;
   for (int k = 0; k < kinematics.feet(); ++k) {
     if ((feet & foot_bit(k)) == 0) continue;
     const FeetFit::Apart apart = older.feet.apart(k, kinematics.seen(k), unit);
-    const double share = std::max(apart.place / place, apart.turn / turn);
-    agree = agree && share <= 1.0;
-    // What bears less slips more easily, and two that contradict each other do so alike.
-    const double blame = share / (loads.size() == 0 ? 1.0 : std::max(loads[k], 1.0));
-    if (worst != 0 && !(blame > most)) continue;
-    most = blame;
+    const double ratio = std::max(apart.place / place, apart.turn / turn);
+    agree = agree && ratio <= 1.0;
+    // A foot with less load slips more easily. If only two feet contradict each other, their ratios
+    // are equal, so that the load decides.
+    const double blame = ratio / (loads.size() == 0 ? 1.0 : std::max(loads[k], 1.0));
+    if (worst != 0 && !(blame > max_blame)) continue;
+    max_blame = blame;
     worst = foot_bit(k);
   }
   return agree;
@@ -268,40 +288,48 @@ void GuardedBase::Impl::compare(const ImuReading& imu, double dt) noexcept {
   watch.advance(reading, by_feet, by_feet.R * v_unit, gravity, dt);
 }
 
-/// How far unit and feet have come apart; above 1 one of them is wrong.
-double GuardedBase::Impl::share_of_gates() const noexcept {
+/// Returns the difference between IMU and feet, as a multiple of its thresholds. Above 1, either
+/// the IMU or the feet are wrong.
+double GuardedBase::Impl::gate_ratio() const noexcept {
   if (!watch.has_begun()) return 0.0;
-  const double share =
+  const double ratio =
       std::max(watch.turned().norm() / older.turn_gate, watch.moved().norm() / older.place_gate);
-  return std::isfinite(share) ? share : std::numeric_limits<double>::infinity();
+  return std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity();
 }
 
-/// Feet that tip, pivot or slip never do so quite alike: what moves them against each other is a
-/// good part of what they differ from the unit by, which a fault of the unit does not touch.
+/// Returns true if the feet are at rest. Feet that tip, pivot or slip do not move all in the same
+/// way. Their motion relative to each other is then a large fraction of the difference between IMU
+/// and feet. A fault of the IMU, in contrast, does not move the feet relative to each other.
 bool GuardedBase::Impl::feet_rest() const noexcept {
-  constexpr double part = 0.25;
-  const double most = part * std::max(share_of_gates(), 0.7);
+  // Largest motion of feet at rest, as a fraction of the difference between IMU and feet; chosen by
+  // hand.
+  constexpr double moving_fraction = 0.25;
+  const double max_ratio = moving_fraction * std::max(gate_ratio(), 0.7);
   for (int k = 0; k < kinematics.feet(); ++k) {
     if ((followed & foot_bit(k)) == 0) continue;
     const FeetFit::Apart apart = older.feet.apart(k, kinematics.seen(k), by_feet);
-    if (std::max(apart.turn / older.turn_gate, apart.place / older.place_gate) > most) return false;
+    if (std::max(apart.turn / older.turn_gate, apart.place / older.place_gate) > max_ratio)
+      return false;
   }
   return true;
 }
 
 UnitWatch::Tips GuardedBase::Impl::tips() const noexcept {
-  constexpr double bent = 3e-4;  // m, that ground and links give way by
+  // Displacement due to the compliance of ground and links [m]; chosen by hand.
+  constexpr double compliance = 3e-4;
   return watch.tips_over(older.feet.middle(followed), 0.5 * older.turn_gate,
-                         bent + 4.0 * encoder_place());
+                         compliance + 4.0 * encoder_place());
 }
 
-/// Until it is clear what is wrong, what leaps away from the feet is not handed on: a controller
-/// would have thrown the robot over by then. Turns are theirs instead, and no acceleration.
-ImuReading GuardedBase::Impl::believed(const ImuReading& imu, double dt) const noexcept {
+/// Returns the reading that the filter receives. A sudden difference between the reading and the
+/// feet may be a fault, on which a controller could react so strongly that the robot falls. Until
+/// the cause is clear, the reading is therefore replaced by the angular velocity from the feet and
+/// by zero acceleration.
+ImuReading GuardedBase::Impl::vetted_reading(const ImuReading& imu, double dt) const noexcept {
   ImuReading result = imu;
   Vector3d v_unit, w_unit;
   if (!older.feet.fit_velocity(followed, kinematics, v_unit, w_unit)) return result;
-  constexpr double lever = 0.4;  // m, that a rate counts at as a speed
+  constexpr double lever = 0.4;  // lever arm that converts an angular velocity to a speed [m]
   const BaseEstimatorOptions& o = filter.options();
   const double rate = watch_options.rate + 5.0 * o.gyro_noise / std::sqrt(dt);
   const double speed = lever * watch_options.rate +
@@ -320,7 +348,7 @@ Status GuardedBase::Impl::follow_filter(const ImuReading* imu, const ConstVector
                                         const ConstVectorRef& v_read, FootSet standing,
                                         const ConstVectorRef& loads, double dt) noexcept {
   FootSet worst = 0;
-  // A unit that says nothing does not wait for feet that were put down just now.
+  // If readings are missing, the IMU is rejected at once, even directly after feet were put down.
   bool stands = standing == followed && older.feet.fit(followed, kinematics.all_seen(), by_feet) &&
                 feet_agree(by_feet, followed, worst, loads);
   if (imu == nullptr) {
@@ -331,27 +359,32 @@ Status GuardedBase::Impl::follow_filter(const ImuReading* imu, const ConstVector
   ImuReading reading = *imu;
   if (stands && watch_options.enabled && watch.has_begun()) {
     compare(*imu, dt);
-    const bool beyond = share_of_gates() > 1.0, was_tipping = tipping > 0.0;
+    const bool beyond = gate_ratio() > 1.0, was_tipping = tipping > 0.0;
     tipping = std::max(0.0, tipping - dt);
-    // What has come of it is forgotten after that time, and the feet stand elsewhere then.
+    // Duration of tipping as a multiple of the window. After this time, the effect of tipping has
+    // decayed, and the feet stand elsewhere.
     constexpr double windows = 3.0;
     const UnitWatch::Tips tip = tips();
     if (beyond && tip == UnitWatch::Tips::Yes) tipping = windows * watch_options.window;
     const bool rest = feet_rest();
-    // Noise never repeats itself: then it is enough that the feet tell of any motion at all.
-    constexpr double any = 0.2;  // of the gates
-    if (watch.repeats_for() > stuck && share_of_gates() > any) {
+    // Readings with noise never repeat. An IMU with repeated readings is therefore rejected after a
+    // small motion of the feet. `min_motion`: difference between IMU and feet, as a multiple of its
+    // thresholds.
+    constexpr double min_motion = 0.2;
+    if (watch.repeats_for() > stuck && gate_ratio() > min_motion) {
       give_up_unit(false, standing);
       return Status::Ok;
     }
-    constexpr double clear = 3.0;  // of the gates: nothing more is waited for
+    // Difference, as a multiple of the thresholds, at which a fault of the IMU is certain; chosen
+    // by hand.
+    constexpr double clear = 3.0;
     if (beyond && rest && tipping == 0.0 && !was_tipping &&
-        (tip == UnitWatch::Tips::No || share_of_gates() > clear)) {
+        (tip == UnitWatch::Tips::No || gate_ratio() > clear)) {
       give_up_unit(false, standing);
       return Status::Ok;
     }
     stands = tipping > 0.0 || !(was_tipping || (beyond && !rest));
-    if (stands && tipping == 0.0) reading = believed(*imu, dt);
+    if (stands && tipping == 0.0) reading = vetted_reading(*imu, dt);
   }
   const Status status = filter.update(reading, q_read, v_read, standing, dt);
   if (status != Status::Ok) {
@@ -367,17 +400,17 @@ Status GuardedBase::Impl::follow_filter(const ImuReading* imu, const ConstVector
     return status;
   }
   since_newer += dt;
-  if (since_newer < moment_period || tipping > 0.0 || share_of_gates() > 0.5) return status;
+  if (since_newer < moment_period || tipping > 0.0 || gate_ratio() > 0.5) return status;
   older = newer;
-  take_moment(newer, followed, told_unit());
+  take_moment(newer, followed, last_unit());
   since_newer = 0.0;
   if (older.feet.fit(followed, kinematics.all_seen(), by_feet)) watch.shift(by_feet);
   return status;
 }
 
-/// The feet stand where they did at the older moment.
+/// Rejects the IMU. The feet are assumed to stand at their poses in the older snapshot.
 void GuardedBase::Impl::give_up_unit(bool silent, FootSet standing) noexcept {
-  const UnitPose told = told_unit();
+  const UnitPose last = last_unit();
   source = BaseSource::Feet;
   was_silent = silent;
   out = 0;
@@ -385,12 +418,13 @@ void GuardedBase::Impl::give_up_unit(bool silent, FootSet standing) noexcept {
   followed = standing;
   agreed = lost = 0.0;
   ++takeovers;
-  off_turn = turn_of(told.R * by_feet.R.transpose());
-  off_place = told.p - by_feet.p;
+  off_turn = turn_of(last.R * by_feet.R.transpose());
+  off_place = last.p - by_feet.p;
   watch.stop();
 }
 
-/// Feet that came, went or slip; where the unit is by those that stand.
+/// Updates the set of standing feet, and the pose of the IMU computed from them. Returns false if
+/// the feet do not determine the pose.
 bool GuardedBase::Impl::stand(FootSet standing, const ConstVectorRef& loads, double dt) noexcept {
   const std::vector<SeenFoot>& seen = kinematics.all_seen();
   Vector3d v_unit, w_unit;
@@ -398,10 +432,10 @@ bool GuardedBase::Impl::stand(FootSet standing, const ConstVectorRef& loads, dou
   FootSet stay = followed & standing & ~out;
   if (stay != followed) watch.stop();
   if (!older.feet.fit(stay, seen, by_feet)) {
-    // Whatever stands now is put down where the base was last told to be.
+    // Puts all standing feet down, relative to the last estimate of the base.
     stay = standing;
     out = 0;
-    by_feet = told_unit();
+    by_feet = last_unit();
     older.feet.put(stay, by_feet, seen);
     off_turn.setZero();
     off_place.setZero();
@@ -443,18 +477,18 @@ void GuardedBase::Impl::follow_feet(const ImuReading* imu, FootSet standing,
   if (!stands) {
     source = BaseSource::None;
     lost += dt;
-    v.head<6>() *= std::exp(-dt / watch_options.fading);
+    v.head<6>() *= std::exp(-dt / watch_options.decay_time);
     watch.stop();
-    // A unit that was silent and speaks again is better than nothing.
+    // Without feet, an IMU whose readings were missing before is better than nothing.
     if (imu != nullptr && was_silent) take_unit_back(older.b_gyro);
     return;
   }
   source = BaseSource::Feet;
   lost = 0.0;
-  const double stays = std::exp(-dt / watch_options.fading);
-  off_turn *= stays;
-  off_place *= stays;
-  tell_unit({turned_by(off_turn) * by_feet.R, by_feet.p + off_place}, v_unit, w_unit);
+  const double decay = std::exp(-dt / watch_options.decay_time);
+  off_turn *= decay;
+  off_place *= decay;
+  set_base({turned_by(off_turn) * by_feet.R, by_feet.p + off_place}, v_unit, w_unit);
   if (imu == nullptr) {
     watch.stop();
     agreed = 0.0;
@@ -466,8 +500,10 @@ void GuardedBase::Impl::follow_feet(const ImuReading* imu, FootSet standing,
     return;
   }
   compare(*imu, dt);
-  constexpr double closely = 0.6;  // of the gates: a unit that comes back is not to leave at once
-  if (share_of_gates() > closely || watch.repeats_for() > stuck) {
+  // Difference, as a multiple of the thresholds, below which the IMU is accepted again. It is
+  // clearly below 1, so that the IMU is not rejected again at once.
+  constexpr double closely = 0.6;
+  if (gate_ratio() > closely || watch.repeats_for() > stuck) {
     watch.begin(by_feet, by_feet.R * v_unit);
     agreed = 0.0;
     return;
@@ -480,7 +516,7 @@ void GuardedBase::Impl::take_unit_back(const Vector3d& b_gyro) noexcept {
   if (filter.resume(q, v, b_gyro, older.b_accelerometer) != Status::Ok) return;
   source = BaseSource::Filter;
   lost = agreed = 0.0;
-  followed = 0;  // what stands is put down at the next reading
+  followed = 0;  // standing feet are added again at the next reading
   watch.stop();
 }
 

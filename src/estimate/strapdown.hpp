@@ -1,28 +1,31 @@
-// An inertial measurement unit integrated over a tick in which its readings are held, which is
-// exact: R exp(phi), and velocities and positions with
+// Exact integration of an inertial measurement unit (IMU) over a tick in which its readings are
+// constant. The rotation becomes R exp(phi). Velocity and position use the series
 //   Gamma_1(phi) = sum phi^n/(n + 1)!,   Gamma_2(phi) = sum phi^n/(n + 2)!,   phi = w dt
 // (Hartley, Ghaffari, Eustice, Grizzle, "Contact-aided invariant extended Kalman filtering for
-// robot state estimation", 2020, appendix on discretization). Their slopes are derived here.
+// robot state estimation", 2020, appendix on discretization). The derivatives of Gamma_1 and
+// Gamma_2 are derived here.
 #pragma once
 
 #include "math/spatial.hpp"
 
 namespace burnish {
 
-/// Coefficients c_n = sum (-theta^2)^k/(n + 2k)! of powers of phi. They hang together by
-/// c_n = 1/n! - theta^2 c_(n+2), and d(c_n) = (n c_(n+2) - c_(n+1)) phi^T d(phi).
+/// Coefficients c_n = sum (-theta^2)^k/(n + 2k)! of polynomials in the cross-product matrix of phi,
+/// where theta = |phi|. They satisfy c_n = 1/n! - theta^2 c_(n+2), and have the derivatives
+/// d(c_n) = (n c_(n+2) - c_(n+1)) phi^T d(phi).
 template <class S>
 struct RotationSeries {
   S c1, c2, c3, c4, c5, c6;
 };
 
-/// For one state at a time: it branches on the angle.
+/// Computes the coefficients for one phi. The function branches on the angle, so that it cannot
+/// process several states in one vector register.
 template <class S>
 RotationSeries<S> rotation_series(const Vec3<S>& phi) {
   using std::cos, std::sin, std::sqrt;
   RotationSeries<S> r;
   const S square = dot(phi, phi), y = -square;
-  if (square < S(1.0)) {  // the first terms that are omitted are below 1e-17
+  if (square < S(1.0)) {  // series; omitted terms are below 1e-17
     r.c5 = S(1.0 / 120) +
            y * (S(1.0 / 5040) +
                 y * (S(1.0 / 362880) +
@@ -50,7 +53,7 @@ RotationSeries<S> rotation_series(const Vec3<S>& phi) {
   return r;
 }
 
-/// a exact + b (phi x) + c (phi x)^2.
+/// Returns the matrix a 1 + b [phi]x + c [phi]x^2, where [phi]x is the cross-product matrix.
 template <class S>
 Mat3<S> rotation_polynomial(const Vec3<S>& phi, const S& a, const S& b, const S& c) {
   const S d = a - c * dot(phi, phi);
@@ -74,12 +77,12 @@ Mat3<S> gamma_2(const Vec3<S>& phi, const RotationSeries<S>& c) {
 
 template <class S>
 struct InertialState {
-  Mat3<S> R;     ///< unit -> world
-  Vec3<S> v, p;  ///< of the unit in the world, m/s, m
+  Mat3<S> R;     ///< Rotation from the axes of the IMU to the world.
+  Vec3<S> v, p;  ///< Velocity and position of the IMU in the world [m/s, m].
 };
 
-/// dt s later; w: rad/s, f: specific force, m/s^2, both in the unit's axes and without bias;
-/// gravity: world, m/s^2.
+/// Returns the state after `dt` [s]. `w`: angular velocity [rad/s]; `f`: specific force [m/s^2];
+/// both are without bias, in the axes of the IMU. `gravity`: gravity vector in the world [m/s^2].
 template <class S>
 InertialState<S> strapdown(const InertialState<S>& x, const Vec3<S>& w, const Vec3<S>& f,
                            const Vec3<S>& gravity, const S& dt) {
@@ -93,7 +96,8 @@ InertialState<S> strapdown(const InertialState<S>& x, const Vec3<S>& w, const Ve
 }
 
 namespace strapdown_detail {
-/// d(b (phi x a) + c phi x (phi x a))/d(phi), d(b) = b_rate phi^T d(phi), likewise of c.
+/// Returns the derivative d(b (phi x a) + c phi x (phi x a))/d(phi). The coefficients have the
+/// derivatives d(b) = b_rate phi^T d(phi) and d(c) = c_rate phi^T d(phi).
 inline Mat3<double> slope(const Vec3<double>& phi, const Vec3<double>& a, double b, double c,
                           double b_rate, double c_rate) {
   const Vec3<double> once = cross(phi, a), twice = cross(phi, once);
@@ -105,12 +109,12 @@ inline Mat3<double> slope(const Vec3<double>& phi, const Vec3<double>& a, double
 }
 }  // namespace strapdown_detail
 
-/// d(Gamma_1(phi) a)/d(phi).
+/// Returns the derivative d(Gamma_1(phi) a)/d(phi).
 inline Mat3<double> gamma_1_slope(const Vec3<double>& phi, const RotationSeries<double>& c,
                                   const Vec3<double>& a) {
   return strapdown_detail::slope(phi, a, c.c2, c.c3, 2.0 * c.c4 - c.c3, 3.0 * c.c5 - c.c4);
 }
-/// d(Gamma_2(phi) a)/d(phi).
+/// Returns the derivative d(Gamma_2(phi) a)/d(phi).
 inline Mat3<double> gamma_2_slope(const Vec3<double>& phi, const RotationSeries<double>& c,
                                   const Vec3<double>& a) {
   return strapdown_detail::slope(phi, a, c.c3, c.c4, 3.0 * c.c5 - c.c4, 4.0 * c.c6 - c.c5);

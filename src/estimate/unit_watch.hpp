@@ -1,5 +1,5 @@
-// What an inertial unit says against what feet say that stand: how far the two come apart within a
-// time.
+// Comparison of an inertial measurement unit (IMU) with standing feet. It is the difference between
+// both motions over the last time window.
 #pragma once
 
 #include "burnish/estimate/imu.hpp"
@@ -7,55 +7,66 @@
 
 namespace burnish {
 
-/// Both are told with what is long ago forgotten, H(s) = s window/(1 + s window):
-///   turned = H (angle of the gyroscope - angle of the feet),
-///   moved  = H^2 (place of the accelerometer - place of the feet),
-/// the accelerometer's with the rotation that the feet tell, so that each sensor is told apart. An
-/// offset of the gyroscope leaves offset x window, of the accelerometer offset x window^2. Encoders
-/// enter as angles and places, never as rates.
+/// Differences between the motion that the IMU's sensors measure and the motion that the feet
+/// imply. A high-pass filter H(s) = s window/(1 + s window) removes old differences:
+///   turned = H (angle from the gyroscope - angle from the feet),
+///   moved  = H^2 (position from the accelerometer - position from the feet).
+/// The position from the accelerometer is integrated with the rotation from the feet, so that a
+/// fault of one sensor shows in one difference only. A constant offset of the gyroscope leads to
+/// turned = offset x window, an offset of the accelerometer to moved = offset x window^2. Encoders
+/// affect these two differences as angles and positions, not as rates.
 class UnitWatch {
  public:
+  /// `window`: time constant of H [s].
   explicit UnitWatch(double window) : window_(window) {}
 
-  /// Nothing is known of before; the unit is there by the feet, and moves at v_world, m/s.
+  /// Starts the comparison with zero differences. `by_feet`: pose of the IMU computed from the
+  /// feet. `v_world`: velocity of the IMU in the world [m/s].
   void begin(const UnitPose& by_feet, const Eigen::Vector3d& v_world) noexcept;
   void stop() noexcept { begun_ = false; }
-  /// The feet tell it anew, as it is now, without a motion.
+  /// Replaces the pose from the feet, after feet were put down again. The change does not count as
+  /// a motion.
   void shift(const UnitPose& by_feet) noexcept { before_ = by_feet; }
-  /// A reading over the last `dt` s without its biases, at whose end the unit is there by the feet
-  /// and moves at v_by_feet, m/s, world. gravity: m/s^2, world.
+  /// Adds a reading without biases, which covers the last `dt` [s]. `by_feet`, `v_by_feet`: pose
+  /// and velocity [m/s] of the IMU from the feet at the end of the reading, in the world.
+  /// `gravity`: gravity vector in the world [m/s^2].
   void advance(const ImuReading& reading, const UnitPose& by_feet, const Eigen::Vector3d& v_by_feet,
                const Eigen::Vector3d& gravity, double dt) noexcept;
 
   bool has_begun() const { return begun_; }
-  const Eigen::Vector3d& turned() const { return turned_; }          ///< rad, world axes
-  Eigen::Vector3d moved() const { return place_ - place_by_feet_; }  ///< m, world axes
-  /// H (speed of the accelerometer - speed of the feet), m/s, world axes: sooner there than the
-  /// place, and noisier.
+  /// Returns the difference of rotations `turned`, in world axes [rad].
+  const Eigen::Vector3d& turned() const { return turned_; }
+  /// Returns the difference of displacements `moved`, in world axes [m].
+  Eigen::Vector3d moved() const { return place_ - place_by_feet_; }
+  /// Returns the difference of velocities, H (velocity from the accelerometer - velocity from the
+  /// feet), in world axes [m/s]. It shows a fault earlier than moved(), but has more noise.
   Eigen::Vector3d sped() const { return speed_ - speed_by_feet_; }
-  /// Whether both sensors say that the unit turns about a point, which the feet do not: its robot
-  /// tips over. Not told of turns below `least_turn` (rad); unclear where what it would have moved
-  /// by is below `least_place` (m).
+  /// Answer of tips_over(). Yes: both sensors agree that the IMU turns about `point`, unlike the
+  /// feet, so that the robot tips over. No: the rotation is below `min_turn` [rad], or the sensors
+  /// do not agree. Unclear: the displacement to be expected is below `min_place` [m].
   enum class Tips { No, Unclear, Yes };
-  Tips tips_over(const Eigen::Vector3d& point, double least_turn,
-                 double least_place) const noexcept;
-  /// s that the unit has said the same to the last digit.
+  Tips tips_over(const Eigen::Vector3d& point, double min_turn, double min_place) const noexcept;
+  /// Returns for how long the IMU has repeated identical readings [s].
   double repeats_for() const { return repeats_for_; }
-  /// rad/s that the gyroscope said beyond the feet, in the unit's axes, mean since begin().
+  /// Returns the mean since begin() of the difference in angular velocity, gyroscope minus feet, in
+  /// the axes of the IMU [rad/s].
   Eigen::Vector3d mean_rate() const noexcept;
 
  private:
   double window_;
   bool begun_ = false;
-  double repeats_for_ = 0.0;  ///< s
+  double repeats_for_ = 0.0;  ///< Time for which readings have been identical [s].
   UnitPose before_;
   ImuReading last_;
   Eigen::Vector3d turned_ = Eigen::Vector3d::Zero(), turned_twice_ = turned_;
-  Eigen::Vector3d speed_ = turned_, place_ = turned_;                ///< of the accelerometer
-  Eigen::Vector3d way_by_feet_ = turned_, place_by_feet_ = turned_;  ///< H and H^2
+  /// Velocity and displacement from the accelerometer, filtered.
+  Eigen::Vector3d speed_ = turned_, place_ = turned_;
+  /// Displacement from the feet, filtered once by H (path_by_feet_) and twice (place_by_feet_).
+  Eigen::Vector3d path_by_feet_ = turned_, place_by_feet_ = turned_;
   Eigen::Vector3d v_before_ = turned_, speed_by_feet_ = turned_;
-  Eigen::Vector3d sum_ = turned_;  ///< rad, unit's axes
-  double time_ = 0.0;              ///< s since begin()
+  /// Integral of the differences in angular velocity, in the axes of the IMU [rad].
+  Eigen::Vector3d sum_ = turned_;
+  double time_ = 0.0;  ///< Time since begin() [s].
 };
 
 }  // namespace burnish

@@ -7,14 +7,16 @@
 #include "base/parse_number.hpp"
 #include "base/sentence.hpp"
 #include "base/text_file.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish::files {
 namespace {
 
-/// A cell takes more memory than its text: they are counted before they are cut.
+/// Returns the number of cells in a line. Cells are counted before splitting, because a split cell
+/// takes more memory than its text.
 std::size_t cell_count(const std::string& line) {
-  return static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
+  return to_size(std::count(line.begin(), line.end(), ',')) + 1;
 }
 
 std::vector<std::string> cells_of(std::string line) {
@@ -29,7 +31,7 @@ std::vector<std::string> cells_of(std::string line) {
   }
 }
 
-/// "force_z [N]" -> "force_z".
+/// Returns the name of a header cell without its unit: "force_z" for "force_z [N]".
 std::string name_of_cell(const std::string& cell) {
   std::string name = cell.substr(0, cell.rfind('['));
   const std::size_t first = name.find_first_not_of(' ');
@@ -59,12 +61,12 @@ CsvTable read_csv(const std::filesystem::path& file) {
 CsvTable parse_csv(const std::string& text, const std::string& file) {
   std::istringstream stream(text);
   std::string line;
-  if (!std::getline(stream, line)) refuse(file, "it is empty; a table was wanted");
+  if (!std::getline(stream, line)) refuse(file, "the file is empty; wanted a table");
   constexpr std::size_t max_columns = 10'000;
   const std::size_t columns = cell_count(line);
   if (columns > max_columns)
-    refuse(file, "it has " + std::to_string(columns) + " columns; at most " +
-                     std::to_string(max_columns) + " are read");
+    refuse(file, "the table has " + std::to_string(columns) + " columns; wanted at most " +
+                     std::to_string(max_columns));
   CsvTable table{file, {}, {}};
   for (const std::string& cell : cells_of(line)) table.names.push_back(name_of_cell(cell));
   std::vector<double> values;
@@ -72,12 +74,12 @@ CsvTable parse_csv(const std::string& text, const std::string& file) {
     if (line.empty() || line == "\r") continue;
     const std::string place = file + ": line " + std::to_string(number) + ": ";
     if (cell_count(line) != columns)
-      throw Error(place + "it has " + std::to_string(cell_count(line)) + " cells; wanted " +
+      throw Error(place + "the line has " + std::to_string(cell_count(line)) + " cells; wanted " +
                   std::to_string(columns));
     for (const std::string& cell : cells_of(line)) {
       const auto value = cell.empty() ? std::optional(std::numeric_limits<double>::quiet_NaN())
                                       : parse_number(cell);
-      if (!value) throw Error(place + in_quotes(cell) + " is no number");
+      if (!value) throw Error(place + in_quotes(cell) + " is not a number");
       values.push_back(*value);
     }
   }

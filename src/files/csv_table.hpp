@@ -1,4 +1,4 @@
-// A table of numbers with named columns: "name [unit],..." and then rows.
+// CSV tables of numbers: a header line "name [unit],...", then rows.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,19 +9,19 @@
 namespace burnish::files {
 
 struct CsvTable {
-  std::string file;
-  std::vector<std::string> names;  ///< without units
-  Eigen::MatrixXd values;          ///< rows x columns; an empty cell is a NaN
+  std::string file;                ///< File name for messages
+  std::vector<std::string> names;  ///< Column names without units
+  Eigen::MatrixXd values;          ///< Rows x columns; an empty cell is a NaN
 
   bool has(const std::string& name) const;
-  /// The first `rows` cells, or all. Throws Error with the nearest known name, or where one of them
-  /// is no finite number.
+  /// Returns the first `rows` cells of a column, or all cells. Throws Error with the nearest known
+  /// name for an unknown column, and if a returned cell is empty.
   Eigen::VectorXd column(const std::string& name, Eigen::Index rows = -1) const;
 };
 
-/// Throws Error naming the file and the line.
+/// Reads a table. Throws Error with the file and the line.
 CsvTable read_csv(const std::filesystem::path& file);
-/// The same from a text; `file` stands for its name in error sentences.
+/// Reads a table from a text. `file` is the file name for messages.
 CsvTable parse_csv(const std::string& text, const std::string& file);
 
 }  // namespace burnish::files

@@ -9,7 +9,7 @@
 namespace burnish::files {
 namespace {
 
-/// Lines of text as comments.
+/// Returns the lines of a text as YAML comments.
 std::string comment(const std::string& text, const std::string& indent) {
   std::istringstream lines(text);
   std::string result, line;
@@ -17,7 +17,8 @@ std::string comment(const std::string& text, const std::string& indent) {
   return result;
 }
 
-/// The comment stands behind the value where there is room for it, above it otherwise.
+/// Returns a key with its value and comment. The comment follows the value if the line is short
+/// enough, and precedes the line otherwise.
 std::string line_of(const std::string& indent, const std::string& name, const std::string& value,
                     const std::string& meaning) {
   constexpr std::size_t column = 34, width = 118;
@@ -31,7 +32,6 @@ std::string line_of(const std::string& indent, const std::string& name, const st
 
 }  // namespace
 
-/// A value that the specification holds is a section; so is a group of its own entries.
 DescribedFile::DescribedFile(const Description& description, std::string head, std::string task,
                              bool says_task)
     : head_(std::move(head)), task_(std::move(task)), says_task_(says_task), sections_{{"", ""}} {
@@ -85,17 +85,17 @@ DescribedFile& DescribedFile::word(const std::string& section, const std::string
 
 DescribedFile& DescribedFile::gone(const std::string& section, const std::string& name,
                                    const std::string& instead) {
-  section_named(section).gone[name] = "is gone; wanted " + instead;
+  section_named(section).gone[name] = "was removed; wanted " + instead;
   return *this;
 }
 
 DescribedFile& DescribedFile::without(const std::string& section,
                                       const std::vector<std::string>& names,
                                       const std::string& reason) {
-  Section& of = section_named(section);
+  Section& found = section_named(section);
   for (const std::string& name : names) {
-    std::erase_if(of.keys, [&](const Key& key) { return key.name == name; });
-    of.gone[name] = "does nothing in this task: " + reason + "; wanted the key left out";
+    std::erase_if(found.keys, [&](const Key& key) { return key.name == name; });
+    found.gone[name] = "has no effect in this task: " + reason + "; wanted no such key";
   }
   return *this;
 }
@@ -132,9 +132,9 @@ void DescribedFile::check_task(const Reader& file) const {
   const auto task = file.find("task");
   if (!task && says_task_)
     file.refuse("key 'task' is missing; wanted 'task: " + task_ +
-                "' (a file of polishing may name none: burnish polish)");
+                "' (optional only in files for 'burnish polish')");
   if (task && !task->is(task_))
-    task->refuse("it is " + in_quotes(task->node().text) + ", another task; wanted " + task_);
+    task->refuse("the task is " + in_quotes(task->node().text) + "; wanted " + task_);
 }
 
 void DescribedFile::read_section(void* spec, const Section& section, const Reader& reader) {
@@ -162,7 +162,8 @@ void DescribedFile::read(void* spec, const Reader& file) const {
       for (const Key& key : section.keys) names.push_back(key.name);
   }
   file.allow_only(names);
-  // A section may set entries of the file itself too; what is stated counts.
+  // Sections first: a key from reads() can also set top-level entries. A stated top-level key then
+  // overrides them.
   for (const Section& section : sections_)
     if (!section.name.empty())
       if (const auto value = file.find(section.name)) read_section(spec, section, *value);
@@ -201,7 +202,7 @@ Reader parse_override(const Override& change) {
   const std::string& word = change.word;
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == word.size())
-    throw Error(in_quotes(word) + " is no override; wanted key.path=value");
+    throw Error(in_quotes(word) + " is not an override; wanted key.path=value");
   return Reader::parse_override(
       word.substr(0, equals), word.substr(equals + 1),
       change.said_by.empty() ? "override " + in_quotes(word) : change.said_by);

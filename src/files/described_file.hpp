@@ -1,5 +1,5 @@
-// A file that says one described specification: read over its defaults, changed by overrides,
-// written with every key explained.
+// Files of one described specification. Reading starts from the defaults, overrides change single
+// keys, and writing explains every key in a comment.
 #pragma once
 
 #include <functional>
@@ -15,19 +15,21 @@
 
 namespace burnish::files {
 
-/// What stands in such a file beyond the description: groups of entries and values that the
-/// specification holds are sections. Entries that share a section may be of several values.
+/// Form of the files of a specification: its sections and keys, and how they are read and written.
+/// Each group of entries of the description is a section, and so is each member that is itself a
+/// described specification. Several members may share a section.
 class DescribedFile {
  public:
   using Read = std::function<void(void* spec, const Reader& value)>;
 
-  /// `head`: the comment that files begin with. `task`: what their key `task` says, which is
-  /// written and has to be there if `says_task`.
+  /// `head` is the comment at the start of a written file. `task` is the value of the key `task`.
+  /// If `says_task`, the key is written, and files without it are refused.
   DescribedFile(const Description& description, std::string head, std::string task,
                 bool says_task = true);
-  /// A key that is read like this: an entry's, in place of its own reading, or one that sets
-  /// several entries at once and is not written; the others of its section, "" for none, count
-  /// behind.
+  /// Reads a key of a section with the function `reading`. If the key is an entry of the
+  /// description, this function replaces the entry's own reading. Otherwise the key is new and not
+  /// written: it can set several entries at once, and is read before the other keys of its section.
+  /// Section "" is the top level of the file.
   template <class Spec>
   DescribedFile& reads(const std::string& section, const std::string& name,
                        void (*reading)(Spec& spec, const Reader& value)) {
@@ -35,17 +37,17 @@ class DescribedFile {
       reading(*static_cast<Spec*>(spec), value);
     });
   }
-  /// One word in place of the section's keys is the value of this one.
+  /// Lets a single word replace the section's map. The word is the value of this key.
   DescribedFile& word(const std::string& section, const std::string& name);
-  /// A key that there was: refused with what is in its place.
+  /// Refuses a key that was removed. The message names its replacement.
   DescribedFile& gone(const std::string& section, const std::string& name,
                       const std::string& instead);
-  /// Keys of the description that do nothing in this file, neither read nor written: one that is
-  /// stated is refused with the reason, such as "the robot stands on no feet".
+  /// Excludes keys of the description that have no effect in this file. They are not written, and
+  /// refused with the reason when stated. A reason is "the robot stands on no feet".
   DescribedFile& without(const std::string& section, const std::vector<std::string>& names,
                          const std::string& reason);
-  /// Called with the specification and the texts that changed it, a file or all overrides of a
-  /// command, once all of them are read.
+  /// Calls `settle` after reading, with the specification and the texts that changed it: a file, or
+  /// all overrides of a command.
   template <class Spec>
   DescribedFile& settles(std::function<void(Spec& spec, const std::vector<Reader>& texts)> settle) {
     settle_ = [settle = std::move(settle)](void* spec, const std::vector<Reader>& texts) {
@@ -53,35 +55,35 @@ class DescribedFile {
     };
     return *this;
   }
-  /// These keys of the section go before its others.
+  /// Moves these keys of a section before its other keys.
   DescribedFile& first(const std::string& section, const std::vector<std::string>& names);
 
-  /// "surface.normal", in the order of files.
+  /// Returns all keys, such as "surface.normal", in the order of the file.
   std::vector<std::string> keys() const;
-  /// Of the keys that have one: {"surface.stiffness", "N/m"}.
+  /// Returns the units of the keys with a unit: {"surface.stiffness", "N/m"}.
   std::map<std::string, std::string> units() const;
-  /// Refuses a file of another task.
+  /// Refuses files of another task.
   void check_task(const Reader& file) const;
-  /// Reads what the file, or a change of it, states, over the specification. Throws Error with the
-  /// place.
+  /// Sets the entries of the specification that the file, or an override, states. Throws Error with
+  /// the place.
   void read(void* spec, const Reader& file) const;
-  /// What settles() asks for, behind read() of all these texts.
+  /// Calls the function from settles(). All these texts must have been read.
   void settle(void* spec, const std::vector<Reader>& texts) const {
     if (settle_) settle_(spec, texts);
   }
-  /// The whole specification as such a file.
+  /// Returns the specification as the text of a file.
   std::string text(const void* spec) const;
 
  private:
   struct Key {
     std::string name, meaning, unit;
     Read reading;
-    std::function<std::optional<std::string>(const void*)> writing;  ///< empty: it is not written
+    std::function<std::optional<std::string>(const void*)> writing;  ///< Empty: not written
   };
   struct Section {
     std::string name, meaning, word = {};
     std::vector<Key> keys = {};
-    std::map<std::string, std::string> gone = {};  ///< what is refused, and the end of the sentence
+    std::map<std::string, std::string> gone = {};  ///< Refused keys, with the end of the message
   };
   DescribedFile& set(const std::string& section, const std::string& name, Read reading);
   Section& section_named(const std::string& name);
@@ -93,37 +95,37 @@ class DescribedFile {
   std::function<void(void*, const std::vector<Reader>&)> settle_ = {};
 };
 
-/// "key.path=value", and what refusals of it name: the option that stands for it, such as "--robot
-/// arm.urdf"; empty: "override 'key.path=value'".
+/// Override of a key: "key.path=value". `said_by` is its name in messages, such as the command-line
+/// option "--robot arm.urdf". Empty: "override 'key.path=value'".
 struct Override {
   std::string word, said_by = {};
 };
 
-/// Overrides that --set says.
+/// Returns the words as overrides, for example of the option --set.
 inline std::vector<Override> as_overrides(const std::vector<std::string>& words) {
   std::vector<Override> changes;
   for (const std::string& word : words) changes.push_back({word});
   return changes;
 }
 
-/// The override as a text that says it. Throws Error where the word is none.
+/// Parses an override. Throws Error if the word is not of the form key.path=value.
 Reader parse_override(const Override& change);
 
-/// The value of "section.key" where the text states it.
+/// Returns the value of "section.key" if the text states it.
 std::optional<Reader> stated(const Reader& text, const std::string& key);
 
-/// A specification and the texts that said it, the one that counts last.
+/// A specification and the texts from which it was read. Later texts override earlier ones.
 template <class Spec>
-struct Said {
+struct SpecTexts {
   Spec spec = {};
   std::vector<Reader> texts = {};
 };
 
-/// Throws Error with the sentence, and where the entry is said in front; otherwise with the first
-/// text's name in front.
+/// Throws Error with the message of `error`, preceded by the place in the last text that states the
+/// entry. If no text states it, the first text's name precedes the message.
 [[noreturn]] void refuse_at(const EntryError& error, const std::vector<Reader>& texts);
 
-/// Calls `work`: what it refuses about an entry is refused where a text says that entry.
+/// Calls `work`. If it throws an EntryError, throws Error with the place of the entry in the texts.
 template <class Work>
 decltype(auto) placed(const std::vector<Reader>& texts, const Work& work) {
   try {
@@ -133,10 +135,10 @@ decltype(auto) placed(const std::vector<Reader>& texts, const Work& work) {
   }
 }
 
-/// Reads overrides over a specification, whose form `const DescribedFile& file_of(const Spec*)`
-/// says.
+/// Applies overrides to a specification. `const DescribedFile& file_of(const Spec*)` must return
+/// the form of its files.
 template <class Spec>
-void change(Said<Spec>& said, const std::vector<Override>& overrides) {
+void change(SpecTexts<Spec>& said, const std::vector<Override>& overrides) {
   const DescribedFile& form = file_of(static_cast<const Spec*>(nullptr));
   std::vector<Reader> changes;
   for (const Override& stated : overrides) {
@@ -147,15 +149,15 @@ void change(Said<Spec>& said, const std::vector<Override>& overrides) {
   form.settle(&said.spec, changes);
 }
 template <class Spec>
-void change(Said<Spec>& said, const std::vector<std::string>& overrides) {
+void change(SpecTexts<Spec>& said, const std::vector<std::string>& overrides) {
   change(said, as_overrides(overrides));
 }
-/// Reads a text and then overrides. Throws Error naming file (or override), line, key and what was
-/// wanted.
+/// Reads a text, then applies overrides. Throws Error with the file (or override), line, key and
+/// requirement.
 template <class Spec, class Overrides = std::vector<std::string>>
-Said<Spec> parse_said(const std::string& text, const std::string& name,
-                      const Overrides& overrides = {}) {
-  Said<Spec> said{.texts = {Reader::parse(text, name)}};
+SpecTexts<Spec> parse_said(const std::string& text, const std::string& name,
+                           const Overrides& overrides = {}) {
+  SpecTexts<Spec> said{.texts = {Reader::parse(text, name)}};
   const DescribedFile& form = file_of(static_cast<const Spec*>(nullptr));
   form.check_task(said.texts.front());
   form.read(&said.spec, said.texts.front());
@@ -163,9 +165,9 @@ Said<Spec> parse_said(const std::string& text, const std::string& name,
   change(said, overrides);
   return said;
 }
-/// The same of a file.
+/// Reads a file, then applies overrides.
 template <class Spec, class Overrides = std::vector<std::string>>
-Said<Spec> read_said(const std::filesystem::path& file, const Overrides& overrides = {}) {
+SpecTexts<Spec> read_said(const std::filesystem::path& file, const Overrides& overrides = {}) {
   return parse_said<Spec>(read_text(file, "YAML file"), file.string(), overrides);
 }
 

@@ -21,7 +21,8 @@ const Words& words_of(WarmStart::Kind /*of*/) {
       "files",
       "WarmStartKind",
       "Kind of warm start.",
-      {{"hold", "Initial state at every knot; controls hold the robot still in the contacts of the stage"},
+      {{"hold", "Initial state at every knot; the controls hold the robot at rest in the contacts of each"
+        " knot"},
        {"still", "Initial state at every knot, with zero controls"},
        {"file", "Trajectory from a file trajectory.csv of an earlier solve"}}};
   return all;
@@ -37,7 +38,8 @@ const Description& description_of(const ProblemFile* /*of*/) {
           .field("robot", &S::robot)
           .required()
           .field("spec", &S::spec,
-                 "Specification of the problem; read_problem_file() has checked that it compiles")
+                 "Specification of the problem; read_problem_file() has checked that a Problem "
+                 "can be built")
           .required()
           .field("solver", &S::solver)
           .field("guess", &S::guess);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "files/read_parts.hpp"
 #include "files/read_problem.hpp"
@@ -13,7 +14,7 @@
 namespace burnish::files {
 namespace {
 
-/// Names of the contacts that hold in a stage: those it states, and the robot's loops.
+/// Returns the names of a stage's active contacts: the stated contacts and the robot's loops.
 std::vector<std::string> read_stage_contacts(const Reader& stage, const ProblemScope& scope) {
   const auto given = stage.find("contacts");
   std::vector<std::string> names;
@@ -26,16 +27,16 @@ std::vector<std::string> read_stage_contacts(const Reader& stage, const ProblemS
   return names;
 }
 
-/// Of the stages in which time passes, s.
+/// Returns the longest step of all stages except impacts [s].
 double longest_step(const Reader& stages) {
-  double longest = 0.0;
+  double max_step = 0.0;
   for (const auto& [name, stage] : stages.items()) {
     const auto impact = stage.find("impact");
     if (impact && impact->yes_or_no()) continue;
     const auto step = stage.find("step");
-    longest = std::max(longest, step ? step->positive() : Stage().step);
+    max_step = std::max(max_step, step ? step->positive() : Stage().step);
   }
-  return longest;
+  return max_step;
 }
 
 Stage read_stage(const std::string& name, const Reader& reader, const ProblemScope& scope,
@@ -56,7 +57,7 @@ Stage read_stage(const std::string& name, const Reader& reader, const ProblemSco
   return stage;
 }
 
-/// Knots alone, or with steps of their own.
+/// Reads a segment: a number of knots, or a map with knots, step and duration.
 HorizonSegment read_segment(const std::string& stage, const Reader& reader) {
   if (!reader.is_map()) return {.stage = stage, .knots = reader.count(1)};
   reader.allow_only({"knots", "step", "duration"});
@@ -66,7 +67,8 @@ HorizonSegment read_segment(const std::string& stage, const Reader& reader) {
   return segment;
 }
 
-/// A list of {stage: knots} and {repeat: times, of: [...]}; `known` are the stages.
+/// Reads a list of {stage: knots} and {repeat: times, of: [...]}. `known` are the names of the
+/// stages.
 void read_horizon(const Reader& reader, const std::vector<std::string>& known,
                   std::vector<HorizonSegment>& horizon) {
   for (const Reader& entry : reader.entries()) {
@@ -75,32 +77,34 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
       std::vector<HorizonSegment> once;
       read_horizon(entry["of"], known, once);
       const int times = entry["repeat"].count(1);
-      // A segment has at least one knot: what is too long for a problem is not built here first.
-      if (static_cast<std::size_t>(times) > max_knots / once.size())
-        entry.refuse("it repeats more than " + std::to_string(max_knots) +
-                     " knots; at most that many are supported");
+      // Each segment has at least one knot. This check avoids building a horizon that is too long.
+      if (to_size(times) > max_knots / once.size())
+        entry.refuse("the repeated entries have more than " + std::to_string(max_knots) +
+                     " knots; wanted at most that many");
       for (int i = 1; i < times; ++i) horizon.insert(horizon.end(), once.begin(), once.end());
-      // The last time is moved, and what stands alone as a whole: repeats may be nested.
+      // The last repetition is moved instead of copied, which keeps nested repeats cheap.
       if (horizon.empty())
         horizon = std::move(once);
       else
         horizon.insert(horizon.end(), std::move_iterator(once.begin()),
                        std::move_iterator(once.end()));
     } else {
-      if (!entry.is_map()) entry.refuse("wanted a stage with its knots, such as 'press: 100'");
+      if (!entry.is_map())
+        entry.refuse("wanted a stage with its number of knots, such as 'press: 100'");
       entry.allow_only(known);
       for (const auto& [stage, knots] : entry.items())
         horizon.push_back(read_segment(stage, knots));
     }
     if (horizon.size() > max_knots)
-      reader.refuse("it has more than " + std::to_string(max_knots) +
-                    " knots; at most that many are supported");
+      reader.refuse("the horizon has more than " + std::to_string(max_knots) +
+                    " knots; wanted at most that many");
   }
-  if (horizon.empty()) reader.refuse("it has no knots; wanted stages with their knots");
+  if (horizon.empty())
+    reader.refuse("the horizon has no knots; wanted stages with their numbers of knots");
 }
 
-/// Moves the velocity at the start to the nearest one that the loops allow; joints that are named
-/// keep theirs.
+/// Projects the velocity at the start onto the velocities that the loops allow. Joints that the
+/// file names keep their velocity.
 void close_velocity(const Reader& stated, ProblemSpec& spec) {
   if (spec.model.loops.empty()) return;
   std::vector<std::string> keep;
@@ -112,7 +116,8 @@ void close_velocity(const Reader& stated, ProblemSpec& spec) {
                                   LoopMetric::Plain, keep);
 }
 
-/// Reads start: configuration, velocity and time; torques come when the stages are known.
+/// Reads the configuration, velocity and time of `start`. set_torques() and set_forces() read the
+/// other keys, which need the contacts of the first stage.
 void read_start(const Reader& reader, const Robot& robot, ProblemSpec& spec) {
   reader.allow_only({"posture", "q", "velocity", "torques", "forces", "time"});
   if (reader.has("posture") && reader.has("q"))
@@ -128,7 +133,8 @@ void read_start(const Reader& reader, const Robot& robot, ProblemSpec& spec) {
   if (const auto time = reader.find("time")) spec.start_time = time->number();
 }
 
-/// Torques at the start, where they are part of the state: those that hold the robot, unless said.
+/// Sets the torques of the initial state, if the state has any. Default: the torques that keep the
+/// robot at rest.
 void set_torques(const std::optional<Reader>& given, const std::vector<std::string>& contacts,
                  const ProblemScope& scope, ProblemSpec& spec) {
   if (!spec.torque_model) {
@@ -146,14 +152,14 @@ void set_torques(const std::optional<Reader>& given, const std::vector<std::stri
   tau = read_rows(*given, rows, 0.0);
 }
 
-/// Forces of the step before the start, where the state remembers them: those that hold the robot,
-/// with the torques' own where these say so, unless said.
+/// Sets the force states of the initial state, if the state has any. Default: the forces that keep
+/// the robot at rest, with the prescribed forces of `torques: {hold: ...}`.
 void set_forces(const std::optional<Reader>& start, const std::vector<std::string>& contacts,
                 const ProblemScope& scope, ProblemSpec& spec) {
   const auto given = start ? start->find("forces") : std::nullopt;
   const auto torques = start ? start->find("torques") : std::nullopt;
-  if (spec.remembered_forces.empty()) {
-    if (given) given->refuse("forces are part of the state only with 'remembered_forces'");
+  if (spec.force_states.empty()) {
+    if (given) given->refuse("forces are part of the state only with 'force_states'");
     return;
   }
   const bool held = torques && is_hold(*torques);
@@ -161,20 +167,20 @@ void set_forces(const std::optional<Reader>& start, const std::vector<std::strin
                            held ? read_held_forces(scope, contacts, *torques) : HeldForces())
                           .forces;
   if (given) {
-    given->allow_only(spec.remembered_forces);
+    given->allow_only(spec.force_states);
     for (const auto& [name, value] : given->items()) {
       const int rows = ocp::contact_named(scope.spec, name).directions.count();
       forces[name] = rows == 1 && value.is_number() ? Eigen::VectorXd::Constant(1, value.number())
                                                     : Eigen::VectorXd(value.numbers(rows));
     }
   }
-  const Eigen::VectorXd rows = remembered_of(spec, forces);
+  const Eigen::VectorXd rows = force_states_of(spec, forces);
   const Eigen::Index before = spec.initial_state.size();
   spec.initial_state.conservativeResize(before + rows.size());
   spec.initial_state.tail(rows.size()) = rows;
 }
 
-/// Name of the stage that the horizon begins with; empty where the horizon is badly formed.
+/// Returns the name of the horizon's first stage; empty if the horizon is invalid.
 std::string first_stage(const Reader& horizon) {
   if (horizon.is_list()) {
     const std::vector<Reader> entries = horizon.entries();
@@ -184,13 +190,13 @@ std::string first_stage(const Reader& horizon) {
   return horizon.is_map() && !horizon.items().empty() ? horizon.items().front().first : "";
 }
 
-/// Its contacts.
+/// Returns the active contacts of the horizon's first stage.
 std::vector<std::string> first_contacts(const Reader& top, const ProblemScope& scope) {
   const auto stage = top["stages"].find(first_stage(top["horizon"]));
   return stage ? read_stage_contacts(*stage, scope) : std::vector<std::string>();
 }
 
-/// What does not depend on the stages: everything that `hold` and `here` need.
+/// Reads everything that does not depend on the stages. The words `hold` and `here` refer to it.
 void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemFile& result) {
   ProblemSpec& spec = result.spec;
   const Model& model = spec.model;
@@ -210,18 +216,18 @@ void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemF
     spec.actuation = read_actuation(*actuation, model);
   if (const auto torque_model = top.find("torque_model"))
     spec.torque_model = read_torque_model(*torque_model);
-  if (const auto remembered = top.find("remembered_forces")) {
-    spec.remembered_forces = remembered->texts();
+  if (const auto force_states = top.find("force_states")) {
+    spec.force_states = force_states->texts();
     const ProblemScope scope{result.robot, spec, spec.initial_state.head(model.nq), folder};
-    for (const std::string& name : spec.remembered_forces)
-      remembered->named([&] { (void)ocp::contact_named(scope.spec, name); });
+    for (const std::string& name : spec.force_states)
+      force_states->named([&] { (void)ocp::contact_named(scope.spec, name); });
   }
 }
 
 void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec) {
   const auto shared = top.find("terms");
   if (shared) check_shared(*shared);
-  // An alias may give every stage a long list of costs.
+  // YAML aliases can repeat a long list of costs in every stage.
   constexpr std::size_t max_terms = 10000;
   std::size_t terms = 0;
   std::vector<std::string> known;
@@ -230,12 +236,11 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
     known.push_back(name);
     terms += spec.stages.back().costs.size() + spec.stages.back().constraints.size();
     if (terms > max_terms)
-      stage.refuse("the stages so far have more than " + std::to_string(max_terms) +
-                   " costs and constraints; at most that many are supported");
+      stage.refuse("the stages up to this one have more than " + std::to_string(max_terms) +
+                   " costs and constraints; wanted at most that many");
   }
   read_horizon(top["horizon"], known, spec.horizon);
-  // The contacts of the last stage: with a torque model's cut-off their forces are known at the end
-  // too.
+  // Terminal terms can use forces of the last stage's contacts, if the state has filtered torques.
   std::vector<std::string> contacts;
   for (const Stage& stage : spec.stages)
     if (stage.name == spec.horizon.back().stage) contacts = stage.contacts;
@@ -249,8 +254,8 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
 
 ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder) {
   top.allow_only({"description", "robot", "payload", "start", "contacts", "contact_solver",
-                  "actuation", "torque_model", "remembered_forces", "control_bounds", "terms",
-                  "stages", "horizon", "terminal", "terminal_constraints", "solver", "guess"});
+                  "actuation", "torque_model", "force_states", "control_bounds", "terms", "stages",
+                  "horizon", "terminal", "terminal_constraints", "solver", "guess"});
   ProblemFile result;
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);

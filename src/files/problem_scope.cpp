@@ -31,9 +31,9 @@ int ProblemScope::controls() const {
   return sum;
 }
 
-std::vector<std::string> remembered_columns(const ProblemSpec& spec) {
+std::vector<std::string> force_state_columns(const ProblemSpec& spec) {
   std::vector<std::string> columns;
-  for (const std::string& name : spec.remembered_forces)
+  for (const std::string& name : spec.force_states)
     for (const ContactSpec& contact : spec.contacts)
       for (int d = 0; d < 6; ++d)
         if (name_of_contact(contact) == name && contact.directions.has(d))
@@ -41,9 +41,9 @@ std::vector<std::string> remembered_columns(const ProblemSpec& spec) {
   return columns;
 }
 
-Eigen::VectorXd remembered_of(const ProblemSpec& spec, const HeldForces& forces) {
+Eigen::VectorXd force_states_of(const ProblemSpec& spec, const HeldForces& forces) {
   std::vector<double> rows;
-  for (const std::string& name : spec.remembered_forces)
+  for (const std::string& name : spec.force_states)
     for (const ContactSpec& contact : spec.contacts) {
       if (name_of_contact(contact) != name) continue;
       const auto found = forces.find(name);
@@ -56,14 +56,16 @@ Eigen::VectorXd remembered_of(const ProblemSpec& spec, const HeldForces& forces)
 Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
              const Eigen::VectorXd& q, const HeldForces& prescribed) {
   const int nv = spec.model.nv;
-  // Forward dynamics may be singular here; its bias and Jacobian are what is read.
+  // Only the bias and the Jacobian are used. The compliance allows singular contacts.
   ContactDynamics dynamics(spec.model, contacts_at(spec.contacts, spec.start_time), {.mu = 1e-6});
   for (std::size_t c = 0; c < spec.contacts.size(); ++c)
     dynamics.set_active(static_cast<int>(c), holds(contacts, name_of_contact(spec.contacts[c])));
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nv);
-  if (dynamics.forward(q, zero, zero) > Status::NotConverged)
-    throw Error("the robot cannot be held: its dynamics at the start cannot be evaluated");
-  // S^T u + J^T lambda = b, the prescribed lambda on the right.
+  if (!is_usable(dynamics.forward(q, zero, zero)))
+    throw Error(
+        "'hold' has no solution: the dynamics at the start cannot be evaluated; wanted another "
+        "posture at the start");
+  // S^T u + J^T lambda = b, with prescribed forces moved to the right-hand side.
   const std::vector<const Joint*> driven = driven_joints(spec.model, spec.actuation);
   int nu = 0;
   for (const Joint* joint : driven) nu += joint->nv;
@@ -108,12 +110,12 @@ HeldForces read_held_forces(const ProblemScope& scope, const std::vector<std::st
   for (const auto& [name, value] : reader["hold"].items()) {
     const ContactSpec& contact = reader["hold"].named(
         [&, &of = name]() -> const ContactSpec& { return ocp::contact_named(scope.spec, of); });
-    if (!holds(contacts, name)) value.refuse("this contact does not hold in the stage");
+    if (!holds(contacts, name)) value.refuse("the contact is not active in the stage");
     const int rows = contact.directions.count();
     forces[name] = value.is_number() ? Eigen::VectorXd::Constant(1, value.number())
                                      : Eigen::VectorXd(value.numbers(rows));
     if (forces[name].size() != rows)
-      value.refuse("it is one number; wanted a list of " + std::to_string(rows) + " (" +
+      value.refuse("it is a single number; wanted a list of " + std::to_string(rows) + " (" +
                    contact.directions.text() + ")");
   }
   return forces;

@@ -1,4 +1,4 @@
-// What the parts of a problem file need to know of what was read before them.
+// Parts of a problem file that later parts refer to, and statics for the word `hold`.
 #pragma once
 
 #include <filesystem>
@@ -15,39 +15,41 @@ namespace burnish::files {
 
 using ocp::RowGroup;
 
+/// Robot, contacts and starting configuration of a problem file.
 struct ProblemScope {
   const Robot& robot;
-  const ProblemSpec& spec;  ///< robot, contacts and actuation are filled
-  Eigen::VectorXd q;        ///< at the start
-  std::filesystem::path folder;
+  const ProblemSpec& spec;       ///< Contains at least the robot, the contacts and the actuation
+  Eigen::VectorXd q;             ///< Starting configuration
+  std::filesystem::path folder;  ///< Folder of the file, for relative names
 
   const Model& model() const { return spec.model; }
-  std::vector<const Joint*> driven() const;
-  int controls() const;
+  std::vector<const Joint*> driven() const;  ///< Driven joints
+  int controls() const;                      ///< Number of controls
 };
 
-/// Forces that are prescribed while the robot holds still: contact name -> its rows.
+/// Contact forces at rest: the rows of each contact, by contact name.
 using HeldForces = std::map<std::string, Eigen::VectorXd>;
 
-/// Controls and contact forces of least norm that hold the robot at `q` in a stage with these
-/// contacts, some of the forces prescribed.
+/// Controls and contact forces of least norm that keep the robot at rest.
 struct Holding {
-  Eigen::VectorXd control;  ///< nu, Nm (N)
-  HeldForces forces;        ///< of each contact that holds, N and Nm
-  double residual = 0.0;    ///< largest torque that nothing balances, Nm
+  Eigen::VectorXd control;  ///< Controls, nu entries [Nm or N]
+  HeldForces forces;        ///< Forces of the active contacts [N and Nm]
+  double residual = 0.0;    ///< Largest unbalanced torque [Nm]
 };
-/// Where tables have what the state remembers, row by row.
-std::vector<std::string> remembered_columns(const ProblemSpec& spec);
-/// Rows of these forces that the state remembers, zero of contacts without one.
-Eigen::VectorXd remembered_of(const ProblemSpec& spec, const HeldForces& forces);
+/// Returns the table columns of the force states, row by row.
+std::vector<std::string> force_state_columns(const ProblemSpec& spec);
+/// Returns the force states for these contact forces; 0 for contacts without a force.
+Eigen::VectorXd force_states_of(const ProblemSpec& spec, const HeldForces& forces);
+/// Computes controls and contact forces at rest at `q`, with these active contacts. Forces in
+/// `prescribed` are given. Throws Error if the dynamics cannot be evaluated.
 Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
              const Eigen::VectorXd& q, const HeldForces& prescribed);
 
-/// Reads `hold` or `{hold: {contact: force rows}}`.
+/// Reads the prescribed forces of `hold` or `{hold: {contact: force rows}}`.
 HeldForces read_held_forces(const ProblemScope& scope, const std::vector<std::string>& contacts,
                             const Reader& reader);
 
-/// True for `hold` and `{hold: ...}`.
+/// Returns whether a value is `hold` or `{hold: ...}`.
 bool is_hold(const Reader& reader);
 
 }  // namespace burnish::files

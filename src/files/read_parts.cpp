@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of names that are no paths, and of paths that do not exist in the folder, nothing is changed.
+/// Returns the path in `folder` of a robot path that exists there, and other names unchanged.
 std::string locate(const std::string& name, const fs::path& folder) {
   const std::string bare = name.substr(0, name.rfind(':'));
   if (!is_robot_path(name) && !is_robot_path(bare)) return name;
@@ -100,8 +100,8 @@ ContactSolver read_contact_solver(const Reader& reader) {
   reader.allow_only({"mu", "max_proximal_iterations", "proximal_tolerance"});
   ContactSolver solver;
   if (const auto mu = reader.find("mu")) solver.mu = mu->not_negative();
-  if (const auto most = reader.find("max_proximal_iterations"))
-    solver.max_proximal_iterations = most->count(0, 10'000);
+  if (const auto iterations = reader.find("max_proximal_iterations"))
+    solver.max_proximal_iterations = iterations->count(0, 10'000);
   if (const auto tolerance = reader.find("proximal_tolerance"))
     solver.proximal_tolerance = tolerance->not_negative();
   return solver;
@@ -150,8 +150,8 @@ void read_bounds(const Reader& reader, const ProblemScope& scope, ProblemSpec& s
     return;
   }
   reader.allow_only({"effort_limits", "lower", "upper"});
-  if (const auto share = reader.find("effort_limits")) {
-    spec.control_upper = share->positive() * effort;
+  if (const auto fraction = reader.find("effort_limits")) {
+    spec.control_upper = fraction->positive() * effort;
     spec.control_lower = -spec.control_upper;
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();

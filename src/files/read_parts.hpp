@@ -1,27 +1,30 @@
-// The robot of a problem file and what belongs to it: contacts, actuators, bounds.
+// Reads the robot of a problem file, its contacts, its actuators and its control bounds.
 #pragma once
 
 #include "files/read_values.hpp"
 
 namespace burnish::files {
 
-/// base, lock, free, lock_posture and strict, as far as the map states them.
+/// Reads the keys base, lock, free, lock_posture and strict of a map; all are optional.
 RobotOverrides read_overrides(const Reader& reader);
-/// The name alone, as load_robot() takes it: a path from `folder`, :variant behind it.
+/// Returns the name for load_robot(): relative paths start from `folder`, and :variant is appended.
 std::string robot_name(const Reader& reader, const std::filesystem::path& folder);
-/// A name, which goes with `overrides`, or {name: ..., variant: ...} with overrides of its own.
+/// Reads a robot: a name, to which `overrides` apply, or {name: ..., variant: ...} with its own
+/// overrides.
 Robot read_robot(const Reader& reader, const std::filesystem::path& folder,
                  const RobotOverrides& overrides = {});
-/// {name: contact, ...}, or a list of contacts with a key `name` each, which may be missing.
+/// Returns the contacts of {name: contact, ...}, or of a list of contacts with an optional key
+/// `name`. Names from a list are empty here; read_contact() reads their key.
 std::vector<std::pair<std::string, Reader>> contacts_in(const Reader& reader);
-/// A contact whose target, unless said, is where the tool is at q. An empty name: it may state one.
-/// `tables`: as read_reference has it.
+/// Reads a contact. Its default target is the tool's placement at q. If `name` is empty, the
+/// contact may have a key `name`. `tables` is the folder of tables, as in
+/// read_reference().
 ContactSpec read_contact(const std::string& name, const Reader& reader, const Model& model,
                          const Eigen::VectorXd& q, const std::filesystem::path* tables = nullptr);
 ContactSolver read_contact_solver(const Reader& reader);
 ActuationSpec read_actuation(const Reader& reader, const Model& model);
 TorqueModel read_torque_model(const Reader& reader);
-/// Fills control_lower and control_upper.
+/// Reads control_lower and control_upper.
 void read_bounds(const Reader& reader, const ProblemScope& scope, ProblemSpec& spec);
 
 }  // namespace burnish::files

@@ -6,8 +6,8 @@
 namespace burnish::files {
 namespace {
 
-/// The robot's limits, a share of them about their middle.
-void set_robot_limits(const ocp::ResidualRows& rows, double share, const Reader& reader,
+/// Sets the robot's limits. `fraction` scales their range about its centre.
+void set_robot_limits(const ocp::ResidualRows& rows, double fraction, const Reader& reader,
                       RowLimits& limits) {
   if (rows.lower.size() == 0)
     reader.refuse("the robot states no limits for this residual; wanted 'lower' or 'upper'");
@@ -15,8 +15,8 @@ void set_robot_limits(const ocp::ResidualRows& rows, double share, const Reader&
   for (Eigen::Index i = 0; i < rows.lower.size(); ++i) {
     const double middle = 0.5 * (rows.lower[i] + rows.upper[i]);
     if (!std::isfinite(middle)) continue;
-    limits.lower[i] = middle + share * (rows.lower[i] - middle);
-    limits.upper[i] = middle + share * (rows.upper[i] - middle);
+    limits.lower[i] = middle + fraction * (rows.lower[i] - middle);
+    limits.upper[i] = middle + fraction * (rows.upper[i] - middle);
   }
 }
 
@@ -30,7 +30,7 @@ RowLimits read_penalty_limits(const ocp::ResidualRows& rows, const Reader& reade
                         : std::vector<std::string>{"lower", "upper", "limits"});
   const RowLimits limits = read_limits(rows, reader);
   if (limits.lower.size() == 0 && limits.upper.size() == 0)
-    reader.refuse("it has no limits; wanted 'lower', 'upper' or 'limits'");
+    reader.refuse("the penalty has no limits; wanted 'lower', 'upper' or 'limits'");
   return limits;
 }
 
@@ -38,8 +38,8 @@ RowLimits read_penalty_limits(const ocp::ResidualRows& rows, const Reader& reade
 
 RowLimits read_limits(const ocp::ResidualRows& rows, const Reader& reader) {
   RowLimits limits;
-  if (const auto share = reader.find("limits"))
-    set_robot_limits(rows, share->positive(), *share, limits);
+  if (const auto fraction = reader.find("limits"))
+    set_robot_limits(rows, fraction->positive(), *fraction, limits);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (const auto lower = reader.find("lower"))
     limits.lower = read_rows(*lower, rows.groups, -infinity);
@@ -52,18 +52,20 @@ Penalty read_penalty(const ocp::ResidualRows& rows, const Reader& reader) {
   Penalty penalty;
   if (!reader.is_map()) {
     penalty.kind = reader.named([&] { return parse_penalty(reader.text()); });
-    if (penalty.kind != Penalty::Kind::Square)
+    if (penalty.kind != Penalty::Kind::Quadratic)
       reader.refuse(
-          "it has no numbers; wanted them behind it, such as {barrier: {lower: 0}} or "
+          "the penalty has no parameters; wanted a map, such as {barrier: {lower: 0}} or "
           "{smooth_absolute: 0.01}");
     return penalty;
   }
-  reader.allow_only({"square", "barrier", "smooth_absolute", "log_barrier"});
+  reader.allow_only({"quadratic", "barrier", "smooth_absolute", "log_barrier"});
   const auto items = reader.items();
-  if (items.size() != 1) reader.refuse("wanted one penalty");
+  if (items.size() != 1)
+    reader.refuse("the map has " + std::to_string(items.size()) + " penalties; wanted one");
   const auto& [name, value] = items.front();
   penalty.kind = parse_penalty(name);
-  if (penalty.kind == Penalty::Kind::Square) value.refuse("a square has nothing behind it");
+  if (penalty.kind == Penalty::Kind::Quadratic)
+    value.refuse("the quadratic penalty has no parameters; wanted the word 'quadratic' alone");
   if (penalty.kind == Penalty::Kind::SmoothAbsolute) {
     penalty.width = value.positive();
     return penalty;

@@ -1,4 +1,4 @@
-// A problem file behind its text.
+// Reads a problem from parsed YAML.
 #pragma once
 
 #include "burnish/files/problem_file.hpp"
@@ -6,7 +6,7 @@
 
 namespace burnish::files {
 
-/// `folder`: where relative names are looked up.
+/// Reads a problem file. Relative names of files start from `folder`. Throws Error with the place.
 ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder);
 
 }  // namespace burnish::files

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "document/described.hpp"
 #include "dynamics/frame.hpp"
 #include "files/residual_target.hpp"
@@ -49,7 +50,7 @@ Residual residual_of(const Reader& type) {
   const std::string name = type.word(known);
   for (const Residual& candidate : all)
     if (type_of_residual(candidate) == name) return candidate;
-  type.refuse("is no cost");
+  type.refuse("is not a type of residual");
 }
 
 /// Returns the keys that state a part of the reference and replace the key `reference`.
@@ -93,13 +94,13 @@ document::Reading reading_of(const ProblemScope& scope) {
   };
   reading.names["joint"] = [&scope](const Reader& names) {
     const std::vector<std::string> all = names.texts();
-    if (all.empty()) names.refuse("it is empty; wanted at least one joint, or no such key");
+    if (all.empty()) names.refuse("the list is empty; wanted at least one joint, or no such key");
     for (const std::string& name : all) {
       if (std::count(all.begin(), all.end(), name) > 1)
-        names.refuse("joint " + in_quotes(name) + " stands twice; wanted each joint once");
+        names.refuse("joint " + in_quotes(name) + " is listed twice; wanted each joint once");
       const Model& model = scope.model();
-      const Joint& joint = model.joints[static_cast<std::size_t>(
-          names.named([&] { return model.joint_index(name); }))];
+      const Joint& joint =
+          model.joints[to_size(names.named([&] { return model.joint_index(name); }))];
       if (joint.follows) names.refuse(that_it_follows(model, joint));
     }
   };

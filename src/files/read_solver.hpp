@@ -1,4 +1,4 @@
-// Solver options and the solver's start in a problem file.
+// Reads solver options and the solver's initial guess from a problem file.
 #pragma once
 
 #include "burnish/files/problem_file.hpp"
@@ -7,7 +7,7 @@
 namespace burnish::files {
 
 DdpOptions read_solver(const Reader& reader);
-/// `folder`: of the problem file.
+/// Reads the key `guess`. `folder` is the folder of the problem file.
 WarmStart read_guess(const Reader& reader, const std::filesystem::path& folder);
 
 }  // namespace burnish::files

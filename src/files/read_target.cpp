@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "files/csv_table.hpp"
 
 namespace burnish::files {
@@ -13,7 +14,7 @@ namespace {
 using Out = Eigen::Ref<Eigen::VectorXd>;
 
 Eigen::VectorXd here_of(const TargetSpace& space, const Reader& reader) {
-  if (!space.here) reader.refuse("'here' means nothing for this cost; wanted numbers");
+  if (!space.here) reader.refuse("'here' is not defined for this residual; wanted numbers");
   return *space.here;
 }
 
@@ -23,15 +24,15 @@ bool starts_here(const Reader& reader) {
   return reader.is("here") || (reader.is_map() && reader.has("here"));
 }
 
-/// Columns of offsets from `origin`, in the coordinates of the numbers: beside `here` they are
-/// along the axes of the term, beside numbers in the coordinates of these.
+/// Converts offsets (columns) to the coordinates of the numbers. Offsets from `here` are along the
+/// axes of the residual; offsets from numbers are in the coordinates of the numbers.
 Eigen::MatrixXd offsets_from(const Reader& origin, const TargetSpace& space,
                              const Eigen::MatrixXd& offsets) {
   if (!space.offsets || !starts_here(origin)) return offsets;
   return *space.offsets * offsets;
 }
 
-/// A fixed point of the space: numbers, `here`, or {here: offset}; a rotation or a placement.
+/// Reads a constant target: numbers, `here`, {here: offset}, a rotation or a placement.
 Eigen::VectorXd read_point(const TargetSpace& space, const Reader& reader) {
   if (reader.is("here")) return here_of(space, reader);
   if (space.kind == TargetSpace::Kind::Rotation) return coefficients(read_rotation(reader));
@@ -56,7 +57,9 @@ double number_at(const Reader& reader, const char* key, double otherwise) {
 }
 
 Signal read_circle(const TargetSpace& space, const Reader& reader) {
-  if (space.size() != 3) reader.refuse("a circle is for targets of 3 entries");
+  if (space.size() != 3)
+    reader.refuse("a circle needs a target with 3 entries, and this target has " +
+                  std::to_string(space.size()) + "; wanted another path");
   reader.allow_only({"center", "start", "radius", "rate", "axes", "phase"});
   Eigen::Vector3d a = Eigen::Vector3d::UnitX(), b = Eigen::Vector3d::UnitY();
   if (const auto axes = reader.find("axes")) {
@@ -71,7 +74,7 @@ Signal read_circle(const TargetSpace& space, const Reader& reader) {
   const double radius = reader["radius"].positive(), rate = reader["rate"].number();
   const double phase = number_at(reader, "phase", 0.0);
   if (reader.has("center") == reader.has("start"))
-    reader.refuse("wanted either 'center' or 'start', where the path is at time 0");
+    reader.refuse("wanted either 'center' or 'start' (the point at time 0)");
   const bool from_center = reader.has("center");
   const Reader origin = reader[from_center ? "center" : "start"];
   a = offsets_from(origin, space, a);
@@ -92,15 +95,15 @@ Signal read_line(const TargetSpace& space, const Reader& reader) {
   const double duration = reader["duration"].positive();
   const auto profile = reader.find("profile");
   const bool smooth = !profile || profile->word({"smooth", "constant_speed"}) == "smooth";
-  const Eigen::Index turned = space.turned();
+  const Eigen::Index quaternion = space.quaternion_entries();
   return Signal::over_time(space.size(), [=](double t, Out p) {
     double s = std::clamp((t - start) / duration, 0.0, 1.0);
-    // At rest at both ends, with no jump of the acceleration.
+    // The smooth profile has zero velocity and acceleration at both ends.
     if (smooth) s = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-    const Eigen::Index plain = p.size() - turned;
+    const Eigen::Index plain = p.size() - quaternion;
     p.head(plain) = from.head(plain) + s * (to - from).head(plain);
-    if (turned == 0) return;
-    // About one axis, at the rate of s, the short way.
+    if (quaternion == 0) return;
+    // Slerp: rotation about one axis through the smaller angle.
     const Eigen::Quaterniond first(Eigen::Vector4d(from.tail(4))),
         last(Eigen::Vector4d(to.tail(4)));
     p.tail(4) = first.slerp(s, last).coeffs();
@@ -117,7 +120,7 @@ Signal read_sine(const TargetSpace& space, const Reader& reader) {
       space.size(), [=](double t, Out p) { p = center + std::sin(rate * t + phase) * amplitude; });
 }
 
-/// Row before `time` and how far it is towards the next one.
+/// Returns the row before `time` and the fraction of the interval to the next row.
 std::pair<Eigen::Index, double> between(const Eigen::VectorXd& times, double time) {
   const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
   if (after == 0) return {0, 0.0};
@@ -125,8 +128,9 @@ std::pair<Eigen::Index, double> between(const Eigen::VectorXd& times, double tim
   return {after - 1, (time - times[after - 1]) / (times[after] - times[after - 1])};
 }
 
-/// Quaternions of length 1, rounded as tables are, and each on the side of the one before it: q and
-/// -q are one rotation, and between two rows it goes the short way.
+/// Normalizes quaternions, whose length can differ from 1 by rounding in tables. Replaces q by -q,
+/// the equal rotation, where that is closer to the row before. Interpolation then turns through the
+/// smaller angle.
 void align_quaternions(const Reader& file, const Eigen::VectorXd& times, Eigen::MatrixXd& points) {
   for (Eigen::Index i = 0; i < times.size(); ++i) {
     auto xyzw = points.col(i).tail<4>();
@@ -147,26 +151,30 @@ Signal read_points(const std::filesystem::path& folder, const TargetSpace& space
   const Reader columns = reader["columns"];
   const std::vector<std::string> names = columns.texts();
   if (static_cast<int>(names.size()) != space.size())
-    columns.refuse("it names " + std::to_string(names.size()) + " columns; wanted " +
+    columns.refuse("the list names " + std::to_string(names.size()) + " columns; wanted " +
                    std::to_string(space.size()));
   const Eigen::VectorXd times = file.named([&] { return table.column("time"); });
-  if (times.size() < 2) file.refuse("the table has fewer than two rows");
+  if (times.size() < 2)
+    file.refuse("the table has " + std::to_string(times.size()) + " rows; wanted at least 2");
   for (Eigen::Index i = 1; i < times.size(); ++i)
-    if (!(times[i] > times[i - 1])) file.refuse("its times do not grow from row to row");
+    if (!(times[i] > times[i - 1]))
+      file.refuse("the times in column 'time' do not increase from row to row");
   Eigen::MatrixXd points(space.size(), times.size());
   for (int i = 0; i < space.size(); ++i)
-    points.row(i) =
-        columns.named([&] { return table.column(names[static_cast<std::size_t>(i)]); }).transpose();
+    points.row(i) = columns.named([&] { return table.column(names[to_size(i)]); }).transpose();
   if (const auto origin = reader.find("relative_to")) {
-    if (space.kind != TargetSpace::Kind::Plain) origin->refuse("rotations have no offset");
+    if (space.kind != TargetSpace::Kind::Plain)
+      origin->refuse(
+          "'relative_to' adds an offset to the target, which rotations do not support; wanted no "
+          "key 'relative_to'");
     points = offsets_from(*origin, space, points).colwise() + read_point(space, *origin);
   }
-  const Eigen::Index turned = space.turned();
-  if (turned > 0) align_quaternions(file, times, points);
+  const Eigen::Index quaternion = space.quaternion_entries();
+  if (quaternion > 0) align_quaternions(file, times, points);
   return Signal::over_time(space.size(), [=](double t, Out p) {
-    const auto [row, share] = between(times, t);
-    p = points.col(row) + share * (points.col(row + 1) - points.col(row));
-    if (turned > 0) p.tail(4).normalize();
+    const auto [row, fraction] = between(times, t);
+    p = points.col(row) + fraction * (points.col(row + 1) - points.col(row));
+    if (quaternion > 0) p.tail(4).normalize();
   });
 }
 
@@ -190,12 +198,12 @@ Signal read_target(const std::filesystem::path& folder, const TargetSpace& space
     if (name == "line") return read_line(space, *path);
     if (space.kind != TargetSpace::Kind::Plain)
       path->refuse(
-          "a rotation goes along no such path; wanted a constant, 'here', 'line' or 'points'");
+          "a rotation cannot follow this path; wanted a constant, 'here', 'line' or 'points'");
     return name == "circle" ? read_circle(space, *path) : read_sine(space, *path);
   }
   if (reader.is_text())
-    reader.refuse(in_quotes(reader.text()) + " is no target; wanted numbers, 'here' or a path (" +
-                  either(paths) + ")");
+    reader.refuse(in_quotes(reader.text()) +
+                  " is not a target; wanted numbers, 'here' or a path (" + either(paths) + ")");
   if (reader.is_map() && space.kind == TargetSpace::Kind::Plain && !reader.has("here")) {
     std::vector<std::string> known = paths;
     known.insert(known.end(), {"here", "other"});

@@ -1,4 +1,4 @@
-// Targets of costs: constants, where things are at the start, and paths over time.
+// Reads targets: constants, `here` (values at the start), and paths over time.
 #pragma once
 
 #include <optional>
@@ -7,28 +7,30 @@
 
 namespace burnish::files {
 
-/// What a target's numbers are.
+/// Meaning of a target's numbers.
 struct TargetSpace {
   enum class Kind {
-    Plain,      ///< numbers; one number stands for all
-    Rotation,   ///< a quaternion x, y, z, w
-    Placement,  ///< position and quaternion
+    Plain,      ///< Numbers; one number sets all entries
+    Rotation,   ///< Quaternion x, y, z, w
+    Placement,  ///< Position and quaternion
   };
   std::vector<RowGroup> rows = {};
-  std::optional<Eigen::VectorXd> here = {};  ///< value at the start, where there is one
+  std::optional<Eigen::VectorXd> here = {};  ///< Value at the start, if the residual has one
   Kind kind = Kind::Plain;
-  /// Axes that offsets from `here` are along, in the coordinates of the numbers; none: the same.
+  /// Axes of offsets from `here`, as columns in the coordinates of the numbers. Without a value,
+  /// the axes are those of the numbers.
   std::optional<Eigen::Matrix3d> offsets = {};
 
   int size() const { return rows_of(rows); }
-  /// How many of the last entries are a quaternion.
-  int turned() const { return kind == Kind::Plain ? 0 : 4; }
+  /// Returns the number of entries of the quaternion at the end: 4 or 0.
+  int quaternion_entries() const { return kind == Kind::Plain ? 0 : 4; }
 };
 
-/// Reads a target; its tables are in `folder`. Refuses what does not fit the space.
+/// Reads a target. Names of tables are relative to `folder`. Throws Error with the place if the
+/// target does not fit the space.
 Signal read_target(const std::filesystem::path& folder, const TargetSpace& space,
                    const Reader& reader);
-/// {line: ...} or {points: ...}: quaternions.
+/// Reads a path of quaternions: {line: ...} or {points: ...}.
 Signal read_rotation_over_time(const std::filesystem::path& folder, const Reader& reader);
 
 }  // namespace burnish::files

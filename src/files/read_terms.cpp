@@ -31,12 +31,12 @@ Constraint read_constraint(const ProblemScope& scope, const std::vector<std::str
                            const std::string& name, const Reader& reader) {
   if (reader["type"].is("state"))
     reader["type"].refuse(
-        "a state has no limits by name; wanted 'joint_position', 'joint_velocity' or "
+        "the residual 'state' cannot be a constraint; wanted 'joint_position', 'joint_velocity' or "
         "'joint_torque'");
-  Constraint constraint{
-      .name = name,
-      .residual = read_residual(scope, contacts, reader,
-                                {"type", "lower", "upper", "limits", "scale", "price", "square"})};
+  Constraint constraint{.name = name,
+                        .residual = read_residual(scope, contacts, reader,
+                                                  {"type", "lower", "upper", "limits", "scale",
+                                                   "l1_weight", "quadratic_weight"})};
   const ocp::ResidualRows rows = ocp::residual_rows(scope.spec, constraint.residual);
   const RowLimits limits = read_limits(rows, reader);
   constraint.lower = limits.lower;
@@ -44,9 +44,10 @@ Constraint read_constraint(const ProblemScope& scope, const std::vector<std::str
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (const auto scale = reader.find("scale"))
     constraint.scale = read_rows(*scale, rows.groups, infinity);
-  if (const auto price = reader.find("price"); price && !price->is("hard"))
-    constraint.price = price->not_negative();
-  if (const auto square = reader.find("square")) constraint.square = square->not_negative();
+  if (const auto l1_weight = reader.find("l1_weight"); l1_weight && !l1_weight->is("hard"))
+    constraint.l1_weight = l1_weight->not_negative();
+  if (const auto weight = reader.find("quadratic_weight"))
+    constraint.quadratic_weight = weight->not_negative();
   return constraint;
 }
 
@@ -80,7 +81,7 @@ std::vector<CostTerm> read_costs(const ProblemScope& scope, const std::optional<
     if (!base)
       value.refuse(known.empty()
                        ? "wanted a cost with a 'type'; the file has no 'terms' to refer to"
-                       : "no term of this name; wanted a cost with a 'type', or a name "
+                       : "unknown term; wanted a cost with a 'type', or a name "
                          "among the file's 'terms'" +
                              did_you_mean(name, known));
     if (value.is_map()) {

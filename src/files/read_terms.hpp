@@ -1,22 +1,26 @@
-// Costs and constraints of a problem file.
+// Reads the costs and constraints of a problem file.
 #pragma once
 
 #include "files/read_target.hpp"
 
 namespace burnish::files {
 
-/// Reads `costs` of a stage: {name: weight of a shared term, or {type: ..., ...}, or changes of a
-/// shared term}. `shared` is the file's key `terms`, where there is one. `contacts` hold.
+/// Reads the costs of a stage, a map from names to
+///  - the weight of a shared term,
+///  - changes of a shared term,
+///  - or a new term {type: ..., ...}.
+/// `shared` is the optional key `terms` of the file. `contacts` are active in the stage.
 std::vector<CostTerm> read_costs(const ProblemScope& scope, const std::optional<Reader>& shared,
                                  const std::vector<std::string>& contacts, const Reader& reader);
 
-/// Reads `constraints` of a stage: {name: {type: ..., lower: ..., upper: ..., limits: fraction of
-/// the robot's limits}, ...}. `contacts` are active.
+/// Reads the constraints of a stage: {name: {type: ..., lower: ..., upper: ..., limits: fraction of
+/// the robot's limits}, ...}. `contacts` are active in the stage.
 std::vector<Constraint> read_constraints(const ProblemScope& scope,
                                          const std::vector<std::string>& contacts,
                                          const Reader& reader);
 
-/// Refuses shared terms that are badly formed even where no stage uses them.
+/// Checks the types of all shared terms, even of terms that no stage uses. Throws Error with the
+/// place.
 void check_shared(const Reader& shared);
 
 }  // namespace burnish::files

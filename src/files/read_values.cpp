@@ -12,18 +12,18 @@
 namespace burnish::files {
 namespace {
 
-/// Columns of axes, by keys of a map that may have others too.
+/// Reads axes, returned as columns, from a map that may also have the keys `others`.
 Eigen::Matrix3d columns_of(const Reader& reader, std::vector<std::string> others) {
   others.insert(others.end(), {"normal", "rpy", "quaternion", "matrix"});
   reader.allow_only(others);
   const auto normal = reader.find("normal");
   if (!normal) return document::axes_in(reader);
   if (reader.has("rpy") || reader.has("quaternion") || reader.has("matrix"))
-    reader.refuse("a normal stands alone");
+    reader.refuse("key 'normal' excludes 'rpy', 'quaternion' and 'matrix'; wanted one of them");
   return normal->named([&] { return Reference::surface_with_normal(normal->vector3()).rotation; });
 }
 
-/// The same as the reference's rotation, or one over time.
+/// Returns the reference with the rotation that the map states, constant or over time.
 Reference turned(Reference reference, const Reader& reader, const std::vector<std::string>& others,
                  const std::filesystem::path* tables) {
   const auto path = reader.find("over_time");
@@ -32,7 +32,8 @@ Reference turned(Reference reference, const Reader& reader, const std::vector<st
     return reference;
   }
   if (tables == nullptr)
-    path->refuse("a reference turns from knot to knot of a problem; here it has one rotation");
+    path->refuse(
+        "only optimal control problems support a rotation over time; wanted a constant rotation");
   std::vector<std::string> keys = others;
   keys.emplace_back("over_time");
   reader.allow_only(keys);
@@ -70,8 +71,9 @@ Quadric read_shape(const std::string& kind, const Reader& reader) {
   });
 }
 
-/// {near: a point, along: the first tangent there, and one of the shapes}, and keys of `others`;
-/// nothing where no shape is stated.
+/// Reads a reference that follows a curved surface: one of the shapes, the key `near` (a point) and
+/// the optional key `along` (the first tangent at this point). The map may also have the keys
+/// `others`. Returns nothing if the map states no shape.
 std::optional<Reference> read_curved(const Reader& reader, std::vector<std::string> others = {}) {
   for (const std::string& kind : shapes) {
     const auto shape = reader.find(kind);
@@ -88,7 +90,8 @@ std::optional<Reference> read_curved(const Reader& reader, std::vector<std::stri
   return {};
 }
 
-/// A new value of a joint puts those that move with it elsewhere.
+/// Removes the joints that move with joint `name` from a posture, because the joint gets a new
+/// value.
 void forget_coupled(const Model& model, const std::string& name, Posture& posture) {
   const auto& joints = model.joints;
   const auto found = std::find_if(joints.begin(), joints.end(),
@@ -99,7 +102,7 @@ void forget_coupled(const Model& model, const std::string& name, Posture& postur
       posture.erase(joint.name);
 }
 
-/// The configuration of a posture's name, or of values by joint.
+/// Reads a configuration from a posture's name or from values by joint.
 Eigen::VectorXd read_posture(const Robot& robot, const Reader& reader,
                              const std::optional<Posture>& others) {
   if (!reader.is_map()) return reader.named([&] { return robot.posture(reader.text()); });
@@ -136,23 +139,24 @@ Reference read_reference(const Reader& reader, const Reference& otherwise,
                          const std::filesystem::path* tables) {
   if (!reader.is_map()) return reader.named([&] { return Reference::parse(reader.text()); });
   if (const auto type = reader.find("type")) {
-    // As requests stated it up to version 0.2.
+    // Syntax of requests up to version 0.2.
     std::string axes =
         "\"normal\": " +
         (reader.has("normal") ? document::json_text(reader["normal"].node()) : "[x, y, z]");
     if (reader.has("rotation"))
       axes = "\"matrix\": " + document::json_text(reader["rotation"].node());
-    type->refuse("a reference has no type beside its axes; wanted {\"" + type->text() + "\": {" +
-                 axes + "}}");
+    type->refuse("a reference has no key 'type'; wanted {\"" + type->text() + "\": {" + axes +
+                 "}}");
   }
   if (reader.has("surface") && reader.has("local"))
     reader.refuse("keys 'surface' and 'local' are both stated; state one");
   for (const std::string kind : {"surface", "local"}) {
     const auto axes = reader.find(kind);
     if (!axes) continue;
-    if (reader.items().size() > 1) reader.refuse("key '" + kind + "' stands alone");
+    if (reader.items().size() > 1)
+      reader.refuse("key '" + kind + "' excludes all other keys; wanted it alone");
     if (axes->has("normal") && (kind == "local" || axes->items().size() > 1))
-      axes->refuse("a normal goes with 'surface' and stands alone");
+      axes->refuse("key 'normal' is possible only in 'surface', and excludes all other keys");
     if (kind == "surface" && axes->is_map())
       if (const auto curved = read_curved(*axes)) return *curved;
     return turned(kind == "surface" ? Reference::parse(kind) : Reference::local(), *axes, {},

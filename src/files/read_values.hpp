@@ -1,4 +1,4 @@
-// Small things that several parts of a problem file hold.
+// Reads values that several parts of a problem file contain: references, postures and rows.
 #pragma once
 
 #include "document/geometry.hpp"
@@ -8,29 +8,36 @@ namespace burnish::files {
 
 using document::read_placement;
 using document::read_rotation;
-/// local, centered, world, surface, or {surface: {normal: [...]}}, {surface: {rpy: [...]}} and so
-/// on, or {origin: ..., axes: ...}, each tool, base, world or the name of a frame, with the same
-/// keys if they are turned, or with a curved surface that the axes follow; what is not said is that
-/// of `otherwise`, or for a curved surface of Reference::on. Of a problem, whose tables are
-/// in the folder `tables`, {over_time: path} is such a key too.
+/// Reads a reference:
+///  - a word: local, centered, world or surface;
+///  - {surface: ...} or {local: ...} with a rotation ({normal: [...]}, {rpy: [...]}, ...);
+///  - {surface: ...} with a curved surface;
+///  - {origin: ..., axes: ...}, each tool, base, world or the name of a frame, with an optional
+///    rotation or curved surface.
+/// Missing keys keep the values of `otherwise`, or of Reference::on for a curved surface. In
+/// problems, a rotation can also be {over_time: path}, with tables in the folder `tables`.
 Reference read_reference(const Reader& reader, const Reference& otherwise = Reference::centered(),
                          const std::filesystem::path* tables = nullptr);
-/// Columns of axes: {normal: [...]}, {rpy: [...]}, {quaternion: [...]} or {matrix: [...]}.
+/// Reads axes, returned as columns: {normal: [...]}, {rpy: [...]}, {quaternion: [...]} or
+/// {matrix: [...]}.
 Eigen::Matrix3d read_axes(const Reader& reader);
-/// A word or a list of them, as Directions::parse has them: linear, pad_z, [x, y].
+/// Reads a word of Directions::parse, or a list of such words: linear, pad_z, [x, y].
 Directions read_directions(const Reader& reader);
-/// A posture's name, or {from: name, joint: value or values, ...}, or nq numbers. Joints that are
-/// not stated are as in `others`, or as in the default posture.
+/// Reads a configuration: the name of a posture, {from: name, joint: value or values, ...}, or nq
+/// numbers. Joints without a value are as in the posture `from`, as in `others`, or as in the
+/// default posture.
 Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,
                                    const std::optional<Posture>& others = std::nullopt);
-/// One number for all rows, a list, or {name: number or list, ..., other: number}.
+/// Reads one number for all rows, a list, or {name: number or list, ..., other: number}. Rows
+/// without a value are `otherwise`.
 Eigen::VectorXd read_rows(const Reader& reader, const std::vector<RowGroup>& groups,
                           double otherwise);
+/// Returns the total number of rows.
 int rows_of(const std::vector<RowGroup>& groups);
-/// The entries of v by the joints that have some.
+/// Returns one group for each joint that does not follow another one: the joint's entries of v.
 std::vector<RowGroup> velocity_rows(const Model& model);
 
-/// The file that a name in a problem file means.
+/// Returns the path of a file name in a problem file: relative names start from `folder`.
 std::filesystem::path beside(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace burnish::files

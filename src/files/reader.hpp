@@ -1,4 +1,4 @@
-// The reader of what files hold.
+// Makes the reader of YAML documents available in this namespace.
 #pragma once
 
 #include "document/reader.hpp"

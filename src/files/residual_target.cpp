@@ -1,5 +1,6 @@
 #include "files/residual_target.hpp"
 
+#include "base/to_size.hpp"
 #include "files/here.hpp"
 
 namespace burnish::files {
@@ -64,7 +65,7 @@ struct TargetReader {
     Eigen::Index i = 0;
     for (const RowGroup& row : rows) {
       const int joint = model().joint_index(row.name);
-      here[i++] = scope().q[model().joints[static_cast<std::size_t>(joint)].q_index];
+      here[i++] = scope().q[model().joints[to_size(joint)].q_index];
     }
     return read({rows, here});
   }
@@ -96,16 +97,18 @@ struct TargetReader {
   Signal operator()(const residual::ContactForce& r) const {
     if (!is_hold(given())) return read({groups()});
     if (r.reference)
-      given().refuse("'hold' gives the force in the contact's own reference; leave out the other");
+      given().refuse(
+          "'hold' is a force in the contact's own reference, but this residual states another one; "
+          "wanted no key 'reference'");
     const HeldForces forces = holding().forces;
     const auto found = forces.find(r.contact);
-    if (found == forces.end()) given().refuse("the contact does not hold in this stage");
+    if (found == forces.end()) given().refuse("the contact is not active in this stage");
     return found->second;
   }
   Signal operator()(const residual::CenterOfMass& /*of*/) const {
     return read({groups(), center_of_mass(model(), scope().q)});
   }
-  /// Other residuals have one number per row, and no value at the start to refer to.
+  /// Reads targets of all other residuals: one number for each row, without `here`.
   Signal operator()(const auto& /*of*/) const { return read({groups()}); }
 };
 
@@ -117,7 +120,7 @@ Signal read_target_of(const Residual& residual, const TargetText& text) {
 
 Eigen::VectorXd default_state_weights(const ProblemScope& scope) {
   const ProblemSpec& spec = scope.spec;
-  const Eigen::Index motion = 2 * spec.model.nv, forces = remembered_of(spec, {}).size();
+  const Eigen::Index motion = 2 * spec.model.nv, forces = force_states_of(spec, {}).size();
   const bool holds_torque = spec.torque_model && spec.torque_model->is_held();
   if (!holds_torque && forces == 0) return {};
   const Eigen::Index torques = spec.torque_model ? scope.controls() : 0;
@@ -133,7 +136,7 @@ Eigen::VectorXd read_state_weights(const ProblemScope& scope, const Reader& read
   if (scope.spec.torque_model)
     for (const Joint* joint : scope.driven()) tau.push_back({joint->name, joint->nv});
   const Eigen::Index nv = model.nv, nu = rows_of(tau),
-                     size = 2 * nv + nu + remembered_of(scope.spec, {}).size();
+                     size = 2 * nv + nu + force_states_of(scope.spec, {}).size();
   if (reader.is_list()) return reader.numbers(size);
   Eigen::VectorXd result = default_state_weights(scope);
   if (result.size() == 0) result = Eigen::VectorXd::Ones(size);

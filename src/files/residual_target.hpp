@@ -8,7 +8,7 @@ namespace burnish::files {
 /// Value of a key `target`, with the problem and the stage that it may refer to.
 struct TargetText {
   const ProblemScope& scope;
-  const std::vector<std::string>& contacts;  ///< Names of the contacts that are active in the stage
+  const std::vector<std::string>& contacts;  ///< Active contacts of the stage, by name
   const Reader& reader;
 };
 

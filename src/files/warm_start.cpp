@@ -1,5 +1,6 @@
-// Trajectories that a solver starts from.
+// Initial guesses of a solver: constant, holding torques, or a trajectory from a file.
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/files/problem_file.hpp"
 #include "files/csv_table.hpp"
 #include "files/problem_scope.hpp"
@@ -7,30 +8,30 @@
 namespace burnish {
 namespace {
 
-/// What holds the initial state in a stage; impacts have no control.
+/// Control and force states that keep the robot at rest in a stage. The control of an impact is
+/// zero.
 struct StageHolding {
-  Eigen::VectorXd control, forces;  ///< nu; those that the state remembers
+  Eigen::VectorXd control, forces;  ///< nu entries; force states
 };
 
-/// Of each stage. Torques that are part of the initial state go on where the contacts are those of
-/// the start.
+/// Returns the controls and force states of each stage. Torques of the initial state stay constant
+/// in stages with the same contacts as the first stage.
 std::vector<StageHolding> holding_controls(const Problem& problem) {
   const ProblemSpec& spec = problem.spec();
   const StateLayout& layout = problem.layout();
   const Eigen::Map<const Eigen::VectorXd> x(problem.initial_state(), layout.nx());
-  const std::vector<std::string>& first =
-      spec.stages[static_cast<std::size_t>(problem.stage_of(0))].contacts;
+  const std::vector<std::string>& first = spec.stages[to_size(problem.stage_of(0))].contacts;
   std::vector<StageHolding> result;
   for (const Stage& stage : spec.stages) {
     if (stage.impact) {
-      result.push_back({Eigen::VectorXd::Zero(layout.nu), x.tail(layout.remembered)});
+      result.push_back({Eigen::VectorXd::Zero(layout.nu), x.tail(layout.force_states)});
       continue;
     }
     const files::Holding held = files::hold(spec, stage.contacts, x.head(layout.nq), {});
-    result.push_back({held.control, files::remembered_of(spec, held.forces)});
+    result.push_back({held.control, files::force_states_of(spec, held.forces)});
     if (layout.filtered > 0 && stage.contacts == first)
       result.back() = {x.segment(layout.nq + layout.nv, layout.filtered),
-                       x.tail(layout.remembered)};
+                       x.tail(layout.force_states)};
   }
   return result;
 }
@@ -39,21 +40,22 @@ void read_trajectory(const Problem& problem, const std::filesystem::path& file,
                      TrajectoryGuess& guess) {
   const files::CsvTable table = files::read_csv(file);
   if (table.values.rows() != problem.knots() + 1)
-    throw Error(file.string() + ": it has " + std::to_string(table.values.rows()) +
-                " rows; the problem has " + std::to_string(problem.knots() + 1) + " states");
+    throw Error(file.string() + ": the table has " + std::to_string(table.values.rows()) +
+                " rows; wanted " + std::to_string(problem.knots() + 1) +
+                ", one for each state of the problem");
   const StateLayout& layout = problem.layout();
   const Model& model = problem.model();
   for (int i = 0; i < layout.nq; ++i) guess.xs.col(i) = table.column("q_" + model.q_name(i));
   for (int i = 0; i < layout.nv; ++i)
     guess.xs.col(layout.nq + i) = table.column("v_" + model.v_name(i));
   for (int i = 0; i < layout.nu; ++i) {
-    const std::string name = model.v_name(layout.actuated[static_cast<std::size_t>(i)]);
+    const std::string name = model.v_name(layout.actuated[to_size(i)]);
     if (layout.filtered > 0) guess.xs.col(layout.nq + layout.nv + i) = table.column("tau_" + name);
     guess.us.col(i) = table.column("u_" + name, problem.knots());
   }
-  // Forces of the step before: they are zero, or those of the knot before.
-  int entry = layout.nx() - layout.remembered;
-  for (const std::string& column : files::remembered_columns(problem.spec())) {
+  // Force states are the contact forces of the previous knot; the first ones are initial values.
+  int entry = layout.nx() - layout.force_states;
+  for (const std::string& column : files::force_state_columns(problem.spec())) {
     guess.xs(0, entry) = problem.initial_state()[entry];
     guess.xs.col(entry).tail(problem.knots()) = table.column(column, problem.knots());
     ++entry;
@@ -76,12 +78,12 @@ TrajectoryGuess make_guess(const Problem& problem, const WarmStart& start) {
   const std::vector<StageHolding> held = holding_controls(problem);
   const StateLayout& layout = problem.layout();
   for (int k = 0; k < knots; ++k) {
-    const StageHolding& at = held[static_cast<std::size_t>(problem.stage_of(k))];
+    const StageHolding& at = held[to_size(problem.stage_of(k))];
     guess.us.row(k) = at.control.transpose();
     if (problem.controls(k) == 0) continue;
     guess.xs.row(k + 1).segment(layout.nq + layout.nv, layout.filtered) =
         at.control.head(layout.filtered);
-    guess.xs.row(k + 1).tail(layout.remembered) = at.forces;
+    guess.xs.row(k + 1).tail(layout.force_states) = at.forces;
   }
   return guess;
 }

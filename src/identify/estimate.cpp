@@ -8,54 +8,55 @@
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double lag_windows = 6.0;  // that sums over lags reach
+constexpr double lag_windows = 6.0;  // Range of lags in sums over lags [windows]
 
-/// Samples between which residuals are correlated, at most.
+/// Returns the largest lag at which residuals count as correlated [samples].
 int lags_of(const Regression& of) {
   return std::min(static_cast<int>(std::ceil(lag_windows * of.samples_per_window)), of.samples / 4);
 }
 
-/// How much of a lag counts (M. Bartlett).
-double share_of(int lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1); }
+/// Returns the weight of a lag (M. Bartlett).
+double lag_weight(int lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1); }
 
-/// By how much standard deviations from a sum over lags are to be enlarged, since that sum is
-/// itself an estimate: the critical values of N. Kiefer and T. Vogelsang, "A New Asymptotic Theory
-/// for Heteroskedasticity-Autocorrelation Robust Tests" (2005), by those of a normal distribution;
-/// both of 99 %, so that large errors are as rare as they should be.
+/// Returns the factor for standard deviations from a sum over lags, because that sum is itself an
+/// estimate. The factor is the critical value of N. Kiefer and T. Vogelsang, "A New Asymptotic
+/// Theory for Heteroskedasticity-Autocorrelation Robust Tests" (2005), over the critical value of a
+/// normal distribution, both at 99 %. Large errors are then as rare as they should be.
 double enlargement(double lags_per_sample) {
   const double b = lags_per_sample;
   return 1.0 + (4.1618 * b + 0.5368 * b * b - 0.9060 * b * b * b) / 2.3263;
 }
 
-/// Autocovariance of the residuals at a lag of samples, nv x nv.
+/// Returns the autocovariance of the residuals at a lag in samples, nv x nv.
 Eigen::MatrixXd covariance_at(const Regression& of, const Eigen::VectorXd& residual, int lag) {
   const Eigen::Map<const RowMatrix> r(residual.data(), of.samples, of.nv);
   const Eigen::Index n = of.samples - lag;
   return r.topRows(n).transpose() * r.bottomRows(n) / static_cast<double>(of.samples);
 }
 
-/// By torque: the variance that a residual would have if its neighbours said nothing of it. A sum
-/// over lags.
+/// Returns, per torque, the variance that residuals would have if they were uncorrelated in time.
+/// Computed as a sum over lags.
 Eigen::VectorXd spectral_variance(const Regression& of, const Eigen::VectorXd& residual) {
   const int lags = lags_of(of);
   Eigen::VectorXd result = covariance_at(of, residual, 0).diagonal();
   const Eigen::VectorXd plain = result;
   for (int lag = 1; lag <= lags; ++lag) {
-    result += 2.0 * share_of(lag, lags) * covariance_at(of, residual, lag).diagonal();
+    result += 2.0 * lag_weight(lag, lags) * covariance_at(of, residual, lag).diagonal();
   }
-  // Exact torques would weigh without bounds, and leave no digits to what is believed before.
-  constexpr double least = 1e-5;  // of a torque's rms
+  // Exact torques would have unbounded weight and leave no digits for the prior.
+  constexpr double min_fraction = 1e-5;  // of a torque's rms
   const Eigen::VectorXd floor =
-      (least * least * covariance_at(of, of.measured, 0).diagonal().array() + 1e-16).matrix();
+      (min_fraction * min_fraction * covariance_at(of, of.measured, 0).diagonal().array() + 1e-16)
+          .matrix();
   return result.cwiseMax(plain).cwiseMax(floor);
 }
 
 struct Step {
-  Eigen::MatrixXd information;  ///< of the posterior
+  Eigen::MatrixXd information;  ///< Information matrix of the posterior
   Eigen::VectorXd gradient;
 };
 
-/// Of the negative logarithm of the posterior at x; weights per row.
+/// Returns the negative logarithm of the posterior at x; `weight` has one entry per row.
 double objective(const Regression& of, const Eigen::VectorXd& x, const Eigen::VectorXd& weight) {
   const Eigen::VectorXd r = of.residual(x);
   const Eigen::ArrayXd p = (x - of.prior).array() / of.prior_sigma.array();
@@ -72,16 +73,16 @@ Step step_at(const Regression& of, const Eigen::VectorXd& x, const Eigen::Vector
   return result;
 }
 
-/// Weights of all rows from those of each torque.
+/// Returns the weights of all rows from the variance of each torque.
 Eigen::VectorXd row_weights(const Regression& of, const Eigen::VectorXd& variance) {
   return variance.cwiseInverse().replicate(of.samples, 1);
 }
 
-/// Moves x to the least objective; whether it got there.
+/// Moves x to the minimum of the objective. Returns whether the minimum was reached.
 bool minimize(const Regression& of, const Eigen::VectorXd& weight, Eigen::VectorXd& x) {
-  constexpr int most = 100;
+  constexpr int max_steps = 100;
   double damping = 1e-3, value = objective(of, x, weight);
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const Step step = step_at(of, x, weight);
     while (true) {
       Eigen::MatrixXd damped = step.information;
@@ -103,9 +104,9 @@ bool minimize(const Regression& of, const Eigen::VectorXd& weight, Eigen::Vector
   return false;
 }
 
-/// B (A^T W R W A + P^-1) B with B = (A^T W A + P^-1)^-1: the covariance of the estimate when noise
-/// is correlated between torques and over time as the residuals are (W. Newey, K. West, 1987, with
-/// one autocovariance for all samples).
+/// Returns B (A^T W R W A + P^-1) B with B = (A^T W A + P^-1)^-1: the covariance of the estimate if
+/// noise is correlated between torques and over time like the residuals (W. Newey, K. West, 1987,
+/// with one autocovariance for all samples).
 Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
                               const Eigen::VectorXd& weight) {
   const Eigen::VectorXd residual = of.residual(x);
@@ -119,9 +120,10 @@ Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
     for (int i = 0; i + lag < of.samples; ++i)
       sum +=
           WA.middleRows(i * of.nv, of.nv).transpose() * C * WA.middleRows((i + lag) * of.nv, of.nv);
-    middle += share_of(lag, lags) * (lag == 0 ? sum : Eigen::MatrixXd(sum + sum.transpose()));
+    middle += lag_weight(lag, lags) * (lag == 0 ? sum : Eigen::MatrixXd(sum + sum.transpose()));
   }
-  // Fitted parameters took a part of the noise with them, of which each window has one piece.
+  // Fitted parameters absorb part of the noise; each window contains one independent piece of
+  // noise.
   const double pieces = static_cast<double>(residual.size()) / of.samples_per_window;
   middle *= pieces / std::max(1.0, pieces - p);
   middle *= std::pow(enlargement(static_cast<double>(lags) / of.samples), 2);
@@ -143,21 +145,22 @@ Fit fit(const Regression& regression) {
   Fit result;
   result.x = regression.prior;
   result.rms_before = rms(regression, regression.before);
-  // How noisy each torque is shows in what is left. At first all are as good as each other and the
-  // motion goes before what is believed: noise that is told from a bad fit stays large.
-  constexpr double share = 1e-3, settled = 0.01;
+  // The residuals show the noise of each torque. The first round assumes equal, small noise in all
+  // torques, so that the motion outweighs the prior. Otherwise, the noise estimated from a bad fit
+  // would stay large.
+  constexpr double start_fraction = 1e-3, settled = 0.01;
   constexpr int rounds = 40;
-  const double start = std::pow(share * result.rms_before.norm(), 2) + 1e-16;
+  const double start = std::pow(start_fraction * result.rms_before.norm(), 2) + 1e-16;
   Eigen::VectorXd variance = Eigen::VectorXd::Constant(regression.nv, start);
   Eigen::VectorXd& weight = result.weight;
   weight = row_weights(regression, variance);
   for (int round = 0; round < rounds; ++round) {
-    const bool least = minimize(regression, weight, result.x);
+    const bool is_minimum = minimize(regression, weight, result.x);
     const Eigen::VectorXd next = spectral_variance(regression, regression.residual(result.x));
     const double change = (next.array() / variance.array()).log().abs().maxCoeff();
     variance = next;
     weight = row_weights(regression, variance);
-    result.converged = least && change < settled;
+    result.converged = is_minimum && change < settled;
     if (result.converged) break;
   }
   result.covariance = covariance_of(regression, result.x, weight);
@@ -165,12 +168,12 @@ Fit fit(const Regression& regression) {
   return result;
 }
 
-void add_bias(const Regression& regression, const Regression& longer, double share, Fit& fit) {
+void add_bias(const Regression& regression, const Regression& longer, double fraction, Fit& fit) {
   const Step here = step_at(regression, fit.x, fit.weight);
   const Step there = step_at(longer, fit.x, fit.weight);
   const Eigen::MatrixXd A = regression.derivative(fit.x);
   Eigen::MatrixXd towards(regression.size(), 2);
-  towards.col(0) = share * (there.gradient - here.gradient);
+  towards.col(0) = fraction * (there.gradient - here.gradient);
   towards.col(1) = A.transpose() * fit.weight.cwiseProduct(regression.held);
   const Eigen::MatrixXd bias = solve_positive(here.information, towards);
   fit.covariance += bias * bias.transpose();

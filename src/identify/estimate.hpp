@@ -1,4 +1,4 @@
-// The solution of the regression.
+// Solution of the regression.
 #pragma once
 
 #include "identify/regression.hpp"
@@ -7,21 +7,22 @@ namespace burnish::identify_detail {
 
 struct Fit {
   Eigen::VectorXd x;
-  Eigen::VectorXd weight;  ///< of each row
+  Eigen::VectorXd weight;  ///< Weight of each row
   Eigen::MatrixXd covariance;
-  Eigen::VectorXd rms_before, rms_after;  ///< nv
+  Eigen::VectorXd rms_before, rms_after;  ///< nv entries each
   bool converged = false;
 };
 
-/// The most probable x, by Levenberg's and Marquardt's method, and its covariance with noise that
-/// is coloured as the residuals are.
+/// Returns the most probable x (Levenberg-Marquardt method) and its covariance, for noise with the
+/// autocorrelation of the residuals.
 Fit fit(const Regression& regression);
-/// Adds what x is off, as deviations, since motions are smoothed, which is `share` of what `longer`
-/// would move it by, and since torques are held from sample to sample.
-void add_bias(const Regression& regression, const Regression& longer, double share, Fit& fit);
+/// Adds systematic errors of x to its covariance. Smoothing of the motion changes x by `fraction`
+/// of the difference between the solutions for `longer` and `regression`. The sample-and-hold of
+/// torques changes x as well.
+void add_bias(const Regression& regression, const Regression& longer, double fraction, Fit& fit);
 
-/// Adds what the fit may have taken from a residual that noise does not explain, as if it were as
-/// large as what is left and lay along each parameter.
+/// Adds the error from residuals that noise does not explain, as if all residuals lay along each
+/// parameter in turn.
 void add_misfit(const Regression& regression, Fit& fit);
 
 }  // namespace burnish::identify_detail

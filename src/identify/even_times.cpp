@@ -5,29 +5,30 @@
 #include <numbers>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double even_within = 0.01;  // of a period
-/// Gap that a cubic bridges: of a motion of 4 Hz it is off by 1e-3 of the amplitude [s].
-constexpr double longest_gap = 0.03;
-constexpr double fewest_gaps = 3.5;     // periods that are bridged at any rate
-constexpr double missing_above = 1.75;  // periods from one sample to the next without a loss
-constexpr double part_missing = 0.05;   // of all samples
-/// Distance of outer nodes of a cubic: noise of nearer ones would be amplified [periods].
+constexpr double even_within = 0.01;  // Fraction of a period
+/// Longest gap that a cubic bridges. For a motion of 4 Hz its error is 1e-3 of the amplitude [s].
+constexpr double max_gap = 0.03;
+constexpr double min_bridged_periods = 3.5;  // Gaps up to this length are always bridged [periods]
+constexpr double missing_above = 1.75;       // Longer steps miss a sample [periods]
+constexpr double max_missing_fraction = 0.05;  // Of all samples
+/// Minimum distance of the outer nodes of a cubic; closer nodes would amplify noise [periods].
 constexpr double node_distance = 0.5;
 
 std::string ms_text(double seconds) { return number(1e3 * seconds) + " ms"; }
 
 void check_order(const Eigen::Ref<const Eigen::VectorXd>& time) {
   if (time.size() < 2) throw Error("the record has fewer than two samples");
-  if (!time.allFinite()) throw Error("'time' holds a NaN or an infinity; wanted seconds");
+  if (!time.allFinite()) throw Error("'time' contains a NaN or an infinity; wanted seconds");
   for (Eigen::Index i = 1; i < time.size(); ++i) {
     const std::string sample = "sample " + std::to_string(i);
     if (time[i] == time[i - 1])
-      throw Error("the record's " + sample + " repeats the time of the one before, " +
-                  number(time[i]) + " s; wanted each row once");
+      throw Error(sample + " of the record repeats the time of the sample before, " +
+                  number(time[i]) + " s; wanted increasing times");
     if (!(time[i] > time[i - 1]))
       throw Error("the record's time does not increase: " + number(time[i]) + " s at " + sample +
                   " after " + number(time[i - 1]) + " s; wanted rows in the order of their times");
@@ -40,16 +41,16 @@ double middle_of(Eigen::VectorXd values) {
   return *middle;
 }
 
-/// Differences of a record's times from even ones.
+/// Deviation of a record's times from even times.
 struct Unevenness {
   double period = 0.0;  ///< [s]
-  double jitter = 0.0;  ///< largest error of a step between neighbours that miss none [s]
-  double gap = 0.0;     ///< largest step over missing samples [s]; 0: none are missing
-  double gap_at = 0.0;  ///< time of the sample before it [s]
+  double jitter = 0.0;  ///< Largest error of a step that misses no sample [s]
+  double gap = 0.0;     ///< Largest step over missing samples [s]; 0: no sample is missing
+  double gap_at = 0.0;  ///< Time of the sample before the gap [s]
   Eigen::Index missing = 0;
 };
 
-/// How many samples a step of `step` periods misses.
+/// Returns the number of samples that a step of `step` periods misses.
 Eigen::Index missing_in(double step) {
   const double samples = std::floor(step + 1.0 - missing_above);
   return std::max<Eigen::Index>(0, static_cast<Eigen::Index>(samples));
@@ -74,19 +75,20 @@ Unevenness unevenness(const Eigen::VectorXd& time, const Eigen::VectorXd& steps)
 }
 
 void check_gaps(const Unevenness& uneven, Eigen::Index samples) {
-  if (uneven.gap > std::max(longest_gap, fewest_gaps * uneven.period))
+  if (uneven.gap > std::max(max_gap, min_bridged_periods * uneven.period))
     throw Error("the record has no samples for " + ms_text(uneven.gap) + " after " +
                 number(uneven.gap_at) + " s; wanted gaps of at most " +
-                ms_text(std::max(longest_gap, 3.0 * uneven.period)) +
-                ", or a part of the record without it");
-  const double part =
+                ms_text(std::max(max_gap, 3.0 * uneven.period)) +
+                ", or a part of the record without this gap");
+  const double fraction =
       static_cast<double>(uneven.missing) / static_cast<double>(samples + uneven.missing);
-  if (part > part_missing)
-    throw Error("the record misses " + number(100.0 * part) + " % of its samples, one each " +
-                ms_text(uneven.period) + "; wanted at most " + number(100.0 * part_missing) + " %");
+  if (fraction > max_missing_fraction)
+    throw Error("the record lacks " + number(100.0 * fraction) +
+                " % of its samples, of which one is expected every " + ms_text(uneven.period) +
+                "; wanted at most " + number(100.0 * max_missing_fraction) + " %");
 }
 
-/// Up to four samples about a time, in order: the two next to it and one beyond each.
+/// Up to four samples about a time, in order: the two adjacent samples and one beyond each.
 struct Nodes {
   Eigen::Index at[4] = {};
   int count = 0;
@@ -106,7 +108,7 @@ Nodes nodes_about(const Eigen::VectorXd& time, double t, double distance) {
   return nodes;
 }
 
-/// Polynomial through the nodes at t; steps between nodes of an `angle` go the short way.
+/// Returns the polynomial through the nodes at t. Steps of an `angle` take the shorter direction.
 double between(const Eigen::VectorXd& time, const RowMatrix& values, Eigen::Index column,
                const Nodes& nodes, double t, bool angle) {
   constexpr double turn = 2.0 * std::numbers::pi;
@@ -124,10 +126,9 @@ double between(const Eigen::VectorXd& time, const RowMatrix& values, Eigen::Inde
 }
 
 void resample(const Model& model, const Eigen::VectorXd& time, MotionRecord& record) {
-  std::vector<bool> turns(static_cast<std::size_t>(model.nq), false);
+  std::vector<bool> turns(to_size(model.nq), false);
   for (const Joint& joint : model.joints)
-    if (joint.kind == JointKind::Revolute && joint.nq == 1)
-      turns[static_cast<std::size_t>(joint.q_index)] = true;
+    if (joint.kind == JointKind::Revolute && joint.nq == 1) turns[to_size(joint.q_index)] = true;
   const double span = time[time.size() - 1] - time[0];
   const auto rows = static_cast<Eigen::Index>(std::floor(span / record.period + 1e-6)) + 1;
   RowMatrix q(rows, model.nq), tau(rows, model.nv);
@@ -135,7 +136,7 @@ void resample(const Model& model, const Eigen::VectorXd& time, MotionRecord& rec
     const double t = time[0] + static_cast<double>(i) * record.period;
     const Nodes nodes = nodes_about(time, t, node_distance * record.period);
     for (int k = 0; k < model.nq; ++k)
-      q(i, k) = between(time, record.q, k, nodes, t, turns[static_cast<std::size_t>(k)]);
+      q(i, k) = between(time, record.q, k, nodes, t, turns[to_size(k)]);
     for (int k = 0; k < model.nv; ++k) tau(i, k) = between(time, record.tau, k, nodes, t, false);
   }
   record.q = std::move(q);
@@ -166,8 +167,8 @@ void make_even(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& time
     what += (what.empty() ? "" : ", and ") + std::to_string(uneven.missing) +
             (uneven.missing == 1 ? " sample is" : " samples are") + " missing, the longest gap " +
             ms_text(uneven.gap) + " after " + number(uneven.gap_at) + " s";
-  record.warnings.push_back(what + ": resampled every " + ms_text(record.period) +
-                            " by cubics between the samples");
+  record.warnings.push_back(what + "; the record is resampled every " + ms_text(record.period) +
+                            " by cubic interpolation");
 }
 
 }  // namespace burnish::identify_detail

@@ -7,6 +7,7 @@
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/state.hpp"
 #include "model/followers.hpp"
@@ -15,12 +16,12 @@
 namespace burnish {
 namespace {
 
-constexpr double fade = 1.0;         // s from rest to the full motion
-constexpr double look_every = 0.02;  // s, between instants at which limits are looked at
+constexpr double fade = 1.0;           // Time from rest to the full motion, chosen by hand [s]
+constexpr double check_period = 0.02;  // Time between checked instants, chosen by hand [s]
 
-/// 0 to 1 over x in 0 to 1 with two derivatives that vanish at the ends.
+/// Smooth step from 0 to 1 for x from 0 to 1; two derivatives vanish at the ends.
 struct Fade {
-  double value = 1.0, slope = 0.0, bend = 0.0;
+  double value = 1.0, slope = 0.0, curvature = 0.0;
 };
 Fade fade_at(double x) {
   if (x >= 1.0) return {};
@@ -51,84 +52,85 @@ void check(const Model& model, const Eigen::VectorXd& q_start, const ExcitationS
   if (!model.loops.empty())
     throw Error("excitation: " + in_quotes(model.name) + " has the loop " +
                 in_quotes(model.loops.front().name) +
-                ", whose forces are not known here; wanted a robot without loops, as with their "
-                "joints locked (--lock)");
+                ", whose forces the search for a motion does not compute; wanted a robot without "
+                "loops, or the joints of the loop locked (--lock)");
   for (const Joint& joint : model.joints)
     if (joint_nv(joint.kind) > 1)
       throw Error("excitation: joint " + in_quotes(joint.name) + " is " +
                   std::string(name_of(joint.kind)) + "; wanted joints of one coordinate");
 }
 
-/// The torque that is nearest to its limit.
+/// Torque with the largest fraction of its limit.
 struct Load {
   int entry = 0;
-  double torque = 0.0;  ///< Nm (N)
-  double share = 0.0;   ///< of its limit
+  double torque = 0.0;    ///< [Nm, N]
+  double fraction = 0.0;  ///< Fraction of the effort limit
 };
 Load heaviest_load(const Model& model, const Eigen::VectorXd& tau) {
-  constexpr double none = 1e-9;  // torque of a joint that has none to give, by rounding [Nm, N]
+  constexpr double none = 1e-9;  // rounding error of a joint's zero torque [Nm, N]
   Load worst;
   for (int k = 0; k < model.nv; ++k) {
     const double torque = std::abs(tau[k]);
-    const double share = torque > none ? torque / model.effort_limit[k] : 0.0;
-    if (share > worst.share) worst = {k, torque, share};
+    const double fraction = torque > none ? torque / model.effort_limit[k] : 0.0;
+    if (fraction > worst.fraction) worst = {k, torque, fraction};
   }
   return worst;
 }
 
 const char* torque_unit(const Model& model, int entry) {
-  const int joint = model.joint_of_v[static_cast<std::size_t>(entry)];
-  return model.joints[static_cast<std::size_t>(joint)].kind == JointKind::Prismatic ? " N" : " Nm";
+  const int joint = model.joint_of_v[to_size(entry)];
+  return model.joints[to_size(joint)].kind == JointKind::Prismatic ? " N" : " Nm";
 }
 std::string torque_text(const Model& model, int entry, double torque) {
   return number(torque) + torque_unit(model, entry);
 }
-/// "0.8 of its effort limit of 39 Nm".
+/// Example: "0.8 of its effort limit of 39 Nm".
 std::string limit_text(const Model& model, int entry, double effort_share) {
   return (effort_share < 1.0 ? number(effort_share) + " of " : "") + "its effort limit of " +
          torque_text(model, entry, model.effort_limit[entry]);
 }
 
-/// Refuses a start that cannot be held within the efforts that a motion may take.
+/// Throws Error if the start cannot be held within the allowed efforts.
 void check_efforts(const Model& model, const Eigen::VectorXd& q_start, double effort_share) {
   ContactDynamics dynamics(model);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv), none(0);
-  if (dynamics.inverse(q_start, rest, rest, none) > Status::NotConverged) return;
+  if (!is_usable(dynamics.inverse(q_start, rest, rest, none))) return;
   const Load load = heaviest_load(model, dynamics.tau());
-  if (load.share <= effort_share) return;
-  const bool holds = load.share <= 1.0;
-  throw Error("excitation: joint " + in_quotes(model.v_name(load.entry)) + " takes " +
-              torque_text(model, load.entry, load.torque) + " to hold the start, more than " +
+  if (load.fraction <= effort_share) return;
+  const bool holds = load.fraction <= 1.0;
+  throw Error("excitation: joint " + in_quotes(model.v_name(load.entry)) + " needs " +
+              torque_text(model, load.entry, load.torque) +
+              " to hold the start posture, more than " +
               limit_text(model, load.entry, holds ? effort_share : 1.0) +
               "; wanted another start (--posture)" +
               (holds ? " or a larger effort_share (--effort-share)"
-                     : " or, where the description is wrong, its effort in robot.yaml"));
+                     : " or a corrected effort limit in robot.yaml"));
 }
 
-/// Per entry of v: how far a joint may leave its start, and how fast it may be; 0 of those at rest.
+/// Allowed displacement from the start and allowed speed, per entry of v; 0 for joints at rest.
 struct Room {
-  Eigen::VectorXd way, speed;
+  Eigen::VectorXd displacement, speed;
 };
 Room room_of(const Model& model, const Eigen::VectorXd& q_start, const ExcitationSpec& spec) {
-  std::vector<char> moves(static_cast<std::size_t>(model.nv), spec.joints.empty() ? 1 : 0);
+  std::vector<char> moves(to_size(model.nv), spec.joints.empty() ? 1 : 0);
   for (const std::string& name : spec.joints)
-    moves[static_cast<std::size_t>(
-        model.joints[static_cast<std::size_t>(model.joint_index(name))].v_index)] = 1;
+    moves[to_size(model.joints[to_size(model.joint_index(name))].v_index)] = 1;
   Room room{Eigen::VectorXd::Zero(model.nv), Eigen::VectorXd::Zero(model.nv)};
   for (const Joint& joint : model.joints) {
     const int k = joint.v_index;
-    if (joint.follows || moves[static_cast<std::size_t>(k)] == 0) continue;
-    double way = spec.range;
+    if (joint.follows || moves[to_size(k)] == 0) continue;
+    double displacement = spec.range;
     if (joint.nq == 1) {
       const double q = q_start[joint.q_index];
-      way = std::min({way, q - model.q_lower[joint.q_index] - spec.margin,
-                      model.q_upper[joint.q_index] - q - spec.margin});
-      if (way < 0.02)
+      displacement = std::min({displacement, q - model.q_lower[joint.q_index] - spec.margin,
+                               model.q_upper[joint.q_index] - q - spec.margin});
+      if (displacement < 0.02)
         throw Error("excitation: joint " + in_quotes(joint.name) + " starts at " + number(q) +
-                    ", within " + number(spec.margin) +
-                    " of a limit; wanted a start further inside, a smaller margin or other joints");
+                    ", which is closer than the margin of " + number(spec.margin) +
+                    " to a limit; wanted a start posture farther from the limit, a smaller margin "
+                    "or other joints");
     }
-    room.way[k] = way;
+    room.displacement[k] = displacement;
     room.speed[k] = std::min(spec.speed_share * model.velocity_limit[k], spec.speed);
   }
   return room;
@@ -145,80 +147,79 @@ Excitation::Excitation(const Model& model, const Eigen::VectorXd& q_start, const
   const Room room = room_of(model, q_start, spec);
   const int harmonics = std::max(1, static_cast<int>(spec.highest * spec.duration));
   RandomStream random(spec.seed, 0);
-  Drawn best, heaviest;
-  double most = -std::numeric_limits<double>::infinity();
-  Eigen::VectorXd way, v, a;
+  Amplitudes best, heaviest;
+  double best_information = -std::numeric_limits<double>::infinity();
+  Eigen::VectorXd displacement, v, a;
   for (int candidate = 0; candidate < spec.candidates; ++candidate) {
-    drawn_ = {Eigen::MatrixXd(model.nv, harmonics), Eigen::MatrixXd(model.nv, harmonics)};
-    for (Eigen::MatrixXd* matrix : {&drawn_.sine, &drawn_.cosine})
+    amplitudes_ = {Eigen::MatrixXd(model.nv, harmonics), Eigen::MatrixXd(model.nv, harmonics)};
+    for (Eigen::MatrixXd* matrix : {&amplitudes_.sine, &amplitudes_.cosine})
       for (int k = 0; k < model.nv; ++k)
         for (int h = 0; h < harmonics; ++h) (*matrix)(k, h) = random.normal();
     Eigen::ArrayXd farthest = Eigen::ArrayXd::Constant(model.nv, 1e-12), fastest = farthest;
-    for (double t = 0.0; t <= duration_; t += look_every) {
-      way_at(t, way, v, a);
-      farthest = farthest.max(way.array().abs());
+    for (double t = 0.0; t <= duration_; t += check_period) {
+      displacement_at(t, displacement, v, a);
+      farthest = farthest.max(displacement.array().abs());
       fastest = fastest.max(v.array().abs());
     }
     const Eigen::VectorXd scale =
-        (room.way.array() / farthest).min(room.speed.array() / fastest).matrix();
-    drawn_.sine = scale.asDiagonal() * drawn_.sine;
-    drawn_.cosine = scale.asDiagonal() * drawn_.cosine;
+        (room.displacement.array() / farthest).min(room.speed.array() / fastest).matrix();
+    amplitudes_.sine = scale.asDiagonal() * amplitudes_.sine;
+    amplitudes_.cosine = scale.asDiagonal() * amplitudes_.cosine;
     if (!limit(spec.effort_share)) {
-      heaviest = drawn_;
+      heaviest = amplitudes_;
       continue;
     }
-    const double told = information(frame);
-    if (told > most) most = told, best = drawn_;
+    const double value = information(frame);
+    if (value > best_information) best_information = value, best = amplitudes_;
   }
-  if (!std::isfinite(most) && heaviest.size == 1.0)
+  if (!std::isfinite(best_information) && heaviest.size == 1.0)
     throw Error("excitation: no motion was found that moves " + in_quotes(frame) +
                 "; wanted a smaller range, or other joints");
-  if (!std::isfinite(most))
+  if (!std::isfinite(best_information))
     throw Error("excitation: no motion was found that stays within the effort limits: " +
                 effort_text(heaviest, spec.effort_share) + ", and too much even at " +
                 number(std::round(100.0 * heaviest.size)) +
-                " % of that size; wanted another start (--posture), fewer joints (--joints) or a "
-                "larger effort_share (--effort-share)");
-  drawn_ = best;
-  if (drawn_.size < 1.0)
-    warnings_.push_back("the motion is reduced to " + number(std::round(100.0 * drawn_.size)) +
+                " % of the full size; wanted another start (--posture), fewer joints (--joints) or "
+                "a larger effort_share (--effort-share)");
+  amplitudes_ = best;
+  if (amplitudes_.size < 1.0)
+    warnings_.push_back("the motion is reduced to " + number(std::round(100.0 * amplitudes_.size)) +
                         " % of the size that range and speeds allow: at full size " +
-                        effort_text(drawn_, spec.effort_share));
+                        effort_text(amplitudes_, spec.effort_share));
 }
 
-/// Smaller until the efforts fit: a smaller motion about the same posture. Returns whether they do.
+/// Reduces the motion until the efforts are within their limits. Returns whether they are.
 bool Excitation::limit(double effort_share) {
-  constexpr double smaller = 0.8;  // of the motion before, at each attempt
+  constexpr double shrink = 0.8;  // at each attempt, chosen by hand
   constexpr int attempts = 12;
   ContactDynamics dynamics(model_);
   const Eigen::VectorXd none(0);
   Eigen::VectorXd q, v, a;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     Load worst;
-    for (double t = 0.0; t <= duration_; t += 2.0 * look_every) {
+    for (double t = 0.0; t <= duration_; t += 2.0 * check_period) {
       at(t, q, v, a);
-      if (dynamics.inverse(q, v, a, none) > Status::NotConverged) continue;
+      if (!is_usable(dynamics.inverse(q, v, a, none))) continue;
       const Load load = heaviest_load(model_, dynamics.tau());
-      if (load.share > worst.share) worst = load;
+      if (load.fraction > worst.fraction) worst = load;
     }
-    if (attempt == 0) drawn_.heaviest = worst.entry, drawn_.torque = worst.torque;
-    if (worst.share <= effort_share) return true;
-    drawn_.sine *= smaller;
-    drawn_.cosine *= smaller;
-    drawn_.size *= smaller;
+    if (attempt == 0) amplitudes_.heaviest = worst.entry, amplitudes_.torque = worst.torque;
+    if (worst.fraction <= effort_share) return true;
+    amplitudes_.sine *= shrink;
+    amplitudes_.cosine *= shrink;
+    amplitudes_.size *= shrink;
   }
   return false;
 }
 
-/// Whose effort limit the motion would exceed at full size.
-std::string Excitation::effort_text(const Drawn& drawn, double effort_share) const {
-  return "joint " + in_quotes(model_.v_name(drawn.heaviest)) + " would need " +
-         torque_text(model_, drawn.heaviest, drawn.torque) + ", more than " +
-         limit_text(model_, drawn.heaviest, effort_share);
+/// Names the joint whose effort limit the motion would exceed at full size.
+std::string Excitation::effort_text(const Amplitudes& amplitudes, double effort_share) const {
+  return "joint " + in_quotes(model_.v_name(amplitudes.heaviest)) + " would need " +
+         torque_text(model_, amplitudes.heaviest, amplitudes.torque) + ", more than " +
+         limit_text(model_, amplitudes.heaviest, effort_share);
 }
 
-/// log det of what the motion tells of a payload's ten parameters, in units of a kilogram and a
-/// decimetre.
+/// Returns log det of the information about a payload's ten parameters, in units of 1 kg and 0.1 m.
 double Excitation::information(const std::string& frame) const {
   ContactDynamics dynamics(model_);
   const std::vector<int> bodies{frame_on_body("excitation", model_, frame).body};
@@ -228,66 +229,67 @@ double Excitation::information(const std::string& frame) const {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(10, 10);
   Vector10 unit;
   unit << 1.0, Eigen::Vector3d::Constant(0.1), Eigen::VectorXd::Constant(6, 0.01);
-  for (double t = 0.0; t <= duration_; t += 5.0 * look_every) {
+  for (double t = 0.0; t <= duration_; t += 5.0 * check_period) {
     at(t, q, v, a);
     (void)dynamics.inverse(q, v, a, none);
     (void)dynamics.regressor(bodies, Y);
     sum += unit.asDiagonal() * (Y.transpose() * Y) * unit.asDiagonal();
   }
   const Eigen::VectorXd values = symmetric_eigen(sum).values;
-  // What no motion shows counts for all motions alike.
+  // Directions that no motion excites count equally for all motions.
   return values.cwiseMax(1e-9).array().log().sum();
 }
 
-void Excitation::way_at(double time, Eigen::VectorXd& way, Eigen::VectorXd& v,
-                        Eigen::VectorXd& a) const {
+void Excitation::displacement_at(double time, Eigen::VectorXd& displacement, Eigen::VectorXd& v,
+                                 Eigen::VectorXd& a) const {
   const double t = std::clamp(time, 0.0, duration_);
   const bool ends = t > 0.5 * duration_;
   const Fade f = fade_at((ends ? duration_ - t : t) / fade);
-  const double slope = (ends ? -1.0 : 1.0) * f.slope / fade, bend = f.bend / (fade * fade);
-  way.setZero(model_.nv), v.setZero(model_.nv), a.setZero(model_.nv);
-  for (Eigen::Index h = 0; h < drawn_.sine.cols(); ++h) {
+  const double slope = (ends ? -1.0 : 1.0) * f.slope / fade,
+               curvature = f.curvature / (fade * fade);
+  displacement.setZero(model_.nv), v.setZero(model_.nv), a.setZero(model_.nv);
+  for (Eigen::Index h = 0; h < amplitudes_.sine.cols(); ++h) {
     const double w = 2.0 * std::numbers::pi * static_cast<double>(h + 1) / duration_;
     const double s = std::sin(w * t), c = std::cos(w * t);
-    way += drawn_.sine.col(h) * s + drawn_.cosine.col(h) * (c - 1.0);
-    v += w * (drawn_.sine.col(h) * c - drawn_.cosine.col(h) * s);
-    a -= w * w * (drawn_.sine.col(h) * s + drawn_.cosine.col(h) * c);
+    displacement += amplitudes_.sine.col(h) * s + amplitudes_.cosine.col(h) * (c - 1.0);
+    v += w * (amplitudes_.sine.col(h) * c - amplitudes_.cosine.col(h) * s);
+    a -= w * w * (amplitudes_.sine.col(h) * s + amplitudes_.cosine.col(h) * c);
   }
-  a = f.value * a + 2.0 * slope * v + bend * way;
-  v = f.value * v + slope * way;
-  way *= f.value;
+  a = f.value * a + 2.0 * slope * v + curvature * displacement;
+  v = f.value * v + slope * displacement;
+  displacement *= f.value;
 }
 
 void Excitation::at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::VectorXd& a) const {
-  Eigen::VectorXd way;
-  way_at(time, way, v, a);
-  q = integrate(model_, q_start_, way);
+  Eigen::VectorXd displacement;
+  displacement_at(time, displacement, v, a);
+  q = integrate(model_, q_start_, displacement);
 }
 
 Trace Excitation::trace(double period) const {
   if (!(period > 0.0) || duration_ / period > 1e7)
-    throw Error("excitation: a period of " + number(period) + " s; wanted one above 0");
-  // One position for each entry of v: check() allows joints of one coordinate only.
+    throw Error("excitation: period is " + number(period) +
+                " s; wanted more than 0, and at most 1e7 rows");
+  // One position per entry of v, because check() allows only joints with one coordinate.
   Eigen::VectorXd start(model_.nv);
   std::vector<TraceColumn> columns{{"time", "s"}};
   for (const Joint& joint : model_.joints)
     if (!joint.follows) start[joint.v_index] = joint_value(model_, joint, q_start_);
   for (const auto& [prefix, rates] : {std::pair{"q_", ""}, {"v_", "/s"}, {"a_", "/s2"}})
     for (int k = 0; k < model_.nv; ++k) {
-      const Joint& joint =
-          model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(k)])];
+      const Joint& joint = model_.joints[to_size(model_.joint_of_v[to_size(k)])];
       const std::string unit = joint.kind == JointKind::Prismatic ? "m" : "rad";
       columns.push_back({prefix + joint.name, unit + rates});
     }
   const int rows = static_cast<int>(std::floor(duration_ / period)) + 1;
   Trace result(columns, rows);
-  Eigen::VectorXd way, v, a;
+  Eigen::VectorXd displacement, v, a;
   for (int i = 0; i < rows; ++i) {
     double* const row = result.add_row();
     const double t = i * period;
-    way_at(t, way, v, a);
+    displacement_at(t, displacement, v, a);
     row[0] = t;
-    Eigen::Map<Eigen::VectorXd>(row + 1, 3 * model_.nv) << start + way, v, a;
+    Eigen::Map<Eigen::VectorXd>(row + 1, 3 * model_.nv) << start + displacement, v, a;
   }
   return result;
 }

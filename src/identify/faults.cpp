@@ -8,12 +8,12 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// Part of the squares beyond noise that a guess may leave: a fifth of the rms. Friction and the
-/// like, which no guess describes, is left by all guesses alike.
+/// Maximum fraction of the squares beyond noise that a fault may leave: a fifth of the rms. Effects
+/// that no fault describes, such as friction, remain with every fault.
 constexpr double convincing = 1.0 / 25.0;
-/// The same for a hint, which refuses nothing: half of the rms.
+/// Maximum fraction for a hint, which does not reject the record: half of the rms.
 constexpr double worth_a_hint = 1.0 / 4.0;
-/// A later guess must leave that part of the squares of an earlier one, which is the simpler one.
+/// A later fault must leave less than this fraction of the squares of an earlier, simpler fault.
 constexpr double better = 0.7;
 
 }  // namespace
@@ -26,12 +26,13 @@ FaultSearch::FaultSearch(const Model& model, const MotionRecord& record, const W
       unknowns_(unknowns),
       spec_(spec),
       base_(regression(model, record, spec)) {
-  // Each torque counts by its own size, and little where that is small beside the largest.
-  constexpr double least_part = 0.02;
+  // Each torque counts relative to its own size; a torque that is small beside the largest counts
+  // little.
+  constexpr double min_fraction = 0.02;
   const Eigen::Map<const RowMatrix> torques(base_.measured.data(), base_.samples, base_.nv);
   const Eigen::VectorXd size =
       torques.cwiseAbs2().colwise().mean().transpose().cwiseSqrt().array() + 1e-12;
-  weight_ = (size.array() + least_part * size.maxCoeff())
+  weight_ = (size.array() + min_fraction * size.maxCoeff())
                 .square()
                 .inverse()
                 .matrix()
@@ -40,7 +41,7 @@ FaultSearch::FaultSearch(const Model& model, const MotionRecord& record, const W
 
 std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected) {
   reference_ = weighted(base_.residual(x));
-  // Fewer instants take less noise away: half as much again was left of arm7's.
+  // Fewer instants average less noise. For arm7 the noise was 1.5 times as large.
   constexpr double of_few_instants = 2.0;
   noise_ = of_few_instants * weighted(expected.replicate(base_.samples, 1));
   try_negative_mass();
@@ -58,15 +59,15 @@ std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::Ve
   return best_;
 }
 
-/// Masses that no solid has may fit: then the robot weighs less than its model.
+/// Tries negative and impossible masses; if they fit, the robot is lighter than its model.
 void FaultSearch::try_negative_mass() {
   const double as_it_is = left(rows(base_), &solution_);
   const double mass = solution_[0];
   const std::string of = in_quotes(unknowns_.front().frame);
   consider(mass < 0.0 && !unknowns_.front().replaces
                ? "only a mass of " + number(mass) + " kg at " + of +
-                     " explains it; does the model hold a part that was not mounted?"
-               : "only a mass distribution that is physically impossible explains it at " + of +
+                     " explains the torques; does the model contain a part that was not mounted?"
+               : "the torques require a physically impossible mass distribution at " + of +
                      "; are the masses of the model's links wrong?",
            as_it_is);
   reference_ = std::min(reference_, as_it_is);
@@ -97,7 +98,7 @@ double FaultSearch::left(const Rows& rows, Eigen::VectorXd* solution) const {
       (A.colwise().norm().array() + 1e-300).inverse().matrix().transpose();
   A = A * scale.asDiagonal();
   Eigen::MatrixXd information = A.transpose() * A;
-  information.diagonal().array() += 1e-10;  // where columns depend on each other
+  information.diagonal().array() += 1e-10;  // For columns that depend on each other
   const Eigen::VectorXd x =
       scale.asDiagonal() *
       solve_positive(information, A.transpose() * root.cwiseProduct(rows.b)).col(0);

@@ -1,5 +1,5 @@
-// The fault of a record that explains it far better than the record as it is: units, signs, swapped
-// columns, gravity, a lag, an encoder's offset, a payload that changes.
+// Search for a fault of a record that explains the torques much better: units, signs, swapped
+// columns, gravity, a lag, an encoder offset, or a payload that changes.
 #pragma once
 
 #include <functional>
@@ -9,34 +9,34 @@
 
 namespace burnish::identify_detail {
 
-/// A guess at what is wrong.
+/// Possible fault of a record.
 struct Fault {
   std::string sentence;
-  /// Nothing is wrong with the record: an option explains it, such as joint friction, or the fault
-  /// is as small as a calibration's.
+  /// True if the record can be right: an option such as joint friction explains the residual, or
+  /// the fault is as small as a calibration error.
   bool is_mild = false;
-  double squares = 0.0;  ///< weighted, of what it leaves
+  double squares = 0.0;  ///< Weighted sum of squared residuals with this fault
 };
 
-/// Linear least squares: A x = b, a row per sample and torque.
+/// Linear least squares A x = b, with one row per sample and torque.
 struct Rows {
   Eigen::MatrixXd A;
   Eigen::VectorXd b;
 };
 
-/// Tries faults one after the other on fewer instants of the record. Each is another regression,
-/// solved by linear least squares in the ten parameters of each body.
+/// Search over faults, one after the other, on a subset of the record's instants. Each fault gives
+/// another regression, solved by linear least squares in the ten parameters of each body.
 class FaultSearch {
  public:
   FaultSearch(const Model& model, const MotionRecord& record, const Windows& windows,
               std::span<const Unknown> unknowns, const IdentificationSpec& spec);
 
-  /// The fault that leaves least beyond the rms that noise explains (nv), if that is less than a
-  /// fifth of what the estimate x leaves.
+  /// Returns the fault with the smallest residual beyond `expected`, the rms that noise explains
+  /// (nv). Returns none unless the residual is below a fifth of the residual of estimate x.
   std::optional<Fault> best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected);
 
  private:
-  using Change = std::function<void(RowMatrix&)>;  ///< of columns
+  using Change = std::function<void(RowMatrix&)>;  ///< Changes columns of a record
 
   void try_negative_mass();
   // faults_of_torques.cpp
@@ -56,15 +56,15 @@ class FaultSearch {
 
   void consider(const std::string& sentence, double squares, bool is_mild = false);
   static Rows rows(const Regression& of);
-  /// Weighted squares that are left; `solution` receives the parameters.
+  /// Returns the weighted sum of squared residuals; `solution` receives the parameters.
   double left(const Rows& rows, Eigen::VectorXd* solution = nullptr) const;
   double weighted(const Eigen::VectorXd& residual) const;
   Regression regression(const Model& model, const MotionRecord& record,
                         const IdentificationSpec& spec) const;
   Regression with_positions(const Change& change) const;
-  /// The columns of rows, samples x nv, changed.
+  /// Returns `rows` (samples x nv) after `change` of the columns.
   Eigen::VectorXd with_torques(const Eigen::VectorXd& rows, const Change& change) const;
-  /// The regression's rows if `change` were made to the torques.
+  /// Returns the rows of the regression if `change` were made to the torques.
   Rows rows_with_torques(const Regression& of, const Change& change) const;
   Eigen::VectorXd shifted_torque(int joint, Eigen::Index by) const;
 
@@ -74,10 +74,10 @@ class FaultSearch {
   std::span<const Unknown> unknowns_;
   IdentificationSpec spec_;
   Regression base_;
-  Eigen::VectorXd weight_;    ///< of each row
-  Eigen::VectorXd solution_;  ///< parameters that fit the record as it is
-  double reference_ = 0.0;    ///< squares that are to be undercut
-  double noise_ = 0.0;        ///< squares that noise explains
+  Eigen::VectorXd weight_;    ///< Weight of each row
+  Eigen::VectorXd solution_;  ///< Parameters that fit the record without changes
+  double reference_ = 0.0;    ///< Sum of squares that a fault must reduce
+  double noise_ = 0.0;        ///< Sum of squares that noise explains
   std::optional<Fault> best_;
 };
 

@@ -1,16 +1,17 @@
-// Faults of what the torques are compared with: positions, times, gravity, the payload, friction.
+// Faults of the other side of the equation: positions, times, gravity, payload and friction.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "identify/faults.hpp"
 #include "identify/record_check.hpp"
 
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;  // rad
+constexpr double degree = std::numbers::pi / 180.0;  // [rad]
 
 Rows with_column(const Rows& rows, const Eigen::MatrixXd& columns) {
   Rows result{Eigen::MatrixXd(rows.A.rows(), rows.A.cols() + columns.cols()), rows.b};
@@ -20,7 +21,8 @@ Rows with_column(const Rows& rows, const Eigen::MatrixXd& columns) {
 
 }  // namespace
 
-/// Residuals are linear in gravity except for its product with the masses: Gauss-Newton steps.
+/// Tries other gravity vectors by Gauss-Newton steps. Residuals are linear in gravity, except for
+/// its product with the masses.
 void FaultSearch::try_gravity() {
   std::vector<Regression> along;
   for (int i = 0; i < 3; ++i) {
@@ -29,13 +31,12 @@ void FaultSearch::try_gravity() {
     along.push_back(regression(other, record_, spec_));
   }
   Eigen::VectorXd of_robot = Eigen::VectorXd::Zero(base_.rest.size());
-  for (int i = 0; i < 3; ++i)
-    of_robot += model_.gravity[i] * (base_.rest - along[static_cast<std::size_t>(i)].rest);
+  for (int i = 0; i < 3; ++i) of_robot += model_.gravity[i] * (base_.rest - along[to_size(i)].rest);
   Rows without = rows(base_);
   without.b += of_robot;
   consider(
-      "torques lack the part that holds the robot's own links against gravity; wanted the total "
-      "torques of the joints: does the robot's controller compensate gravity?",
+      "the torques do not contain the weight of the robot's own links; wanted the total torques of "
+      "the joints: does the robot's controller compensate gravity?",
       left(without));
 
   Eigen::Vector3d change = Eigen::Vector3d::Zero();
@@ -46,7 +47,7 @@ void FaultSearch::try_gravity() {
     Eigen::MatrixXd columns(now.b.size(), 3);
     const Eigen::Index masses = base_.Y.cols();
     for (int i = 0; i < 3; ++i) {
-      const Regression& one = along[static_cast<std::size_t>(i)];
+      const Regression& one = along[to_size(i)];
       const Eigen::MatrixXd dY = one.Y - base_.Y;
       now.A.leftCols(masses) += change[i] * dY;
       now.b += change[i] * (one.rest - base_.rest);
@@ -61,20 +62,20 @@ void FaultSearch::try_gravity() {
   const auto text = [](const Eigen::Vector3d& g) {
     return "(" + number(g[0]) + ", " + number(g[1]) + ", " + number(g[2]) + ")";
   };
-  constexpr double vanishing = 0.05;  // of the model's gravity
+  constexpr double vanishing = 0.05;  // As a fraction of the model's gravity
   if (gravity.norm() < vanishing * model_.gravity.norm())
     consider(
-        "torques are those of a robot and payload without gravity; wanted the total torques of the "
-        "joints",
+        "the torques do not contain the weight of the robot and its payload; wanted the total "
+        "torques of the joints",
         squares);
   else
-    consider("gravity looks like " + text(gravity) +
-                 " m/s^2 in the model's base, where the model has " + text(model_.gravity) +
-                 "; is the base mounted otherwise?",
+    consider("the torques fit a gravity of " + text(gravity) +
+                 " m/s^2 in the axes of the model's base, but the model has " +
+                 text(model_.gravity) + "; is the base mounted differently?",
              squares);
 }
 
-/// Other masses from an instant on.
+/// Tries a change of the masses at one of several instants.
 void FaultSearch::try_payload_change() {
   constexpr int places = 20;
   const Rows plain = rows(base_);
@@ -90,25 +91,23 @@ void FaultSearch::try_payload_change() {
   }
   const Eigen::Index sample = windows_.first + windows_.count * windows_.stride * where / places;
   consider("the masses seem to change at about " + time_text(record_, sample) +
-               "; wanted a record with one payload, that touches nothing",
+               "; wanted a record with one payload and without contacts",
            best);
 }
 
 void FaultSearch::try_position_columns() {
   for (int i = 0; i < base_.nv; ++i) {
-    const Joint& first =
-        model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(i)])];
+    const Joint& first = model_.joints[to_size(model_.joint_of_v[to_size(i)])];
     if (first.nq != 1) continue;
     const int a = first.q_index;
     const Regression flipped = with_positions([&](RowMatrix& q) { q.col(a) *= -1.0; });
     const std::string name = in_quotes(q_column(model_, a));
     consider("does " + name + " have the opposite sign?", left(rows(flipped)));
     consider("do " + name + " and " + in_quotes(tau_column(model_, i)) +
-                 " have the opposite sign? wanted those of the model's axis",
+                 " have the opposite sign? wanted the signs of the model's axis",
              left(rows_with_torques(flipped, [&](RowMatrix& tau) { tau.col(i) *= -1.0; })));
     for (int j = i + 1; j < base_.nv; ++j) {
-      const Joint& second =
-          model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(j)])];
+      const Joint& second = model_.joints[to_size(model_.joint_of_v[to_size(j)])];
       if (second.nq != 1) continue;
       const int b = second.q_index;
       const Regression swapped = with_positions([&](RowMatrix& q) { q.col(a).swap(q.col(b)); });
@@ -123,10 +122,10 @@ void FaultSearch::try_position_columns() {
 }
 
 void FaultSearch::try_position_units() {
-  const auto scaled = [&](int only, bool straight, double factor) {
+  const auto scaled = [&](int only, bool prismatic, double factor) {
     return with_positions([&](RowMatrix& q) {
       for (const Joint& joint : model_.joints)
-        if (joint.nq == 1 && (joint.kind == JointKind::Prismatic) == straight &&
+        if (joint.nq == 1 && (joint.kind == JointKind::Prismatic) == prismatic &&
             (only < 0 || joint.q_index == only))
           q.col(joint.q_index) *= factor;
     });
@@ -134,20 +133,20 @@ void FaultSearch::try_position_units() {
   consider("positions look like degrees; wanted radians", left(rows(scaled(-1, false, degree))));
   consider("positions look like turns; wanted radians",
            left(rows(scaled(-1, false, 2.0 * std::numbers::pi))));
-  bool any_straight = false;
+  bool has_prismatic = false;
   for (const Joint& joint : model_.joints) {
     if (joint.nq != 1) continue;
-    const bool straight = joint.kind == JointKind::Prismatic;
-    any_straight = any_straight || straight;
+    const bool prismatic = joint.kind == JointKind::Prismatic;
+    has_prismatic = has_prismatic || prismatic;
     consider(in_quotes(q_column(model_, joint.q_index)) +
-                 (straight ? " looks like millimetres; wanted metres"
-                           : " looks like degrees; wanted radians"),
-             left(rows(scaled(joint.q_index, straight, straight ? 1e-3 : degree))));
+                 (prismatic ? " looks like millimetres; wanted metres"
+                            : " looks like degrees; wanted radians"),
+             left(rows(scaled(joint.q_index, prismatic, prismatic ? 1e-3 : degree))));
   }
-  if (!any_straight) return;
-  consider("positions of joints that slide look like millimetres; wanted metres",
+  if (!has_prismatic) return;
+  consider("positions of prismatic joints look like millimetres; wanted metres",
            left(rows(scaled(-1, true, 1e-3))));
-  consider("positions of joints that slide look like centimetres; wanted metres",
+  consider("positions of prismatic joints look like centimetres; wanted metres",
            left(rows(scaled(-1, true, 1e-2))));
 }
 
@@ -161,9 +160,9 @@ void FaultSearch::try_period() {
   }
 }
 
-/// An encoder that reads the angle plus a constant.
+/// Tries a constant offset of one encoder.
 void FaultSearch::try_encoder_offsets() {
-  constexpr double step = 0.01, largest = 2.0;  // rad (m)
+  constexpr double step = 0.01, largest = 2.0;  // [rad, m]
   struct Trial {
     double offset = 0.0, squares = std::numeric_limits<double>::infinity();
   };
@@ -180,29 +179,29 @@ void FaultSearch::try_encoder_offsets() {
     const double expected = left(with_column(now, slope), &all);
     return std::pair{offset + all.tail<1>()[0], expected};
   };
-  // Far from the truth there is no slope that leads to it: quarters of a turn.
+  // Steps along the slope do not converge from far away, so quarters of a turn are tried first.
   constexpr double quarter = 0.5 * std::numbers::pi;
   for (const Joint& joint : model_.joints) {
     if (joint.nq != 1 || joint.kind == JointKind::Prismatic) continue;
     for (const double by : {-quarter, quarter, 2.0 * quarter})
       consider(
           in_quotes(q_column(model_, joint.q_index)) + " looks off by " + number(-by) +
-              " rad; is the encoder's zero the model's?",
+              " rad; does the encoder's zero match the model's?",
           left(rows(with_positions([&](RowMatrix& q) { q.col(joint.q_index).array() += by; }))));
   }
   int best = -1;
-  double least = std::numeric_limits<double>::infinity(), offset = 0.0;
+  double min_squares = std::numeric_limits<double>::infinity(), offset = 0.0;
   for (const Joint& joint : model_.joints) {
     if (joint.nq != 1) continue;
     Trial trial;
     const auto [next, expected] = improve(joint.q_index, 0.0, trial);
-    if (expected < least) least = expected, best = joint.q_index, offset = next;
+    if (expected < min_squares) min_squares = expected, best = joint.q_index, offset = next;
   }
   if (best < 0) return;
   Trial trial;
   for (int iteration = 0; iteration < 4 && std::abs(offset) < largest; ++iteration)
     offset = improve(best, offset, trial).first;
-  constexpr double mild = 0.01;  // rad (m) that a calibration may be off by
+  constexpr double mild = 0.01;  // Largest usual error of a calibration [rad, m]
   consider(in_quotes(q_column(model_, best)) + " looks off by a constant " + number(-trial.offset) +
                " rad (m); is that encoder calibrated?",
            trial.squares, std::abs(trial.offset) < mild);
@@ -213,7 +212,7 @@ void FaultSearch::try_options() {
     if (spec_.*option) return;
     IdentificationSpec other = spec_;
     other.*option = true;
-    consider(std::string(what) + " explains it: " + flag,
+    consider(std::string(what) + " explains the torques: " + flag,
              left(rows(regression(model_, record_, other))), true);
   };
   with(&IdentificationSpec::offset, "a constant error of each torque", "offset (--offset)");

@@ -1,4 +1,4 @@
-// Faults of the torques: units, signs, swapped columns, a lag, one column that does not belong.
+// Faults of the torques: units, signs, swapped columns, a lag, or one column with other content.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ constexpr UnitOfTorque units_of_torque[] = {
     {"Nmm", 1e3},        {"Ncm", 1e2},        {"kNm", 1e-3},        {"kgf m", 0.101972},
     {"kgf cm", 10.1972}, {"kgf mm", 101.972}, {"lbf ft", 0.737562}, {"lbf in", 8.85075},
     {"ozf in", 141.612}, {"dyn cm", 1e7}};
-constexpr double same_unit = 0.05;  // relative difference of a gain from a unit
+constexpr double same_unit = 0.05;  // Relative difference of a gain from a unit
 
 bool all_near(const Eigen::ArrayXd& ratio, double tolerance) {
   return ((ratio - 1.0).abs() < tolerance).all();
@@ -32,14 +32,14 @@ double median(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-/// measured = gain * true of each torque: linear in the parameters and in 1 / gain.
+/// Tries measured = gain * true for each torque: linear in the parameters and in 1 / gain.
 void FaultSearch::try_gains() {
   const int nv = base_.nv;
   const Eigen::VectorXd known = base_.measured - base_.rest;
   const Rows plain = rows(base_);
   Rows with{Eigen::MatrixXd::Zero(plain.A.rows(), plain.A.cols() + nv), -known};
   with.A.leftCols(plain.A.cols()) = plain.A;
-  // Torques that never change have no gain.
+  // A torque that never changes does not have a gain.
   const Eigen::Map<const RowMatrix> torque(base_.measured.data(), base_.samples, nv);
   for (int k = 0; k < nv; ++k) {
     const double range = torque.col(k).maxCoeff() - torque.col(k).minCoeff();
@@ -51,7 +51,7 @@ void FaultSearch::try_gains() {
         with.b[row] += torque(s, k);
     }
   }
-  // In the model's units, in which rows of all torques have the weights of the model's torques.
+  // In units of the model, the rows of all torques have the weights of the model's torques.
   const Eigen::VectorXd weight = weight_;
   const Eigen::Map<const RowMatrix> model_torque(known.data(), base_.samples, nv);
   const Eigen::ArrayXd size =
@@ -69,29 +69,32 @@ void FaultSearch::try_gains() {
 
 void FaultSearch::consider_gains(const Eigen::VectorXd& gain, double squares) {
   const auto& g = gain.array();
-  const double middle = median(gain);  // noise moves the gains of small torques
+  // The median, because noise changes the gains of small torques
+  const double middle = median(gain);
   const auto as = [&](const std::string& what) { consider(what, squares); };
   for (const UnitOfTorque& unit : units_of_torque)
     if (all_near(g / unit.per_newton_metre, same_unit))
       return as("all torques are " + number(middle) +
-                " times what the motion asks for: are they "
+                " times the torques that the motion requires: are they "
                 "in " +
                 unit.name + "? wanted Nm (N)");
   if (all_near(-g, 0.2))
     return as(
-        "all torques have the sign opposite to what the motion asks for; wanted those that "
-        "the motors give");
+        "all torques have the opposite sign of the torques that the motion requires; wanted "
+        "motor torques");
   const Eigen::ArrayXd limit = model_.effort_limit.array();
   if (all_near(g * limit / 100.0, 0.1))
-    return as("torques look like percent of the effort limits; wanted Nm (N)");
+    return as("torques look like percentages of the effort limits; wanted Nm (N)");
   if (all_near(g * limit, 0.1))
-    return as("torques look like parts of the effort limits; wanted Nm (N)");
+    return as("torques look like fractions of the effort limits; wanted Nm (N)");
   if (all_near(g / middle, 0.05) && std::abs(middle - 1.0) > 0.02)
     return as(
-        "all torques are " + number(middle) + " times what the motion asks for; wanted Nm (N): " +
+        "all torques are " + number(middle) +
+        " times the torques that the motion requires; "
+        "wanted Nm (N): " +
         (std::abs(middle - 1.0) > 0.5
-             ? "are they currents, or those before the gears?"
-             : "are their sensors calibrated, or do links weigh otherwise than the model says?"));
+             ? "are they currents, or torques before the gears?"
+             : "are their sensors calibrated, or do the links' masses differ from the model?"));
   std::string list;
   for (int k = 0; k < gain.size(); ++k)
     if (std::abs(gain[k] - 1.0) > 0.05)
@@ -99,7 +102,7 @@ void FaultSearch::consider_gains(const Eigen::VectorXd& gain, double squares) {
           (list.empty() ? "" : ", ") + in_quotes(tau_column(model_, k)) + " by " + number(gain[k]);
   if (list.empty())
     list = "by factors from " + number(g.minCoeff()) + " to " + number(g.maxCoeff());
-  as("torques are multiples of what the motion asks for, " + list +
+  as("torques are multiples of the torques that the motion requires, " + list +
      "; wanted Nm (N) with the sign of the joint's axis: are their sensors calibrated?");
 }
 
@@ -111,11 +114,11 @@ void FaultSearch::try_torque_columns() {
               in_quotes(tau_column(model_, j)) + " swapped?",
           left(rows_with_torques(base_, [&](RowMatrix& tau) { tau.col(i).swap(tau.col(j)); })));
   consider(
-      "do the torques stand in the reverse order of the joints?",
+      "are the torques in the reverse order of the joints?",
       left(rows_with_torques(base_, [](RowMatrix& tau) { tau = tau.rowwise().reverse().eval(); })));
 }
 
-/// The smoothed torque of a joint that is measured `by` samples later.
+/// Returns the smoothed torque of a joint, read `by` samples later.
 Eigen::VectorXd FaultSearch::shifted_torque(int joint, Eigen::Index by) const {
   const Eigen::VectorXd weights = kernel(windows_, 0);
   const Eigen::VectorXd torque = record_.tau.col(joint);
@@ -132,7 +135,7 @@ Eigen::VectorXd FaultSearch::shifted_torque(int joint, Eigen::Index by) const {
 }
 
 void FaultSearch::try_lags() {
-  constexpr double longest = 0.5, coarse = 0.02, least = 0.03;  // s
+  constexpr double max_lag = 0.5, coarse = 0.02, min_lag = 0.03;  // [s]
   const int nv = base_.nv;
   const double period = record_.period;
   const auto squares_at = [&](int joint, double lag) {
@@ -147,10 +150,10 @@ void FaultSearch::try_lags() {
     const auto look = [&](double lag) {
       if (const double now = squares_at(joint, lag); now < squares) squares = now, best = lag;
     };
-    for (double lag = -longest; lag <= longest + 1e-9; lag += coarse) look(lag);
+    for (double lag = -max_lag; lag <= max_lag + 1e-9; lag += coarse) look(lag);
     const double middle = best;
     for (double lag = middle - coarse; lag <= middle + coarse; lag += coarse / 5.0) look(lag);
-    if (std::abs(best) < least || std::abs(best) > longest - coarse) continue;
+    if (std::abs(best) < min_lag || std::abs(best) > max_lag - coarse) continue;
     consider((joint < 0 ? "all torques are " : in_quotes(tau_column(model_, joint)) + " is ") +
                  number(std::abs(best)) + " s " +
                  (best > 0.0 ? "behind the positions" : "ahead of the positions") +
@@ -159,7 +162,7 @@ void FaultSearch::try_lags() {
   }
 }
 
-/// Whether all torques but one fit: then that one is to blame, whatever is wrong with it.
+/// Tries whether all torques except one fit; then that column has the fault, whatever it is.
 void FaultSearch::try_single_torques() {
   const Eigen::VectorXd weight = weight_;
   for (int k = 0; k < base_.nv; ++k) {
@@ -167,8 +170,8 @@ void FaultSearch::try_single_torques() {
       weight_[static_cast<Eigen::Index>(s) * base_.nv + k] = 0.0;
     const double squares = left(rows(base_));
     weight_ = weight;
-    consider("all torques but " + in_quotes(tau_column(model_, k)) +
-                 " fit; is that sensor broken or its column another one's?",
+    consider("all torques except " + in_quotes(tau_column(model_, k)) +
+                 " fit; is that sensor broken or does the column belong to another joint?",
              squares, true);
   }
 }

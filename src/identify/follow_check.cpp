@@ -1,34 +1,37 @@
-// A simulated record beside the motion that it was to follow.
+// Check that a simulated record followed its planned motion.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/identify/excitation.hpp"
 #include "burnish/model/state.hpp"
 
 namespace burnish {
 namespace {
 
-/// Distance from the motion at which a joint with too little torque falls: the margin that
-/// ExcitationSpec keeps from limits [rad, m].
+/// Distance from the motion beyond which a joint with too little torque falls: the margin of
+/// ExcitationSpec from limits [rad, m].
 constexpr double falls_beyond = 0.1;
-/// Distance from the motion below which a joint with torque to spare follows it, however little it
-/// was to move: a quarter of a turn. The last joint of arm7, which is light, is 0.95 rad off with
+/// Distance from the motion below which a joint with enough torque follows it, even if the planned
+/// motion is smaller: a quarter of a turn. The light last joint of arm7 deviates by 0.95 rad with
 /// seed 2007 of `burnish identify --seeds` [rad, m].
 constexpr double follows_within = 0.5 * std::numbers::pi;
 
-/// How a joint follows the motion.
-struct Followed {
-  double farthest = 0.0;       ///< from the motion [rad, m]
-  double at = 0.0;             ///< time of that [s]
-  double left_at = -1.0;       ///< time at which it is `falls_beyond` away [s]; negative: never
-  double low = 0.0, high = 0;  ///< of the planned path from its start [rad, m]
-  bool falls = false;          ///< asked for more torque than its effort limit while away
+/// Deviation of a joint from the motion.
+struct JointDeviation {
+  double farthest = 0.0;  ///< Largest distance from the motion [rad, m]
+  double at = 0.0;        ///< Time of the largest distance [s]
+  /// Time at which the distance exceeds `falls_beyond` [s]; negative: never
+  double left_at = -1.0;
+  double low = 0.0, high = 0;  ///< Range of the planned path, relative to its start [rad, m]
+  bool falls = false;          ///< The command exceeded the effort limit while the joint was away
 };
 
-std::vector<Followed> followings(const Model& model, const Excitation& motion, const Trace& trace) {
-  std::vector<Followed> result(static_cast<std::size_t>(model.nv));
+std::vector<JointDeviation> followings(const Model& model, const Excitation& motion,
+                                       const Trace& trace) {
+  std::vector<JointDeviation> result(to_size(model.nv));
   std::vector<int> q_columns, tau_columns;
   for (int k = 0; k < model.nq; ++k) q_columns.push_back(trace.index("q_" + model.q_name(k)));
   for (int k = 0; k < model.nv; ++k)
@@ -39,17 +42,17 @@ std::vector<Followed> followings(const Model& model, const Excitation& motion, c
   for (int i = 0; i < trace.rows(); ++i) {
     const double t = trace.at(i, time);
     motion.at(t, planned, v, a);
-    for (int k = 0; k < model.nq; ++k) q[k] = trace.at(i, q_columns[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < model.nq; ++k) q[k] = trace.at(i, q_columns[to_size(k)]);
     const Eigen::VectorXd off = difference(model, planned, normalized(model, q));
     const Eigen::VectorXd path = difference(model, start, planned);
     for (int k = 0; k < model.nv; ++k) {
-      Followed& joint = result[static_cast<std::size_t>(k)];
+      JointDeviation& joint = result[to_size(k)];
       const double distance = std::abs(off[k]);
       if (distance > joint.farthest) joint.farthest = distance, joint.at = t;
       if (distance > falls_beyond && joint.left_at < 0.0) joint.left_at = t;
       joint.low = std::min(joint.low, path[k]);
       joint.high = std::max(joint.high, path[k]);
-      const double tau = trace.at(i, tau_columns[static_cast<std::size_t>(k)]);
+      const double tau = trace.at(i, tau_columns[to_size(k)]);
       joint.falls =
           joint.falls || (distance > falls_beyond && std::abs(tau) > model.effort_limit[k]);
     }
@@ -58,16 +61,16 @@ std::vector<Followed> followings(const Model& model, const Excitation& motion, c
 }
 
 bool slides(const Model& model, int entry) {
-  const int owner = model.joint_of_v[static_cast<std::size_t>(entry)];
-  return model.joints[static_cast<std::size_t>(owner)].kind == JointKind::Prismatic;
+  const int owner = model.joint_of_v[to_size(entry)];
+  return model.joints[to_size(owner)].kind == JointKind::Prismatic;
 }
 
-/// A distance with two decimals, such as "0.48 rad".
+/// Returns a distance with two decimals, such as "0.48 rad".
 std::string distance_text(const Model& model, int entry, double distance) {
   return number(std::round(100.0 * distance) / 100.0) + (slides(model, entry) ? " m" : " rad");
 }
 
-std::string leaving_text(const Model& model, int entry, const Followed& joint) {
+std::string leaving_text(const Model& model, int entry, const JointDeviation& joint) {
   return "joint " + in_quotes(model.v_name(entry)) + " leaves the planned motion at " +
          number(joint.left_at) + " s and is " + distance_text(model, entry, joint.farthest) +
          " from it at " + number(joint.at) + " s";
@@ -77,29 +80,28 @@ std::string leaving_text(const Model& model, int entry, const Followed& joint) {
 
 std::vector<std::string> check_followed(const Model& known, const Excitation& motion,
                                         const Trace& trace) {
-  const std::vector<Followed> joints = followings(known, motion, trace);
+  const std::vector<JointDeviation> joints = followings(known, motion, trace);
   std::vector<std::string> warnings;
-  int first = -1;  // of the joints that fall
+  int first = -1;  // First joint that falls
   for (int k = 0; k < known.nv; ++k) {
-    const Followed& joint = joints[static_cast<std::size_t>(k)];
+    const JointDeviation& joint = joints[to_size(k)];
     if (joint.left_at < 0.0) continue;
-    const bool is_first =
-        first < 0 || joint.left_at < joints[static_cast<std::size_t>(first)].left_at;
+    const bool is_first = first < 0 || joint.left_at < joints[to_size(first)].left_at;
     if (joint.falls && is_first) first = k;
     const double extent = joint.high - joint.low;
     if (!joint.falls && joint.farthest > std::max(extent, follows_within))
-      warnings.push_back(leaving_text(known, k, joint) + ", where it was to move by " +
+      warnings.push_back(leaving_text(known, k, joint) + ", although its planned range is only " +
                          distance_text(known, k, extent) +
-                         ": the simulated controller does not know the payload, which is heavy "
+                         ": the simulated controller has no model of the payload, which is heavy "
                          "for that joint");
   }
   if (first >= 0)
     throw Error("the simulated arm cannot follow the motion: " +
-                leaving_text(known, first, joints[static_cast<std::size_t>(first)]) +
+                leaving_text(known, first, joints[to_size(first)]) +
                 ", with its torque at its effort limit of " + number(known.effort_limit[first]) +
                 (slides(known, first) ? " N" : " Nm") +
-                "; wanted a start that is easier to hold (--posture), a smaller range "
-                "(--range) or a lighter payload (another seed draws one)");
+                "; wanted a start that is easier to hold (--posture), a smaller range (--range) or "
+                "a lighter payload (--seed)");
   return warnings;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/model/state.hpp"
 #include "identify/estimate.hpp"
 #include "identify/faults.hpp"
@@ -20,20 +21,20 @@ using identify_detail::LogCholesky;
 using identify_detail::Matrix10;
 using identify_detail::Unknown;
 
-/// A thing that a hand holds: half a kilogram to three, decimetres from the frame at most.
+/// Returns the prior of a payload in a hand: about 0.5 to 3 kg, within decimetres of the frame.
 Unknown unknown_payload(const Model& model, const std::string& name) {
   const Frame& frame = frame_on_body("payload", model, name);
   Unknown result{name, frame.body, inertia_transform(frame.placement), {}, {}};
   InertiaSpec thing;
   thing.mass = 1.0;
-  constexpr double radius = 0.04;  // m, of its masses about their centre
+  constexpr double radius = 0.04;  // Radius of gyration of the prior [m]
   thing.inertia_at_com = 2.0 * radius * radius * Eigen::Matrix3d::Identity();
   result.eta = LogCholesky::of(thing);
   result.sigma << 1.0, 0.5, 0.5, 0.5, 0.02, 0.02, 0.02, 0.15, 0.15, 0.15;
   return result;
 }
 
-/// A link's own: what the model has, give or take a factor.
+/// Returns the prior of a link's own inertia: the nominal inertia with a relative uncertainty.
 Unknown unknown_body(const Model& model, const std::string& link) {
   const Frame& frame = frame_on_body("bodies", model, link);
   Unknown result{link, frame.body, inertia_transform(frame.placement), {}, {}};
@@ -53,12 +54,12 @@ std::vector<Unknown> unknowns_of(const Model& model, const IdentificationSpec& s
     for (std::size_t i = 0; i + 1 < result.size(); ++i)
       if (result[i].body == result.back().body)
         throw Error("bodies: " + in_quotes(result[i].frame) + " and " + in_quotes(link) +
-                    " are fixed to each other and one body; wanted one of them");
+                    " are fixed to each other and form one body; wanted one of them");
   }
   return result;
 }
 
-/// d(values)/d(eta), by differences of what is smooth and costs nothing.
+/// Returns d(values)/d(eta) by central differences; the function is smooth and cheap.
 Matrix10 derivative_of_values(const Vector10& eta) {
   Matrix10 result;
   constexpr double step = 1e-5;
@@ -84,61 +85,62 @@ EstimatedInertia estimated(const Unknown& before, const Vector10& eta, const Mat
 }
 
 void warn_of(Identification& result) {
-  constexpr double longest_delay = 0.02;  // that sensors and buses have [s]
-  if (std::abs(result.delay.value) > longest_delay)
-    result.warnings.push_back("torques are " + number(1e3 * result.delay.value) +
-                              " ms behind positions: taken as they are; do the columns belong to "
-                              "the same instants?");
+  constexpr double max_delay = 0.02;  // Delay of usual sensors and buses; chosen by hand [s]
+  if (std::abs(result.delay.value) > max_delay)
+    result.warnings.push_back("the torques are " + number(1e3 * result.delay.value) +
+                              " ms behind the positions, which is not corrected; do the columns "
+                              "belong to the same instants?");
   if (!result.converged)
     result.warnings.emplace_back(
-        "the estimate did not converge: the motion hardly tells the bodies "
-        "apart; name fewer of them");
+        "the estimate did not converge: the motion hardly distinguishes the "
+        "bodies; name fewer bodies");
   for (const EstimatedInertia& one : result.inertias) {
     const std::vector<int> missing = one.not_shown();
     if (missing.empty()) continue;
     std::string list;
     for (const int i : missing)
-      list += (list.empty() ? "" : ", ") + std::string(estimate_names[static_cast<std::size_t>(i)]);
-    result.warnings.push_back("the motion does not show of " + in_quotes(one.frame) + ": " + list +
-                              "; what stands there is little but what was believed before");
+      list += (list.empty() ? "" : ", ") + std::string(estimate_names[to_size(i)]);
+    result.warnings.push_back("the motion does not determine these parameters of " +
+                              in_quotes(one.frame) + ": " + list +
+                              "; their estimates come mostly from the prior");
   }
 }
 
-/// Phrases joined by "; ".
+/// Returns the phrases, each preceded by "; ".
 std::string joined(const std::vector<std::string>& phrases) {
   std::string text;
   for (const std::string& phrase : phrases) text += "; " + phrase;
   return text;
 }
 
-/// Throws Error where the record cannot be right, and warns where it may be.
+/// Throws Error if the record cannot be right, and warns if it may be wrong.
 void judge(Identification& result, const identify_detail::Misfit& misfit,
            const std::optional<identify_detail::Fault>& fault,
            const std::vector<std::string>& oddities, const std::string& column) {
-  // What is left may hide as much of a mass as it is large beside what the masses do.
-  constexpr double most_unexplained = 0.3;
+  // A residual can hide an error of a mass of about the residual's relative size. Chosen by hand.
+  constexpr double max_unexplained = 0.3;
   if (!misfit.is_suspicious) {
     for (const std::string& oddity : oddities)
       result.warnings.push_back(oddity + "; the torques still fit the motion");
     return;
   }
-  const std::string left = in_quotes(column) + " leaves " + number(result.rms_after[misfit.joint]) +
-                           " Nm (N) rms unexplained, where noise explains " +
-                           number(result.rms_expected[misfit.joint]);
+  const std::string left =
+      in_quotes(column) + " has a residual of " + number(result.rms_after[misfit.joint]) +
+      " Nm (N) rms, and its noise is only " + number(result.rms_expected[misfit.joint]);
   const std::string guess = fault ? "; " + fault->sentence : std::string();
   if (fault && !fault->is_mild)
     throw Error("identify: the torques do not fit the motion: " + left + guess + joined(oddities));
-  if (!(misfit.unexplained < most_unexplained))
+  if (!(misfit.unexplained < max_unexplained))
     throw Error("identify: the torques do not fit the motion: " + left + guess + joined(oddities) +
                 (fault
                      ? ""
                      : "; wanted positions in rad (m) and torques in Nm (N) of this robot and one "
-                       "payload, which touches nothing"));
+                       "payload without contacts"));
   const char* enlarged = result.coulomb.empty() ? ": standard deviations are enlarged for it" : "";
   result.warnings.push_back(left + enlarged + guess + joined(oddities));
 }
 
-/// Without the samples before spec.start, which are not looked at.
+/// Returns the record without the samples before spec.start, which are not used.
 MotionRecord cropped(const MotionRecord& record, Eigen::Index left_out) {
   MotionRecord result = record;
   result.q = record.q.bottomRows(record.q.rows() - left_out);
@@ -147,7 +149,7 @@ MotionRecord cropped(const MotionRecord& record, Eigen::Index left_out) {
   return result;
 }
 
-/// What was found, from the coordinates that it was found in.
+/// Writes the results, converted from the coordinates of the regression.
 void fill(Identification& result, const std::vector<Unknown>& unknowns,
           const identify_detail::Regression& regression, const identify_detail::Fit& fit) {
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
@@ -169,7 +171,8 @@ void fill(Identification& result, const std::vector<Unknown>& unknowns,
     result.delay = {fit.x[k], std::sqrt(fit.covariance(k, k))};
 }
 
-/// Throws Error for deviations that are not numbers: the motion does not tell what was asked for.
+/// Throws Error if standard deviations are not finite, because the motion does not determine the
+/// parameters.
 void check_finite(const identify_detail::Fit& fit) {
   if (fit.x.allFinite() && fit.covariance.allFinite() &&
       (fit.covariance.diagonal().array() >= 0.0).all())
@@ -179,7 +182,7 @@ void check_finite(const identify_detail::Fit& fit) {
       "finite; wanted more motion (burnish identify --excite writes one), or fewer bodies");
 }
 
-/// identify() of a robot without continuous joints.
+/// Runs identify() for a robot without continuous joints.
 Identification identify_by_angles(const Model& model, const MotionRecord& record,
                                   const IdentificationSpec& spec) {
   using namespace identify_detail;
@@ -195,15 +198,16 @@ Identification identify_by_angles(const Model& model, const MotionRecord& record
   };
   const Regression regression = regression_over(windows.motion);
   const Regression longer = regression_over(windows.longer);
-  // What polynomials of degree five take from an acceleration grows with the window's fourth power.
+  // The error of an acceleration from polynomials of degree five grows with the fourth power of the
+  // window.
   const double growth = std::pow(static_cast<double>(windows.longer) / windows.motion, 4);
-  const double share = 1.0 / (growth - 1.0);
+  const double fraction = 1.0 / (growth - 1.0);
   Fit fit = identify_detail::fit(regression);
   const Eigen::VectorXd expected = expected_rms(
-      {model, checked.record, windows, regression, longer, share, spec.torque_noise}, fit.x);
+      {model, checked.record, windows, regression, longer, fraction, spec.torque_noise}, fit.x);
   const Misfit misfit = misfit_of(regression, fit, expected);
-  add_bias(regression, longer, share, fit);
-  // Friction that is estimated is one of a kind, and joints have others: part of it is left.
+  add_bias(regression, longer, fraction, fit);
+  // Estimated friction has one form, and real joints have other forms, so a residual remains.
   if (misfit.is_suspicious && !spec.friction) add_misfit(regression, fit);
 
   Identification result;
@@ -219,7 +223,7 @@ Identification identify_by_angles(const Model& model, const MotionRecord& record
   for (const int k : checked.constant_torques)
     if (misfit.is_suspicious_at(k))
       throw Error("identify: " + in_quotes(tau_column(model, k)) + " is " +
-                  number(checked.record.tau(0, k)) + " throughout, where the motion asks for " +
+                  number(checked.record.tau(0, k)) + " throughout, but the motion requires " +
                   number(fit.rms_after[k]) + " Nm (N) rms; is that sensor connected?");
   std::optional<Fault> fault;
   if (misfit.is_suspicious)

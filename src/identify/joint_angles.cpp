@@ -6,46 +6,47 @@
 #include <numbers>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "identify/record_check.hpp"
 
 namespace burnish::identify_detail {
 namespace {
 
 constexpr double whole_turn = 2.0 * std::numbers::pi;
-/// Difference of a wrap from whole turns, beyond which it is a jump: no joint turns as far from
-/// one sample to the next [rad].
+/// Largest difference of a wrap from whole turns; a larger one is a jump. No joint turns this far
+/// between two samples [rad].
 constexpr double wrap_tolerance = 0.5 * std::numbers::pi;
 
-/// Joints of `model` with their entries in the q of `angles`, beside those in the model's own.
+/// Visits the joints of `model` with their index in the q of `angles`.
 template <typename Visit>
 void each_joint(const Model& model, const Model& angles, const Visit& visit) {
   for (std::size_t i = 0; i < model.joints.size(); ++i)
     if (model.joints[i].nq > 0) visit(model.joints[i], angles.joints[i].q_index);
 }
 
-/// Refuses a (cos, sin) that is no point of the circle.
+/// Throws Error for a (cos, sin) that is not on the unit circle.
 void check_circle(const Model& model, const Joint& joint, const MotionRecord& record,
                   Eigen::Index first) {
-  constexpr double tolerance = 0.05;  // of the length of (cos, sin)
+  constexpr double tolerance = 0.05;  // Of the length of (cos, sin)
   const auto pair = record.q.middleCols(joint.q_index, 2);
   for (Eigen::Index i = first; i < pair.rows(); ++i)
     if (const double length = pair.row(i).norm(); std::abs(length - 1.0) > tolerance)
       throw Error("identify: " + in_quotes(q_column(model, joint.q_index)) + " and " +
-                  in_quotes(q_column(model, joint.q_index + 1)) + " have a length of " +
+                  in_quotes(q_column(model, joint.q_index + 1)) + " form a vector of length " +
                   number(length) + " at " + time_text(record, i) +
-                  "; wanted the cosine and the sine of the angle");
+                  "; wanted length 1: the cosine and the sine of the angle");
 }
 
-/// Angles without wraps; a jump of another size stays.
+/// Removes wraps by whole turns; jumps of other sizes stay.
 void unwrap_turns(Eigen::Ref<Eigen::VectorXd> angle) {
   double before = 0.0, turns = 0.0;
-  bool any = false;
+  bool has_previous = false;
   for (double& now : angle) {
     if (!std::isfinite(now)) continue;
-    const double step = any ? now - before : 0.0;
+    const double step = has_previous ? now - before : 0.0;
     const double whole = std::round(step / whole_turn);
     before = now;
-    any = true;
+    has_previous = true;
     if (std::abs(step - whole * whole_turn) < wrap_tolerance) turns -= whole;
     now += turns * whole_turn;
   }
@@ -64,8 +65,7 @@ Model angle_model(const Model& model) {
     result.nq += joint.nq;
   }
   for (Joint& joint : result.joints)
-    if (joint.follows)
-      joint.q_index = result.joints[static_cast<std::size_t>(joint.follows->leader)].q_index;
+    if (joint.follows) joint.q_index = result.joints[to_size(joint.follows->leader)].q_index;
   result.q_neutral = Eigen::VectorXd::Zero(result.nq);
   result.q_lower = Eigen::VectorXd::Constant(result.nq, -infinity);
   result.q_upper = Eigen::VectorXd::Constant(result.nq, infinity);
@@ -76,11 +76,8 @@ Model angle_model(const Model& model) {
     result.q_upper.segment(to, joint.nq) = model.q_upper.segment(joint.q_index, joint.nq);
   });
   for (Tendon& tendon : result.tendons)
-    for (Tendon::Entry& part : tendon.parts)
-      part.q =
-          result
-              .joints[static_cast<std::size_t>(model.joint_of_v[static_cast<std::size_t>(part.v)])]
-              .q_index;
+    for (Tendon::Entry& entry : tendon.parts)
+      entry.q = result.joints[to_size(model.joint_of_v[to_size(entry.v)])].q_index;
   return result;
 }
 

@@ -1,21 +1,22 @@
-// Angles of continuous joints in place of their cosines and sines.
+// Conversion of continuous joints from cosine and sine to angle.
 #pragma once
 
 #include "burnish/identify/identification.hpp"
 
 namespace burnish::identify_detail {
 
-/// Whether q holds the joint as (cos, sin).
+/// Returns whether q stores the joint as (cos, sin).
 inline bool is_circle(const Joint& joint) {
   return joint.kind == JointKind::Continuous && joint.nq == 2;
 }
 
-/// The robot with revolute joints without limits in place of continuous ones: q holds their angles.
+/// Returns the robot with revolute joints without limits in place of its continuous joints.
 Model angle_model(const Model& model);
 
-/// The record with q as angle_model() has it; angles go on beyond half a turn. `record` may have q
-/// as `model` or as angle_model(model) has it. Throws Error, naming columns and time, for a (cos,
-/// sin) from sample `first` on whose length is not one, and for other numbers of columns.
+/// Returns the record with q in the format of angle_model(). Angles continue beyond half a turn.
+/// `record` has q in the format of `model` or of angle_model(model). Throws Error with columns and
+/// time for a (cos, sin) whose length is not one, from sample `first` on, or for another number of
+/// columns.
 MotionRecord with_angles(const Model& model, const MotionRecord& record, Eigen::Index first = 0);
 
 }  // namespace burnish::identify_detail

@@ -6,7 +6,7 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// U without the factor e^alpha.
+/// Returns U without the factor e^alpha.
 Eigen::Matrix4d root(const Vector10& eta) {
   Eigen::Matrix4d V = Eigen::Matrix4d::Identity();
   for (int i = 0; i < 3; ++i) V(i, i) = std::exp(eta[1 + i]);
@@ -20,22 +20,22 @@ Eigen::Matrix4d root(const Vector10& eta) {
 }  // namespace
 
 Vector10 LogCholesky::of(const InertiaSpec& inertia) {
-  // Without extent in some direction there is no finite logarithm: a millimetre is none that
-  // counts.
-  constexpr double least_mass = 1e-4, least_radius = 1e-3;
-  const double mass = std::max(inertia.mass, least_mass);
+  // A body without extent has no finite logarithm. Masses and radii below these limits do not
+  // matter.
+  constexpr double min_mass = 1e-4, min_radius = 1e-3;  // [kg], [m]
+  const double mass = std::max(inertia.mass, min_mass);
   const Eigen::Matrix3d I = inertia.inertia_at_com / mass;
   Eigen::Matrix3d S = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
-  const double least = least_radius * least_radius;
+  const double min_moment = min_radius * min_radius;
   Vector10 eta;
   eta[0] = 0.5 * std::log(mass);
   eta.tail<3>() = inertia.com;
   // S = U3 U3^T, from the last row up.
-  const double u33 = std::sqrt(std::max(S(2, 2), least));
+  const double u33 = std::sqrt(std::max(S(2, 2), min_moment));
   const double s13 = S(0, 2) / u33, s23 = S(1, 2) / u33;
-  const double u22 = std::sqrt(std::max(S(1, 1) - s23 * s23, least));
+  const double u22 = std::sqrt(std::max(S(1, 1) - s23 * s23, min_moment));
   const double s12 = (S(0, 1) - s13 * s23) / u22;
-  const double u11 = std::sqrt(std::max(S(0, 0) - s12 * s12 - s13 * s13, least));
+  const double u11 = std::sqrt(std::max(S(0, 0) - s12 * s12 - s13 * s13, min_moment));
   eta.segment<6>(1) << std::log(u11), std::log(u22), std::log(u33), s12, s23, s13;
   return eta;
 }

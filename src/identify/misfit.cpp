@@ -11,13 +11,13 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// Largest ratio of a residual to its noise that is accepted. It was 0.83 at most over arm7 with
-/// the seeds 300 to 449 of `burnish identify --seeds`, at 0.7 Hz and at 1.5 Hz.
+/// Largest accepted ratio of a residual to its expected noise. The ratio was at most 0.83 for arm7
+/// with the seeds 300 to 449 of `burnish identify --seeds`, at 0.7 Hz and at 1.5 Hz.
 constexpr double suspicious_ratio = 2.0;
-/// No torque sensor and no model is better than this part of the torque's rms.
-constexpr double least_part = 1e-3;
+/// Minimum error of torque sensors and models, as a fraction of the torque's rms; chosen by hand.
+constexpr double min_fraction = 1e-3;
 
-/// Mean squares of the entries of the mass matrix along the record, nv x nv.
+/// Returns the mean squares of the entries of the mass matrix along the record, nv x nv.
 Eigen::MatrixXd mean_square_mass(const Evidence& of) {
   constexpr Eigen::Index instants = 20;
   const Model& model = of.model;
@@ -62,10 +62,10 @@ Eigen::VectorXd expected_rms(const Evidence& of, const Eigen::VectorXd& x) {
   Eigen::VectorXd square =
       kernel(of.windows, 0).squaredNorm() * of_torques +
       kernel(of.windows, 2).squaredNorm() * mean_square_mass(of) * of_positions;
-  square +=
-      of.share * of.share * mean_square(regression, of.longer.residual(x) - regression.residual(x));
+  square += of.fraction * of.fraction *
+            mean_square(regression, of.longer.residual(x) - regression.residual(x));
   square += mean_square(regression, regression.held);
-  square += least_part * least_part * mean_square(regression, regression.measured);
+  square += min_fraction * min_fraction * mean_square(regression, regression.measured);
   return square.cwiseSqrt();
 }
 

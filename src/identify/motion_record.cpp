@@ -1,4 +1,4 @@
-// Positions and torques of a trace.
+// Conversion of a trace to a motion record: positions and torques.
 #include <array>
 #include <cmath>
 #include <optional>
@@ -14,10 +14,10 @@ namespace {
 
 using identify_detail::is_circle;
 
-/// Prefixes of columns of positions: what was measured goes before the rest.
+/// Prefixes of position columns; measured positions have priority.
 constexpr std::array<const char*, 2> position_prefixes{"measured_q_", "q_"};
 
-/// Column with the angle of a continuous joint; none where the trace has its cosine and sine.
+/// Returns the column with the angle of a continuous joint; none if the trace has cosine and sine.
 std::optional<std::string> angle_column(const Trace& trace, const std::string& joint) {
   bool has_part = false;
   for (const char* prefix : position_prefixes) {
@@ -27,26 +27,26 @@ std::optional<std::string> angle_column(const Trace& trace, const std::string& j
     if (trace.has(name)) return name;
     has_part = has_part || has_cos || has_sin;
   }
-  if (has_part) return {};  // the column that is missing is named where it is looked for
+  if (has_part) return {};  // position_column() reports the missing column
   throw Error("the record has no position of the continuous joint " + in_quotes(joint) +
               "; wanted its angle in rad as " + in_quotes("q_" + joint) + ", or " +
               in_quotes("q_" + joint + ".cos") + " and " + in_quotes("q_" + joint + ".sin"));
 }
 
-/// The measured column of an entry of q, or the plain one.
+/// Returns the measured column of an entry of q, or else the plain column.
 Trace::Column position_column(const Trace& trace, const std::string& entry) {
   const std::string measured = position_prefixes[0] + entry;
   return trace.column(trace.has(measured) ? measured : position_prefixes[1] + entry);
 }
 
-/// q with an angle for each continuous joint, where the trace has one for all of them.
+/// Returns q with an angle for each continuous joint.
 RowMatrix angles_of(const Model& angles, const Trace& trace) {
   RowMatrix q(trace.rows(), angles.nq);
   for (int k = 0; k < angles.nq; ++k) q.col(k) = position_column(trace, angles.q_name(k));
   return q;
 }
 
-/// q as the model has it.
+/// Returns q in the format of the model.
 RowMatrix entries_of(const Model& model, const Trace& trace) {
   RowMatrix q(trace.rows(), model.nq);
   for (const Joint& joint : model.joints) {
@@ -68,7 +68,7 @@ RowMatrix entries_of(const Model& model, const Trace& trace) {
 
 MotionRecord motion_record(const Model& model, const Trace& trace) {
   const Eigen::VectorXd time = trace.column("time");
-  // Angles stay what they are: a wrong unit is seen in them, and not in their cosines.
+  // Angles are not converted, because a wrong unit is visible in angles but not in their cosines.
   bool any_circle = false, all_angles = true;
   for (const Joint& joint : model.joints) {
     if (!is_circle(joint)) continue;

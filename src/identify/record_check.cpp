@@ -12,9 +12,9 @@ namespace burnish::identify_detail {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double at_rest = 1e-3;      // range of every joint of an arm at rest [rad, m]
-constexpr int fewest_mended = 3;      // outliers that a record of any length may have
-constexpr double part_mended = 1e-3;  // of its samples that may be outliers
+constexpr double at_rest = 1e-3;  // Smaller ranges of all joints mean an arm at rest [rad, m]
+constexpr int min_outliers = 3;   // Outliers accepted in a record of any length
+constexpr double outlier_fraction = 1e-3;  // Fraction of samples that may be outliers
 
 const Joint& joint_of_q(const Model& model, int entry) {
   for (const Joint& joint : model.joints)
@@ -39,7 +39,7 @@ void check_numbers(const Model& model, const MotionRecord& record) {
   look(record.tau, tau_column);
 }
 
-/// Unwraps a turning angle, and removes the wraps from `steps`.
+/// Unwraps a turning angle and removes the wraps from `steps`. Returns the number of wraps.
 int unwrap(Eigen::VectorXd& signal, Steps& steps, Eigen::Index& first) {
   std::vector<SuddenStep> left;
   int wraps = 0;
@@ -56,16 +56,17 @@ int unwrap(Eigen::VectorXd& signal, Steps& steps, Eigen::Index& first) {
   return wraps;
 }
 
-/// Moves a turning angle by whole turns to the middle of its limits, if it has any.
+/// Moves a turning angle by whole turns to the middle of its limits, if it has limits.
 void centre(Eigen::VectorXd& signal, double lower, double upper) {
   const double middle = 0.5 * (lower + upper);
   if (std::isfinite(middle)) signal.array() += turn * std::round((middle - signal.mean()) / turn);
 }
 
-/// Outliers, those of the first and last samples included, where a step has no way back.
+/// Returns the outliers, including outliers in the first and last samples, which have one step
+/// only.
 std::vector<Outlier> outliers_of(Steps& steps, Eigen::Index samples) {
   std::vector<Outlier> result = take_outliers(steps);
-  constexpr Eigen::Index edge = 5;  // samples
+  constexpr Eigen::Index edge = 5;  // Length of the first and last part [samples]
   std::vector<SuddenStep> left;
   for (const SuddenStep& step : steps.sudden) {
     if (step.at <= edge)
@@ -79,7 +80,7 @@ std::vector<Outlier> outliers_of(Steps& steps, Eigen::Index samples) {
   return result;
 }
 
-/// Bridges the outliers of a column, or throws where there are too many to call them that.
+/// Bridges the outliers of a column. Throws Error if there are too many of them.
 void mend(CheckedRecord& checked, Eigen::VectorXd& signal, const std::vector<Outlier>& outliers,
           const std::string& column, const char* unit) {
   if (outliers.empty()) return;
@@ -95,11 +96,12 @@ void mend(CheckedRecord& checked, Eigen::VectorXd& signal, const std::vector<Out
                            unit + " for " + std::to_string(count) +
                            (count == 1 ? " sample, at " : " samples, the worst at ") +
                            time_text(checked.record, largest->at);
-  if (static_cast<double>(count) > std::max<double>(fewest_mended, part_mended * samples))
-    throw Error("identify: " + what + "; wanted at most " + number(100.0 * part_mended) +
+  if (static_cast<double>(count) > std::max<double>(min_outliers, outlier_fraction * samples))
+    throw Error("identify: " + what + "; wanted at most " + number(100.0 * outlier_fraction) +
                 " % of outliers: is a connection loose?");
-  checked.warnings.push_back(what + ": taken as " + (count == 1 ? "an outlier" : "outliers") +
-                             ", and interpolated between its neighbours");
+  checked.warnings.push_back(
+      what + (count == 1 ? "; this outlier is replaced" : "; these outliers are replaced") +
+      " by interpolation");
 }
 
 std::string jump_sentence(const MotionRecord& record, const std::string& column,
@@ -107,11 +109,11 @@ std::string jump_sentence(const MotionRecord& record, const std::string& column,
   std::string guess =
       "was the encoder reset, are samples missing, or were two records joined there?";
   const auto near = [&](double size) { return std::abs(std::abs(step.size) - size) < 0.02 * size; };
-  if (near(360.0)) guess = "an angle in degrees that wraps? wanted radians";
-  if (near(180.0)) guess = "an angle in degrees that wraps at half a turn? wanted radians";
-  if (near(0.5 * turn)) guess = "an angle that wraps at half a turn?";
+  if (near(360.0)) guess = "is it an angle in degrees that wraps? wanted radians";
+  if (near(180.0)) guess = "is it an angle in degrees that wraps at half a turn? wanted radians";
+  if (near(0.5 * turn)) guess = "is it an angle that wraps at half a turn?";
   return "identify: " + in_quotes(column) + " jumps by " + number(step.size) + " " + unit + " at " +
-         time_text(record, step.at) + " and stays there; " + guess;
+         time_text(record, step.at) + " and stays at the new value; " + guess;
 }
 
 void check_positions(const Model& model, CheckedRecord& checked) {
@@ -129,7 +131,7 @@ void check_positions(const Model& model, CheckedRecord& checked) {
         checked.warnings.push_back(in_quotes(column) + " wraps by 2 pi " + std::to_string(wraps) +
                                    (wraps == 1 ? " time, at " : " times, first at ") +
                                    time_text(checked.record, first) +
-                                   ": taken as one angle that goes on");
+                                   ": treated as one continuous angle");
       }
     mend(checked, signal, outliers_of(steps, signal.size()), column, unit_of_q(joint));
     if (!steps.sudden.empty())
@@ -159,14 +161,13 @@ void check_torques(const Model& model, CheckedRecord& checked) {
     checked.oddities.push_back(in_quotes(column) + " never changes: is that sensor connected?");
 }
 
-/// A joint that moves, stands still exactly for long and does not slow down before: a frozen
-/// reading. Throws Error.
+/// Throws Error for a frozen reading: a joint that stops abruptly for a long time within a motion.
 void check_frozen(const Model& model, CheckedRecord& checked) {
-  constexpr double longest = 0.1;          // exact standstill within a motion [s]
-  constexpr Eigen::Index before = 10;      // samples that tell the speed before it
-  constexpr double part_of_fastest = 0.1;  // of the joint's fastest 10 samples
-  // A joint that turns round stays within a quantum for a while, and moves three at most in 10
-  // samples before: a T^2 / 8 is the quantum, and T at least 10 samples long.
+  constexpr double max_standstill = 0.1;      // exactly equal samples within a motion [s]
+  constexpr Eigen::Index before = 10;         // Samples that give the speed before and after
+  constexpr double min_speed_fraction = 0.1;  // Of the joint's fastest 10 samples
+  // At a turning point, a joint stays within one quantum for a while, and moves by at most three
+  // quanta in the 10 samples before: a T^2 / 8 is the quantum, and T is at least 10 samples.
   constexpr double quanta = 4.0;
   const MotionRecord& record = checked.record;
   for (int k = 0; k < model.nq; ++k) {
@@ -179,14 +180,15 @@ void check_frozen(const Model& model, CheckedRecord& checked) {
       continue;
     }
     const Run run = longest_run(signal);
-    if (static_cast<double>(run.count) * record.period < longest || run.count < before) continue;
+    if (static_cast<double>(run.count) * record.period < max_standstill || run.count < before)
+      continue;
     const Eigen::VectorXd moved = signal.tail(n - before) - signal.head(n - before);
     const double fastest = moved.cwiseAbs().maxCoeff();
     const Eigen::Index end = run.at + run.count;
     const double into = run.at >= before ? moved[run.at - before] : 0.0;
     const double out = end + before - 1 < n ? moved[end - 1] : 0.0;
-    const double least = std::max(part_of_fastest * fastest, quanta * quantum_of(signal));
-    if (std::max(std::abs(into), std::abs(out)) < least) continue;
+    const double min_move = std::max(min_speed_fraction * fastest, quanta * quantum_of(signal));
+    if (std::max(std::abs(into), std::abs(out)) < min_move) continue;
     throw Error("identify: " + in_quotes(q_column(model, k)) + " stands still from " +
                 time_text(record, run.at) + " to " + time_text(record, end - 1) +
                 " in the middle of a motion; is the encoder stuck, or were readings lost?");
@@ -199,15 +201,15 @@ void check_motion(const Model& model, const MotionRecord& record) {
     range = std::max(range, record.q.col(k).maxCoeff() - record.q.col(k).minCoeff());
   if (range < at_rest)
     throw Error("identify: the arm is at rest: no joint moves by more than " + number(range) +
-                " rad (m); wanted a motion that shows masses, as burnish identify --excite writes "
-                "one");
+                " rad (m); wanted a motion that excites the masses, such as one that burnish "
+                "identify --excite writes");
 }
 
 struct Excess {
   std::string column;
   double value = 0.0, limit = 0.0, ratio = 1.0;
   Eigen::Index sample = 0;
-  int columns = 0;  ///< that are beyond their limits
+  int columns = 0;  ///< Number of columns beyond their limits
 };
 
 std::string excess_text(const MotionRecord& record, const Excess& worst, const std::string& unit,
@@ -216,7 +218,7 @@ std::string excess_text(const MotionRecord& record, const Excess& worst, const s
                      " at " + time_text(record, worst.sample) + ", beyond its limit of " +
                      number(worst.limit) + unit;
   if (worst.columns > 1)
-    text += " (and " + std::to_string(worst.columns - 1) + " more are beyond theirs)";
+    text += " (and " + std::to_string(worst.columns - 1) + " more columns exceed their limits)";
   return text;
 }
 
@@ -247,9 +249,11 @@ CheckedRecord checked_record(const Model& model, const MotionRecord& record) {
 }
 
 std::vector<std::string> beyond_limits(const Model& model, const MotionRecord& record) {
-  constexpr double position_slack = 0.02;  // that calibrations differ by [rad, m]
-  // Of limits of torque, which noise exceeds, and of speed, which a light wrist that swings does:
-  // UR10's by 2.1 along an excitation with a payload that its controller did not know.
+  // Usual difference between calibrations; chosen by hand [rad, m]
+  constexpr double position_slack = 0.02;
+  // Factors on the limits. Noise exceeds torque limits. A light wrist that swings exceeds speed
+  // limits: UR10 by a factor of 2.1 along an excitation with a payload that its controller did not
+  // model.
   constexpr double torque_slack = 1.25, speed_slack = 3.0;
   Excess position, speed, torque;
   for (const Joint& joint : model.joints) {
@@ -257,13 +261,13 @@ std::vector<std::string> beyond_limits(const Model& model, const MotionRecord& r
     if (joint.nq == 1) {
       const auto q = record.q.col(joint.q_index);
       const double low = model.q_lower[joint.q_index], high = model.q_upper[joint.q_index];
-      Eigen::Index least = 0, most = 0;
-      const double below = low - q.minCoeff(&least), above = q.maxCoeff(&most) - high;
-      const Eigen::Index at = above > below ? most : least;
+      Eigen::Index at_min = 0, at_max = 0;
+      const double below = low - q.minCoeff(&at_min), above = q.maxCoeff(&at_max) - high;
+      const Eigen::Index at = above > below ? at_max : at_min;
       if (std::max(below, above) > position_slack)
         note(position, {q_column(model, joint.q_index), q[at], above > below ? high : low,
                         1.0 + std::max(below, above), at});
-      // Over ten samples, so that the converter's noise is no speed.
+      // Difference over ten samples, so that the noise of a converter does not count as speed.
       constexpr Eigen::Index over = 10;
       if (const Eigen::Index n = q.size(); n > over) {
         const Eigen::VectorXd v =

@@ -1,4 +1,4 @@
-// A simulated record: computed torque along an excitation, on the ideal plant.
+// Simulated record: computed-torque control along an excitation, on the ideal plant.
 #include <algorithm>
 #include <cmath>
 
@@ -12,11 +12,11 @@
 namespace burnish {
 namespace {
 
-/// s at rest before the motion, and not recorded: the payload, which the controller does not know,
-/// pulls the arm down first.
+/// Time before the motion, at rest and not recorded [s]. The arm first sags under the payload,
+/// which the controller does not model.
 constexpr double settling = 1.5;
 
-/// tau = M (a + kd e' + kp e) + b of the model that it knows.
+/// Computed-torque controller, tau = M (a + kd e' + kp e) + b of the nominal model.
 class FollowMotion final : public Controller {
  public:
   FollowMotion(const Model& model, const Excitation& motion)
@@ -30,7 +30,7 @@ class FollowMotion final : public Controller {
     constexpr double kp = 144.0, kd = 24.0;  // 1/s^2, 1/s
     a_ += kd * (v_ - m.v) + kp * difference(model_, normalized(model_, m.q), q_);
     command_.status = dynamics_.inverse(normalized(model_, m.q), m.v, a_, none_);
-    if (command_.status <= Status::NotConverged) command_.tau = dynamics_.tau();
+    if (is_usable(command_.status)) command_.tau = dynamics_.tau();
     return command_;
   }
 
@@ -42,7 +42,7 @@ class FollowMotion final : public Controller {
   Eigen::VectorXd q_, v_, a_, none_;
 };
 
-/// Without its first rows.
+/// Returns the trace without its first rows.
 Trace without_start(const Trace& trace, int rows) {
   Trace result(trace.columns(), trace.rows() - rows);
   const auto columns = static_cast<int>(trace.columns().size());
@@ -54,7 +54,7 @@ Trace without_start(const Trace& trace, int rows) {
   return result;
 }
 
-/// No surface near: the motion is in the air.
+/// Returns a scene with a surface out of reach, for a motion without contact.
 SceneSpec empty_scene(const std::string& frame) {
   SceneSpec scene;
   scene.tip.frame = frame;
@@ -77,7 +77,7 @@ Trace record_motion(Plant& plant, const Model& known, const Excitation& motion,
   motion.at(0.0, q, v, a);
   Status status = loop.reset(q, v);
   if (status == Status::Ok) status = loop.run(settling + motion.duration());
-  if (status > Status::NotConverged)
+  if (!is_usable(status))
     throw Error("the simulated motion ended at " + number(plant.time()) +
                 " s: " + std::string(describe(status)));
   return without_start(loop.trace(), static_cast<int>(std::lround(settling / 1e-3)));

@@ -9,9 +9,10 @@
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double slip_velocity = 0.02;  // rad/s (m/s), at which Coulomb's friction has its sign
+// Velocity scale of the sign of Coulomb friction [rad/s, m/s]
+constexpr double slip_velocity = 0.02;
 
-/// The columns of one instant: those of x, then the four that x does not multiply.
+/// Columns of one instant: the columns of x, then four columns that x does not multiply.
 class Instant {
  public:
   Instant(const Model& model, std::span<const Unknown> unknowns, const Layout& layout)
@@ -25,7 +26,7 @@ class Instant {
   static int columns(const Layout& layout) { return layout.size + 4; }
   static int rest(const Layout& layout) { return layout.size; }
   static int before(const Layout& layout) { return layout.size + 1; }
-  static int bend(const Layout& layout) { return layout.size + 2; }
+  static int second(const Layout& layout) { return layout.size + 2; }
   static int measured(const Layout& layout) { return layout.size + 3; }
 
   /// nv x columns().
@@ -41,7 +42,7 @@ class Instant {
         terms_(k, rest(layout_)) += model_.armature[k] * a;
       }
       if (layout_.delay >= 0) terms_(k, layout_.delay) = -motion.tau_rate(i, k);
-      terms_(k, bend(layout_)) = -0.5 * motion.tau_bend(i, k);
+      terms_(k, second(layout_)) = -0.5 * motion.tau_second(i, k);
     }
     return terms_;
   }
@@ -59,7 +60,7 @@ class Instant {
       const auto at = static_cast<Eigen::Index>(10 * b);
       const auto block = of_bodies_.middleCols<10>(at);
       terms_.middleCols<10>(at) = block * unknowns_[b].to_body;
-      // Bodies whose own parameters are wanted are known to weigh nothing.
+      // Bodies with unknown own parameters are removed from the known torques.
       if (unknowns_[b].replaces) left += block * own_[b];
     }
   }
@@ -92,14 +93,14 @@ Layout::Layout(int number, int nv, const IdentificationSpec& spec)
 }
 
 int row_stride(const Windows& windows) {
-  constexpr int rows_per_window = 4;  // what is nearer says nearly the same
+  constexpr int rows_per_window = 4;  // Closer rows are nearly redundant
   return std::max(1, 2 * windows.torque / rows_per_window);
 }
 
 Regression::Regression(const Model& model, const SmoothedMotion& motion, const Windows& windows,
                        std::span<const Unknown> unknowns, const IdentificationSpec& spec)
     : layout(static_cast<int>(unknowns.size()), model.nv, spec), nv(model.nv) {
-  believe(unknowns, model);
+  set_prior(unknowns, model);
   const int half = windows.torque, stride = row_stride(windows);
   samples = (motion.instants() - 2 * half - 1) / stride + 1;
   samples_per_window = 2.0 * half / stride;
@@ -109,7 +110,8 @@ Regression::Regression(const Model& model, const SmoothedMotion& motion, const W
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples) * nv, Instant::columns(layout));
   for (int i = 0; i < motion.instants(); ++i) {
     const Eigen::MatrixXd& now = instant.at(motion, i);
-    // Windows that it lies in: their middles are at half + s stride.
+    // An instant contributes to all windows that contain it; window s is centred at half + s
+    // stride.
     const int last = std::min(samples - 1, i / stride);
     for (int s = std::max(0, (i - 2 * half + stride - 1) / stride); s <= last; ++s)
       terms.middleRows(static_cast<Eigen::Index>(s) * nv, nv) += kernel[i - s * stride] * now;
@@ -117,9 +119,9 @@ Regression::Regression(const Model& model, const SmoothedMotion& motion, const W
   take(terms, windows.period);
 }
 
-void Regression::believe(std::span<const Unknown> unknowns, const Model& model) {
+void Regression::set_prior(std::span<const Unknown> unknowns, const Model& model) {
   prior.setZero(size());
-  prior_sigma.setConstant(size(), 1e3);  // Nm, Nms/rad: nothing is believed of friction
+  prior_sigma.setConstant(size(), 1e3);  // [Nm, Nms/rad]: no prior knowledge of friction
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     prior.segment<10>(static_cast<Eigen::Index>(10 * i)) = unknowns[i].eta;
     prior_sigma.segment<10>(static_cast<Eigen::Index>(10 * i)) = unknowns[i].sigma;
@@ -133,17 +135,17 @@ void Regression::take(const Eigen::MatrixXd& terms, double period) {
   linear = terms.middleCols(10 * layout.inertias, layout.linear());
   rest = terms.col(Instant::rest(layout));
   before = terms.col(Instant::before(layout));
-  bend = terms.col(Instant::bend(layout));
+  second = terms.col(Instant::second(layout));
   measured = terms.col(Instant::measured(layout));
-  // Its mean over the period before, less what it was half a period ago.
-  held = period * period / 12.0 * bend;
+  // Mean over the period before minus the value half a period ago.
+  held = period * period / 12.0 * second;
 }
 
 Eigen::VectorXd Regression::residual(const Eigen::VectorXd& x) const {
   Eigen::VectorXd result = rest - linear * x.tail(linear.cols());
   for (int i = 0; i < layout.inertias; ++i)
     result -= Y.middleCols<10>(10 * i) * LogCholesky::parameters(x.segment<10>(10 * i));
-  if (layout.delay >= 0) result -= x[layout.delay] * x[layout.delay] * bend;
+  if (layout.delay >= 0) result -= x[layout.delay] * x[layout.delay] * second;
   return result;
 }
 
@@ -153,7 +155,7 @@ Eigen::MatrixXd Regression::derivative(const Eigen::VectorXd& x) const {
     result.middleCols<10>(10 * i) =
         Y.middleCols<10>(10 * i) * LogCholesky::derivative(x.segment<10>(10 * i));
   result.rightCols(linear.cols()) = linear;
-  if (layout.delay >= 0) result.col(layout.delay) += 2.0 * x[layout.delay] * bend;
+  if (layout.delay >= 0) result.col(layout.delay) += 2.0 * x[layout.delay] * second;
   return result;
 }
 

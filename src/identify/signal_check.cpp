@@ -5,22 +5,24 @@
 #include <cmath>
 #include <limits>
 
+#include "base/to_size.hpp"
+
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double deviations = 8.0;           // robust ones that a sudden step stands out by
-constexpr double of_usual_steps = 2.0;       // times the 95th percentile of steps, on top of that
-constexpr double mad_to_sigma = 1.4826;      // of a normal distribution
-constexpr Eigen::Index longest_outlier = 5;  // samples
+constexpr double deviations = 8.0;       // Robust standard deviations that a sudden step exceeds
+constexpr double of_usual_steps = 2.0;   // Times the 95th percentile of steps, in addition
+constexpr double mad_to_sigma = 1.4826;  // Of a normal distribution
+constexpr Eigen::Index max_outlier = 5;  // [samples]
 
-double quantile(std::vector<double> values, double share) {
+double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0.0;
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
+  return values[to_size(at)];
 }
 
-/// Median of the four steps on either side, without the step itself.
+/// Returns the median of the four steps on either side, without the step itself.
 double usual_step(const Eigen::VectorXd& step, Eigen::Index i) {
   std::array<double, 8> near{};
   std::size_t count = 0;
@@ -70,7 +72,7 @@ std::vector<Outlier> take_outliers(Steps& steps) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     double sum = 0.0, largest = 0.0;
     std::size_t last = i;
-    for (std::size_t j = i; j < all.size() && all[j].at - all[i].at <= longest_outlier; ++j) {
+    for (std::size_t j = i; j < all.size() && all[j].at - all[i].at <= max_outlier; ++j) {
       sum += all[j].size;
       if (j > i && std::abs(sum) <= std::max(steps.tolerance, 0.1 * largest)) {
         last = j;
@@ -108,7 +110,7 @@ void bridge(Eigen::VectorXd& signal, const Outlier& outlier) {
 }
 
 double white_noise(const Eigen::VectorXd& signal) {
-  // A cubic through the four neighbours; of white noise its error has 1 + 34/36 of the variance.
+  // Cubic through the four neighbours; its error has 1 + 34/36 times the variance of white noise.
   const Eigen::Index n = signal.size();
   if (n < 5) return 0.0;
   const Eigen::VectorXd error =

@@ -1,4 +1,4 @@
-// Steps of a sampled signal that its neighbours do not explain.
+// Detection of sudden steps and outliers in sampled signals.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,42 +6,43 @@
 
 namespace burnish::identify_detail {
 
-/// A step from sample `at - 1` to sample `at` beyond what steps around it let expect.
+/// Step from sample `at - 1` to sample `at` that differs strongly from the steps around it.
 struct SuddenStep {
   Eigen::Index at = 0;
-  double size = 0.0;  ///< beyond the median of its neighbours
+  double size = 0.0;  ///< Size beyond the median of the neighbouring steps
 };
 
-/// Outliers that stand alone: the signal leaves and is back after `count` samples.
+/// Outlier: the signal leaves and returns after `count` samples.
 struct Outlier {
   Eigen::Index at = 0, count = 0;
-  double size = 0.0;  ///< largest distance from the signal around it
+  double size = 0.0;  ///< Largest distance from the signal around the outlier
 };
 
 struct Steps {
-  std::vector<SuddenStep> sudden;  ///< ascending
-  double tolerance = 0.0;          ///< size above which a step is sudden
+  std::vector<SuddenStep> sudden;  ///< In ascending order
+  double tolerance = 0.0;          ///< Size above which a step is sudden
 };
 
-/// The smallest step between neighbours, as a converter makes them; 0 of a constant.
+/// Returns the smallest step between neighbouring samples, the resolution of a converter; 0 for a
+/// constant.
 double quantum_of(const Eigen::VectorXd& signal);
 
-/// A step is sudden when it stands out by eight robust deviations (and eight quanta of the
-/// converter) plus twice the 95th percentile of all steps. A normal distribution exceeds eight
-/// deviations once in 1e15 samples.
+/// Finds sudden steps. A step is sudden if its size exceeds eight robust standard deviations (or
+/// eight quanta of the converter) plus twice the 95th percentile of all steps. A normal
+/// distribution exceeds eight standard deviations once in 1e15 samples.
 Steps sudden_steps(const Eigen::VectorXd& signal);
 
-/// Removes the outliers from `steps`: pairs or groups of steps within five samples whose sum is
-/// small beside them.
+/// Removes the outliers from `steps` and returns them: groups of steps within five samples whose
+/// sum is small compared with the steps.
 std::vector<Outlier> take_outliers(Steps& steps);
 
-/// Replaces an outlier by the cubic through two samples before and two after it.
+/// Replaces an outlier by the cubic through two samples before and two samples after it.
 void bridge(Eigen::VectorXd& signal, const Outlier& outlier);
 
-/// Deviation of white noise on a signal that is smooth over five samples.
+/// Returns the standard deviation of white noise on a signal that is smooth over five samples.
 double white_noise(const Eigen::VectorXd& signal);
 
-/// The longest run of equal samples: its first sample and its length.
+/// Longest run of equal samples: first sample and length.
 struct Run {
   Eigen::Index at = 0, count = 0;
 };

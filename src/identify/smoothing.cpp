@@ -8,13 +8,13 @@
 namespace burnish::identify_detail {
 
 Smoother::Smoother(int half, double period) : half_(half), weights_(2 * half + 1, 3) {
-  // In units of half a window, so that the powers stay near one.
+  // Scaled by half a window, so that the powers stay near one.
   Eigen::MatrixXd powers(2 * half + 1, 6);
   for (int i = -half; i <= half; ++i) {
     const double x = static_cast<double>(i) / half;
     powers.row(i + half) << 1.0, x, x * x, x * x * x, x * x * x * x, x * x * x * x * x;
   }
-  // Coefficients of the polynomial that fits best: rows of (P^T P)^-1 P^T.
+  // Coefficients of the best-fitting polynomial: rows of (P^T P)^-1 P^T.
   const Eigen::MatrixXd fit =
       solve_positive(powers.transpose() * powers, Eigen::MatrixXd(powers.transpose()));
   const double unit = half * period;

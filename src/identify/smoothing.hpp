@@ -1,6 +1,6 @@
-// Signals smoothed and differentiated by local polynomials of degree five (A. Savitzky, M. Golay,
-// "Smoothing and Differentiation of Data by Simplified Least Squares Procedures", 1964): symmetric
-// in time, hence without delay, and exact for what is a polynomial within the window.
+// Smoothing and differentiation by local polynomials of degree five (A. Savitzky, M. Golay,
+// "Smoothing and Differentiation of Data by Simplified Least Squares Procedures", 1964). The filter
+// is symmetric in time, so it has no delay, and it is exact for polynomials of degree five.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,12 +9,12 @@ namespace burnish::identify_detail {
 
 class Smoother {
  public:
-  /// Windows of 2 half + 1 samples, `period` s apart; half at least 3.
+  /// Sets windows of 2 half + 1 samples with this period [s]; half must be at least 3.
   Smoother(int half, double period);
   int half() const { return half_; }
-  /// Weights of a window's samples for the derivative of that order.
+  /// Returns the weights of a window's samples for a derivative of this order.
   auto weights(int order) const { return weights_.col(order); }
-  /// Derivative of order 0, 1 or 2 of a signal at the sample in the middle of a window.
+  /// Returns a derivative (order 0, 1 or 2) at sample `middle`, the centre of the window.
   double at(const Eigen::Ref<const Eigen::VectorXd>& signal, Eigen::Index middle, int order) const {
     return weights_.col(order).dot(signal.segment(middle - half_, 2 * half_ + 1));
   }
@@ -24,8 +24,8 @@ class Smoother {
   Eigen::Matrix<double, Eigen::Dynamic, 3> weights_;
 };
 
-/// Weights of a mean over 2 half + 1 samples, the fourth power of a cosine: it lets through what is
-/// slower than the window, and less than a thousandth of what is faster than 4 / window.
+/// Returns the weights of a mean over 2 half + 1 samples, the fourth power of a cosine. The mean
+/// passes frequencies well below 1 / window and less than a thousandth above 4 / window.
 Eigen::VectorXd bell(int half);
 
 }  // namespace burnish::identify_detail

@@ -1,4 +1,5 @@
-// Exponentials of rotation vectors and twists and their derivatives, without branches on values.
+// Exponentials of rotation vectors and twists, and their derivatives. The functions do not branch
+// on values.
 #pragma once
 
 #include "math/spatial.hpp"
@@ -15,13 +16,14 @@ struct ExpCoefficients {
   S so3_1, so3_2, se3_1, se3_2, se3_3, se3_4;
 };
 
-/// `theta` >= 0.
+/// Returns the coefficients at the rotation angle theta >= 0 [rad].
 template <class S>
 BURNISH_INLINE ExpCoefficients<S> exp_coefficients(const S& theta) {
-  // All are sums of c_n = 1/n! - theta^2/(n + 2)! + theta^4/(n + 4)! - ..., which hang together by
-  // c_n = 1/n! - theta^2 c_(n+2) from c_0 = cos(theta) and c_1 = sin(theta)/theta. Downwards that
-  // loses no digits while theta is small, upwards none while it is not. At theta = 1 the first
-  // term that the series omit is below 1e-18.
+  // All coefficients are combinations of c_n = 1/n! - theta^2/(n + 2)! + theta^4/(n + 4)! - ... The
+  // recursion c_n = 1/n! - theta^2 c_(n+2) connects them, with c_0 = cos(theta) and
+  // c_1 = sin(theta)/theta. For theta < 1, series give c_4 and c_5, and the recursion runs towards
+  // smaller n without cancellation. For larger theta it runs towards larger n. At theta = 1, the
+  // first omitted term of the series is below 1e-18.
   const auto small = less(theta, S(1.0));
   const S y = -theta * theta;
   const S c4_series =
@@ -60,7 +62,7 @@ BURNISH_INLINE ExpCoefficients<S> exp_coefficients(const S& theta) {
           (c4 - S(3.0) * c5) * half};
 }
 
-/// Length of the rotation vector w; its derivative at zero is zero, not infinite.
+/// Length of the rotation vector w [rad]. The derivative at w = 0 is set to zero.
 template <class S>
 BURNISH_INLINE S rotation_angle(const Vec3<S>& w) {
   const S square = dot(w, w);
@@ -68,14 +70,14 @@ BURNISH_INLINE S rotation_angle(const Vec3<S>& w) {
   return select(none, S(0.0), square_root(select(none, S(1.0), square)));
 }
 
-/// A rotation as the unit quaternion (x, y, z, w).
+/// Unit quaternion of a rotation.
 template <class S>
 struct Quaternion {
   Vec3<S> vector;  ///< x, y, z
   S w;
 };
 
-/// The rotation by the rotation vector w of length theta.
+/// Rotation by the rotation vector w with length theta.
 template <class S>
 BURNISH_INLINE Quaternion<S> exp_rotation(const Vec3<S>& w, const S& theta) {
   // Series of sin(theta/2)/theta; at theta = 0.5 the first omitted term is below 1e-17.
@@ -92,8 +94,8 @@ BURNISH_INLINE Quaternion<S> exp_rotation(const Vec3<S>& w, const S& theta) {
   return {w * factor, cosine};
 }
 
-/// Where the origin goes, in the axes at the start, when the twist (v, w) is held for unit time:
-/// V(w) v.
+/// Displacement V(w) v of the origin under the constant twist (v, w) for unit time, in the initial
+/// axes.
 template <class S>
 BURNISH_INLINE Vec3<S> exp_position(const ExpCoefficients<S>& c, const Vec3<S>& w,
                                     const Vec3<S>& v) {
@@ -101,8 +103,7 @@ BURNISH_INLINE Vec3<S> exp_position(const ExpCoefficients<S>& c, const Vec3<S>& 
   return v + once * c.so3_1 + cross(w, once) * c.so3_2;
 }
 
-/// J_r(w) dw: angular velocity, in its own axes, of the rotation whose rotation vector w changes at
-/// the rate dw.
+/// Returns J_r(w) dw: angular velocity, in body axes, of the rotation exp(w) if w has the rate dw.
 template <class S>
 BURNISH_INLINE Vec3<S> d_exp_rotation(const ExpCoefficients<S>& c, const Vec3<S>& w,
                                       const Vec3<S>& dw) {
@@ -110,7 +111,7 @@ BURNISH_INLINE Vec3<S> d_exp_rotation(const ExpCoefficients<S>& c, const Vec3<S>
   return dw - once * c.so3_1 + cross(w, once) * c.so3_2;
 }
 
-/// J_r(xi) dxi: twist, in its own axes, of the placement exp(xi) when xi changes at the rate dxi.
+/// Returns J_r(xi) dxi: twist, in body axes, of the placement exp(xi) if xi has the rate dxi.
 template <class S>
 BURNISH_INLINE Motion<S> d_exp_placement(const ExpCoefficients<S>& c, const Motion<S>& xi,
                                          const Motion<S>& dxi) {

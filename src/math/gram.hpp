@@ -1,5 +1,5 @@
-// C = sum over rows k of A_k^T B_k: the one dense operation of the project, in register tiles.
-// Sparsity is in the list of rows; matrices are row-major.
+// Matrix product C = A^T B as a sum over selected rows k: sum of A_k^T B_k, computed in register
+// tiles. The list of rows expresses sparsity. Matrices are row-major.
 #pragma once
 
 #include <span>
@@ -8,20 +8,20 @@
 
 namespace burnish {
 
-/// What is done with the sum.
+/// Assignment of the sum to C.
 enum class Gram { Set, Add, SetNegative };
 
-/// A matrix in memory: first entry and distance between rows.
+/// Row-major matrix in memory: first entry, and distance between rows in entries.
 template <class S>
-struct Strided {
+struct StridedView {
   S* data;
   int stride;
 };
 
 namespace gram_detail {
 
-// Accumulators, one row of B and one entry of A fill the target's vector registers: 32 with
-// AVX-512 and NEON, 16 otherwise.
+// Tile size for which the sums, one row of B and one entry of A fit into the vector registers of
+// the target: 32 registers with AVX-512 and NEON, 16 otherwise.
 #if defined(__AVX512F__) || defined(__aarch64__)
 inline constexpr int tile_rows = 6, tile_columns = 4;
 #else
@@ -29,8 +29,8 @@ inline constexpr int tile_rows = 4, tile_columns = 3;
 #endif
 
 template <Gram mode, int R, int C, class S>
-BURNISH_INLINE void tile(Strided<const S> a, Strided<const S> b, std::span<const int> rows, int i,
-                         int j, Strided<S> c) {
+BURNISH_INLINE void tile(StridedView<const S> a, StridedView<const S> b, std::span<const int> rows,
+                         int i, int j, StridedView<S> c) {
   S sum[R][C];
 #pragma GCC unroll 8
   for (int r = 0; r < R; ++r)
@@ -60,10 +60,10 @@ BURNISH_INLINE void tile(Strided<const S> a, Strided<const S> b, std::span<const
     }
 }
 
-/// Tiles of R rows over columns j0 to j1.
+/// Computes R rows of C, from column j0 up to column j1.
 template <Gram mode, int R, class S>
-void tile_row(Strided<const S> a, Strided<const S> b, std::span<const int> rows, int i, int j0,
-              int j1, Strided<S> c) {
+void tile_row(StridedView<const S> a, StridedView<const S> b, std::span<const int> rows, int i,
+              int j0, int j1, StridedView<S> c) {
   int j = j0;
   for (; j + tile_columns <= j1; j += tile_columns)
     tile<mode, R, tile_columns>(a, b, rows, i, j, c);
@@ -76,10 +76,11 @@ void tile_row(Strided<const S> a, Strided<const S> b, std::span<const int> rows,
 
 }  // namespace gram_detail
 
-/// C(i0..i1, j0..j1) from columns i of A and columns j of B, over the given rows of both.
+/// Computes C(i, j) for i0 <= i < i1 and j0 <= j < j1: column i of A times column j of B, summed
+/// over `rows`.
 template <Gram mode, class S>
-void gram(Strided<const S> a, Strided<const S> b, std::span<const int> rows, int i0, int i1, int j0,
-          int j1, Strided<S> c) {
+void gram(StridedView<const S> a, StridedView<const S> b, std::span<const int> rows, int i0, int i1,
+          int j0, int j1, StridedView<S> c) {
   using namespace gram_detail;
   int i = i0;
   for (; i + tile_rows <= i1; i += tile_rows) tile_row<mode, tile_rows>(a, b, rows, i, j0, j1, c);

@@ -1,4 +1,5 @@
-// Logarithms of rotations and placements and their derivatives, without branches on values.
+// Logarithms of rotations and placements, and their derivatives. The functions do not branch on
+// values.
 #pragma once
 
 #include "math/exponential.hpp"
@@ -9,8 +10,8 @@ namespace burnish {
 /// polynomials in ad = (xi x):
 ///   SO(3): J^-1 = 1 + ad/2 + so3 ad^2,
 ///   SE(3): J^-1 = 1 + ad/2 + se3_2 ad^2 + se3_4 ad^4.
-/// Both come from x/(1 - exp(-x)) interpolated on the eigenvalues of ad, 0 and +-i theta, the
-/// latter double for SE(3).
+/// Both interpolate x/(1 - exp(-x)) at the eigenvalues of ad: 0 and +-i theta. For SE(3), the
+/// eigenvalues +-i theta are double.
 template <class S>
 struct LogCoefficients {
   S so3, se3_2, se3_4;
@@ -18,8 +19,8 @@ struct LogCoefficients {
 
 template <class S>
 BURNISH_INLINE LogCoefficients<S> log_coefficients(const S& theta) {
-  // Series of (x/2) coth(x/2) = sum c_n x^2n; used up to theta = 0.7, where the first omitted term
-  // is below 1e-17.
+  // Series (x/2) coth(x/2) = sum c_n x^2n, used for theta < 0.7, where the first omitted term is
+  // below 1e-17.
   constexpr double c1 = 1.0 / 12, c2 = -1.0 / 720, c3 = 1.0 / 30240, c4 = -1.0 / 1209600,
                    c5 = 1.0 / 47900160, c6 = -691.0 / 1307674368000.0, c7 = 1.0 / 74724249600.0,
                    c8 = -3617.0 / 10670622842880000.0;
@@ -53,12 +54,12 @@ BURNISH_INLINE LogCoefficients<S> log_coefficients(const S& theta) {
   return r;
 }
 
-/// Rotation vector of a rotation matrix, angle in [0, pi]. At exactly pi one of the two axes is
-/// returned.
+/// Returns the rotation vector of a rotation matrix, and sets theta to its length, in [0, pi]. At
+/// exactly pi, it returns one of the two possible axes.
 template <class S>
 Vec3<S> log_rotation(const Mat3<S>& R, S& theta) {
-  // The largest of the four quaternion components is found by select, so that no lane divides by
-  // a small number.
+  // Selects the largest of the four quaternion components, so that no lane divides by a small
+  // number.
   const S m00 = R.c0.x, m11 = R.c1.y, m22 = R.c2.z;
   const S tw = m00 + m11 + m22, tx = m00 - m11 - m22, ty = m11 - m00 - m22, tz = m22 - m00 - m11;
   const Vec3<S> axial{R.c1.z - R.c2.y, R.c2.x - R.c0.z, R.c0.y - R.c1.x};
@@ -67,7 +68,7 @@ Vec3<S> log_rotation(const Mat3<S>& R, S& theta) {
   const auto use_y = mask_and(less(tx, ty), mask_not(use_z));
   const S largest = select(use_z, tz, select(use_y, ty, tx));
   const auto use_w = less(largest, tw);
-  // Row of 4 q q^T that belongs to the largest component.
+  // Row of the matrix 4 q q^T for the largest component.
   const S d = S(1.0) + select(use_w, tw, largest);
   S qw = select(use_w, d, select(use_z, axial.z, select(use_y, axial.y, axial.x)));
   S qx = select(use_w, axial.x, select(use_z, sxz, select(use_y, sxy, d)));
@@ -78,7 +79,7 @@ Vec3<S> log_rotation(const Mat3<S>& R, S& theta) {
   Vec3<S> u{select(flip, S(-qx), qx), select(flip, S(-qy), qy), select(flip, S(-qz), qz)};
   const S square = dot(u, u);
   const S whole = square + qw * qw;
-  // theta/|u| tends to 2/qw; series in (|u|/qw)^2 where |u| is small.
+  // theta/|u| tends to 2/qw for small |u|, where a series in (|u|/qw)^2 is used.
   const auto small = less(square, S(S(1e-6) * whole));
   const S length = square_root(select(small, S(1.0), square));
   const S angle = S(2.0) * arc_tangent2(length, select(small, S(1.0), qw));
@@ -92,7 +93,8 @@ Vec3<S> log_rotation(const Mat3<S>& R, S& theta) {
   return u * factor;
 }
 
-/// Rotation vector of a quaternion of any length; its length, in [0, pi], goes to theta.
+/// Returns the rotation vector of a quaternion of any length, and sets theta to the length of the
+/// rotation vector, in [0, pi].
 template <class S>
 BURNISH_INLINE Vec3<S> log_quaternion(const Quaternion<S>& rotation, S& theta) {
   const auto flip = less(rotation.w, S(0.0));
@@ -100,7 +102,7 @@ BURNISH_INLINE Vec3<S> log_quaternion(const Quaternion<S>& rotation, S& theta) {
   const Vec3<S> u = rotation.vector * sign;
   const S w = rotation.w * sign;
   const S square = dot(u, u);
-  // 2 atan(t)/t, t = |u|/w: its series where t is small.
+  // 2 atan(t)/t with t = |u|/w; a series is used for small t.
   const auto small = less(square, S(S(1e-6) * w * w));
   const S ratio2 = square / select(small, S(w * w), S(1.0));
   const S series = S(2.0) / select(small, w, S(1.0)) *
@@ -112,7 +114,7 @@ BURNISH_INLINE Vec3<S> log_quaternion(const Quaternion<S>& rotation, S& theta) {
   return phi;
 }
 
-/// Angle from one (cos, sin) pair to another, in [-pi, pi].
+/// Angle from one (cos, sin) pair to another, in [-pi, pi] [rad].
 template <class S>
 BURNISH_INLINE S angle_between(const S* from, const S* to) {
   const S sine = from[0] * to[1] - from[1] * to[0], cosine = from[0] * to[0] + from[1] * to[1];
@@ -120,7 +122,7 @@ BURNISH_INLINE S angle_between(const S* from, const S* to) {
   return select(less(sine, S(0.0)), S(-angle), angle);
 }
 
-/// J_r^-1(phi) w: rate of the rotation vector phi when the rotation turns with w in its own axes.
+/// Returns J_r^-1(phi) w: rate of the rotation vector phi for the angular velocity w in body axes.
 template <class S>
 BURNISH_INLINE Vec3<S> d_log_rotation(const LogCoefficients<S>& c, const Vec3<S>& phi,
                                       const Vec3<S>& w) {
@@ -128,7 +130,7 @@ BURNISH_INLINE Vec3<S> d_log_rotation(const LogCoefficients<S>& c, const Vec3<S>
   return w + once * S(0.5) + cross(phi, once) * c.so3;
 }
 
-/// SE(3) logarithm of the placement (R, p), phi = log(R).
+/// SE(3) logarithm of the placement (R, p), with phi = log(R).
 template <class S>
 BURNISH_INLINE Motion<S> log_placement(const LogCoefficients<S>& c, const Vec3<S>& phi,
                                        const Vec3<S>& p) {
@@ -136,8 +138,7 @@ BURNISH_INLINE Motion<S> log_placement(const LogCoefficients<S>& c, const Vec3<S
   return {p - once * S(0.5) + cross(phi, once) * c.so3, phi};
 }
 
-/// J_r^-1(xi) m: rate of the logarithm xi when the placement moves with the twist m in its own
-/// axes.
+/// Returns J_r^-1(xi) m: rate of the logarithm xi for the twist m in body axes.
 template <class S>
 BURNISH_INLINE Motion<S> d_log_placement(const LogCoefficients<S>& c, const Motion<S>& xi,
                                          const Motion<S>& m) {

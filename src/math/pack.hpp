@@ -1,4 +1,4 @@
-// A pack of doubles: one lane per state. Arithmetic acts on all lanes at once.
+// Pack of doubles (SIMD vector): one lane per state. Arithmetic acts on all lanes at once.
 #pragma once
 
 #include <bit>
@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Lanes that one register of the target holds: 8 with AVX-512, 4 with AVX2, 2 with SSE2 or NEON.
+/// Number of lanes in one register of the target: 8 with AVX-512, 4 with AVX2, 2 with SSE2 or NEON.
 #if defined(__AVX512F__)
 inline constexpr int native_lanes = 8;
 #elif defined(__AVX2__)
@@ -20,8 +20,8 @@ inline constexpr int native_lanes = 1;
 #endif
 
 namespace detail {
-// A dependent vector_size type named inside Pack would collide with its element type in overload
-// resolution (GCC 12), hence a trait of its own.
+// Separate trait for the vector types. In GCC 12, a dependent vector_size type inside Pack would
+// collide with its element type in overload resolution.
 template <int N>
 struct Vector {
   using Value [[gnu::vector_size(sizeof(double) * N)]] = double;
@@ -29,12 +29,13 @@ struct Vector {
 };
 }  // namespace detail
 
-/// A truth value per lane: all bits set where true.
+/// Boolean for each lane: all bits set for true, none for false.
 template <int N>
 struct PackMask {
   typename detail::Vector<N>::Mask bits;
 };
 
+/// Vector of N doubles.
 template <int N>
 struct Pack {
   using Vector = typename detail::Vector<N>::Value;
@@ -128,14 +129,14 @@ BURNISH_INLINE Pack<N> natural_logarithm(const Pack<N>& a) {
   return r;
 }
 
-/// Sine and cosine of every lane, within 2 units in the last place for |angle| up to 1e5 rad
-/// (three-part reduction by pi/2, then the minimax polynomials of the Cephes library on
-/// [-pi/4, pi/4]); beyond that lane by lane through the standard library.
+/// Computes sine and cosine of every lane, with errors of at most 2 units in the last place for
+/// |angle| up to 1e5 rad. Method: three-part reduction by pi/2, then the minimax polynomials of the
+/// Cephes library on [-pi/4, pi/4]. For larger angles, the standard library computes lane by lane.
 template <int N>
 BURNISH_INLINE void sine_cosine(const Pack<N>& angle, Pack<N>& sine, Pack<N>& cosine) {
   using Vector = typename detail::Vector<N>::Value;
   using Integer = typename detail::Vector<N>::Mask;
-  // Adding 1.5 * 2^52 rounds to an integer that stands in the low bits of the sum.
+  // Adding 1.5 * 2^52 rounds to an integer, which is then in the low bits of the sum.
   constexpr double shift = 6755399441055744.0;
   const Vector shifted = angle.v * 0.63661977236758134308 + shift;
   const auto quadrant = std::bit_cast<Integer>(shifted);
@@ -192,7 +193,7 @@ BURNISH_INLINE void exchange_rows(Pack<N>* rows) {
 }
 }  // namespace detail
 
-/// Transposes N packs of N lanes in place: lane l of pack i becomes lane i of pack l.
+/// Transposes N packs of N lanes in place: swaps lane l of pack i with lane i of pack l.
 template <int N>
 BURNISH_INLINE void transpose(Pack<N>* rows) {
   if constexpr (N >= 2) detail::exchange_rows<N, 1>(rows);
@@ -201,6 +202,7 @@ BURNISH_INLINE void transpose(Pack<N>* rows) {
 }
 
 namespace detail {
+/// Vector type for unaligned stores.
 template <int N>
 struct LooseVector {
   using Value
@@ -209,15 +211,15 @@ struct LooseVector {
 };
 }  // namespace detail
 
-/// Stores all lanes at any address.
+/// Stores all lanes at `out`, which need not be aligned to the size of the pack.
 template <int N>
 BURNISH_INLINE void store_lanes(const Pack<N>& pack, double* out) {
   *reinterpret_cast<typename detail::LooseVector<N>::Value*>(out) = pack.v;
 }
 
-/// Lane l of N packs in a row to N numbers in a row, at out_of(l), for the first `lanes` lanes.
-/// Each pack is loaded whole and stays in its register: copied by pieces, it could not be read
-/// again before the pieces are written.
+/// Copies lane l of N consecutive packs to N consecutive numbers at out_of(l), for each of the
+/// first `lanes` lanes. Each pack is loaded as a whole into a register. A copy in pieces would
+/// delay the next load until all pieces are written.
 template <int N>
 BURNISH_INLINE void unpack(const Pack<N>* from, int lanes, const auto& out_of) {
   Pack<N> rows[N];
@@ -229,7 +231,7 @@ BURNISH_INLINE void unpack(const Pack<N>* from, int lanes, const auto& out_of) {
     if (l < lanes) store_lanes(rows[l], out_of(l));
 }
 
-/// The scalar with which a horizon is evaluated on this target.
+/// Scalar type for the evaluation of horizons on this target.
 using NativePack = Pack<native_lanes>;
 
 }  // namespace burnish

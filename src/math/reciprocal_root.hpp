@@ -1,4 +1,4 @@
-// The reciprocal of a Cholesky pivot's root, which marks the pivots that are none.
+// Reciprocal square root of a Cholesky pivot, with zero for weak pivots.
 #pragma once
 
 #include <limits>
@@ -7,7 +7,8 @@
 
 namespace burnish {
 
-/// 1 / sqrt(pivot), zero where the pivot is weak: a factor goes on as if that row were not there.
+/// Returns 1 / sqrt(pivot), or zero if the pivot is weak. With zero, the factorization continues as
+/// if the row of the weak pivot did not exist.
 template <class S>
 BURNISH_INLINE S reciprocal_root(const S& pivot, const auto& weak) {
   return S(1.0) / square_root(select(weak, S(std::numeric_limits<double>::infinity()), pivot));

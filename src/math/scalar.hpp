@@ -1,5 +1,5 @@
-// What a kernel may ask of its scalar. Kernels branch on the model only, never on values: a choice
-// that depends on a value goes through select(), so that each lane of a pack makes its own.
+// Operations that kernels require of their scalar type. Kernels branch on the model only, never on
+// values. A choice that depends on values uses select(), separately for each lane of a pack.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace burnish {
 
-/// Lanes of a scalar: how many states it carries and how to reach one of them.
-/// Specialised for Pack; every other scalar (double, automatic differentiation) has one lane.
+/// Number of states in a scalar, and access to each of them. The specialisation for Pack has
+/// several lanes. Every other scalar (double, automatic differentiation) has one lane.
 template <class S>
 struct Lanes {
   static constexpr int count = 1;
@@ -28,7 +28,7 @@ struct Lanes {
   static void set(S& s, int /*lane*/, double value) { s = S(value); }
 };
 
-/// Comparisons give a mask: bool for one lane, a vector of lanes for packs.
+/// Compares a < b. The result is a mask: bool for one lane, one boolean per lane for packs.
 template <class S>
 BURNISH_INLINE bool less(const S& a, const std::type_identity_t<S>& b) {
   return a < b;
@@ -39,13 +39,13 @@ BURNISH_INLINE bool mask_not(bool a) { return !a; }
 BURNISH_INLINE bool any(bool mask) { return mask; }
 BURNISH_INLINE bool lane_of(bool mask, int /*lane*/) { return mask; }
 
-/// a where the mask holds, b elsewhere; both are evaluated.
+/// Returns a if the mask is true, otherwise b. Both are always evaluated.
 template <class S>
 BURNISH_INLINE S select(bool mask, const S& a, const std::type_identity_t<S>& b) {
   return mask ? a : b;
 }
 
-/// Sine and cosine of an angle in radians.
+/// Computes sine and cosine of an angle [rad].
 template <class S>
 BURNISH_INLINE void sine_cosine(const S& angle, S& sine, S& cosine) {
   using std::cos;
@@ -65,7 +65,7 @@ BURNISH_INLINE S absolute(const S& a) {
   return select(less(a, S(0.0)), S(-a), a);
 }
 
-/// Angle of the point (x, y) with y >= 0, in [0, pi].
+/// Angle of the point (x, y) with y >= 0, in [0, pi] [rad].
 template <class S>
 BURNISH_INLINE S arc_tangent2(const S& y, const S& x) {
   using std::atan2;
@@ -78,7 +78,7 @@ BURNISH_INLINE S hyperbolic_tangent(const S& a) {
   return tanh(a);
 }
 
-/// Of a positive number.
+/// Natural logarithm of a positive number.
 template <class S>
 BURNISH_INLINE S natural_logarithm(const S& a) {
   using std::log;

@@ -1,13 +1,13 @@
-// Motions, forces and inertias as distinct types, linear part first. All operations hold in any
-// one coordinate system; which one is said by the variable's name.
-// Source of the algebra: R. Featherstone, Rigid Body Dynamics Algorithms, chapter 2.
+// Spatial motions, forces and inertias as distinct types, with the linear part first. Operands must
+// be in the same coordinate system, which the names of variables state. Algebra: R. Featherstone,
+// Rigid Body Dynamics Algorithms, chapter 2.
 #pragma once
 
 #include "math/vec3.hpp"
 
 namespace burnish {
 
-/// A twist or a spatial acceleration: linear part of the point at the origin, angular part.
+/// Twist or spatial acceleration. The linear part is that of the body point at the origin.
 template <class S>
 struct Motion {
   Vec3<S> linear, angular;
@@ -30,7 +30,7 @@ struct Motion {
   BURNISH_INLINE static Motion zero() { return {Vec3<S>::zero(), Vec3<S>::zero()}; }
 };
 
-/// A wrench: force, moment about the origin.
+/// Wrench: force, and moment about the origin.
 template <class S>
 struct Force {
   Vec3<S> linear, angular;
@@ -63,22 +63,22 @@ template <class S>
 BURNISH_INLINE S dot(const Motion<S>& m, const Force<S>& f) {
   return dot(m.linear, f.linear) + dot(m.angular, f.angular);
 }
-/// m x n, the rate of n when it moves with m.
+/// Returns m x n: rate of a motion n that is carried by the motion m.
 template <class S>
 BURNISH_INLINE Motion<S> cross(const Motion<S>& m, const Motion<S>& n) {
   return {cross(m.angular, n.linear) + cross(m.linear, n.angular), cross(m.angular, n.angular)};
 }
-/// m x* f, the rate of f when it moves with m.
+/// Returns m x* f: rate of a force f that is carried by the motion m.
 template <class S>
 BURNISH_INLINE Force<S> cross(const Motion<S>& m, const Force<S>& f) {
   return {cross(m.angular, f.linear), cross(m.angular, f.angular) + cross(m.linear, f.linear)};
 }
-/// The motion with the same axes but its linear part taken at the point p (from the old origin).
+/// Returns the motion with its linear part taken at the point p, measured from the old origin.
 template <class S>
 BURNISH_INLINE Motion<S> at_point(const Motion<S>& m, const Vec3<S>& p) {
   return {m.linear + cross(m.angular, p), m.angular};
 }
-/// The wrench with its moment taken about the point p (from the old origin).
+/// Returns the wrench with its moment taken about the point p, measured from the old origin.
 template <class S>
 BURNISH_INLINE Force<S> at_point(const Force<S>& f, const Vec3<S>& p) {
   return {f.linear, f.angular - cross(p, f.linear)};
@@ -103,13 +103,13 @@ struct Inertia {
   }
 };
 
-/// Inertia of a body together with what hangs on it and moves freely (Featherstone, chapter 7),
-/// about the origin: all 21 entries of a symmetric matrix.
+/// Articulated-body inertia about the origin: inertia of a body with its free-moving descendants
+/// (Featherstone, chapter 7). It has all 21 entries of a symmetric 6 x 6 matrix.
 template <class S>
 struct ArticulatedInertia {
-  Sym3<S> linear;    ///< kg
-  Mat3<S> coupling;  ///< force by angular acceleration, kg m
-  Sym3<S> angular;   ///< kg m^2
+  Sym3<S> linear;    ///< Force per linear acceleration [kg]
+  Mat3<S> coupling;  ///< Force per angular acceleration [kg m]
+  Sym3<S> angular;   ///< Moment per angular acceleration [kg m^2]
 
   BURNISH_INLINE static ArticulatedInertia of(const Inertia<S>& inertia) {
     const S zero(0.0);
@@ -128,7 +128,8 @@ struct ArticulatedInertia {
     angular += b.angular;
     return *this;
   }
-  /// Subtracts f f^T: what is left when the axis S moves freely, f = I S / sqrt(S . I S).
+  /// Subtracts f f^T. With f = I S / sqrt(S . I S), this is the inertia when the axis S moves
+  /// freely.
   BURNISH_INLINE void release(const Force<S>& f) {
     linear.subtract_square(f.linear);
     coupling.c0 -= f.linear * f.angular.x;
@@ -138,14 +139,14 @@ struct ArticulatedInertia {
   }
 };
 
-/// The operator B(v) with which the derivatives of I a + v x* I v are written (Singh, Russell,
-/// Wensing, "Efficient Analytical Derivatives of Rigid-Body Dynamics using Spatial Vector Algebra",
-/// 2022): B = 1/2 [(v x*) I - I (v x) + (I v) xbar*]. About any one origin its left half
-/// vanishes, so that 12 numbers hold it: B = [0, -h x; 0, D].
+/// Operator B(v) = 1/2 [(v x*) I - I (v x) + (I v) xbar*] in the derivatives of I a + v x* I v
+/// (Singh, Russell, Wensing, "Efficient Analytical Derivatives of Rigid-Body Dynamics using Spatial
+/// Vector Algebra", 2022). Its left half is zero about any origin, so 12 numbers store it:
+/// B = [0, -h x; 0, D].
 template <class S>
 struct Coriolis {
-  Vec3<S> momentum;  ///< linear momentum h
-  Mat3<S> angular;   ///< D
+  Vec3<S> momentum;  ///< Linear momentum h
+  Mat3<S> angular;   ///< Lower right block D
 
   BURNISH_INLINE Force<S> operator*(const Motion<S>& m) const {
     return {cross(m.angular, momentum), angular * m.angular};
@@ -165,7 +166,8 @@ struct Coriolis {
 template <class S>
 BURNISH_INLINE Coriolis<S> coriolis(const Inertia<S>& inertia, const Motion<S>& v,
                                     const Vec3<S>& momentum) {
-  // D = -[mc][v] + [(tr(I)/2 - I) w] - I [w], with [a][b] = b a^T - (a.b) 1
+  // D = -[mc][v] + [(tr(I)/2 - I) w] - I [w], where [a] is the matrix of the cross product with a,
+  // and [a][b] = b a^T - (a.b) 1.
   const Sym3<S>& J = inertia.second;
   const Vec3<S>& c = inertia.moment;
   const Vec3<S>& w = v.angular;

@@ -1,5 +1,5 @@
-// Three-dimensional vectors and matrices over any scalar. Plain structs: with packs they compile to
-// registers, where expression templates would go through memory.
+// Vectors and matrices of dimension three for any scalar. They are plain structs, which compilers
+// keep in registers even with packs. Expression templates would use memory.
 #pragma once
 
 #include <Eigen/Core>
@@ -46,7 +46,7 @@ BURNISH_INLINE S dot(const Vec3<S>& a, const Vec3<S>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// A 3x3 matrix by columns.
+/// 3 x 3 matrix, stored by columns.
 template <class S>
 struct Mat3 {
   Vec3<S> c0, c1, c2;
@@ -73,12 +73,12 @@ template <class S>
 BURNISH_INLINE const Vec3<S>& column(const Mat3<S>& m, int k) {
   return k == 0 ? m.c0 : k == 1 ? m.c1 : m.c2;
 }
-/// transpose(m) * v.
+/// Returns transpose(m) * v.
 template <class S>
 BURNISH_INLINE Vec3<S> transpose_times(const Mat3<S>& m, const Vec3<S>& v) {
   return {dot(m.c0, v), dot(m.c1, v), dot(m.c2, v)};
 }
-/// transpose(a) * b.
+/// Returns transpose(a) * b.
 template <class S>
 BURNISH_INLINE Mat3<S> transpose_times(const Mat3<S>& a, const Mat3<S>& b) {
   return {transpose_times(a, b.c0), transpose_times(a, b.c1), transpose_times(a, b.c2)};
@@ -89,7 +89,7 @@ BURNISH_INLINE Mat3<S> transposed(const Mat3<S>& m) {
   return {{m.c0.x, m.c1.x, m.c2.x}, {m.c0.y, m.c1.y, m.c2.y}, {m.c0.z, m.c1.z, m.c2.z}};
 }
 
-/// A symmetric 3x3 matrix.
+/// Symmetric 3 x 3 matrix.
 template <class S>
 struct Sym3 {
   S xx, xy, xz, yy, yz, zz;
@@ -118,7 +118,7 @@ struct Sym3 {
   }
 };
 
-/// Constants of the model as the kernel's scalar.
+/// Converts constants of the model to the scalar of a kernel.
 template <class S>
 BURNISH_INLINE Vec3<S> lift(const Vec3<double>& v) {
   return {S(v.x), S(v.y), S(v.z)};

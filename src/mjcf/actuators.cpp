@@ -1,5 +1,4 @@
-// Actuators: how much they can do is the effort limit of their joints. Gains are no part of a
-// model.
+// Actuators: their maximum forces give the effort limits of joints. Gains are not part of a model.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,20 +13,22 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What an element or the compiler says of a range: its larger end, or infinity where there is
-/// none.
+/// Returns the larger bound of a range, by magnitude; infinity if the range is missing or does not
+/// apply.
 double bound(const Item& item, const char* limited, const char* range, Reading& reading,
              bool& is_even) {
   const auto stated = item.numbers(range, 2);
   const bool has_range = stated && ((*stated)[0] != 0.0 || (*stated)[1] != 0.0);
   if (!item.choice(limited).value_or(has_range && reading.compiler_of(item.xml()).autolimits))
     return infinity;
-  if (!has_range) refuse_at(item.xml(), std::string("it is limited, but has no ") + range);
+  if (!has_range)
+    refuse_at(item.xml(), std::string("it is limited but has no ") + range + "; wanted one");
   is_even = is_even && (*stated)[0] == -(*stated)[1];
   return std::max(std::abs((*stated)[0]), std::abs((*stated)[1]));
 }
 
-/// Servos push as hard as they are far from where they should be: their controls limit no force.
+/// Returns whether the actuator is a servo. The force of a servo depends on its error, so its
+/// control range does not limit the force.
 bool is_servo(const Item& item) {
   const std::string_view kind = item.xml().Name();
   if (kind == "motor" || kind == "cylinder") return false;
@@ -46,23 +47,24 @@ double gain_of(const Item& item) {
   return diameter > 0.0 ? 0.25 * std::numbers::pi * diameter * diameter : item.number("area", 1.0);
 }
 
-/// The largest force before the gear, N or Nm.
+/// Returns the largest force before the gear [N, Nm].
 double largest_force(const Item& item, Reading& reading) {
   bool is_even = true;
   double force = bound(item, "forcelimited", "forcerange", reading, is_even);
   if (is_servo(item)) {
-    reading.aside.note("gains of servos and muscles are not carried over, only their largest force",
-                       example_of(item.xml()));
+    reading.info_notes.note(
+        "gains of servos and muscles are ignored; only their largest force is used",
+        example_of(item.xml()));
   } else {
     const double control = bound(item, "ctrllimited", "ctrlrange", reading, is_even);
     const double gain = std::abs(gain_of(item));
     if (control < infinity) force = std::min(force, gain * control);
   }
-  if (!is_even) reading.said.note(uneven_forces, example_of(item.xml()));
+  if (!is_even) reading.warning_notes.note(uneven_forces, example_of(item.xml()));
   return force;
 }
 
-/// Torques by joint as they add up.
+/// Sums of the torques on each joint.
 class Efforts {
  public:
   explicit Efforts(Reading& reading) : reading_(reading), sums_(reading.tree.joints.size(), 0.0) {}
@@ -77,12 +79,12 @@ class Efforts {
       }
     }
     if (const auto tendon = item.text("tendon")) return add_by_tendon(*tendon, gear[0], item);
-    reading_.said.note("actuators that act on no joint or fixed tendon are not carried over",
-                       example_of(item.xml()));
+    reading_.warning_notes.note("actuators that act on no joint or fixed tendon are ignored",
+                                example_of(item.xml()));
   }
 
   void limit_joints() const {
-    if (!any_) return;
+    if (!has_actuator_) return;
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       JointSpec& joint = reading_.tree.joints[i];
       if (joint.type != JointType::Fixed)
@@ -102,9 +104,10 @@ class Efforts {
   }
 
   void add_to(std::size_t joint, double factor, const Item& item) {
-    any_ = true;
+    has_actuator_ = true;
     const double force = largest_force(item, reading_);
-    if (factor != 0.0) sums_[joint] += std::abs(factor) * force;  // no gear, no infinity
+    // Without gear, 0 times infinity is avoided
+    if (factor != 0.0) sums_[joint] += std::abs(factor) * force;
   }
 
   void add_by_tendon(const std::string& name, double gear, const Item& item) {
@@ -114,13 +117,12 @@ class Efforts {
         add_to(reading_.coordinate(part.joint, item.xml()).joint, part.coefficient * gear, item);
       return;
     }
-    reading_.said.note("actuators on tendons that are not carried over are not either",
-                       example_of(item.xml()));
+    reading_.warning_notes.note("actuators on ignored tendons are ignored", example_of(item.xml()));
   }
 
   Reading& reading_;
   std::vector<double> sums_;
-  bool any_ = false;
+  bool has_actuator_ = false;
 };
 
 }  // namespace

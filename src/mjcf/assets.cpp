@@ -1,4 +1,4 @@
-// <asset>: where meshes are and which colours materials have.
+// <asset>: files of meshes and colours of materials.
 #include "base/sentence.hpp"
 #include "mjcf/reading.hpp"
 
@@ -25,10 +25,10 @@ void read_mesh(const Item& item, Reading& reading) {
   fs::path file = stated;
   std::string name = item.name();
   if (name.empty()) name = file.stem().string();
-  if (name.empty()) refuse_at(item.xml(), "it has neither a name nor a file; one is needed");
+  if (name.empty()) refuse_at(item.xml(), "it has neither a name nor a file; wanted one of them");
   const Part& part = reading.part_of(item.xml());
   if (part.compiler.strip_paths) file = file.filename();
-  // What is absolute stays so.
+  // An absolute path stays absolute.
   if (!stated.empty()) mesh.file = (part.folder / part.compiler.mesh_folder / file).string();
   if (const auto scale = item.numbers("scale", 3))
     mesh.scale = Eigen::Vector3d((*scale)[0], (*scale)[1], (*scale)[2]);
@@ -38,7 +38,7 @@ void read_mesh(const Item& item, Reading& reading) {
     mesh.reference.linear() = quaternion_of(*turned, item.xml()).toRotationMatrix();
   mesh.inertia = inertia_kind(item, part.compiler, mesh);
   if (!reading.meshes.emplace(name, mesh).second)
-    refuse_at(item.xml(), "a mesh of the name " + in_quotes(name) + " is defined twice");
+    refuse_at(item.xml(), "mesh " + in_quotes(name) + " is defined twice");
 }
 
 void read_material(const Item& item, Reading& reading) {
@@ -57,8 +57,8 @@ void read_asset(const XMLElement& asset, Reading& reading) {
   else if (kind == "material")
     reading.findings.attempt_or_warn([&] { read_material(reading.item(asset), reading); },
                                      "; it is drawn in grey");
-  else if (kind != "model")  // what attaches it asks for it
-    ++reading.passed_over[std::string(kind)];
+  else if (kind != "model")  // attached models are read on demand
+    ++reading.ignored_elements[std::string(kind)];
 }
 
 }  // namespace burnish::mjcf

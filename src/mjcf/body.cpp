@@ -1,4 +1,4 @@
-// Bodies: links, joints between them, masses, sites.
+// Bodies: links, joints between them, masses and sites.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -15,9 +15,9 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr int most_nested = 1000;
+constexpr int max_nesting = 1000;  // Nested elements, chosen by hand
 
-/// An element in a frame of the body, under its class.
+/// Element of a body, with the placement of its enclosing <frame> and its class.
 struct Within {
   Item item;
   Isometry3d around;
@@ -28,28 +28,28 @@ struct Child {
   const DefaultClass* defaults;
 };
 
-/// What a body holds, taken out of its frames.
+/// Content of a body, with <frame> elements resolved.
 struct Contents {
   std::vector<Within> joints, geoms, sites;
   std::vector<Child> bodies;
   const XMLElement* inertial = nullptr;
 };
 
-/// What else is in a body: nothing that dynamics needs, or nothing that is known.
-void pass_over(const XMLElement& element, Reading& reading) {
+/// Records an element that is ignored: unnecessary for the dynamics, or unknown.
+void ignore(const XMLElement& element, Reading& reading) {
   const std::string_view kind = element.Name();
   if (kind == "light" || kind == "camera")
-    ++reading.passed_over[std::string(kind)];
+    ++reading.ignored_elements[std::string(kind)];
   else if (kind == "plugin")
-    reading.said.note("forces of plugins are not carried over", example_of(element));
+    reading.warning_notes.note("forces of plugins are ignored", example_of(element));
   else
-    reading.said.note("elements of unknown names are passed over", example_of(element));
+    reading.warning_notes.note("elements with unknown names are ignored", example_of(element));
 }
 
 void collect(const XMLElement& element, const Isometry3d& around, const DefaultClass* defaults,
              int depth, Reading& reading, Contents& contents) {
-  if (depth > most_nested)
-    refuse_at(element, "elements are nested more than " + std::to_string(most_nested) + " deep");
+  if (depth > max_nesting)
+    refuse_at(element, "elements are nested more than " + std::to_string(max_nesting) + " deep");
   for (const XMLElement* child : reading.source.children(element)) {
     const std::string_view kind = child->Name();
     const auto add = [&](std::vector<Within>& to) {
@@ -64,7 +64,8 @@ void collect(const XMLElement& element, const Isometry3d& around, const DefaultC
     } else if (kind == "joint") {
       add(contents.joints);
     } else if (kind == "freejoint") {
-      contents.joints.push_back({Item(*child, nullptr), around});  // it has no defaults
+      // A freejoint does not have defaults
+      contents.joints.push_back({Item(*child, nullptr), around});
     } else if (kind == "geom") {
       add(contents.geoms);
     } else if (kind == "site") {
@@ -73,11 +74,11 @@ void collect(const XMLElement& element, const Isometry3d& around, const DefaultC
       contents.inertial = child;
     } else if (kind == "composite" || kind == "flexcomp") {
       reading.has_composed = true;
-      reading.said.note(
-          "what is soft or composed (<composite>, <flexcomp>, <flex>) is not carried over",
+      reading.warning_notes.note(
+          "soft and composed bodies (<composite>, <flexcomp>, <flex>) are ignored",
           example_of(*child));
     } else {
-      pass_over(*child, reading);
+      ignore(*child, reading);
     }
   }
 }
@@ -93,7 +94,7 @@ InertiaSpec read_inertial(const XMLElement& element, const Compiler& compiler) {
   body.com = at.translation();
   if (const auto full = item.numbers("fullinertia", 6)) {
     if (item.stating("diaginertia") != nullptr)
-      refuse_at(element, "diaginertia and fullinertia are both stated; state one");
+      refuse_at(element, "diaginertia and fullinertia are both stated; wanted one of them");
     const std::vector<double>& i = *full;
     body.inertia_at_com << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
   } else if (const auto diagonal = item.numbers("diaginertia", 3)) {
@@ -104,13 +105,14 @@ InertiaSpec read_inertial(const XMLElement& element, const Compiler& compiler) {
   return body;
 }
 
-/// What the compiler does to all masses: least values, and inertias that no solid has made even.
+/// Applies the compiler's corrections: minimum mass and moments, and balanced moments for inertias
+/// that violate the triangle inequality.
 void correct(InertiaSpec& body, const Compiler& compiler) {
-  body.mass = std::max(body.mass, compiler.least_mass);
-  if (compiler.least_inertia <= 0.0 && !compiler.balance_inertia) return;
+  body.mass = std::max(body.mass, compiler.min_mass);
+  if (compiler.min_inertia <= 0.0 && !compiler.balance_inertia) return;
   if (!body.inertia_at_com.allFinite()) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(body.inertia_at_com);
-  Vector3d moments = principal.eigenvalues().cwiseMax(compiler.least_inertia);
+  Vector3d moments = principal.eigenvalues().cwiseMax(compiler.min_inertia);
   if (compiler.balance_inertia && 2.0 * moments.maxCoeff() > moments.sum())
     moments.setConstant(moments.mean());
   if (moments == principal.eigenvalues()) return;
@@ -150,15 +152,16 @@ JointType joint_type(const Item& item) {
                             did_you_mean(type, {"hinge", "slide", "ball", "free"}));
 }
 
-/// The first of the coefficients of what newer files write as a polynomial.
+/// Returns the linear coefficient of an attribute that newer files may state as a polynomial.
 double first_of(const Item& item, const char* attribute, Reading& reading) {
   const XMLElement* at = item.stating(attribute);
   if (at == nullptr) return 0.0;
   const std::vector<double> stated = all_numbers(*at, attribute, place_of(*at));
   if (stated.empty()) return 0.0;
   if (std::any_of(stated.begin() + 1, stated.end(), [](double x) { return x != 0.0; }))
-    reading.said.note(std::string(attribute) + " is taken as linear where it is a polynomial",
-                      example_of(item.xml()));
+    reading.warning_notes.note(
+        "polynomial " + std::string(attribute) + " is reduced to its linear coefficient",
+        example_of(item.xml()));
   return stated.front();
 }
 
@@ -168,16 +171,16 @@ void read_range(const Item& item, JointSpec& joint, Reading& reading) {
   const auto limited = item.choice("limited");
   if (!limited.value_or(has_range && reading.compiler_of(item.xml()).autolimits)) return;
   if (joint.type == JointType::Ball) {
-    reading.said.note("the range of ball joints is not carried over", example_of(item.xml()));
+    reading.warning_notes.note("ranges of ball joints are ignored", example_of(item.xml()));
     return;
   }
-  if (!has_range) refuse_at(item.xml(), "it is limited, but has no range");
+  if (!has_range) refuse_at(item.xml(), "it is limited but has no range; wanted one");
   const bool turns = joint.type == JointType::Revolute;
   joint.lower = turns ? reading.compiler_of(item.xml()).angle((*stated)[0]) : (*stated)[0];
   joint.upper = turns ? reading.compiler_of(item.xml()).angle((*stated)[1]) : (*stated)[1];
 }
 
-/// What all actuators together may do to the joint.
+/// Reads the effort limit of the joint, which all its actuators share.
 void read_effort(const Item& item, JointSpec& joint, Reading& reading) {
   const auto stated = item.numbers("actuatorfrcrange", 2);
   const bool has_range = stated && ((*stated)[0] != 0.0 || (*stated)[1] != 0.0);
@@ -185,7 +188,8 @@ void read_effort(const Item& item, JointSpec& joint, Reading& reading) {
   if (!limited.value_or(has_range && reading.compiler_of(item.xml()).autolimits) || !has_range)
     return;
   joint.effort_limit = std::max(std::abs((*stated)[0]), std::abs((*stated)[1]));
-  if ((*stated)[0] != -(*stated)[1]) reading.said.note(uneven_forces, example_of(item.xml()));
+  if ((*stated)[0] != -(*stated)[1])
+    reading.warning_notes.note(uneven_forces, example_of(item.xml()));
 }
 
 void read_passive(const Item& item, JointSpec& joint, double ref_unit, Reading& reading) {
@@ -195,7 +199,7 @@ void read_passive(const Item& item, JointSpec& joint, double ref_unit, Reading& 
   const double stiffness = first_of(item, "stiffness", reading);
   if (joint.type == JointType::Floating) {
     if (stiffness != 0.0)
-      reading.said.note("springs of free joints are not carried over", example_of(item.xml()));
+      reading.warning_notes.note("springs of free joints are ignored", example_of(item.xml()));
     return;
   }
   joint.stiffness = stiffness;
@@ -203,11 +207,11 @@ void read_passive(const Item& item, JointSpec& joint, double ref_unit, Reading& 
     joint.rest = ref_unit * item.number("springref", 0.0);
   const std::vector<double> springdamper = item.overlaid("springdamper", {0.0, 0.0});
   if (springdamper[0] != 0.0 || springdamper[1] != 0.0)
-    reading.said.note("springdamper, which MuJoCo computes a spring from, is not carried over",
-                      example_of(item.xml()));
+    reading.warning_notes.note("springdamper, from which MuJoCo computes a spring, is ignored",
+                               example_of(item.xml()));
 }
 
-/// A joint with its reference and the point of the body that it turns about.
+/// A joint with its reference and its anchor, a point of the body.
 struct ReadJoint {
   JointSpec spec;
   double reference = 0.0;
@@ -222,7 +226,7 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
   joint.line = line_of(item.xml());
   joint.name = item.name();
   if (joint.name.empty()) {
-    // As a free-flying base is called everywhere.
+    // The usual name of a floating base.
     const bool is_base =
         joint.type == JointType::Floating && !reading.joints.is_taken("root_joint");
     joint.name = reading.joints.unique(is_base ? "root_joint" : body + "_joint");
@@ -234,7 +238,7 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
     if (is_single) {
       const std::vector<double> axis = item.overlaid("axis", {0.0, 0.0, 1.0});
       joint.axis = within.around.linear() * Vector3d(axis[0], axis[1], axis[2]);
-      if (joint.axis.norm() > 0.0) joint.axis.normalize();  // zero is refused with the others
+      if (joint.axis.norm() > 0.0) joint.axis.normalize();  // A zero axis is rejected later
       read.reference = unit * item.number("ref", 0.0);
     }
     if (joint.type != JointType::Floating) read_range(item, joint, reading);
@@ -245,13 +249,14 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
     }
     read_passive(item, joint, unit, reading);
     if (item.text("align").value_or("auto") == "true")
-      reading.said.note("free joints stay at their bodies where 'align' would move them",
-                        example_of(item.xml()));
+      reading.warning_notes.note(
+          "'align' is ignored: free joints stay at the frames of their bodies",
+          example_of(item.xml()));
   });
   return read;
 }
 
-/// How a joint at its zero stands to the joint at its reference.
+/// Returns the transform from a joint's pose at its reference to its pose at zero.
 Isometry3d back_from_reference(const ReadJoint& joint) {
   Isometry3d back = Isometry3d::Identity();
   if (joint.spec.type == JointType::Revolute)
@@ -271,14 +276,15 @@ std::vector<double> values_at_start(const ReadJoint& joint, const Isometry3d& bo
 
 void check_free(const Within& within, const std::string& parent, std::size_t joints) {
   if (parent != world_name)
-    refuse_at(within.item.xml(), "a free joint belongs to a body in the world itself");
+    refuse_at(within.item.xml(), "a free joint must belong to a body directly in the world");
   if (joints != 1)
-    refuse_at(within.item.xml(),
-              "a free joint is a body's only one; this has " + std::to_string(joints) + " joints");
+    refuse_at(within.item.xml(), "a free joint must be the only one of its body; this body has " +
+                                     std::to_string(joints) + " joints");
 }
 
-/// The chain of joints between two bodies. MuJoCo moves a body by each of its joints in turn: with
-/// anchor p, axis a and reference r, T(p) R(a, q - r) T(-p), which is T(p) R(a, -r) R(a, q) T(-p).
+/// Adds the chain of joints between two bodies. MuJoCo moves a body by each joint in turn: with
+/// anchor p, axis a and reference r, T(p) R(a, q - r) T(-p), which equals T(p) R(a, -r) R(a, q)
+/// T(-p).
 void join(const std::vector<Within>& joints, const std::string& parent, const std::string& body,
           const Isometry3d& placement, int line, Reading& reading) {
   TreeSpec& tree = reading.tree;
@@ -332,14 +338,14 @@ void read_sites(const std::vector<Within>& sites, const std::string& link, Readi
         placement = placement_of(within.item, reading.compiler_of(within.item.xml()));
       }
       const std::string name = within.item.name();
-      if (name.empty()) return;  // nobody can ask for it
+      if (name.empty()) return;  // A site without a name cannot be referenced
       placement = within.around * placement;
-      reading.sites.emplace(name, Placed{link, placement});
+      reading.sites.emplace(name, LinkPlacement{link, placement});
       std::string frame = name;
       if (reading.links.is_taken(name) || reading.joints.is_taken(name)) {
         frame = reading.frames.unique(name + "_site");
-        reading.aside.note("sites with the name of a body or a joint are called by it and '_site'",
-                           example_of(within.item.xml()));
+        reading.info_notes.note("sites with the name of a body or a joint get the suffix '_site'",
+                                example_of(within.item.xml()));
       }
       reading.frames.take(frame);
       reading.tree.frames.push_back({frame, link, placement});
@@ -347,21 +353,22 @@ void read_sites(const std::vector<Within>& sites, const std::string& link, Readi
   }
 }
 
-void say_of_body(const XMLElement& body, Reading& reading) {
+void note_body_omissions(const XMLElement& body, Reading& reading) {
   const Item item(body, nullptr);
   if (item.flag("mocap", false))
-    reading.said.note("bodies that motion capture moves (mocap) are fixed", example_of(body));
+    reading.warning_notes.note("motion-capture bodies (mocap) are fixed", example_of(body));
   if (item.text("gravcomp").value_or("0") != "0")
-    reading.said.note("gravity is not taken off bodies (gravcomp)", example_of(body));
+    reading.warning_notes.note("gravity compensation of bodies (gravcomp) is ignored",
+                               example_of(body));
 }
 
-/// `moves`: whether a joint moves the parent.
+/// Reads a body and its children. `moves`: a joint moves the parent.
 void read_body(const Child& child, const std::string& parent, bool moves, int depth,
                Reading& reading) {
   const XMLElement& xml = *child.xml;
   if (depth > max_depth || reading.tree.links.size() > max_links)
     refuse_at(xml, "more than " + std::to_string(depth > max_depth ? max_depth : int{max_links}) +
-                       (depth > max_depth ? " bodies are one in the other" : " links") +
+                       (depth > max_depth ? " nested bodies" : " links") +
                        "; at most that many are supported");
   LinkSpec link;
   const char* stated = xml.Attribute("name");
@@ -371,7 +378,7 @@ void read_body(const Child& child, const std::string& parent, bool moves, int de
   reading.findings.attempt([&] {
     placement = child.around * placement_of(Item(xml, nullptr), reading.compiler_of(xml));
   });
-  reading.findings.attempt([&] { say_of_body(xml, reading); });
+  reading.findings.attempt([&] { note_body_omissions(xml, reading); });
   Contents contents;
   reading.findings.attempt(
       [&] { collect(xml, Isometry3d::Identity(), child.defaults, 0, reading, contents); });
@@ -386,9 +393,9 @@ void read_body(const Child& child, const std::string& parent, bool moves, int de
   for (const Child& below : contents.bodies) read_body(below, name, moves, depth + 1, reading);
 }
 
-/// Names that are stated, before others are made up.
+/// Reserves the names in the file before the reader generates names.
 void take_names(const XMLElement& element, int depth, Reading& reading) {
-  if (depth > most_nested) return;  // refused where it is read
+  if (depth > max_nesting) return;  // The reader rejects the element later
   for (const XMLElement* child : reading.source.children(element)) {
     const std::string_view kind = child->Name();
     const char* name = child->Attribute("name");
@@ -412,7 +419,8 @@ void read_world(const XMLElement& section, Reading& reading) {
   Contents contents;
   collect(section, Isometry3d::Identity(), defaults, 0, reading, contents);
   if (!contents.joints.empty())
-    refuse_at(contents.joints.front().item.xml(), "the world has no joints; wanted it in a body");
+    refuse_at(contents.joints.front().item.xml(),
+              "the world must have no joints; wanted the joint in a body");
   std::vector<Geom> geoms;
   for (const Within& geom : contents.geoms) geoms.push_back({&geom.item, geom.around});
   read_geoms(geoms, 0, Weigh::No, reading);

@@ -10,13 +10,13 @@
 namespace burnish::mjcf {
 namespace {
 
-constexpr double least_length = 1e-14;
+constexpr double min_length = 1e-14;  // Shorter vectors count as zero
 
 Eigen::Vector3d direction(const std::vector<double>& values, std::size_t first, const char* what,
                           const XMLElement& stating) {
   const Eigen::Vector3d stated(values[first], values[first + 1], values[first + 2]);
-  if (stated.norm() < least_length)
-    refuse_at(stating, std::string(what) + " holds a direction of no length");
+  if (stated.norm() < min_length)
+    refuse_at(stating, std::string(what) + " contains a direction of zero length");
   return stated.normalized();
 }
 
@@ -60,14 +60,14 @@ Eigen::Matrix3d rotation_by(const Form& form, const XMLElement& at, const Compil
       .toRotationMatrix();
 }
 
-/// The one form that an element states itself, or nullptr.
+/// Returns the form of orientation that an element states itself, or nullptr.
 const Form* form_of(const XMLElement& at) {
   const Form* found = nullptr;
   for (const Form& form : forms) {
     if (at.Attribute(form.attribute) == nullptr) continue;
     if (found != nullptr)
       refuse_at(at, std::string(found->attribute) + " and " + form.attribute +
-                        " both state its orientation; state one");
+                        " both state its orientation; wanted one of them");
     found = &form;
   }
   return found;
@@ -90,7 +90,7 @@ void read_euler(const XMLElement& element, std::string& euler) {
 
 Eigen::Quaterniond quaternion_of(const std::vector<double>& wxyz, const XMLElement& stating) {
   const Eigen::Quaterniond stated(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
-  if (stated.norm() < least_length) refuse_at(stating, "a quaternion of zeros is no rotation");
+  if (stated.norm() < min_length) refuse_at(stating, "a zero quaternion is not a rotation");
   return stated.normalized();
 }
 
@@ -101,8 +101,7 @@ double Compiler::angle(double stated) const {
 void Compiler::read(const XMLElement& element) {
   const Item item(element, nullptr);
   if (item.text("coordinate").value_or("local") == "global")
-    refuse_at(element,
-              "coordinate is 'global', which MuJoCo has given up; wanted local placements");
+    refuse_at(element, "coordinate is 'global', which MuJoCo no longer supports; wanted local");
   if (const auto unit = item.text("angle")) {
     if (*unit != "degree" && *unit != "radian")
       refuse_at(element, "angle is " + in_quotes(*unit) + "; wanted degree or radian");
@@ -119,8 +118,8 @@ void Compiler::read(const XMLElement& element) {
                         : *choice ? InertiaFromGeom::Yes
                                   : InertiaFromGeom::No;
   }
-  least_mass = item.number("boundmass", least_mass);
-  least_inertia = item.number("boundinertia", least_inertia);
+  min_mass = item.number("boundmass", min_mass);
+  min_inertia = item.number("boundinertia", min_inertia);
   total_mass = item.number("settotalmass", total_mass);
   if (const auto groups = item.numbers("inertiagrouprange", 2)) {
     first_group = static_cast<int>(std::clamp((*groups)[0], -1e6, 1e6));

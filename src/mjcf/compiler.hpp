@@ -1,4 +1,4 @@
-// How the numbers of an MJCF file are meant, and placements in it.
+// Settings of <compiler>, and placements of MJCF elements.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,39 +10,43 @@ namespace burnish::mjcf {
 
 enum class InertiaFromGeom { No, Yes, Auto };
 
-/// What <compiler> says; of several the later go before.
+/// Settings of <compiler>. If a file has several <compiler> elements, later ones override earlier
+/// ones.
 struct Compiler {
   bool degrees = true;
-  std::string euler = "xyz";  ///< small letters: axes that turn along; capitals: fixed ones
+  /// Small letters: axes that rotate with the body; capitals: fixed axes
+  std::string euler = "xyz";
   bool autolimits = true;
   bool strip_paths = false;
   bool balance_inertia = false;
-  bool exact_meshes = false;  ///< as files before MuJoCo 3.2.5 say it for all meshes at once
+  /// Default mesh inertia is exact (attribute of files before MuJoCo 3.2.5)
+  bool exact_meshes = false;
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::Auto;
-  double least_mass = 0.0;              ///< kg
-  double least_inertia = 0.0;           ///< kg m^2
-  double total_mass = -1.0;             ///< kg; not positive: as stated
-  int first_group = 0, last_group = 5;  ///< of geoms that have a mass
-  std::string mesh_folder;              ///< of `meshdir`, or else of `assetdir`
+  double min_mass = 0.0;                ///< [kg]
+  double min_inertia = 0.0;             ///< [kg m^2]
+  double total_mass = -1.0;             ///< Prescribed total mass [kg]; not positive: no scaling
+  int first_group = 0, last_group = 5;  ///< Groups of geoms that have a mass
+  std::string mesh_folder;              ///< Folder of meshes, from `meshdir`, else from `assetdir`
 
-  /// Throws Error for global coordinates and for what is none of the known words.
+  /// Reads a <compiler> element. Throws Error for global coordinates and for unknown values.
   void read(const XMLElement& element);
 
-  double angle(double stated) const;  ///< rad
+  double angle(double stated) const;  ///< Converts an angle of the file to [rad]
 };
 
-/// The rotation that quat, axisangle, xyaxes, zaxis or euler states; the identity where none of
-/// them does. What the element states itself goes before its class. Throws Error for two of them,
-/// and for what is no rotation.
+/// Returns the rotation from quat, axisangle, xyaxes, zaxis or euler; the identity if the item has
+/// none of them. The element itself has priority over its class. Throws Error for two of them in
+/// one element, and for values that are not a rotation.
 Eigen::Matrix3d orientation_of(const Item& item, const Compiler& compiler);
 
-/// `pos` with orientation_of.
+/// Returns the placement from `pos` and orientation_of().
 Eigen::Isometry3d placement_of(const Item& item, const Compiler& compiler);
 
-/// The shortest rotation that takes z to a direction, which need not be of unit length.
+/// Returns the shortest rotation that takes z to a direction of any length.
 Eigen::Matrix3d rotation_to(const Eigen::Vector3d& z);
 
-/// A rotation by four numbers w, x, y, z. Throws Error where they are all zero.
+/// Returns the rotation of a quaternion w, x, y, z of any length. Throws Error if all numbers are
+/// zero.
 Eigen::Quaterniond quaternion_of(const std::vector<double>& wxyz, const XMLElement& stating);
 
 }  // namespace burnish::mjcf

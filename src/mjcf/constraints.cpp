@@ -1,4 +1,4 @@
-// Tendons and equalities: what couples joints and closes chains.
+// Tendons and equalities: couplings of joints and loops.
 #include <algorithm>
 #include <cmath>
 
@@ -19,17 +19,18 @@ JointSpec& joint_of(const std::string& name, const XMLElement& asking, Reading& 
   return reading.tree.joints[reading.coordinate(name, asking).joint];
 }
 
-/// A hinge or a slide by name, as MuJoCo's tendons and couplings of joints want it.
+/// Returns a hinge or slide joint by name; other joints cannot be in tendons and couplings.
 JointSpec& single_joint(const std::string& name, const XMLElement& asking, Reading& reading) {
   JointSpec& joint = joint_of(name, asking, reading);
   if (posture_size(joint.type) > 1)
-    refuse_at(asking, "joint " + in_quotes(name) + " is no hinge or slide; wanted one");
+    refuse_at(asking, "joint " + in_quotes(name) + " is not a hinge or slide; wanted one of these");
   return joint;
 }
 
 // ---- Tendons
 
-/// Where a spring is at rest: where stated, or else at the rest of the joints' springs.
+/// Reads the spring of a tendon. Its rest length is stated, or follows from the rest of the joints'
+/// springs.
 void read_spring(const Item& item, double at_rest, TendonSpec& tendon, Reading& reading) {
   const std::vector<double> stiffness = item.overlaid("stiffness", {0.0});
   tendon.stiffness = stiffness[0];
@@ -38,22 +39,23 @@ void read_spring(const Item& item, double at_rest, TendonSpec& tendon, Reading& 
   const XMLElement* at = item.stating("springlength");
   if (at == nullptr) return;
   const std::vector<double> stated = all_numbers(*at, "springlength", place_of(*at));
-  if (stated.empty() || stated[0] < 0.0) return;  // -1: MuJoCo takes the joints' rest
+  if (stated.empty() || stated[0] < 0.0) return;  // -1: rest of the joints
   tendon.rest = stated[0];
   if (stated.size() < 2 || stated[1] == stated[0]) return;
   tendon.stiffness = 0.0;
-  reading.said.note("springs of tendons with play between two lengths are not carried over",
-                    example_of(item.xml()));
+  reading.warning_notes.note(
+      "springs of tendons with a slack range between two lengths are ignored",
+      example_of(item.xml()));
 }
 
-void say_of_tendon(const Item& item, Reading& reading) {
+void note_tendon_omissions(const Item& item, Reading& reading) {
   const auto range = item.numbers("range", 2);
   const bool has_range = range && ((*range)[0] != 0.0 || (*range)[1] != 0.0);
   if (item.choice("limited").value_or(has_range && reading.compiler_of(item.xml()).autolimits))
-    reading.said.note("limits of tendons are not carried over", example_of(item.xml()));
+    reading.warning_notes.note("limits of tendons are ignored", example_of(item.xml()));
   if (item.number("frictionloss", 0.0) != 0.0 || item.number("armature", 0.0) != 0.0)
-    reading.said.note("friction and inertia of tendons are not carried over",
-                      example_of(item.xml()));
+    reading.warning_notes.note("friction and inertia of tendons are ignored",
+                               example_of(item.xml()));
 }
 
 void read_fixed(const Item& item, Reading& reading) {
@@ -61,23 +63,23 @@ void read_fixed(const Item& item, Reading& reading) {
   tendon.name = item.name();
   tendon.line = line_of(item.xml());
   double at_rest = 0.0;
-  for (const XMLElement* part : reading.source.children(item.xml())) {
-    if (std::string_view(part->Name()) != "joint") continue;
-    const std::string name = needed_attribute(*part, "joint", place_of(*part));
-    const double coefficient = needed_number(*part, "coef", place_of(*part));
-    JointSpec& joint = single_joint(name, *part, reading);
+  for (const XMLElement* child : reading.source.children(item.xml())) {
+    if (std::string_view(child->Name()) != "joint") continue;
+    const std::string name = needed_attribute(*child, "joint", place_of(*child));
+    const double coefficient = needed_number(*child, "coef", place_of(*child));
+    JointSpec& joint = single_joint(name, *child, reading);
     const double rest = joint.stiffness != 0.0 ? joint.rest : 0.0;
     at_rest += coefficient * rest;
     tendon.parts.push_back({name, coefficient});
   }
-  if (tendon.parts.empty()) refuse_at(item.xml(), "it runs over no joint; wanted one at least");
+  if (tendon.parts.empty()) refuse_at(item.xml(), "it has no joint; wanted at least 1");
   read_spring(item, at_rest, tendon, reading);
-  say_of_tendon(item, reading);
+  note_tendon_omissions(item, reading);
   reading.tree.tendons.push_back(std::move(tendon));
 }
 
-/// Spatial tendons, whose length runs along points, have no place in a tree. What they do to the
-/// motion is lost, and each is named; the others only say a length.
+/// Spatial tendons, whose length depends on points of bodies, are not part of a tree. Tendons that
+/// affect the motion are listed by name in warnings; for the others there is a note.
 class SpatialTendons {
  public:
   void look_at(const Item& item, Reading& reading) {
@@ -94,25 +96,26 @@ class SpatialTendons {
     if (stops) stopping_.push_back(name);
     if (resists) resisting_.push_back(name);
     if (!pulls && !stops && !resists)
-      reading.aside.note("spatial tendons without a spring, a damper or limits are passed over",
-                         name);
+      reading.info_notes.note("spatial tendons without a spring, a damper or limits are ignored",
+                              name);
   }
 
-  void tell(Reading& reading) const {
-    tell_of("springs and dampers", pulling_, reading);
-    tell_of("limits", stopping_, reading);
-    tell_of("friction and inertia", resisting_, reading);
+  void report(Reading& reading) const {
+    report("springs and dampers", pulling_, reading);
+    report("limits", stopping_, reading);
+    report("friction and inertia", resisting_, reading);
   }
 
  private:
-  static void tell_of(const std::string& what, const std::vector<std::string>& names,
-                      Reading& reading) {
-    constexpr std::size_t most = 12;
+  static void report(const std::string& what, const std::vector<std::string>& names,
+                     Reading& reading) {
+    constexpr std::size_t max_names = 12;
     std::string list;
-    for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    for (std::size_t i = 0; i < std::min(max_names, names.size()); ++i)
       list += (i == 0 ? "" : ", ") + names[i];
-    if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
-    if (!names.empty()) reading.said.note(what + " of spatial tendons are not carried over", list);
+    if (names.size() > max_names)
+      list += " and " + std::to_string(names.size() - max_names) + " more";
+    if (!names.empty()) reading.warning_notes.note(what + " of spatial tendons are ignored", list);
   }
 
   std::vector<std::string> pulling_, stopping_, resisting_;
@@ -120,12 +123,13 @@ class SpatialTendons {
 
 // ---- Couplings of joints
 
-/// y - y0 = a0 + a1 (x - x0), with the references x0 and y0: y = a1 x + a0 + y0 - a1 x0.
+/// Returns the coupling y - y0 = a0 + a1 (x - x0), with references x0 and y0: y = a1 x + a0 + y0 -
+/// a1 x0.
 MimicSpec coupling(const std::string& leader, double a0, double a1, double x0, double y0) {
   return {leader, a1, a0 + y0 - a1 * x0};
 }
 
-/// Whether a joint is led by another, or is it.
+/// Returns whether joint `name` is `other` or follows it, directly or indirectly.
 bool is_led_by(const std::string& name, const std::string& other, const XMLElement& asking,
                Reading& reading) {
   std::string at = name;
@@ -137,8 +141,8 @@ bool is_led_by(const std::string& name, const std::string& other, const XMLEleme
   return true;
 }
 
-/// Fixes a joint at a value, and what follows it where that puts it. Of tendons along it what is
-/// left is the rest.
+/// Fixes a joint at a value, and its followers at the resulting values. Tendons lose the joint and
+/// keep their remaining rest length.
 void fix(JointSpec& joint, double value, Reading& reading) {
   joint.placement = joint.placement * displacement(joint, std::vector<double>{value});
   joint.type = JointType::Fixed;
@@ -157,18 +161,19 @@ void fix(JointSpec& joint, double value, Reading& reading) {
 }
 
 void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
-  // What follows another is held by holding that.
+  // A follower is held by holding its leader.
   JointSpec* leader = &joint;
   while (leader->mimic) {
     value = (value - leader->mimic->offset) / leader->mimic->multiplier;
     leader = &joint_of(leader->mimic->leader, item.xml(), reading);
   }
   fix(*leader, value, reading);
-  reading.aside.note("joints that an equality holds at a value are fixed there",
-                     example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
+  reading.info_notes.note(
+      "joints that an equality holds at a constant value are fixed at that value",
+      example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
 }
 
-/// A coupling of which one joint is held already holds the other; y - y0 = a0 + a1 (x - x0).
+/// Holds the other joint of a coupling if one joint is already held; y - y0 = a0 + a1 (x - x0).
 void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupling,
                     const Item& item, Reading& reading) {
   if (first.type != JointType::Fixed) {
@@ -179,8 +184,8 @@ void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupli
     const double value = first.held.front();
     return hold(second, coupling.multiplier * value + coupling.offset, item, reading);
   }
-  reading.said.note("equalities of joints that are held already are passed over",
-                    example_of(item.xml()));
+  reading.warning_notes.note("equalities of joints that are already held are ignored",
+                             example_of(item.xml()));
 }
 
 void couple(const Item& item, Reading& reading) {
@@ -192,12 +197,11 @@ void couple(const Item& item, Reading& reading) {
   const auto stated = item.text("joint2");
   const bool is_linear = a[2] == 0.0 && a[3] == 0.0 && a[4] == 0.0;
   if (stated && !is_linear)
-    return reading.said.note("couplings of joints that are not linear are not carried over",
-                             example_of(xml));
+    return reading.warning_notes.note("nonlinear couplings of joints are ignored", example_of(xml));
   if (!stated || a[1] == 0.0) {
     if (second.type != JointType::Fixed) return hold(second, y0 + a[0], item, reading);
-    return reading.said.note("equalities of joints that are held already are passed over",
-                             example_of(xml));
+    return reading.warning_notes.note("equalities of joints that are already held are ignored",
+                                      example_of(xml));
   }
   const std::string& leader = *stated;
   JointSpec& first = single_joint(leader, xml, reading);
@@ -211,8 +215,8 @@ void couple(const Item& item, Reading& reading) {
     // x - x0 = (y - y0 - a0) / a1
     first.mimic = coupling(follower, -a[0] / a[1], 1.0 / a[1], y0, x0);
   } else {
-    reading.said.note("couplings of joints that are coupled already are passed over",
-                      example_of(xml));
+    reading.warning_notes.note("couplings of joints that are coupled already are ignored",
+                               example_of(xml));
   }
 }
 
@@ -220,16 +224,18 @@ void hold_tendon(const Item& item, Reading& reading) {
   const XMLElement& xml = item.xml();
   const std::string name = needed_attribute(xml, "tendon1", place_of(xml));
   if (item.text("tendon2"))
-    return reading.said.note("equalities of two tendons are not carried over", example_of(xml));
+    return reading.warning_notes.note("equalities of two tendons are ignored", example_of(xml));
   const double a0 = item.overlaid("polycoef", {0.0})[0];
   for (TendonSpec& tendon : reading.tree.tendons) {
     if (tendon.name != name) continue;
     const auto counts = [](const TendonSpec::Part& part) { return part.coefficient != 0.0; };
     if (std::count_if(tendon.parts.begin(), tendon.parts.end(), counts) > 2)
-      return reading.said.note("tendons that are held along more than two joints are left free",
-                               example_of(xml));
+      return reading.warning_notes.note(
+          "equalities that hold the length of a tendon along more than two joints are ignored",
+          example_of(xml));
     if (tendon.stiffness != 0.0)
-      reading.said.note("springs of tendons that are held are not carried over", example_of(xml));
+      reading.warning_notes.note("springs of tendons whose length is held constant are ignored",
+                                 example_of(xml));
     tendon.held = true;
     tendon.stiffness = 0.0;
     tendon.rest = a0;
@@ -239,8 +245,7 @@ void hold_tendon(const Item& item, Reading& reading) {
     const TendonSpec::Part only = tendon.parts[0];
     return hold(joint_of(only.joint, xml, reading), tendon.rest / only.coefficient, item, reading);
   }
-  reading.said.note("equalities of tendons that are not carried over are not either",
-                    example_of(xml));
+  reading.warning_notes.note("equalities of ignored tendons are ignored", example_of(xml));
 }
 
 // ---- Loops
@@ -255,7 +260,7 @@ std::string link_of(const Item& item, const char* attribute, const Reading& read
             "body " + in_quotes(*stated) + " does not exist" + reading.hint(*stated, known));
 }
 
-const Placed& site_of(const Item& item, const char* attribute, const Reading& reading) {
+const LinkPlacement& site_of(const Item& item, const char* attribute, const Reading& reading) {
   const std::string name = needed_attribute(item.xml(), attribute, place_of(item.xml()));
   const auto found = reading.sites.find(name);
   if (found != reading.sites.end()) return found->second;
@@ -270,8 +275,8 @@ Isometry3d at_point(const std::vector<double>& p) {
   return placement;
 }
 
-/// What `relpose` says, where it states a rotation: MuJoCo holds the anchor, a point of the second
-/// body, at its position in the first, and the second body's axes along its rotation.
+/// Returns the pose of `relpose`, if it states a rotation. MuJoCo holds the anchor, a point of the
+/// second body, at this position in the first body, and the second body's axes at this rotation.
 std::optional<Isometry3d> stated_pose(const Item& item) {
   const auto pose = item.numbers("relpose", 7);
   const bool is_stated =
@@ -289,8 +294,8 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
   reading.loops.take(loop.name);
   loop.directions = is_weld ? Directions::all() : Directions::linear();
   if (item.stating("site1") != nullptr) {
-    const Placed &first = site_of(item, "site1", reading),
-                 &second = site_of(item, "site2", reading);
+    const LinkPlacement &first = site_of(item, "site1", reading),
+                        &second = site_of(item, "site2", reading);
     loop.first_link = first.link, loop.first = first.in_link;
     loop.second_link = second.link, loop.second = second.in_link;
   } else {
@@ -299,34 +304,35 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
     loop.second_link = link_of(item, "body2", reading);
     const auto anchor = item.numbers("anchor", 3);
     if (!is_weld && !anchor) refuse_at(item.xml(), "it has no anchor; a point of body1 is needed");
-    // As the file draws them: the second body in the first one's frame.
+    // Pose of the second body in the first one's frame, as the file places them.
     const Isometry3d drawn = reading.link_at_start.at(loop.first_link).inverse() *
                              reading.link_at_start.at(loop.second_link);
     const Isometry3d at = at_point(anchor.value_or(std::vector<double>(3, 0.0)));
-    // The anchor is a point of the first body, but of a weld one of the second.
+    // The anchor is a point of the first body; for a weld, a point of the second body.
     loop.first = is_weld ? stated_pose(item).value_or(drawn * at) : at;
     loop.second = is_weld ? at : drawn.inverse() * at;
   }
   if (loop.first_link == loop.second_link)
     refuse_at(item.xml(),
-              "it ties " + in_quotes(loop.first_link) + " to itself; wanted two bodies");
+              "it connects " + in_quotes(loop.first_link) + " to itself; wanted two bodies");
   reading.tree.loops.push_back(std::move(loop));
 }
 
 void read_equality(const Item& item, Reading& reading) {
   const std::string_view kind = item.xml().Name();
   if (!item.flag("active", true))
-    return reading.aside.note("equalities that are not active are passed over",
-                              example_of(item.xml()));
+    return reading.info_notes.note("equalities that are not active are ignored",
+                                   example_of(item.xml()));
   if (kind == "connect") return close_loop(item, false, reading);
   if (kind == "weld") return close_loop(item, true, reading);
   if (kind == "joint") return couple(item, reading);
   if (kind == "tendon") return hold_tendon(item, reading);
-  reading.said.note("equalities of <" + std::string(kind) + "> are not carried over",
-                    example_of(item.xml()));
+  reading.warning_notes.note("equalities of <" + std::string(kind) + "> are ignored",
+                             example_of(item.xml()));
 }
 
-/// An equality of joints or tendons has the same name as these, but other defaults.
+/// Returns the item of an equality. Equalities of joints or tendons have the element name of joints
+/// and tendons, but other defaults.
 Item equality_item(const XMLElement& element, const Reading& reading) {
   return {element, reading.item(element).defaults(), "equality"};
 }
@@ -341,11 +347,11 @@ void read_tendons(const std::vector<const XMLElement*>& elements, Reading& readi
     else
       reading.findings.attempt([&] { spatial.look_at(reading.item(*element), reading); });
   }
-  spatial.tell(reading);
+  spatial.report(reading);
 }
 
 void read_equalities(const std::vector<const XMLElement*>& elements, Reading& reading) {
-  // Tendons first: their lengths are measured along all of their joints, before some are held.
+  // Tendons first, because their lengths count all of their joints, before some joints are held.
   for (const bool of_tendons : {true, false})
     for (const XMLElement* element : elements)
       if ((std::string_view(element->Name()) == "tendon") == of_tendons)

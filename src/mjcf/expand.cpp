@@ -1,9 +1,10 @@
-// <attach> and <replicate>: bodies of which copies are made under other names, and what names them.
+// <attach> and <replicate>: copies of bodies under new names, and of the elements that name them.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "mjcf/reading.hpp"
 
 namespace burnish::mjcf {
@@ -13,7 +14,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Elements = std::vector<const XMLElement*>;
 
-/// How copies are called, and whether they are of another model: then classes and assets are, too.
+/// Rule for the names of copies. For another model, classes and assets are renamed as well.
 struct Renaming {
   std::string prefix, suffix;
   bool of_another = false;
@@ -25,7 +26,8 @@ struct Renaming {
 /// Names of bodies, joints, geoms, sites and tendons.
 using NamesByKind = std::map<std::string_view, std::set<std::string>>;
 
-/// What kind of thing an attribute of tendons, equalities and actuators names; "" where none.
+/// Returns the kind of element that an attribute of tendons, equalities and actuators names; "" if
+/// the attribute names none.
 std::string_view kind_named_by(std::string_view attribute) {
   constexpr std::array<std::string_view, 5> numbered = {"joint", "body", "site", "geom", "tendon"};
   if (attribute == "jointinparent") return "joint";
@@ -41,7 +43,7 @@ void set(XMLElement& element, const char* attribute, const std::string& value) {
   element.SetAttribute(attribute, value.c_str());
 }
 
-/// The named attributes that are there, renamed.
+/// Renames those of the attributes that the element has.
 template <std::size_t n>
 void rename(XMLElement& element, const std::array<const char*, n>& attributes,
             const Renaming& renaming) {
@@ -55,7 +57,7 @@ constexpr std::array<const char*, 1> names{"name"};
 constexpr std::array<const char*, 6> of_model{"class",  "childclass", "mesh",
                                               "hfield", "material",   "texture"};
 
-/// Of what is in a body.
+/// Returns the changes to elements inside copied bodies.
 Source::Rewrite in_bodies(const Renaming& renaming) {
   return [renaming](XMLElement& copy) {
     rename(copy, names, renaming);
@@ -80,9 +82,9 @@ void gather(const Elements& elements, NamesByKind& found, Reading& reading) {
   }
 }
 
-// ---- What names what is copied
+// ---- Elements that name copied elements
 
-/// How many names of an element, or of the parts of a tendon, are among those that are copied.
+/// Number of names in an element (and in the joints of a tendon) that are copied, and of others.
 struct Reach {
   int among = 0, others = 0;
   void add(const XMLElement& element, const NamesByKind& copied) {
@@ -104,7 +106,8 @@ Reach reach(const XMLElement& element, const NamesByKind& copied, Reading& readi
   return result;
 }
 
-/// All that an equality or an actuator names has to be copied; of a tendon a part is enough.
+/// Returns whether an element is copied. All names of an equality or actuator must be copied; for a
+/// tendon, one is enough.
 bool is_copied(const std::string& section, const Reach& reach) {
   return reach.among > 0 && (section == "tendon" || reach.others == 0);
 }
@@ -130,13 +133,13 @@ const XMLElement& copy_naming(const XMLElement& element, const NamesByKind& copi
 
 constexpr std::array<const char*, 3> naming_sections{"tendon", "equality", "actuator"};
 
-/// Copies of tendons, equalities and actuators that name what is copied.
-void copy_what_names(NamesByKind copied, const std::vector<Renaming>& renamings, const Part& from,
-                     Part& to, Reading& reading) {
+/// Adds copies of tendons, equalities and actuators that name copied elements.
+void copy_naming_elements(NamesByKind copied, const std::vector<Renaming>& renamings,
+                          const Part& from, Part& to, Reading& reading) {
   for (const std::string section : naming_sections) {
     const auto found = from.elements.find(section);
     if (found == from.elements.end()) continue;
-    const Elements elements = found->second;  // they may grow
+    const Elements elements = found->second;  // A copy, because to.elements can be the same list
     for (const XMLElement* element : elements) {
       if (!is_copied(section, reach(*element, copied, reading))) continue;
       const char* name = element->Attribute("name");
@@ -147,8 +150,8 @@ void copy_what_names(NamesByKind copied, const std::vector<Renaming>& renamings,
   }
 }
 
-/// What names something of which only copies are left.
-void drop_what_named(NamesByKind gone, Part& part, Reading& reading) {
+/// Removes the elements that name an element of which only copies are left.
+void drop_naming_elements(NamesByKind gone, Part& part, Reading& reading) {
   for (const std::string section : naming_sections) {
     Elements& elements = part.elements[section];
     std::erase_if(elements, [&](const XMLElement* element) {
@@ -157,8 +160,9 @@ void drop_what_named(NamesByKind gone, Part& part, Reading& reading) {
       const char* name = element->Attribute("name");
       if (section == "tendon" && name != nullptr) gone["tendon"].insert(name);
       if (!is_copied(section, reached))
-        reading.said.note("what names both something replicated and something else is dropped",
-                          example_of(*element));
+        reading.warning_notes.note(
+            "elements that refer both to replicated and to other elements are dropped",
+            example_of(*element));
       return true;
     });
   }
@@ -169,7 +173,7 @@ void drop_what_named(NamesByKind gone, Part& part, Reading& reading) {
 Matrix3d turned(const Vector3d& euler, const Compiler& compiler) {
   Matrix3d result = Matrix3d::Identity();
   for (int i = 0; i < 3; ++i) {
-    const char axis = compiler.euler[static_cast<std::size_t>(i)];
+    const char axis = compiler.euler[to_size(i)];
     const bool is_fixed = axis < 'a';
     const Vector3d along = Vector3d::Unit(is_fixed ? axis - 'X' : axis - 'x');
     const Matrix3d turn = Eigen::AngleAxisd(compiler.angle(euler[i]), along).toRotationMatrix();
@@ -185,14 +189,14 @@ Vector3d three(const XMLElement& at, const char* attribute) {
 
 int count_of(const XMLElement& at) {
   const double stated = needed_number(at, "count", place_of(at));
-  constexpr double most = 2000.0;
-  if (stated < 0.0 || stated > most || stated != std::floor(stated))
+  constexpr double max_count = 2000.0;
+  if (stated < 0.0 || stated > max_count || stated != std::floor(stated))
     refuse_at(at, "count is " + in_quotes(at.Attribute("count")) +
-                      "; wanted a whole number of at most 2000");
+                      "; wanted a whole number from 0 to 2000");
   return static_cast<int>(stated);
 }
 
-/// Numbers with as many digits as the count has.
+/// Returns the suffix of copy i, with as many digits as the count has.
 std::string suffix_of(const XMLElement& at, int count, int i) {
   const char* separator = at.Attribute("sep");
   const std::string digits = std::to_string(i);
@@ -221,13 +225,14 @@ XMLElement& frame_at(const XMLElement& at, const Eigen::Isometry3d& placement, E
   return frame;
 }
 
-/// Copy i is turned by i times the angles, and stands off the one before by the offset in that
-/// one's axes.
+/// Copy i is rotated by i times the angles. It is displaced from the copy before by the offset, in
+/// the axes of that copy.
 Elements replicate(const XMLElement& at, Reading& reading) {
   const int count = count_of(at);
   const Vector3d offset = three(at, "offset"), euler = three(at, "euler");
   Part& part = reading.part_of(at);
-  const Elements inside = reading.source.children(at);  // replicates in it go first
+  // Inner <replicate> elements are expanded first
+  const Elements inside = reading.source.children(at);
   NamesByKind copied;
   gather(inside, copied, reading);
   std::vector<Renaming> renamings;
@@ -244,14 +249,14 @@ Elements replicate(const XMLElement& at, Reading& reading) {
     frames.push_back(&frame);
     placement.translation() += placement.linear() * offset;
   }
-  copy_what_names(copied, renamings, part, part, reading);
-  drop_what_named(copied, part, reading);
+  copy_naming_elements(copied, renamings, part, part, reading);
+  drop_naming_elements(copied, part, reading);
   return frames;
 }
 
 // ---- <attach>
 
-/// What is attached, and the class of elements in it that state none; "": the outermost.
+/// Element to attach, and the class of its elements that state none; "": the outermost class.
 struct Found {
   const XMLElement* element = nullptr;
   std::string inherited;
@@ -264,7 +269,7 @@ std::string inherited_inside(const XMLElement& element, const std::string& aroun
 
 class Search {
  public:
-  /// `expands`: whether copies that other <attach> and <replicate> stand for count.
+  /// `expands`: also search copies from other <attach> and <replicate> elements.
   Search(std::string kind, std::string name, bool expands, Reading& reading)
       : kind_(std::move(kind)), name_(std::move(name)), expands_(expands), reading_(reading) {}
 
@@ -303,7 +308,7 @@ std::string own_name(const XMLElement& root) {
   return stated == nullptr ? "MuJoCo Model" : stated;
 }
 
-/// The root of a model by the name that <asset> gives it, or else by its own.
+/// Returns the root of a model by its name in <asset>, or else by its own name.
 const XMLElement& asset_model(const std::string& wanted, const XMLElement& at, Reading& reading) {
   std::vector<std::string> known;
   for (const XMLElement* section : reading.part_of(at).sections["asset"]) {
@@ -315,11 +320,11 @@ const XMLElement& asset_model(const std::string& wanted, const XMLElement& at, R
       if (known.back() == wanted) return reading.source.open_model(*asset);
     }
   }
-  refuse_at(
-      at, "model " + in_quotes(wanted) + " is no <model> of <asset>" + did_you_mean(wanted, known));
+  refuse_at(at, "model " + in_quotes(wanted) + " is not a <model> of <asset>" +
+                    did_you_mean(wanted, known));
 }
 
-/// Classes and assets of another model, under a prefix: once.
+/// Adds the classes and assets of another model under a prefix, once.
 void take_over(const XMLElement& root, const Renaming& renaming, Reading& reading) {
   if (!reading.attached.emplace(&root, renaming.prefix).second) return;
   Part& part = reading.part_of(root);
@@ -341,11 +346,11 @@ void take_over(const XMLElement& root, const Renaming& renaming, Reading& readin
     }
   }
   if (!part.sections["keyframe"].empty())
-    reading.aside.note("keyframes of models that are attached are left out",
-                       example_of(*part.sections["keyframe"].front()));
+    reading.info_notes.note("keyframes of attached models are ignored",
+                            example_of(*part.sections["keyframe"].front()));
 }
 
-/// All that is in the world, in a frame.
+/// Returns a frame with copies of all elements in the world.
 Elements attach_world(const XMLElement& root, const Renaming& renaming, NamesByKind& copied,
                       Reading& reading) {
   Elements frames;
@@ -365,7 +370,7 @@ Elements attach_world(const XMLElement& root, const Renaming& renaming, NamesByK
 
 Elements attach(const XMLElement& at, Reading& reading) {
   const char *prefix = at.Attribute("prefix"), *model = at.Attribute("model");
-  if (prefix == nullptr) refuse_at(at, "it has no 'prefix'; the attribute is needed");
+  if (prefix == nullptr) refuse_at(at, "it has no 'prefix'; wanted one");
   const Renaming renaming{prefix, "", model != nullptr};
   const XMLElement& root =
       model == nullptr ? reading.source.model_of(at) : asset_model(model, at, reading);
@@ -373,7 +378,8 @@ Elements attach(const XMLElement& at, Reading& reading) {
                      : at.Attribute("frame") != nullptr ? "frame"
                                                         : nullptr;
   if (model == nullptr && kind == nullptr)
-    refuse_at(at, "it names neither a model nor a body or a frame of this one; one is needed");
+    refuse_at(
+        at, "it names neither another model nor a body or frame of this model; wanted one of them");
   if (model != nullptr) take_over(root, renaming, reading);
   NamesByKind copied;
   Elements copies;
@@ -393,7 +399,7 @@ Elements attach(const XMLElement& at, Reading& reading) {
                                     : renaming(found.inherited));
     copies.push_back(&copy);
   }
-  copy_what_names(copied, {renaming}, reading.part_of(root), reading.part_of(at), reading);
+  copy_naming_elements(copied, {renaming}, reading.part_of(root), reading.part_of(at), reading);
   return copies;
 }
 

@@ -1,4 +1,4 @@
-// Geoms: what they weigh and how they look.
+// Geoms: mass and appearance.
 #include <algorithm>
 #include <cmath>
 
@@ -12,20 +12,20 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double negligible = 1e-14;
-constexpr double water = 1000.0;  // kg/m^3, MJCF's density of what states none
+constexpr double negligible = 1e-14;        // Lengths [m] and masses [kg] up to this count as zero
+constexpr double default_density = 1000.0;  // Default density of MJCF [kg/m^3]
 
-/// A geom as the file states it, before anything is computed.
-struct Stated {
+/// A geom as the file states it.
+struct GeomSource {
   const Item& item;
   std::string type;
   std::optional<Primitive> primitive;
   std::string mesh;
-  Isometry3d placement = Isometry3d::Identity();  // in the body
+  Isometry3d placement = Isometry3d::Identity();  // In the body
   Solid solid;
   int group = 0;
   std::optional<double> mass;
-  double density = water;
+  double density = default_density;
 };
 
 std::optional<Primitive> primitive_of(const std::string& type) {
@@ -45,14 +45,14 @@ std::string type_of(const Item& item) {
   refuse_at(item.xml(), "type " + in_quotes(type) + " is unknown" + did_you_mean(type, known));
 }
 
-/// `fromto` states two ends in place of a placement and of one size.
-void take_ends(const std::vector<double>& ends, Stated& geom) {
+/// Applies `fromto`, which states two end points instead of a placement and one size.
+void take_ends(const std::vector<double>& ends, GeomSource& geom) {
   const Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
   if (geom.primitive == Primitive::Sphere)
     refuse_at(geom.item.xml(),
               "a sphere has no fromto; wanted a capsule, cylinder, ellipsoid or box");
   const double half = 0.5 * (from - to).norm();
-  if (half < negligible) refuse_at(geom.item.xml(), "fromto states two points that are one");
+  if (half < negligible) refuse_at(geom.item.xml(), "fromto states two equal points");
   Vector3d& size = geom.solid.size;
   const bool round = geom.primitive == Primitive::Capsule || geom.primitive == Primitive::Cylinder;
   size = round ? Vector3d(size[0], half, 0.0) : Vector3d(size[0], size[0], half);
@@ -60,25 +60,25 @@ void take_ends(const std::vector<double>& ends, Stated& geom) {
   geom.placement.linear() = rotation_to(from - to);
 }
 
-void check_sizes(const Stated& geom) {
+void check_sizes(const GeomSource& geom) {
   const int count = *geom.primitive == Primitive::Sphere     ? 1
                     : *geom.primitive == Primitive::Capsule  ? 2
                     : *geom.primitive == Primitive::Cylinder ? 2
                                                              : 3;
   for (int i = 0; i < count; ++i)
     if (!(geom.solid.size[i] > 0.0))
-      refuse_at(geom.item.xml(), "a " + geom.type + " has " + std::to_string(count) +
+      refuse_at(geom.item.xml(), "a " + geom.type + " needs " + std::to_string(count) +
                                      " positive sizes; number " + std::to_string(i + 1) + " is " +
                                      number(geom.solid.size[i]));
 }
 
-Stated state(const Item& item, const Isometry3d& around, const Compiler& compiler) {
-  Stated geom{item, type_of(item), std::nullopt, item.text("mesh").value_or(""), {}, {}, 0,
-              {},   water};
+GeomSource state(const Item& item, const Isometry3d& around, const Compiler& compiler) {
+  GeomSource geom{item, type_of(item),  std::nullopt, item.text("mesh").value_or(""), {}, {}, 0,
+                  {},   default_density};
   geom.primitive = primitive_of(geom.type);
   geom.group = static_cast<int>(std::clamp(item.number("group", 0.0), -1e6, 1e6));
   if (item.stating("mass") != nullptr) geom.mass = item.number("mass", 0.0);
-  geom.density = item.number("density", water);
+  geom.density = item.number("density", default_density);
   if (geom.mass.value_or(0.0) < 0.0 || geom.density < 0.0)
     refuse_at(item.xml(), "its mass or density is negative; it must be zero or positive");
   const std::vector<double> size = item.overlaid("size", {0.0, 0.0, 0.0});
@@ -95,7 +95,7 @@ Stated state(const Item& item, const Isometry3d& around, const Compiler& compile
   return geom;
 }
 
-MeshAsset* mesh_of(const Stated& geom, Reading& reading) {
+MeshAsset* mesh_of(const GeomSource& geom, Reading& reading) {
   const auto found = reading.meshes.find(geom.mesh);
   if (found != reading.meshes.end()) return &found->second;
   std::vector<std::string> known;
@@ -104,7 +104,7 @@ MeshAsset* mesh_of(const Stated& geom, Reading& reading) {
             "mesh " + in_quotes(geom.mesh) + " does not exist" + did_you_mean(geom.mesh, known));
 }
 
-/// Opens the mesh, once.
+/// Opens the mesh, at most once.
 void open(MeshAsset& mesh, Reading& reading) {
   if (mesh.was_opened) return;
   mesh.was_opened = true;
@@ -120,24 +120,25 @@ void open(MeshAsset& mesh, Reading& reading) {
           for (auto& face : triangles.faces) std::swap(face[1], face[2]);
         mesh.of_density_one = inertia_of(triangles, mesh.inertia, file->string());
       },
-      "; what its geoms weigh is missing");
+      "; the masses of its geoms are missing");
   if (mesh.is_hull)
-    reading.said.note("meshes whose convex hull has the inertia are taken as they are",
-                      example_of(*mesh.xml));
+    reading.warning_notes.note(
+        "inertia of convex hulls is replaced by the inertia of the meshes themselves",
+        example_of(*mesh.xml));
 }
 
-/// Mass and inertia over the mass in the geom's own frame, or nothing where they are not known.
-std::optional<InertiaSpec> weigh_mesh(const Stated& geom, bool aloud, Reading& reading) {
+/// Returns mass and inertia in the geom's own frame; nothing if they are not available.
+std::optional<InertiaSpec> weigh_mesh(const GeomSource& geom, bool warns, Reading& reading) {
   MeshAsset& mesh = *mesh_of(geom, reading);
   open(mesh, reading);
   if (!mesh.of_density_one) {
-    if (!aloud) return std::nullopt;
+    if (!warns) return std::nullopt;
     if (mesh.file.empty())
-      reading.said.note("bodies lack what geoms weigh whose mesh is made without a file",
-                        example_of(geom.item.xml()));
+      reading.warning_notes.note("bodies lack the masses of geoms whose mesh has no file",
+                                 example_of(geom.item.xml()));
     else
-      reading.said.note("bodies lack what geoms weigh whose mesh file is absent",
-                        example_of(geom.item.xml()) + ", file " + in_quotes(mesh.file));
+      reading.warning_notes.note("bodies lack the masses of geoms whose mesh file is absent",
+                                 example_of(geom.item.xml()) + ", file " + in_quotes(mesh.file));
     return std::nullopt;
   }
   InertiaSpec body = *mesh.of_density_one;
@@ -147,16 +148,17 @@ std::optional<InertiaSpec> weigh_mesh(const Stated& geom, bool aloud, Reading& r
   return body;
 }
 
-std::optional<InertiaSpec> weigh(const Stated& geom, bool aloud, Reading& reading) {
+std::optional<InertiaSpec> weigh(const GeomSource& geom, bool warns, Reading& reading) {
   if (geom.mass ? *geom.mass == 0.0 : geom.density == 0.0) return std::nullopt;
   if (geom.type == "plane" || geom.type == "hfield") return std::nullopt;
   std::optional<InertiaSpec> body;
   if (geom.type == "mesh") {
-    body = weigh_mesh(geom, aloud, reading);
+    body = weigh_mesh(geom, warns, reading);
   } else if (!geom.primitive || !geom.mesh.empty()) {
-    if (!aloud) return std::nullopt;
-    reading.said.note("bodies lack what geoms weigh that are fitted to a mesh or made by a plugin",
-                      example_of(geom.item.xml()));
+    if (!warns) return std::nullopt;
+    reading.warning_notes.note(
+        "bodies lack the masses of geoms that are fitted to a mesh or made by a plugin",
+        example_of(geom.item.xml()));
   } else {
     body = InertiaSpec{};
     body->mass = geom.mass.value_or(geom.density * extent_of(geom.solid));
@@ -170,8 +172,8 @@ std::optional<InertiaSpec> weigh(const Stated& geom, bool aloud, Reading& readin
   return body;
 }
 
-/// The geom's own colour, unless it is the one that none is; then its material's.
-Eigen::Vector4d colour_of(const Stated& geom, const Reading& reading) {
+/// Returns the geom's own colour, unless it is the default grey; then its material's colour.
+Eigen::Vector4d colour_of(const GeomSource& geom, const Reading& reading) {
   const Eigen::Vector4d grey(0.5, 0.5, 0.5, 1.0);
   Eigen::Vector4d own = grey;
   if (const auto rgba = geom.item.numbers("rgba", 4))
@@ -183,38 +185,39 @@ Eigen::Vector4d colour_of(const Stated& geom, const Reading& reading) {
 
 void draw_capsule(double radius, double half, const VisualSpec& like,
                   std::vector<VisualSpec>& visuals) {
-  VisualSpec part = like;
-  part.shape = CylinderShape{radius, 2.0 * half};
-  visuals.push_back(part);
+  VisualSpec solid = like;
+  solid.shape = CylinderShape{radius, 2.0 * half};
+  visuals.push_back(solid);
   for (const double end : {-half, half}) {
-    part.shape = SphereShape{radius};
-    part.placement = like.placement * Eigen::Translation3d(0.0, 0.0, end);
-    visuals.push_back(part);
+    solid.shape = SphereShape{radius};
+    solid.placement = like.placement * Eigen::Translation3d(0.0, 0.0, end);
+    visuals.push_back(solid);
   }
 }
 
-/// As a capsule along its longest axis, as thick as the other two are in the mean.
+/// Draws an ellipsoid as a capsule along its longest axis, with the mean radius of the other two.
 void draw_ellipsoid(const Vector3d& size, VisualSpec visual, std::vector<VisualSpec>& visuals) {
-  int longest = 0;
-  size.maxCoeff(&longest);
-  const double radius = 0.5 * (size.sum() - size[longest]);
-  visual.placement.linear() *= rotation_to(Vector3d::Unit(longest));
-  draw_capsule(radius, std::max(size[longest] - radius, 0.0), visual, visuals);
+  int longest_axis = 0;
+  size.maxCoeff(&longest_axis);
+  const double radius = 0.5 * (size.sum() - size[longest_axis]);
+  visual.placement.linear() *= rotation_to(Vector3d::Unit(longest_axis));
+  draw_capsule(radius, std::max(size[longest_axis] - radius, 0.0), visual, visuals);
 }
 
-void draw_mesh(const Stated& geom, VisualSpec visual, Reading& reading,
+void draw_mesh(const GeomSource& geom, VisualSpec visual, Reading& reading,
                std::vector<VisualSpec>& visuals) {
   const MeshAsset& mesh = *mesh_of(geom, reading);
   if (mesh.file.empty()) return;
   visual.shape = MeshShape{mesh.file, mesh.scale};
-  // Put at the origin first, then scaled: what is turned is scaled alike along all axes.
+  // The mesh is moved to the origin first, then scaled. A rotated mesh has the same scale along all
+  // axes.
   Isometry3d back = mesh.reference.inverse();
   back.translation() = mesh.scale.cwiseProduct(back.translation());
   visual.placement = visual.placement * back;
   visuals.push_back(visual);
 }
 
-std::vector<VisualSpec> visuals_of(const Stated& geom, Reading& reading) {
+std::vector<VisualSpec> visuals_of(const GeomSource& geom, Reading& reading) {
   std::vector<VisualSpec> visuals;
   VisualSpec visual;
   visual.placement = geom.placement;
@@ -255,7 +258,7 @@ InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, Weigh h
   for (const Geom& one : geoms) {
     reading.findings.attempt([&] {
       const Compiler& compiler = reading.compiler_of(one.item->xml());
-      const Stated geom = state(*one.item, one.around, compiler);
+      const GeomSource geom = state(*one.item, one.around, compiler);
       for (VisualSpec& visual : visuals_of(geom, reading))
         reading.drawn.push_back({link, geom.group, std::move(visual)});
       const bool weighs = how != Weigh::No && geom.group >= compiler.first_group &&

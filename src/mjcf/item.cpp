@@ -71,7 +71,7 @@ Item::Item(const XMLElement& xml, const DefaultClass* defaults, std::string_view
 
 const XMLElement* Item::stating(const char* attribute) const {
   if (xml_->Attribute(attribute) != nullptr) return xml_;
-  // A name is nobody's default.
+  // Names are not inherited from classes.
   if (std::string_view(attribute) == "name") return nullptr;
   for (const DefaultClass* at = defaults_; at != nullptr; at = at->around) {
     const auto stated = at->elements.find(kind_);

@@ -1,4 +1,4 @@
-// Elements of MJCF with what their default classes say beside them.
+// MJCF elements together with the attributes of their default classes.
 #pragma once
 
 #include <list>
@@ -12,72 +12,72 @@
 
 namespace burnish::mjcf {
 
-/// A default class: what elements have that do not say otherwise. A class knows what the one around
-/// it says.
+/// Default class: attribute values for elements that do not state them. A class inherits from the
+/// enclosing class `around`.
 struct DefaultClass {
   std::string name;
   const DefaultClass* around = nullptr;
-  /// Elements by what they are defaults of; of two that state the same the later counts.
+  /// Default elements by their kind. If several state an attribute, the last one counts.
   std::map<std::string, std::vector<const XMLElement*>, std::less<>> elements;
 };
 
-/// Actuators of every kind share their defaults, and so do tendons.
+/// Returns the kind of defaults of an element. All actuators share one kind, and so do all tendons.
 std::string_view default_kind(std::string_view element);
 
 class DefaultClasses {
  public:
   DefaultClasses();
-  /// A <default> of the model's own, with those inside. Throws Error where a class has no name, or
-  /// a name that is taken.
+  /// Reads a <default> of the main model and the classes inside it. Throws Error if a class has no
+  /// name or a name that already exists.
   void read(const XMLElement& section, Source& source);
 
-  /// The <default>s of another model, whose classes are renamed; its outermost goes by `main` too,
-  /// and knows nothing of the classes of this one.
+  /// Reads the <default>s of another model, whose classes are already renamed. The outermost class
+  /// is also named `main`. The classes do not inherit from the classes of this model.
   void attach(const std::string& main, const std::vector<const XMLElement*>& sections,
               Source& source);
 
   const DefaultClass& main() const { return classes_.front(); }
-  /// Throws Error with the nearest known name.
+  /// Returns a class by name. Throws Error with the nearest name if the class does not exist.
   const DefaultClass& named(const std::string& name, const XMLElement& asking) const;
 
  private:
   void read(const XMLElement& element, Source& source, DefaultClass& into);
 
-  std::list<DefaultClass> classes_;  // none of them moves
+  std::list<DefaultClass> classes_;  // A list, because pointers to its entries must stay valid
   std::map<std::string, DefaultClass*, std::less<>> by_name_;
 };
 
-/// An element under its class: what it states itself goes first, then its class, then the classes
-/// around that.
+/// Element with its default class. The element's own attributes have priority, then the class, then
+/// the enclosing classes.
 class Item {
  public:
   Item(const XMLElement& xml, const DefaultClass* defaults);
-  /// Where the element's name does not say whose defaults it has.
+  /// Sets the kind of defaults for elements whose name does not determine it.
   Item(const XMLElement& xml, const DefaultClass* defaults, std::string_view kind);
 
   const XMLElement& xml() const { return *xml_; }
   const DefaultClass* defaults() const { return defaults_; }
   std::string name() const { return text("name").value_or(""); }
 
-  /// The element that states an attribute, or nullptr.
+  /// Returns the element that states an attribute, or nullptr.
   const XMLElement* stating(const char* attribute) const;
   std::optional<std::string> text(const char* attribute) const;
 
-  /// Exactly `count` numbers, where stated.
+  /// Returns exactly `count` numbers, if the attribute is stated.
   std::optional<std::vector<double>> numbers(const char* attribute, std::size_t count) const;
   double number(const char* attribute, double otherwise) const;
-  /// As many of the numbers as are stated go before those that the classes state, and those before
-  /// `otherwise`; more than it has are passed over.
+  /// Returns numbers that overlay each other from the left: the element's own, then those of the
+  /// classes, then `otherwise`. Numbers beyond the size of `otherwise` are ignored.
   std::vector<double> overlaid(const char* attribute, std::vector<double> otherwise) const;
   bool flag(const char* attribute, bool otherwise) const;
-  /// Of true, false and auto: nothing for auto.
+  /// Returns true or false; nothing for auto or if the attribute is not stated.
   std::optional<bool> choice(const char* attribute) const;
 
  private:
   void overlay(const DefaultClass* from, const char* attribute, std::vector<double>& onto) const;
 
   const XMLElement* xml_;
-  const DefaultClass* defaults_;  // nullptr: none apply
+  const DefaultClass* defaults_;  // nullptr: no defaults
   std::string_view kind_;
 };
 

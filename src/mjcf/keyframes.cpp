@@ -1,4 +1,4 @@
-// Keyframes as postures.
+// <keyframe>: keyframes as postures.
 #include <cmath>
 
 #include "base/sentence.hpp"
@@ -8,12 +8,12 @@
 namespace burnish::mjcf {
 namespace {
 
-/// Joints that follow others or are held say nothing of their own.
+/// Returns whether a posture has a value for the joint; followers and held joints do not.
 bool moves_by_itself(const JointSpec& joint) {
   return joint.type != JointType::Fixed && !joint.mimic;
 }
 
-/// From w x y z to x y z w, of unit length.
+/// Reorders a quaternion from w x y z to x y z w and normalises it.
 void turn_quaternion(double* wxyz, const XMLElement& key) {
   const Eigen::Quaterniond r = quaternion_of({wxyz[0], wxyz[1], wxyz[2], wxyz[3]}, key);
   wxyz[0] = r.x(), wxyz[1] = r.y(), wxyz[2] = r.z(), wxyz[3] = r.w();
@@ -43,7 +43,7 @@ Posture posture_at_start(const Reading& reading) {
   return posture;
 }
 
-/// Zero, or no rotation.
+/// Returns whether the values are zero or the identity rotation.
 bool is_neutral(const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const bool is_w = values.size() > 1 && i + 1 == values.size();
@@ -56,13 +56,13 @@ void read_key(const XMLElement& key, Names& names, std::size_t size, Reading& re
   const char* stated = key.Attribute("name");
   const std::string name =
       stated == nullptr || *stated == '\0' ? names.unique("keyframe") : std::string(stated);
-  if (key.Attribute("qpos") == nullptr) return;  // MuJoCo's qpos0, which is there anyway
+  if (key.Attribute("qpos") == nullptr) return;  // Such a keyframe is qpos0, which is added anyway
   const std::vector<double> qpos = all_numbers(key, "qpos", place_of(key));
   if (qpos.size() != size)
-    refuse_at(key, "qpos has " + std::to_string(qpos.size()) + " numbers; the joints have " +
+    refuse_at(key, "qpos has " + std::to_string(qpos.size()) + " numbers; wanted " +
                        std::to_string(size));
   if (!reading.tree.postures.emplace(name, read_posture(key, qpos, reading)).second)
-    refuse_at(key, "there are two keyframes of this name; the first counts");
+    refuse_at(key, "two keyframes have this name; the first one is used");
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ void read_keyframes(const std::vector<const XMLElement*>& elements, Reading& rea
     if (const char* name = key->Attribute("name")) names.take(name);
   for (const XMLElement* key : elements)
     reading.findings.attempt_or_warn([&] { read_key(*key, names, size, reading); },
-                                     "; this posture is left out");
+                                     "; the posture is left out");
   if (!all_neutral) reading.tree.postures.emplace("qpos0", posture_at_start(reading));
 }
 

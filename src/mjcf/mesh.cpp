@@ -10,6 +10,7 @@
 #include "base/parse_number.hpp"
 #include "base/sentence.hpp"
 #include "base/text_file.hpp"
+#include "base/to_size.hpp"
 #include "base/words_in.hpp"
 
 namespace burnish::mjcf {
@@ -19,9 +20,9 @@ using Eigen::Vector3d;
 
 static_assert(std::endian::native == std::endian::little, "mesh files are little-endian");
 
-constexpr std::size_t most_vertices = 5'000'000;
+constexpr std::size_t max_vertices = 5'000'000;  // Also of faces, chosen by hand
 
-/// Numbers one behind the other in a binary file.
+/// Reader of consecutive numbers in a binary file.
 class Bytes {
  public:
   Bytes(const std::string& bytes, const std::string& source) : bytes_(bytes), source_(source) {}
@@ -29,7 +30,7 @@ class Bytes {
   template <class Number>
   Number next() {
     Number value;
-    if (bytes_.size() - at_ < sizeof value) refuse(source_, "the mesh is cut off");
+    if (bytes_.size() - at_ < sizeof value) refuse(source_, "the mesh file ends too early");
     std::memcpy(&value, bytes_.data() + at_, sizeof value);
     at_ += sizeof value;
     return value;
@@ -39,7 +40,7 @@ class Bytes {
     return {x, y, z};
   }
   void skip(std::size_t count) {
-    if (bytes_.size() - at_ < count) refuse(source_, "the mesh is cut off");
+    if (bytes_.size() - at_ < count) refuse(source_, "the mesh file ends too early");
     at_ += count;
   }
   std::size_t left() const { return bytes_.size() - at_; }
@@ -62,10 +63,10 @@ Triangles from_binary_stl(const std::string& bytes, const std::string& source) {
   Bytes file(bytes, source);
   file.skip(stl_header);
   const auto count = file.next<std::uint32_t>();
-  if (file.left() / stl_facet < count) refuse(source, "the mesh is cut off");
+  if (file.left() / stl_facet < count) refuse(source, "the mesh file ends too early");
   Triangles mesh;
   for (std::uint32_t i = 0; i < count; ++i) {
-    file.vector();  // the normal follows from the corners
+    file.vector();  // Skips the normal, which follows from the corners
     std::array<Vector3d, 3> corners;
     for (Vector3d& corner : corners) corner = file.vector();
     file.next<std::uint16_t>();
@@ -74,11 +75,11 @@ Triangles from_binary_stl(const std::string& bytes, const std::string& source) {
   return mesh;
 }
 
-/// Words of a text, line by line.
+/// Reader of the words of a text, line by line.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
-  /// The next word of this line, or an empty one.
+  /// Returns the next word of the current line; empty at the end of the line.
   std::string_view next() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\r'))
       ++at_;
@@ -103,7 +104,7 @@ Vector3d vertex_of(Words& words, const std::string& source) {
     const std::string_view word = words.next();
     const auto value = parse_number(word);
     if (!value || !std::isfinite(*value))
-      refuse(source, "the mesh has " + in_quotes(word) + " where a coordinate was wanted");
+      refuse(source, "the mesh has the coordinate " + in_quotes(word) + "; wanted a number");
     x = *value;
   }
   return vertex;
@@ -124,15 +125,15 @@ Triangles from_ascii_stl(const std::string& text, const std::string& source) {
   return mesh;
 }
 
-/// The vertex of "7", "7/1" or "-2//3": numbers begin at 1, and those below zero count from the
-/// end.
+/// Returns the vertex of "7", "7/1" or "-2//3". Positive numbers count from 1, negative numbers
+/// from the end.
 int index_of(std::string_view word, std::size_t vertices, const std::string& source) {
   long stated = 0;
   std::from_chars(word.data(), word.data() + word.size(), stated);
   const long count = static_cast<long>(vertices);
   const long index = stated < 0 ? count + stated : stated - 1;
   if (stated == 0 || index < 0 || index >= count)
-    refuse(source, "the mesh has a face with the vertex " + in_quotes(word) + " of " +
+    refuse(source, "the mesh has a face with the vertex " + in_quotes(word) + "; wanted at most " +
                        std::to_string(vertices));
   return static_cast<int>(index);
 }
@@ -158,9 +159,10 @@ Triangles from_msh(const std::string& bytes, const std::string& source) {
   std::array<std::size_t, 4> counts{};  // vertices, normals, texture coordinates, faces
   for (std::size_t& count : counts) {
     const auto stated = file.next<std::int32_t>();
-    if (stated < 0 || static_cast<std::size_t>(stated) > most_vertices)
-      refuse(source, "the mesh states a number of vertices or faces that cannot be meant");
-    count = static_cast<std::size_t>(stated);
+    if (stated < 0 || to_size(stated) > max_vertices)
+      refuse(source, "the mesh states " + std::to_string(stated) +
+                         " vertices or faces; wanted 0 to " + std::to_string(max_vertices));
+    count = to_size(stated);
   }
   Triangles mesh;
   for (std::size_t i = 0; i < counts[0]; ++i) mesh.vertices.push_back(file.vector());
@@ -169,7 +171,7 @@ Triangles from_msh(const std::string& bytes, const std::string& source) {
     std::array<int, 3> face{};
     for (int& corner : face) {
       corner = file.next<std::int32_t>();
-      if (corner < 0 || static_cast<std::size_t>(corner) >= counts[0])
+      if (corner < 0 || to_size(corner) >= counts[0])
         refuse(source, "the mesh has a face with a vertex that does not exist");
     }
     mesh.faces.push_back(face);
@@ -177,11 +179,11 @@ Triangles from_msh(const std::string& bytes, const std::string& source) {
   return mesh;
 }
 
-/// What one face adds: a tetrahedron with the origin, or the triangle itself.
+/// Contribution of one face: a tetrahedron with the origin, or the triangle itself.
 struct Piece {
-  double measure;  // m^3 or m^2, with a sign
+  double measure;  // [m^3] or [m^2], with a sign
   Vector3d centre;
-  Eigen::Matrix3d second_moment;  // integral of x x^T
+  Eigen::Matrix3d second_moment;  // Integral of x x^T
 };
 
 Piece piece_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, MeshInertia how) {
@@ -196,12 +198,12 @@ Piece piece_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, MeshIner
   return {measure, sum / (shell ? 3.0 : 4.0), measure / (shell ? 12.0 : 20.0) * squares};
 }
 
-/// The middle of the surface, from which the legacy way sees every face.
+/// Returns the centroid of the surface, the apex of the tetrahedra in the legacy method.
 Vector3d surface_centre(const Triangles& mesh) {
   Vector3d sum = Vector3d::Zero();
   double area = 0.0;
   for (const auto& [i, j, k] : mesh.faces) {
-    const auto at = [&](int index) { return mesh.vertices[static_cast<std::size_t>(index)]; };
+    const auto at = [&](int index) { return mesh.vertices[to_size(index)]; };
     const Piece piece = piece_of(at(i), at(j), at(k), MeshInertia::Shell);
     area += piece.measure;
     sum += piece.measure * piece.centre;
@@ -212,15 +214,13 @@ Vector3d surface_centre(const Triangles& mesh) {
 struct Sum {
   double measure = 0.0;
   Vector3d centre = Vector3d::Zero();
-  Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();  // about the point seen from
+  Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();  // About the point `from`
 };
 
 Sum sum_of(const Triangles& mesh, MeshInertia how, const Vector3d& from) {
   Sum sum;
   for (const auto& [i, j, k] : mesh.faces) {
-    const auto at = [&](int index) {
-      return Vector3d(mesh.vertices[static_cast<std::size_t>(index)] - from);
-    };
+    const auto at = [&](int index) { return Vector3d(mesh.vertices[to_size(index)] - from); };
     const Piece piece = piece_of(at(i), at(j), at(k), how);
     sum.measure += piece.measure;
     sum.centre += piece.measure * piece.centre;
@@ -237,7 +237,7 @@ Triangles parse_triangles(const std::string& bytes, const std::string& ending,
   const std::string kind = lower_case(ending);
   Triangles mesh;
   if (kind == ".stl") {
-    // Binary files may begin with "solid" too: the number of facets tells.
+    // Binary files may also begin with "solid", so the number of facets decides.
     std::uint32_t count = 0;
     if (bytes.size() >= stl_header + sizeof count)
       std::memcpy(&count, bytes.data() + stl_header, sizeof count);
@@ -249,7 +249,8 @@ Triangles parse_triangles(const std::string& bytes, const std::string& ending,
   } else if (kind == ".msh") {
     mesh = from_msh(bytes, source);
   } else {
-    refuse(source, "the mesh has the ending " + in_quotes(ending) + "; wanted .stl, .obj or .msh");
+    refuse(source,
+           "the mesh file has the ending " + in_quotes(ending) + "; wanted .stl, .obj or .msh");
   }
   if (mesh.faces.empty()) refuse(source, "the mesh has no triangle");
   return mesh;
@@ -260,13 +261,13 @@ Triangles read_triangles(const std::filesystem::path& file) {
 }
 
 InertiaSpec inertia_of(const Triangles& mesh, MeshInertia how, const std::string& source) {
-  // First the centre, seen from the middle of the surface, then the inertia, seen from the centre.
+  // First the centre, relative to the centroid of the surface; then the inertia about the centre.
   const Sum about_surface = sum_of(mesh, how, surface_centre(mesh));
   const Sum sum = sum_of(mesh, how, about_surface.centre);
   constexpr double no_volume = 1e-15;
   if (!(about_surface.measure > no_volume) || !(sum.measure > no_volume) ||
       !sum.second_moment.allFinite())
-    refuse(source, "the mesh encloses no volume, or its triangles look inwards");
+    refuse(source, "the mesh encloses no volume, or its triangles point inwards");
   InertiaSpec result;
   result.mass = sum.measure;
   result.com = about_surface.centre;

@@ -1,4 +1,4 @@
-// Meshes of MJCF, where masses are computed from them.
+// Meshes of MJCF and their mass, centre of mass and inertia.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,27 +14,28 @@ namespace burnish::mjcf {
 
 struct Triangles {
   std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<int, 3>> faces;  ///< indices of vertices, against the clock from outside
+  /// Indices of vertices, counterclockwise seen from outside
+  std::vector<std::array<int, 3>> faces;
 };
 
-/// Reads STL (binary or ASCII), OBJ or MuJoCo's MSH, by the file's ending. Throws Error where the
-/// file cannot be read or holds no triangle; its formats are as published by their makers.
+/// Reads STL (binary or ASCII), OBJ or MuJoCo's MSH, depending on the file extension. Throws Error
+/// if the file cannot be read or contains no triangle.
 Triangles read_triangles(const std::filesystem::path& file);
 
-/// The same from a text; `ending` as ".stl".
+/// Reads triangles from the bytes of a file; `ending` is the extension, such as ".stl".
 Triangles parse_triangles(const std::string& bytes, const std::string& ending,
                           const std::string& source);
 
-/// What `inertia` of a mesh says.
+/// Method for the inertia of a mesh.
 enum class MeshInertia {
-  Legacy,  ///< every triangle adds a tetrahedron with the centroid, whichever way it looks
-  Exact,   ///< of what the triangles enclose
-  Shell,   ///< of the triangles themselves
+  Legacy,  ///< Sum of tetrahedra from the centroid to each triangle, whatever its orientation
+  Exact,   ///< Enclosed volume
+  Shell,   ///< Surface
 };
 
-/// A mesh of density 1, kg/m^3 or kg/m^2: mass, centre and inertia in the mesh's axes.
-/// Tetrahedra and triangles are summed in closed form, as MuJoCo does. Throws Error, called
-/// `source`, where that comes to no mass.
+/// Returns mass, centre of mass and inertia in the mesh's axes for density 1 kg/m^3 (1 kg/m^2 for
+/// Shell). Tetrahedra and triangles are integrated in closed form, as in MuJoCo. Throws Error, with
+/// `source` in the message, if the mass is not positive.
 InertiaSpec inertia_of(const Triangles& mesh, MeshInertia how, const std::string& source);
 
 }  // namespace burnish::mjcf

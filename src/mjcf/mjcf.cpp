@@ -27,13 +27,13 @@ Sections sections_of(const XMLElement& root, Reading& reading) {
     const bool is_known =
         std::find(known_sections.begin(), known_sections.end(), name) != known_sections.end();
     if (!is_known && name != "deformable")
-      reading.said.note("sections of unknown names are passed over", example_of(*section));
+      reading.warning_notes.note("sections with unknown names are ignored", example_of(*section));
     sections[name].push_back(section);
   }
   return sections;
 }
 
-/// What the sections of one name hold together.
+/// Returns the elements of all sections with this name.
 std::vector<const XMLElement*> elements_of(const Sections& sections, std::string_view name,
                                            Reading& reading) {
   std::vector<const XMLElement*> all;
@@ -59,8 +59,8 @@ void read_option(const XMLElement& section, Reading& reading) {
   if (const auto stated = item.numbers("gravity", 3))
     reading.tree.gravity = Eigen::Vector3d((*stated)[0], (*stated)[1], (*stated)[2]);
   if (item.number("density", 0.0) != 0.0 || item.number("viscosity", 0.0) != 0.0)
-    reading.said.note("the drag of a medium (density, viscosity) is not carried over",
-                      example_of(section));
+    reading.warning_notes.note("drag of the medium (density, viscosity) is ignored",
+                               example_of(section));
   for (const XMLElement* child : reading.source.children(section)) {
     const char* gravity = child->Attribute("gravity");
     if (gravity != nullptr && std::string_view(gravity) == "disable")
@@ -76,14 +76,13 @@ std::string model_name(const Reading& reading) {
   return is_name && !reading.source.name().starts_with("/dev/") ? name : "robot";
 }
 
-/// What is for eyes alone is drawn where a file has any: geoms of the groups 0 to 2. Others are
-/// what collides.
+/// Draws visual geoms (groups 0 to 2) where the file has any, else collision geoms.
 void add_visuals(Reading& reading) {
   constexpr int seen_groups = 3;
-  const auto is_seen = [](const Drawn& drawn) { return drawn.group < seen_groups; };
-  const bool any = std::any_of(reading.drawn.begin(), reading.drawn.end(), is_seen);
-  for (Drawn& drawn : reading.drawn)
-    if (!any || is_seen(drawn))
+  const auto is_seen = [](const LinkVisual& drawn) { return drawn.group < seen_groups; };
+  const bool has_visuals = std::any_of(reading.drawn.begin(), reading.drawn.end(), is_seen);
+  for (LinkVisual& drawn : reading.drawn)
+    if (!has_visuals || is_seen(drawn))
       reading.tree.links[drawn.link].visuals.push_back(std::move(drawn.visual));
 }
 
@@ -99,27 +98,27 @@ void scale_masses(Reading& reading) {
   }
 }
 
-/// What is for eyes and simulators alone, in one sentence.
-void say_what_is_passed_over(const Sections& sections, Reading& reading) {
+/// Adds one note that lists the ignored elements without effect on the dynamics.
+void note_ignored_elements(const Sections& sections, Reading& reading) {
   for (const std::string_view name : {"contact", "sensor", "custom", "extension", "deformable"})
     for (const XMLElement* element : elements_of(sections, name, reading)) {
-      if (std::string_view(element->Name()) == "flex")
-        continue;  // said among what changes dynamics
-      ++reading.passed_over[element->Name()];
+      if (std::string_view(element->Name()) == "flex") continue;  // <flex> has its own warning
+      ++reading.ignored_elements[element->Name()];
     }
-  if (reading.passed_over.empty()) return;
-  constexpr std::size_t most = 30;
+  if (reading.ignored_elements.empty()) return;
+  constexpr std::size_t max_kinds = 30;
   std::string kinds;
   std::size_t listed = 0;
-  for (const auto& [name, count] : reading.passed_over) {
-    if (++listed > most) {
-      kinds += " and " + std::to_string(reading.passed_over.size() - most) + " more kinds";
+  for (const auto& [name, count] : reading.ignored_elements) {
+    if (++listed > max_kinds) {
+      kinds +=
+          " and " + std::to_string(reading.ignored_elements.size() - max_kinds) + " more kinds";
       break;
     }
     kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " <" + name.substr(0, 80) + ">";
   }
   reading.tree.notes.push_back(reading.source.name() +
-                               ": passed over is what dynamics does not need: " + kinds);
+                               ": ignored elements without effect on the dynamics: " + kinds);
 }
 
 void read_sections(const Sections& sections, Reading& reading) {
@@ -133,10 +132,10 @@ void read_sections(const Sections& sections, Reading& reading) {
                    [&](const XMLElement& s) { read_world(s, reading); });
   for (const XMLElement* element : elements_of(sections, "deformable", reading))
     if (std::string_view(element->Name()) == "flex")
-      reading.said.note(
-          "what is soft or composed (<composite>, <flexcomp>, <flex>) is not carried over",
+      reading.warning_notes.note(
+          "soft and composed bodies (<composite>, <flexcomp>, <flex>) are ignored",
           example_of(*element));
-  // Of what is cut off everything that names it would be missing.
+  // Sections that name missing links would only add follow-up errors.
   if (reading.tree.links.size() > max_links) return;
   Sections& elements = reading.part_of(reading.source.root()).elements;
   read_tendons(elements["tendon"], reading);
@@ -158,11 +157,13 @@ Reading::Reading(const std::string& xml, const std::string& name,
     : source(xml, name, std::move(folder)), findings(name) {
   source.expand_by([this](const XMLElement& element) {
     std::vector<const XMLElement*> copies;
-    if (!expanding.insert(&element).second) refuse_at(element, "it attaches what it stands in");
-    const Deeper deeper(expanding_depth);
-    constexpr int most = 20;
-    if (expanding_depth > most)
-      refuse_at(element, "copies hold others more than " + std::to_string(most) + " deep");
+    if (!expanding.insert(&element).second)
+      refuse_at(element, "it attaches an element that contains it");
+    const DepthGuard deeper(expanding_depth);
+    constexpr int max_depth_of_copies = 20;
+    if (expanding_depth > max_depth_of_copies)
+      refuse_at(element,
+                "copies are nested more than " + std::to_string(max_depth_of_copies) + " deep");
     findings.attempt([&] { copies = expand(element, *this); });
     return copies;
   });
@@ -198,7 +199,8 @@ const DefaultClass* Reading::class_inside(const XMLElement& xml, const DefaultCl
 
 std::string Reading::hint(const std::string& name, const std::vector<std::string>& known) const {
   const std::string near = did_you_mean(name, known);
-  return near.empty() && has_composed ? "; what <composite> and <flexcomp> make is not read" : near;
+  return near.empty() && has_composed ? "; bodies of <composite> and <flexcomp> are not read"
+                                      : near;
 }
 
 Coordinate& Reading::coordinate(const std::string& joint, const XMLElement& asking) {
@@ -219,15 +221,16 @@ TreeSpec read_model(const std::string& xml, const std::string& name,
   tree.sibling_order = SiblingOrder::AsListed;
   const Sections& sections = reading.part_of(reading.source.root()).sections;
   if (!sections.contains("worldbody"))
-    refuse(name, "it has no <worldbody>; the bodies of a robot were wanted in one");
+    refuse(name, "it has no <worldbody>; wanted one with the bodies of a robot");
   read_sections(sections, reading);
   add_visuals(reading);
   scale_masses(reading);
-  for (const std::string& sentence : reading.said.sentences()) reading.findings.warn(sentence);
-  for (const std::string& sentence : reading.aside.sentences())
+  for (const std::string& sentence : reading.warning_notes.sentences())
+    reading.findings.warn(sentence);
+  for (const std::string& sentence : reading.info_notes.sentences())
     tree.notes.push_back(reading.source.name() + ": " + sentence);
-  say_what_is_passed_over(sections, reading);
-  tree.warnings = reading.findings.warnings();  // what is odd about the values, build_model says
+  note_ignored_elements(sections, reading);
+  tree.warnings = reading.findings.warnings();  // build_model() warns of unusual values
   if (!reading.findings.has_problems()) check_topology(tree, reading.findings);
   check_values(tree, reading.findings);
   reading.findings.refuse_problems();

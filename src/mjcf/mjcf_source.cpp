@@ -12,11 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_files = 100;
-constexpr std::size_t most_copies = 50'000;
-constexpr int most_nested_copies = 1000;
+// Limits that stop endless expansions, chosen by hand.
+constexpr std::size_t max_files = 100;
+constexpr std::size_t max_copies = 50'000;
+constexpr int max_nested_copies = 1000;
 
-/// The name of its file hangs on a document.
+/// Returns the name of the file, which is the user data of the document.
 std::string name_of_file(const XMLElement& element) {
   const void* name = element.GetDocument()->GetUserData();
   return name == nullptr ? "" : *static_cast<const std::string*>(name);
@@ -66,10 +67,10 @@ const XMLElement& Source::opened(const XMLElement& naming, bool is_model) {
   const std::string file = needed_attribute(naming, "file", place_of(naming));
   if (!folder_) {
     refuse_at(naming, "it names the file " + in_quotes(file) +
-                          "; a text by itself includes none, so read it from a file");
+                          ", but a model from a text cannot include files; wanted a model file");
   }
   const File& from = file_of(naming);
-  // As MuJoCo has it beside the model's main file, or else beside the file that names it.
+  // As in MuJoCo: relative to the model's main file, or else to the file that names it.
   auto path = find(folder_of(*from.model->root) / file);
   if (!path) path = find(fs::path(from.path).parent_path() / file);
   if (!path) refuse_at(naming, "the file " + in_quotes(file) + " does not exist");
@@ -78,8 +79,8 @@ const XMLElement& Source::opened(const XMLElement& naming, bool is_model) {
     if (at->path == real || (at->included_by == nullptr && fs::path(at->name) == real))
       refuse_at(naming, "the file " + in_quotes(file) + " includes itself");
   }
-  if (files_.size() >= most_files)
-    refuse_at(naming, "more than " + std::to_string(most_files) + " files are included");
+  if (files_.size() >= max_files)
+    refuse_at(naming, "more than " + std::to_string(max_files) + " files are included");
   File& read = parse(read_text(real, "MJCF file"), real.string(), &from);
   read.path = real;
   if (is_model) read.model = &read;
@@ -139,12 +140,12 @@ std::vector<const XMLElement*> Source::stated_children(const XMLElement& element
 }
 
 XMLElement& Source::make(const XMLElement& beside, const char* name) {
-  if (++copies_ > most_copies)
-    refuse_at(beside, "with it more than " + std::to_string(most_copies) +
-                          " elements are copied; at most that many are supported");
+  if (++copies_ > max_copies)
+    refuse_at(beside, "the model copies more than " + std::to_string(max_copies) +
+                          " elements, the maximum number");
   XMLElement* made = file_of(beside).document->NewElement(name);
   const void* original = beside.GetUserData() == nullptr ? &beside : beside.GetUserData();
-  // tinyxml2 only keeps it. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
+  // tinyxml2 only stores the pointer. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
   made->SetUserData(const_cast<void*>(original));
   return *made;
 }
@@ -152,16 +153,17 @@ XMLElement& Source::make(const XMLElement& beside, const char* name) {
 XMLElement& Source::make_around(const XMLElement& beside, const char* name,
                                 std::vector<const XMLElement*> children) {
   XMLElement& made = make(beside, name);
-  // They may belong to other documents, of which none takes what is another's.
+  // The children may belong to other documents, and a tinyxml2 document does not accept foreign
+  // elements.
   inside_[&made] = std::move(children);
   return made;
 }
 
 XMLElement& Source::copy(const XMLElement& element, const Rewrite& rewrite) {
-  const Deeper deeper(copying_);
-  if (copying_ > most_nested_copies)
+  const DepthGuard deeper(copying_);
+  if (copying_ > max_nested_copies)
     refuse_at(element,
-              "copies of it are nested more than " + std::to_string(most_nested_copies) + " deep");
+              "its copies are nested more than " + std::to_string(max_nested_copies) + " deep");
   const std::vector<const XMLElement*> inside = children(element);
   std::vector<const XMLElement*> copies;
   copies.reserve(inside.size());
@@ -176,8 +178,8 @@ XMLElement& Source::copy(const XMLElement& element, const Rewrite& rewrite) {
 
 XmlPlace place_of(const XMLElement& element) {
   const char* name = element.Attribute("name");
-  constexpr std::size_t longest = 80;
-  const std::string kind = std::string(element.Name()).substr(0, longest);
+  constexpr std::size_t max_length = 80;
+  const std::string kind = std::string(element.Name()).substr(0, max_length);
   const bool has_name = name != nullptr && *name != '\0';
   return {name_of_file(element), has_name ? kind + " " + in_quotes(name) : "<" + kind + ">"};
 }

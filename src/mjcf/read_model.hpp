@@ -1,4 +1,4 @@
-// The door of the reader of MJCF for those who have the text already.
+// Entry point of the MJCF reader for a text in memory.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace burnish::mjcf {
 
-/// read_mjcf of a text. Files that it names are looked for in `folder`, or not at all.
+/// Reads a model from text, like read_mjcf(). Files that the text names are searched in `folder`;
+/// without a folder, no file is opened.
 TreeSpec read_model(const std::string& xml, const std::string& name,
                     std::optional<std::filesystem::path> folder);
 

@@ -1,4 +1,4 @@
-// An MJCF model while it is read: what its sections share.
+// State of the MJCF reader, shared by the readers of all sections.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,45 +14,46 @@
 #include "mjcf/item.hpp"
 #include "mjcf/mesh.hpp"
 #include "mjcf/mjcf_source.hpp"
-#include "mjcf/said.hpp"
+#include "mjcf/omission_notes.hpp"
 
 namespace burnish::mjcf {
 
 inline const std::string world_name = "world";
 inline const std::string uneven_forces =
-    "ranges of forces that are not symmetric are taken by their larger end";
+    "asymmetric force ranges are replaced by their larger bound";
 
 struct MeshAsset {
   const XMLElement* xml = nullptr;
-  std::string file;  ///< from the main file's folder; empty: its vertices are not in a file
+  std::string file;  ///< Relative to the main file's folder; empty: the mesh does not have a file
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-  Eigen::Isometry3d reference = Eigen::Isometry3d::Identity();  ///< put at the origin, then scaled
+  /// Pose that is moved to the origin before scaling
+  Eigen::Isometry3d reference = Eigen::Isometry3d::Identity();
   MeshInertia inertia = MeshInertia::Legacy;
-  bool is_hull = false;  ///< the hull's inertia is wanted
+  bool is_hull = false;  ///< The file asks for the inertia of the convex hull
   bool was_opened = false;
-  std::optional<InertiaSpec> of_density_one;  ///< of a mesh that was opened and could be read
+  std::optional<InertiaSpec> of_density_one;  ///< Inertia for density 1, if the file could be read
 };
 
-/// A joint as MuJoCo's qpos has it: in the order of the file, at its reference.
+/// Entries of a joint in MuJoCo's qpos, in the order of the file.
 struct Coordinate {
-  std::size_t joint;          ///< index in tree.joints
-  std::vector<double> start;  ///< qpos0 in the order of a Posture
+  std::size_t joint;          ///< Index in tree.joints
+  std::vector<double> start;  ///< Values of qpos0, in the order of a Posture
 };
 
-/// Something fixed to a link.
-struct Placed {
+/// Placement relative to a link.
+struct LinkPlacement {
   std::string link;
   Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();
 };
 
-/// A solid to draw, of a geom's group.
-struct Drawn {
+/// Shape to draw, with the group of its geom.
+struct LinkVisual {
   std::size_t link;
   int group;
   VisualSpec visual;
 };
 
-/// Names of one kind that are taken; a new one gets a number behind it.
+/// Used names of one kind. A new name that already exists gets a number as suffix.
 class Names {
  public:
   void take(const std::string& name) { taken_.insert(name); }
@@ -64,96 +65,99 @@ class Names {
   std::map<std::string, int> numbers_;
 };
 
-/// Sections of a model by name, each in its own order, whatever the order of the sections is.
+/// Sections of a model by name. Sections of one name keep their order.
 using Sections = std::map<std::string, std::vector<const XMLElement*>, std::less<>>;
 
-/// A model by itself: the file's own, or one that is attached.
+/// A model: the main model or an attached one.
 struct Part {
   Compiler compiler;
-  std::filesystem::path folder;  ///< of its file, from that of the main one
+  std::filesystem::path folder;  ///< Folder of its file, relative to the folder of the main file
   Sections sections;
-  /// Of sections that name bodies, joints or sites what they hold, by section. Copies of what is
-  /// named bring copies of them.
+  /// Elements of the sections that name bodies, joints or sites, by section. When named elements
+  /// are copied, copies of the naming elements are added.
   Sections elements;
 };
 
 struct Reading {
   Source source;
-  std::map<const XMLElement*, Part> parts;  ///< by root
+  std::map<const XMLElement*, Part> parts;  ///< Models by root element
   DefaultClasses classes;
   std::map<std::string, MeshAsset> meshes;
-  std::map<std::string, Eigen::Vector4d> colours;  ///< by material
+  std::map<std::string, Eigen::Vector4d> colours;  ///< Colours by material
   TreeSpec tree;
   Findings findings;
-  Said said;   ///< what changes dynamics: warnings
-  Said aside;  ///< what does not: notes
+  OmissionNotes warning_notes;  ///< Ignored content that changes the dynamics (warnings)
+  OmissionNotes info_notes;     ///< Ignored content without effect on the dynamics (notes)
   Names links, joints, frames, loops;
-  std::map<std::string, Placed> sites;
-  std::map<std::string, Eigen::Isometry3d> link_at_start;  ///< in the world at qpos0
+  std::map<std::string, LinkPlacement> sites;
+  /// Placement of links in the world at qpos0
+  std::map<std::string, Eigen::Isometry3d> link_at_start;
   std::map<std::string, std::size_t> joint_by_name;
   std::vector<Coordinate> coordinates;
-  std::vector<Drawn> drawn;
-  std::map<std::string, int> passed_over;  ///< elements that say nothing here, by name
+  std::vector<LinkVisual> drawn;
+  std::map<std::string, int> ignored_elements;  ///< Number of ignored elements, by element name
 
-  std::set<std::pair<const XMLElement*, std::string>> attached;  ///< roots and prefixes
-  bool has_composed = false;  ///< a <composite> or <flexcomp>, whose bodies are not read
+  std::set<std::pair<const XMLElement*, std::string>> attached;  ///< Roots and prefixes
+  bool has_composed = false;  ///< A <composite> or <flexcomp> exists, whose bodies are not read
   int expanding_depth = 0;
-  std::set<const XMLElement*> expanding;  ///< of <attach> and <replicate> those that were met
+  /// <attach> and <replicate> elements that are already expanded
+  std::set<const XMLElement*> expanding;
 
   Reading(const std::string& xml, const std::string& name,
           std::optional<std::filesystem::path> folder);
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;
 
-  /// The model that an element belongs to; copies belong to that of what they are copied from.
+  /// Returns the model that an element belongs to. A copy belongs to the model of its original.
   Part& part_of(const XMLElement& element);
   const Compiler& compiler_of(const XMLElement& element) { return part_of(element).compiler; }
 
-  /// The element under its own class, or else under `around`. Throws Error for an unknown class.
+  /// Returns the element with its own class, or else with class `around`. Throws Error if the class
+  /// does not exist.
   Item item(const XMLElement& xml, const DefaultClass* around = nullptr) const;
-  /// The class of elements inside: `childclass`, or else `around`.
+  /// Returns the class for the children of an element: `childclass`, or else `around`.
   const DefaultClass* class_inside(const XMLElement& xml, const DefaultClass* around) const;
-  /// Why something named may be missing: "; what <composite> and <flexcomp> make is not read", or
-  /// the nearest known name.
+  /// Returns the end of a message about a missing name: the nearest known name, or that bodies of
+  /// <composite> and <flexcomp> are not read.
   std::string hint(const std::string& name, const std::vector<std::string>& known) const;
-  /// A joint's entry, by name. Throws Error with the nearest known name.
+  /// Returns the entry of a joint. Throws Error with the nearest known name.
   Coordinate& coordinate(const std::string& joint, const XMLElement& asking);
 };
 
-/// A model's own settings and sections, as its root has them.
+/// Reads the settings and sections of a model from its root.
 Part read_part(const XMLElement& root, Reading& reading);
 
-/// What stands for an <attach> or a <replicate>: copies of bodies, joints, geoms and sites under
-/// other names. Elements of other sections that name some of it are copied with them. Throws Error
-/// where that cannot be read.
+/// Returns the copies that replace an <attach> or <replicate>: bodies, joints, geoms and sites with
+/// new names. Copies the elements of other sections that name copied elements. Throws Error if the
+/// element is invalid.
 std::vector<const XMLElement*> expand(const XMLElement& element, Reading& reading);
 
-/// Of <asset>: a mesh, or the colour of a material. Nothing is opened.
+/// Reads an element of <asset>: a mesh, or the colour of a material. Does not open files.
 void read_asset(const XMLElement& asset, Reading& reading);
 
-/// <worldbody>: links, joints, sites and what is drawn.
+/// Reads <worldbody>: links, joints, sites and visuals.
 void read_world(const XMLElement& section, Reading& reading);
 
 struct Geom {
   const Item* item;
-  Eigen::Isometry3d around;  ///< placement of the frame that holds it in the body's
+  Eigen::Isometry3d around;  ///< Placement of the enclosing frame in the body
 };
 enum class Weigh {
   No,
   Yes,
-  Silently,  ///< of what never moves a mass that is not known is no loss
+  Silently,  ///< For bodies that never move: a missing mass does not matter, so no warning
 };
-/// What the geoms of a body weigh together, in the body's frame, and what of them is drawn.
+/// Returns the combined inertia of a body's geoms, in the body's frame. Adds the geoms to `drawn`.
 InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, Weigh how,
                        Reading& reading);
 
-/// <actuator>: effort limits of joints.
+/// Reads <actuator>: effort limits of joints.
 void read_actuators(const std::vector<const XMLElement*>& elements, Reading& reading);
-/// <tendon>: fixed tendons.
+/// Reads <tendon>: fixed tendons.
 void read_tendons(const std::vector<const XMLElement*>& elements, Reading& reading);
-/// <equality>: loops, followers, joints and tendons that are held.
+/// Reads <equality>: loops, followers, and held joints and tendons.
 void read_equalities(const std::vector<const XMLElement*>& elements, Reading& reading);
-/// <keyframe>: postures. Joints that follow others or are held have no values in them.
+/// Reads <keyframe>: postures, without values for followers and held joints.
 void read_keyframes(const std::vector<const XMLElement*>& elements, Reading& reading);
 
 }  // namespace burnish::mjcf

@@ -11,32 +11,34 @@ using std::numbers::pi;
 
 Vector3d about_z(double across, double along) { return {across, across, along}; }
 
-/// Moments of a box of half lengths h, filled: m (h_j^2 + h_k^2) / 3.
+/// Returns the sums of the two other entries; for half lengths h, the moments of a box are m (h_j^2
+/// + h_k^2) / 3.
 Vector3d others(const Vector3d& x) { return Vector3d::Constant(x.sum()) - x; }
 
-/// Two balls, or two hollow ones, cut in half and drawn apart by h on both sides; `share` of the
-/// mass. The centre of a half lies `lever` from the cut, and a ball's own moment is `own`.
-Vector3d caps(double share, double own, double lever, double h) {
+/// Moments of a sphere (filled or hollow) whose halves are moved apart by h on each side;
+/// `fraction` is its fraction of the mass. The centre of a half is `lever` from the cut, and the
+/// sphere's own moment is `own`.
+Vector3d caps(double fraction, double own, double lever, double h) {
   const double out = h + lever;
-  return share * about_z(own + out * out - lever * lever, own);
+  return fraction * about_z(own + out * out - lever * lever, own);
 }
 
 Vector3d capsule(const Solid& solid) {
   const double r = solid.size[0], h = solid.size[1], r2 = r * r;
   if (solid.is_shell) {
-    const double share = 2.0 * r / (2.0 * r + 2.0 * h);  // 4 pi r^2 beside 2 pi r 2 h
-    return caps(share, 2.0 * r2 / 3.0, 0.5 * r, h) +
-           (1.0 - share) * about_z(0.5 * r2 + h * h / 3.0, r2);
+    const double fraction = 2.0 * r / (2.0 * r + 2.0 * h);  // Areas 4 pi r^2 and 2 pi r 2 h
+    return caps(fraction, 2.0 * r2 / 3.0, 0.5 * r, h) +
+           (1.0 - fraction) * about_z(0.5 * r2 + h * h / 3.0, r2);
   }
-  const double share = 4.0 * r / (4.0 * r + 6.0 * h);  // 4/3 pi r^3 beside pi r^2 2 h
-  return caps(share, 0.4 * r2, 0.375 * r, h) +
-         (1.0 - share) * about_z(0.25 * r2 + h * h / 3.0, 0.5 * r2);
+  const double fraction = 4.0 * r / (4.0 * r + 6.0 * h);  // Volumes 4/3 pi r^3 and pi r^2 2 h
+  return caps(fraction, 0.4 * r2, 0.375 * r, h) +
+         (1.0 - fraction) * about_z(0.25 * r2 + h * h / 3.0, 0.5 * r2);
 }
 
 Vector3d cylinder(const Solid& solid) {
   const double r = solid.size[0], h = solid.size[1], r2 = r * r;
   if (!solid.is_shell) return about_z(0.25 * r2 + h * h / 3.0, 0.5 * r2);
-  const double lids = r / (r + 2.0 * h);  // 2 pi r^2 beside 2 pi r 2 h
+  const double lids = r / (r + 2.0 * h);  // Areas 2 pi r^2 and 2 pi r 2 h
   return lids * about_z(0.25 * r2 + h * h, 0.5 * r2) +
          (1.0 - lids) * about_z(0.5 * r2 + h * h / 3.0, r2);
 }
@@ -52,7 +54,8 @@ Vector3d ellipsoid(const Solid& solid) {
 Vector3d box(const Solid& solid) {
   const Vector3d h2 = solid.size.cwiseAbs2();
   if (!solid.is_shell) return others(h2) / 3.0;
-  // Faces across each axis: share of the mass, and mean square of the distance along each axis.
+  // Faces perpendicular to each axis: fraction of the mass, and mean square distance along each
+  // axis.
   const Vector3d& h = solid.size;
   const Vector3d area(h[1] * h[2], h[2] * h[0], h[0] * h[1]);
   Vector3d mean = Vector3d::Zero();

@@ -1,9 +1,10 @@
-// Compiling a tree: one walk over the links lumps what is fixed together into bodies and places
-// every frame; the tables over q and v follow from the joints.
+// Compilation of a tree into a model. One walk over the links merges links that are fixed to each
+// other into bodies, and places all frames. The joints then determine the tables over q and v.
 #include <algorithm>
 #include <map>
 #include <unordered_map>
 
+#include "base/to_size.hpp"
 #include "burnish/model/model.hpp"
 #include "model/followers.hpp"
 #include "model/lock.hpp"
@@ -20,21 +21,22 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A link that waits for its turn: the joint above it and where the link before it sits.
+/// Link on the stack of the walk, given by the joint above it.
 struct Pending {
-  const JointSpec* joint;            // nullptr for the root link
-  int body;                          // carries the parent link
-  Eigen::Isometry3d parent_in_body;  // the parent link's frame
+  const JointSpec* joint;            ///< Joint above the link, nullptr for the root link
+  int body;                          ///< Body of the parent link
+  Eigen::Isometry3d parent_in_body;  ///< Placement of the parent link in that body
 };
 
-/// The description while it is walked, and the joint of the file behind each joint of the model.
+/// State of the walk over a description.
 struct Walk {
   const TreeSpec& tree;
   const ModelOptions& options;
   std::unordered_map<std::string, const LinkSpec*> link_by_name;
-  std::unordered_map<std::string, std::vector<const JointSpec*>> joints_below;  // by parent link
-  std::vector<const JointSpec*> spec_of_joint;  // nullptr for a free-flying base
-  const std::map<std::string, StatedJoint>& held;
+  std::unordered_map<std::string, std::vector<const JointSpec*>> joints_below;  ///< By parent link
+  /// Joint of the description for each joint of the model, nullptr for a free-flying base
+  std::vector<const JointSpec*> spec_of_joint;
+  const std::map<std::string, FileJoint>& held;
 };
 
 Walk prepare(const LockedTree& locked, const ModelOptions& options) {
@@ -56,7 +58,7 @@ const LinkSpec& root_of(const Walk& walk) {
   const auto root =
       std::find_if(walk.tree.links.begin(), walk.tree.links.end(),
                    [&](const LinkSpec& link) { return !is_child.contains(link.name); });
-  return *root;  // check_topology has seen that there is exactly one
+  return *root;  // check_topology guarantees exactly one root
 }
 
 int add_joint(Walk& walk, Model& model, const JointSpec* spec, Joint joint) {
@@ -67,14 +69,14 @@ int add_joint(Walk& walk, Model& model, const JointSpec* spec, Joint joint) {
   joint.v_index = model.nv;
   model.nq += joint.nq;
   model.nv += joint.nv;
-  model.stated_joints.push_back(
-      {joint.name, joint.kind, static_cast<int>(model.joints.size()), {}});
+  model.file_joints.push_back({joint.name, joint.kind, static_cast<int>(model.joints.size()), {}});
   model.joints.push_back(std::move(joint));
   walk.spec_of_joint.push_back(spec);
   return static_cast<int>(model.joints.size()) - 1;
 }
 
-/// Inertia about `to` of a solid with the given mass, centre and inertia about that centre.
+/// Returns the inertia about `to` of a solid with the given mass, centre of mass and inertia about
+/// the centre of mass.
 Eigen::Matrix3d inertia_about(const Eigen::Vector3d& to, double mass, const Eigen::Vector3d& com,
                               const Eigen::Matrix3d& inertia_at_com) {
   const Eigen::Vector3d arm = com - to;
@@ -82,7 +84,7 @@ Eigen::Matrix3d inertia_about(const Eigen::Vector3d& to, double mass, const Eige
          mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
 }
 
-/// Adds a link's mass to the body that it is fixed to.
+/// Adds a link's inertia to the body that it is fixed to.
 void lump(Joint& body, const InertiaSpec& link, const Eigen::Isometry3d& link_in_body) {
   const Eigen::Vector3d com = link_in_body * link.com;
   const Eigen::Matrix3d inertia =
@@ -98,13 +100,13 @@ void lump(Joint& body, const InertiaSpec& link, const Eigen::Isometry3d& link_in
   body.mass = mass;
 }
 
-/// The link's mass, frame and solids go to the body; the joints below it wait for their turn, the
-/// first on top.
+/// Adds the link's inertia, frame and solids to the body. Pushes the joints below the link onto the
+/// stack, with the first on top.
 void place_link(Walk& walk, Model& model, const LinkSpec& link, int body,
                 const Eigen::Isometry3d& link_in_body, std::vector<Pending>& stack) {
   model.frames.push_back({link.name, FrameKind::Link, body, link_in_body});
   if (body >= 0) {
-    lump(model.joints[static_cast<std::size_t>(body)], link.inertia, link_in_body);
+    lump(model.joints[to_size(body)], link.inertia, link_in_body);
   }
   for (const VisualSpec& visual : link.visuals) {
     model.visuals.push_back(
@@ -136,7 +138,7 @@ void place_child(Walk& walk, Model& model, const Pending& pending, std::vector<P
   int body = pending.body;
   Eigen::Isometry3d link_in_body = pending.parent_in_body * spec.placement;
   if (spec.type != JointType::Fixed) {
-    Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();  // body frame in the child link's frame
+    Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();  // pose of the body in the child link
     if (spec.type != JointType::Floating && spec.type != JointType::Ball)
       turn.linear() = rotation_from_z(spec.axis.normalized());
     Joint joint;
@@ -147,7 +149,7 @@ void place_child(Walk& walk, Model& model, const Pending& pending, std::vector<P
     body = add_joint(walk, model, &spec, std::move(joint));
     link_in_body = turn.inverse();
   } else if (const auto held = walk.held.find(spec.name); held != walk.held.end()) {
-    model.stated_joints.push_back(held->second);
+    model.file_joints.push_back(held->second);
   }
   model.frames.push_back({spec.name, FrameKind::Joint, body, link_in_body});
   place_link(walk, model, *walk.link_by_name.at(spec.child_link), body, link_in_body, stack);
@@ -195,14 +197,14 @@ void fill_neutral(const Walk& walk, Model& model) {
   }
 }
 
-/// Adds an entry to ascending ones, once.
+/// Inserts `k` into the ascending list unless it is there.
 void add_entry(int k, std::vector<int>& support) {
   const auto at = std::lower_bound(support.begin(), support.end(), k);
   if (at == support.end() || *at != k) support.insert(at, k);
 }
 
 void fill_support(Model& model) {
-  bool any_follower = false;
+  bool has_followers = false;
   model.support_begin.push_back(0);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
@@ -216,11 +218,11 @@ void fill_support(Model& model) {
       previous = k;
     }
     if (joint.follows) add_entry(joint.v_index, support);
-    any_follower = any_follower || joint.follows;
+    has_followers = has_followers || joint.follows;
     model.support_entries.insert(model.support_entries.end(), support.begin(), support.end());
     model.support_begin.push_back(static_cast<int>(model.support_entries.size()));
   }
-  if (any_follower) chain_coupled_entries(model);
+  if (has_followers) chain_coupled_entries(model);
 }
 
 void check_isometry(const std::string& origin, const std::string& what,
@@ -235,21 +237,21 @@ void check_isometry(const std::string& origin, const std::string& what,
 
 void add_frames(const TreeSpec& tree, const std::vector<FrameSpec>& frames, Model& model) {
   for (const FrameSpec& added : frames) {
-    if (added.name.empty()) refuse(tree, "a frame to add has no name; every frame needs one");
+    if (added.name.empty())
+      refuse(tree, "a frame to add has no name; wanted a name for every frame");
     if (model.has_frame(added.name)) {
-      refuse(tree, "frame to add " + in_quotes(added.name) +
-                       " already exists; frames to add need names of their own");
+      refuse(tree, "frame to add " + in_quotes(added.name) + " already exists; wanted a new name");
     }
     if (!model.has_frame(added.parent)) {
-      std::vector<std::string> known;
-      for (const Frame& frame : model.frames) known.push_back(frame.name);
+      std::vector<std::string> existing;
+      for (const Frame& frame : model.frames) existing.push_back(frame.name);
       refuse(tree, "frame to add " + in_quotes(added.name) + ": its parent frame " +
                        in_quotes(added.parent) + " does not exist" +
-                       did_you_mean(added.parent, known));
+                       did_you_mean(added.parent, existing));
     }
     check_isometry(origin_of(tree), "placement of frame to add " + in_quotes(added.name),
                    added.placement);
-    const Frame& parent = model.frames[static_cast<std::size_t>(model.frame_index(added.parent))];
+    const Frame& parent = model.frames[to_size(model.frame_index(added.parent))];
     Frame frame{added.name, FrameKind::User, parent.body, parent.placement * added.placement};
     model.frames.push_back(std::move(frame));
   }
@@ -257,13 +259,14 @@ void add_frames(const TreeSpec& tree, const std::vector<FrameSpec>& frames, Mode
 
 void check_options(const TreeSpec& tree, const ModelOptions& options) {
   check_isometry(origin_of(tree), "the base's placement", options.base_placement);
-  if (!options.gravity.allFinite()) refuse(tree, "gravity holds a NaN or an infinity");
+  if (!options.gravity.allFinite())
+    refuse(tree, "gravity is not finite; wanted three finite numbers");
   if (options.base != Base::FreeFlyer) return;
   for (const JointSpec& joint : tree.joints) {
     if (joint.name == root_joint_name) {
       refuse(tree,
              "joint 'root_joint' of the description has the name of the free-flying base's "
-             "own joint; rename it or choose a fixed base");
+             "joint; wanted another name, or a fixed base");
     }
   }
 }

@@ -59,13 +59,15 @@ const Description& description_of(const Joint* /*of*/) {
           .field("parent", &S::parent,
                  "Index of the parent joint; -1: the world")
           .field("q_index", &S::q_index,
-                 "Index of the first entry in q; a follower has the leader's index")
+                 "Index of the first entry in q; for a coupled joint (follower), the leader's "
+                 "index")
           .field("v_index", &S::v_index,
-                 "Index of the first entry in v; a follower has the leader's index")
+                 "Index of the first entry in v; for a coupled joint (follower), the leader's "
+                 "index")
           .field("nq", &S::nq,
-                 "Number of entries in q; 0 for a follower")
+                 "Number of entries in q; 0 for a coupled joint (follower)")
           .field("nv", &S::nv,
-                 "Number of entries in v; 0 for a follower")
+                 "Number of entries in v; 0 for a coupled joint (follower)")
           .field("placement", &S::placement,
                  "Placement of the joint frame in the parent body's frame, at joint position zero")
           .field("mass", &S::mass,
@@ -76,16 +78,16 @@ const Description& description_of(const Joint* /*of*/) {
                  "Inertia of the body about its centre of mass, in the axes of the joint frame "
                  "[{kg m^2}]")
           .field("follows", &S::follows,
-                 "Coupling to a leader, for followers only");
+                 "Coupling to another joint, the leader; only for coupled joints (followers)");
   return all;
 }
 
-const Description& description_of(const StatedJoint* /*of*/) {
-  using S = StatedJoint;
+const Description& description_of(const FileJoint* /*of*/) {
+  using S = FileJoint;
   static const Description all =
-      Describe<S>("model", "StatedJoint",
-                  "A joint that has a position in the description. In the model, the joint either"
-                  " moves or is held at a constant position.")
+      Describe<S>("model", "FileJoint",
+                  "A joint that can move according to the robot's description. In the model, the "
+                  "joint either moves or is held at a constant position.")
           .result()
           .field("name", &S::name)
           .field("kind", &S::kind)
@@ -100,10 +102,10 @@ const Description& description_of(const Tendon* /*of*/) {
   using S = Tendon;
   static const Description all =
       Describe<S>("model", "Tendon",
-                  "A tendon of a Model: a spring, a damper or both act on a length, which is a "
-                  "weighted sum of joint positions. Contributions of locked joints are included "
-                  "in `rest`. Contributions of followers are included in the coefficients of "
-                  "their leaders.")
+                  "A tendon of a Model. Its length is a weighted sum of joint positions. A "
+                  "spring, a damper or both act on the length. Locked joints contribute to "
+                  "`rest`. A coupled joint (follower) contributes to the coefficient of its "
+                  "leader.")
           .result()
           .field("name", &S::name)
           .field("parts", &S::parts,
@@ -211,13 +213,14 @@ const Description& description_of(const ModelOptions* /*of*/) {
                  "Placement of the root link in the world")
           .more("For a free-flying base, the placement sets only the neutral configuration.")
           .field("locked", &S::locked,
-                 "Joints to lock, together with their followers")
-          .more("A joint is locked at its value in `posture`, or at zero if `posture` has no "
-                "value for the joint.")
+                 "Joints to lock")
+          .more("Joints that are coupled to a locked joint (followers) are locked too. A joint is"
+                " locked at its value in `posture`, or at zero if `posture` has no value for the "
+                "joint.")
           .field("free", &S::free,
                  "Joints that stay free; empty: all joints")
-          .more("If the list is not empty, all other joints are locked, except followers of "
-                "listed joints and a free-flying base.")
+          .more("If the list is not empty, all other joints are locked. Exceptions are joints "
+                "that are coupled to a listed joint (followers) and a free-flying base.")
           .field("posture", &S::posture,
                  "Positions of locked joints; values of moving joints are ignored")
           .field("frames", &S::frames,
@@ -385,13 +388,13 @@ const Description& description_of(const JointSpec* /*of*/) {
                  "Stiffness of a spring in the joint [{Nm/rad}] or [N/m]")
           .field("rest", &S::rest,
                  "Rest position of the joint's spring [{rad}] or [m]")
-          .more("Ignored for a ball joint, whose spring is at rest without rotation.")
+          .more("Ignored for a ball joint. The spring of a ball joint is at rest without "
+                "rotation.")
           .field("mimic", &S::mimic)
           .field("held", &S::held,
-                 "Constant position of a joint that the description fixes [{rad}] or [m]; else "
-                 "empty")
-          .more("An equality constraint of MJCF can hold a hinge or slide joint. The type of a "
-                "held joint is Fixed.")
+                 "Constant position of a held joint [{rad}] or [m]; empty for other joints")
+          .more("An equality constraint of MJCF can hold a hinge or slide joint. A held joint has"
+                " the type Fixed.")
           .field("line", &S::line,
                  "Line in the description file, for messages about the joint; 0: unknown");
   return all;

@@ -13,7 +13,7 @@ const Words& words_of(JointConvention);
 const Words& words_of(JointKind);
 const Description& description_of(const Following*);
 const Description& description_of(const Joint*);
-const Description& description_of(const StatedJoint*);
+const Description& description_of(const FileJoint*);
 const Description& description_of(const Tendon*);
 const Description& description_of(const Tendon::Entry*);
 const Words& words_of(FrameKind);

@@ -7,32 +7,32 @@
 namespace burnish {
 namespace {
 
-struct Named {
+struct DirectionsName {
   std::string_view name;
   Directions value;
 };
-constexpr std::array<Named, 12> words{{{"x", {1}},
-                                       {"y", {2}},
-                                       {"z", {4}},
-                                       {"rx", {8}},
-                                       {"ry", {16}},
-                                       {"rz", {32}},
-                                       {"all", Directions::all()},
-                                       {"linear", Directions::linear()},
-                                       {"angular", Directions::angular()},
-                                       {"pad_x", Directions::pad_x()},
-                                       {"pad_y", Directions::pad_y()},
-                                       {"pad_z", Directions::pad_z()}}};
+constexpr std::array<DirectionsName, 12> words{{{"x", {1}},
+                                                {"y", {2}},
+                                                {"z", {4}},
+                                                {"rx", {8}},
+                                                {"ry", {16}},
+                                                {"rz", {32}},
+                                                {"all", Directions::all()},
+                                                {"linear", Directions::linear()},
+                                                {"angular", Directions::angular()},
+                                                {"pad_x", Directions::pad_x()},
+                                                {"pad_y", Directions::pad_y()},
+                                                {"pad_z", Directions::pad_z()}}};
 
 Directions parse_word(std::string_view word) {
-  std::vector<std::string> known;
-  for (const Named& named : words) {
+  std::vector<std::string> existing;
+  for (const DirectionsName& named : words) {
     if (named.name == word) return named.value;
-    known.emplace_back(named.name);
+    existing.emplace_back(named.name);
   }
   throw Error("directions: unknown word '" + std::string(word) +
               "'; wanted x, y, z, rx, ry, rz, all, linear, angular or pad_x|y|z" +
-              did_you_mean(word, known));
+              did_you_mean(word, existing));
 }
 
 }  // namespace

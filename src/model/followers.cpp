@@ -8,13 +8,14 @@
 #include <unordered_map>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 
 namespace burnish {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// The values of a leader at which a follower is within its limits.
+/// Range of a leader's position in which a follower is within its limits. Empty if lower > upper.
 struct LeaderRange {
   double lower = -no_limit, upper = no_limit;
 };
@@ -28,7 +29,8 @@ LeaderRange range_of_leader(const JointSpec& spec, const Following& follows) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// Of what is stated; a follower that states none leaves its leader's.
+/// Adds a follower's effort limit to its leader's. An infinite limit is not stated and adds
+/// nothing.
 void add_effort(double of_follower, double factor, double& limit) {
   if (std::isfinite(of_follower)) limit += factor * of_follower;
 }
@@ -43,11 +45,11 @@ void couple_followers(const std::vector<const JointSpec*>& spec_of_joint, Model&
     if (spec_of_joint[i] == nullptr || !spec_of_joint[i]->mimic) continue;
     const MimicSpec& mimic = *spec_of_joint[i]->mimic;
     const int leader = index.at(mimic.leader);
-    const Joint& moved = model.joints[static_cast<std::size_t>(leader)];
+    const Joint& leading = model.joints[to_size(leader)];
     Joint& joint = model.joints[i];
     joint.follows = Following{leader, mimic.multiplier, mimic.offset};
-    joint.q_index = moved.q_index;
-    joint.v_index = moved.v_index;
+    joint.q_index = leading.q_index;
+    joint.v_index = leading.v_index;
   }
 }
 
@@ -57,7 +59,7 @@ void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const 
     const Joint& joint = model.joints[i];
     if (!joint.follows) continue;
     const JointSpec& spec = *spec_of_joint[i];
-    const Joint& leader = model.joints[static_cast<std::size_t>(joint.follows->leader)];
+    const Joint& leader = model.joints[to_size(joint.follows->leader)];
     const int q = joint.q_index, v = joint.v_index;
     const double factor = std::abs(joint.follows->multiplier);
     add_effort(spec.effort_limit, factor, model.effort_limit[v]);
@@ -72,11 +74,12 @@ void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const 
     const double upper = std::min(model.q_upper[q], range.upper);
     if (lower > upper) {
       refuse(origin, "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
-                         ", and no position is within the limits of both" + ": it is at " +
+                         ", and no position is within the limits of both: the follower is at " +
                          number(joint.follows->multiplier) + " times " + in_quotes(leader.name) +
-                         " plus " + number(joint.follows->offset) + ", from " + number(spec.lower) +
-                         " to " + number(spec.upper) + ", and " + in_quotes(leader.name) +
-                         " from " + number(model.q_lower[q]) + " to " + number(model.q_upper[q]));
+                         " plus " + number(joint.follows->offset) + ", with limits " +
+                         number(spec.lower) + " to " + number(spec.upper) + ", and " +
+                         in_quotes(leader.name) + " has limits " + number(model.q_lower[q]) +
+                         " to " + number(model.q_upper[q]));
     }
     model.q_lower[q] = lower;
     model.q_upper[q] = upper;
@@ -94,22 +97,21 @@ void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
     const Joint& joint = model.joints[i];
     if (!joint.follows || !has_spring(*spec_of_joint[i])) continue;
     const auto [leader_index, multiplier, offset] = *joint.follows;
-    if (multiplier == 0.0) continue;  // stretched alike at all postures
+    if (multiplier == 0.0) continue;  // the deflection is the same at all postures
     // k (m q + o - r) m = m^2 k (q - (r - o) / m)
     const double added = multiplier * multiplier * spec_of_joint[i]->stiffness;
     const double rest = (spec_of_joint[i]->rest - offset) / multiplier;
     double& stiffness = model.stiffness[joint.v_index];
     double& leader_rest = model.spring_rest[joint.v_index];
-    const Joint& leader = model.joints[static_cast<std::size_t>(leader_index)];
+    const Joint& leader = model.joints[to_size(leader_index)];
     if (leader.kind == JointKind::Continuous) {
-      const double apart = std::remainder(rest - leader_rest, 2.0 * std::numbers::pi);
-      if (std::abs(multiplier) != 1.0 || (stiffness > 0.0 && std::abs(apart) > 1e-9)) {
+      const double rest_difference = std::remainder(rest - leader_rest, 2.0 * std::numbers::pi);
+      if (std::abs(multiplier) != 1.0 || (stiffness > 0.0 && std::abs(rest_difference) > 1e-9)) {
         refuse(origin, "joint " + in_quotes(joint.name) + " has a spring and follows joint " +
                            in_quotes(leader.name) +
-                           ", which is continuous: on the circle that is no spring of " +
-                           in_quotes(leader.name) +
-                           " unless the multiplier is 1 or -1 and both rest at one angle; make " +
-                           in_quotes(leader.name) + " revolute");
+                           ", which is continuous; wanted a multiplier of 1 or -1 and one common "
+                           "rest angle, or a revolute joint " +
+                           in_quotes(leader.name));
       }
     }
     leader_rest =
@@ -119,33 +121,33 @@ void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
 }
 
 void chain_coupled_entries(Model& model) {
-  // Entries are eliminated from the last to the first; each hangs on the last of those before it
-  // that it is coupled to, and passes the others on (the elimination tree of sparse
-  // factorisations).
-  std::vector<std::set<int>> before(static_cast<std::size_t>(model.nv));
+  // Builds the elimination tree of a sparse factorization, from the last entry to the first. The
+  // parent of an entry is the last earlier entry that it is coupled to. The parent inherits its
+  // other couplings.
+  std::vector<std::set<int>> before(to_size(model.nv));
   for (const Joint& joint : model.joints) {
     for (const int a : model.support(joint.parent)) {
       for (int b = joint.v_index; b < joint.v_index + std::max(joint.nv, 1); ++b) {
-        if (a != b) before[static_cast<std::size_t>(std::max(a, b))].insert(std::min(a, b));
+        if (a != b) before[to_size(std::max(a, b))].insert(std::min(a, b));
       }
     }
     for (int b = joint.v_index + 1; b < joint.v_index + joint.nv; ++b)
-      for (int a = joint.v_index; a < b; ++a) before[static_cast<std::size_t>(b)].insert(a);
+      for (int a = joint.v_index; a < b; ++a) before[to_size(b)].insert(a);
   }
   for (int k = model.nv - 1; k >= 0; --k) {
-    std::set<int>& coupled = before[static_cast<std::size_t>(k)];
+    std::set<int>& coupled = before[to_size(k)];
     const int parent = coupled.empty() ? -1 : *coupled.rbegin();
-    model.parent_of_v[static_cast<std::size_t>(k)] = parent;
+    model.parent_of_v[to_size(k)] = parent;
     if (parent < 0) continue;
     coupled.erase(parent);
-    before[static_cast<std::size_t>(parent)].merge(coupled);
+    before[to_size(parent)].merge(coupled);
   }
 }
 
 double joint_value(const Model& model, const Joint& joint,
                    const Eigen::Ref<const Eigen::VectorXd>& q) {
   if (joint.follows) {
-    const Joint& leader = model.joints[static_cast<std::size_t>(joint.follows->leader)];
+    const Joint& leader = model.joints[to_size(joint.follows->leader)];
     return joint.follows->multiplier * joint_value(model, leader, q) + joint.follows->offset;
   }
   if (joint.kind == JointKind::Continuous)
@@ -164,9 +166,9 @@ std::pair<double, double> position_range(const Model& model, const Joint& joint)
 }
 
 std::string that_it_follows(const Model& model, const Joint& joint) {
-  const Joint& leader = model.joints[static_cast<std::size_t>(joint.follows->leader)];
+  const Joint& leader = model.joints[to_size(joint.follows->leader)];
   return "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
-         " and has no entry of its own; name that one";
+         " and has no entry of its own; wanted joint " + in_quotes(leader.name);
 }
 
 }  // namespace burnish

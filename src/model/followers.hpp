@@ -1,5 +1,5 @@
-// What followers do to the tables over q and v of a model that is being compiled, and where they
-// are in one that is.
+// Followers (joints that follow a leader): their contribution to the tables over q and v during
+// compilation, and their positions in a compiled model.
 #pragma once
 
 #include <string>
@@ -10,38 +10,41 @@
 
 namespace burnish {
 
-/// Finds the leaders of joints whose description still mimics another (lock.hpp) and gives the
-/// followers their leaders' entries. `spec_of_joint`: the joint of the description behind each of
-/// the model, nullptr for a free-flying base.
+/// Finds the leader of each follower and assigns the leader's entries to the follower. Followers
+/// are the joints whose description still has a mimic after lock_joints(). `spec_of_joint` holds
+/// the joint of the description for each joint of the model, nullptr for a free-flying base.
 void couple_followers(const std::vector<const JointSpec*>& spec_of_joint, Model& model);
 
-/// Adds effort, friction, damping and armature of the followers to their leaders', and takes the
-/// limits that hold for both. Throws Error naming the joints where no position is left.
+/// Adds effort, friction, damping and armature of the followers to their leaders'. Restricts the
+/// leaders' limits to positions at which the followers are within theirs. Throws Error with the
+/// names of the joints if no position remains.
 void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const std::string& origin,
                       Model& model);
 
-/// Whether the joint has a spring that counts: planar and floating joints have none.
+/// Returns true if the joint has a spring. Springs of planar and floating joints are ignored.
 bool has_spring(const JointSpec& spec);
 
-/// Adds the springs of the followers to their leaders'. Throws Error naming the joints where a
-/// leader on the circle would have no one spring.
+/// Adds the springs of the followers to their leaders'. Throws Error with the names of the joints
+/// if the leader is continuous and one spring cannot represent the sum.
 void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
                        const std::string& origin, Model& model);
 
-/// Lays the ways to the root such that entries of v which move a common body are on one: M = L^T L
-/// then has zeros in L wherever two entries are on none.
+/// Sets parent_of_v such that entries of v which move a common body lie on one path to the root.
+/// The factor L of M = L^T L is then zero for entries that do not share a path.
 void chain_coupled_entries(Model& model);
 
-/// Value of a joint of one coordinate at a configuration, rad or m: of a follower what its leader
-/// gives, of a continuous joint in [-pi, pi] unless it follows one.
+/// Returns the position of a joint with one coordinate at the configuration `q` [rad, m]. A
+/// follower's position follows from its leader's. A continuous joint that is no follower is in
+/// [-pi, pi].
 double joint_value(const Model& model, const Joint& joint,
                    const Eigen::Ref<const Eigen::VectorXd>& q);
 
-/// Least and greatest position of a revolute or prismatic joint, rad or m; a follower's are those
-/// that its leader's limits give.
+/// Returns the lower and upper position limit of a revolute or prismatic joint [rad, m]. A
+/// follower's limits follow from its leader's.
 std::pair<double, double> position_range(const Model& model, const Joint& joint);
 
-/// "joint 'f' follows joint 'l' and has no entry of its own; name that one", for refusals.
+/// Returns "joint 'f' follows joint 'l' and has no entry of its own; wanted joint 'l'", for error
+/// messages.
 std::string that_it_follows(const Model& model, const Joint& joint);
 
 }  // namespace burnish

@@ -4,20 +4,23 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr double rounding = 0.05;  // of the largest moment: that of published figures
+/// Rounding error of published inertias, relative to the largest moment; chosen by hand.
+constexpr double rounding = 0.05;
 
-/// |x|^2 1 - x x^T: moments of inertia of a unit mass at x.
+/// Returns the inertia of a unit mass at x: |x|^2 1 - x x^T.
 Eigen::Matrix3d of_unit_mass(const Eigen::Vector3d& x) {
   return x.squaredNorm() * Eigen::Matrix3d::Identity() - x * x.transpose();
 }
 
-/// Least slack of the three triangle inequalities, and the largest moment.
+/// Slack of the triangle inequalities of principal moments.
 struct Slack {
-  double least, largest;
+  double smallest;        ///< Smallest slack, or smallest moment if less [kg m^2]
+  double largest_moment;  ///< Largest absolute value of a principal moment [kg m^2]
 };
 Slack slack_of(const Eigen::Matrix3d& inertia_at_com) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
@@ -34,9 +37,9 @@ bool is_finite(const InertiaSpec& inertia) {
 bool is_symmetric(const Eigen::Matrix3d& I) {
   return (I - I.transpose()).cwiseAbs().maxCoeff() <= 1e-9 * I.cwiseAbs().maxCoeff();
 }
-bool is_of_a_solid(const Eigen::Matrix3d& I) {
+bool is_physical(const Eigen::Matrix3d& I) {
   const Slack slack = slack_of(I);
-  return slack.least >= -rounding * slack.largest;
+  return slack.smallest >= -rounding * slack.largest_moment;
 }
 
 }  // namespace
@@ -104,32 +107,33 @@ InertiaSpec together(const InertiaSpec& a, const InertiaSpec& b) {
 Status check_inertia(const InertiaSpec& inertia) noexcept {
   if (!is_finite(inertia) || inertia.mass < 0.0) return Status::NotFinite;
   const Eigen::Matrix3d& I = inertia.inertia_at_com;
-  if (!is_symmetric(I) || !is_of_a_solid(I)) return Status::NotPhysical;
+  if (!is_symmetric(I) || !is_physical(I)) return Status::NotPhysical;
   return inertia.mass == 0.0 && !I.isZero(0.0) ? Status::NotPhysical : Status::Ok;
 }
 
 std::string inertia_problem(const InertiaSpec& inertia) {
   if (check_inertia(inertia) == Status::Ok) return "";
   if (!std::isfinite(inertia.mass) || inertia.mass < 0.0)
-    return "the mass is " + number(inertia.mass) + "; wanted a number of at least 0";
-  if (!inertia.com.allFinite()) return "the centre of mass holds a NaN or an infinity";
+    return "the mass is " + number(inertia.mass) + "; wanted a finite number of at least 0";
+  if (!inertia.com.allFinite()) return "the centre of mass is not finite; wanted finite numbers";
   const Eigen::Matrix3d& I = inertia.inertia_at_com;
-  if (!I.allFinite()) return "the inertia holds a NaN or an infinity";
-  if (!is_symmetric(I)) return "the inertia is not symmetric";
-  if (!is_of_a_solid(I))
-    return "the inertia about the centre belongs to no solid: its principal moments miss " +
-           number(-slack_of(I).least) +
+  if (!I.allFinite()) return "the inertia is not finite; wanted finite numbers";
+  if (!is_symmetric(I)) return "the inertia is not symmetric; wanted a symmetric matrix";
+  if (!is_physical(I))
+    return "the inertia about the centre of mass belongs to no solid: its principal moments "
+           "violate a bound by " +
+           number(-slack_of(I).smallest) +
            " kg m^2; wanted each at least 0 and at most the sum of the two others";
-  return "there is an inertia without a mass; wanted a mass above 0";
+  return "the mass is 0 but the inertia is not; wanted a mass above 0";
 }
 
 InertiaSpec inertia_of_body(const Model& model, int body) {
-  const Joint& joint = model.joints.at(static_cast<std::size_t>(body));
+  const Joint& joint = model.joints.at(to_size(body));
   return {joint.mass, joint.com, joint.inertia_at_com};
 }
 
 void set_inertia_of_body(Model& model, int body, const InertiaSpec& inertia) {
-  Joint& joint = model.joints.at(static_cast<std::size_t>(body));
+  Joint& joint = model.joints.at(to_size(body));
   joint.mass = inertia.mass;
   joint.com = inertia.com;
   joint.inertia_at_com = inertia.inertia_at_com;
@@ -137,15 +141,15 @@ void set_inertia_of_body(Model& model, int body, const InertiaSpec& inertia) {
 
 const Frame& frame_on_body(std::string_view call, const Model& model, std::string_view frame) {
   if (!model.has_frame(frame)) {
-    std::vector<std::string> known;
-    for (const Frame& one : model.frames) known.push_back(one.name);
+    std::vector<std::string> existing;
+    for (const Frame& one : model.frames) existing.push_back(one.name);
     throw Error(std::string(call) + ": frame " + in_quotes(frame) + " does not exist" +
-                did_you_mean(std::string(frame), known));
+                did_you_mean(std::string(frame), existing));
   }
-  const Frame& found = model.frames[static_cast<std::size_t>(model.frame_index(frame))];
+  const Frame& found = model.frames[to_size(model.frame_index(frame))];
   if (found.body < 0)
     throw Error(std::string(call) + ": frame " + in_quotes(frame) +
-                " is fixed to the world; wanted one that a joint moves");
+                " is fixed to the world; wanted a frame that a joint moves");
   return found;
 }
 

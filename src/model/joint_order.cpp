@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/model/state.hpp"
 #include "model/followers.hpp"
 #include "model/joint_entries.hpp"
@@ -17,22 +18,23 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Entries of positions: of a turn one angle, or (cos, sin) as in q.
+/// Returns the number of a joint's position entries. A rotation on a circle has one angle, or (cos,
+/// sin) as in q.
 int positions_of(JointKind kind, JointConvention convention) {
   return convention == JointConvention::Same ? joint_nq(kind)
                                              : static_cast<int>(posture_size(kind));
 }
 
-/// Whether the last four entries are a quaternion w x y z.
+/// Returns true if the last four entries are a quaternion in the order w, x, y, z.
 bool has_w_first(JointKind kind, JointConvention convention) {
   return convention == JointConvention::Mujoco && unit_entries(kind) == 4;
 }
 
-/// Moves w of a quaternion from the front of x to its end.
+/// Move w of the quaternion x from the front to the end, and back.
 void w_to_end(Eigen::Ref<VectorXd> x) { std::rotate(x.begin(), x.begin() + 1, x.end()); }
 void w_to_front(Eigen::Ref<VectorXd> x) { std::rotate(x.begin(), x.end() - 1, x.end()); }
 
-/// Entries as q has them; `size` stands before (cos, sin).
+/// Replace the last entry, an angle, by (cos, sin), and back.
 VectorXd with_pair(const VectorXd& x) {
   const Eigen::Index size = x.size() - 1;
   VectorXd result(size + 2);
@@ -48,31 +50,31 @@ VectorXd with_angle(const VectorXd& x) {
 
 bool turns_on_circle(JointKind kind) { return unit_entries(kind) == 2; }
 
-/// Entries of one joint in q from those of the other program.
+/// Converts the entries of one joint from the convention to those of q.
 VectorXd ours(VectorXd x, JointKind kind, JointConvention convention) {
   if (has_w_first(kind, convention)) w_to_end(x.tail<4>());
   if (turns_on_circle(kind) && convention != JointConvention::Same) return with_pair(x);
   return x;
 }
 
-/// And back.
+/// Converts the entries of one joint from those of q to the convention.
 VectorXd theirs(VectorXd x, JointKind kind, JointConvention convention) {
   if (has_w_first(kind, convention)) w_to_front(x.tail<4>());
   if (turns_on_circle(kind) && convention != JointConvention::Same) return with_angle(x);
   return x;
 }
 
-/// Entries of q from the coordinates of a posture.
+/// Converts the coordinates of a posture to entries of q.
 VectorXd of_posture(const std::vector<double>& held, JointKind kind) {
   const VectorXd x =
       Eigen::Map<const VectorXd>(held.data(), static_cast<Eigen::Index>(held.size()));
   return turns_on_circle(kind) ? with_pair(x) : x;
 }
 
-/// Scales what has unit length in a joint's entries of q; false: it is further off than files are
-/// rounded.
+/// Normalises the unit vector in a joint's entries of q. Returns false if its length differs from 1
+/// by more than the rounding of files.
 bool normalise(JointKind kind, VectorXd& x) {
-  constexpr double file_rounding = 1e-3;
+  constexpr double file_rounding = 1e-3;  // chosen by hand
   const int unit = unit_entries(kind);
   if (unit == 0) return true;
   const double length = x.tail(unit).norm();
@@ -80,7 +82,7 @@ bool normalise(JointKind kind, VectorXd& x) {
   return std::abs(length - 1.0) <= file_rounding;
 }
 
-/// Distance of two positions of one joint, as entries of q.
+/// Returns the distance of two positions of one joint, given as entries of q.
 double distance(JointKind kind, const VectorXd& x, const VectorXd& y) {
   if (unit_entries(kind) != 4) return (x - y).norm();
   VectorXd opposite = x;
@@ -92,38 +94,37 @@ double distance(JointKind kind, const VectorXd& x, const VectorXd& y) {
 
 JointOrder::JointOrder(Model model, std::vector<std::string> names, JointConvention convention)
     : model_(std::move(model)), convention_(convention), names_(std::move(names)) {
-  std::vector<std::string> known;
-  for (const StatedJoint& stated : model_.stated_joints) known.push_back(stated.name);
+  std::vector<std::string> existing;
+  for (const FileJoint& stated : model_.file_joints) existing.push_back(stated.name);
   std::set<std::string> listed;
   for (const std::string& name : names_) {
     if (name.empty())
       refuse("joint number " + std::to_string(listed.size() + 1) +
-             " of the order has no name; wanted one of the model");
-    const auto at = std::find(known.begin(), known.end(), name);
-    if (at == known.end())
+             " of the order has no name; wanted the name of a joint of the model");
+    const auto at = std::find(existing.begin(), existing.end(), name);
+    if (at == existing.end())
       refuse("joint " + in_quotes(name) + " of the order does not exist" +
-             did_you_mean(name, known));
+             did_you_mean(name, existing));
     if (!listed.insert(name).second)
       refuse("joint " + in_quotes(name) + " is twice in the order; wanted each joint once");
-    add(model_.stated_joints[static_cast<std::size_t>(at - known.begin())]);
+    add(model_.file_joints[to_size(at - existing.begin())]);
   }
 }
 
 JointOrder JointOrder::mujoco(const Model& model) {
   std::vector<std::string> names;
-  for (const StatedJoint& stated : model.stated_joints) names.push_back(stated.name);
+  for (const FileJoint& stated : model.file_joints) names.push_back(stated.name);
   return {model, std::move(names), JointConvention::Mujoco};
 }
 
-void JointOrder::add(const StatedJoint& stated) {
+void JointOrder::add(const FileJoint& stated) {
   places_.push_back({stated, nq_, nv_});
   nq_ += positions_of(stated.kind, convention_);
   nv_ += joint_nv(stated.kind);
 }
 
 const Joint* JointOrder::moving(const Place& place) const {
-  return place.stated.joint < 0 ? nullptr
-                                : &model_.joints[static_cast<std::size_t>(place.stated.joint)];
+  return place.stated.joint < 0 ? nullptr : &model_.joints[to_size(place.stated.joint)];
 }
 
 void JointOrder::refuse(const std::string& what) const {
@@ -137,19 +138,19 @@ void JointOrder::require_all_joints() const {
       missing.push_back(joint.name);
   if (missing.empty()) return;
   refuse("the order leaves out " + listed("joint", missing) + ", which " +
-         (missing.size() == 1 ? "moves" : "move") + "; name every joint, or lock the others");
+         (missing.size() == 1 ? "moves" : "move") + "; wanted all moving joints, or lock " +
+         (missing.size() == 1 ? "it" : "them"));
 }
 
 void JointOrder::check(const Eigen::Ref<const VectorXd>& entries, int size,
                        const char* what) const {
   if (entries.size() != size)
-    refuse(std::string(what) + " have " + std::to_string(entries.size()) +
-           " entries; the order has " + std::to_string(size));
-  if (!entries.allFinite()) refuse(std::string(what) + " hold a NaN or an infinity");
+    refuse(std::string(what) + " have " + std::to_string(entries.size()) + " entries; wanted " +
+           std::to_string(size));
+  if (!entries.allFinite()) refuse(std::string(what) + " are not finite; wanted finite numbers");
 }
 
-VectorXd JointOrder::stated_position(const Place& place,
-                                     const Eigen::Ref<const VectorXd>& q) const {
+VectorXd JointOrder::file_position(const Place& place, const Eigen::Ref<const VectorXd>& q) const {
   const Joint* joint = moving(place);
   if (joint == nullptr) return of_posture(place.stated.held, place.stated.kind);
   if (!joint->follows) return q.segment(joint->q_index, joint->nq);
@@ -158,7 +159,7 @@ VectorXd JointOrder::stated_position(const Place& place,
 }
 
 bool JointOrder::is_continuous(int joint) const {
-  return model_.joints[static_cast<std::size_t>(joint)].kind == JointKind::Continuous;
+  return model_.joints[to_size(joint)].kind == JointKind::Continuous;
 }
 
 VectorXd JointOrder::q_from(const Eigen::Ref<const VectorXd>& positions, double tolerance) const {
@@ -172,7 +173,8 @@ VectorXd JointOrder::q_from(const Eigen::Ref<const VectorXd>& positions, double 
         ours(positions.segment(place.q, positions_of(kind, convention_)), kind, convention_);
     if (!normalise(kind, x))
       refuse("joint " + in_quotes(place.stated.name) + ": its " +
-             (unit_entries(kind) == 4 ? "quaternion" : "(cos, sin)") + " does not have length 1");
+             (unit_entries(kind) == 4 ? "quaternion" : "(cos, sin)") +
+             " does not have length 1; wanted 1 to within 0.001");
     const Joint* joint = moving(place);
     if (joint != nullptr && !joint->follows) q.segment(joint->q_index, joint->nq) = x;
     entries.push_back(std::move(x));
@@ -181,13 +183,13 @@ VectorXd JointOrder::q_from(const Eigen::Ref<const VectorXd>& positions, double 
     const Place& place = places_[i];
     const Joint* joint = moving(place);
     const bool is_held = joint == nullptr;
-    double off = distance(place.stated.kind, entries[i], stated_position(place, q));
+    double off = distance(place.stated.kind, entries[i], file_position(place, q));
     if (!is_held && joint->follows && is_continuous(joint->follows->leader))
       off = std::abs(std::remainder(off, 2.0 * std::numbers::pi));
     if (off <= tolerance) continue;
-    refuse("joint " + in_quotes(place.stated.name) + " is " + number(off) + " off from where " +
-           (is_held ? "it is held" : "its leader puts it") + "; wanted at most " +
-           number(tolerance));
+    refuse("joint " + in_quotes(place.stated.name) + " differs by " + number(off) + " from " +
+           (is_held ? "its locked position" : "the position that its leader implies") +
+           "; wanted at most " + number(tolerance));
   }
   return q;
 }
@@ -197,7 +199,7 @@ VectorXd JointOrder::q_to(const Eigen::Ref<const VectorXd>& q) const {
   VectorXd result(nq_);
   for (const Place& place : places_)
     result.segment(place.q, positions_of(place.stated.kind, convention_)) =
-        theirs(stated_position(place, q), place.stated.kind, convention_);
+        theirs(file_position(place, q), place.stated.kind, convention_);
   return result;
 }
 

@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-/// What one call needs at hand.
+/// Arguments and results of one call of lock_joints().
 struct Locking {
   const TreeSpec& tree;
   const ModelOptions& options;
@@ -25,11 +25,11 @@ const JointSpec& find_joint(const Locking& locking, const std::string& name,
   return find_joint(locking.tree, locking.joint_by_name, name, what);
 }
 
-/// Whether the joint follows one of those named, directly or through others.
+/// Returns true if the joint follows one of `leaders`, directly or through other followers.
 bool follows_one_of(const Locking& locking, const JointSpec& joint,
                     const std::set<std::string>& leaders) {
   const JointSpec* at = &joint;
-  // Whoever follows itself is refused later.
+  // The limit ends cycles of followers; Courses rejects them later.
   for (std::size_t steps = 0; steps < locking.tree.joints.size(); ++steps) {
     if (!moves(*at) || !at->mimic) return false;
     at = &named_leader(locking.tree, locking.joint_by_name, *at);
@@ -43,8 +43,7 @@ void choose_locked(Locking& locking) {
   for (const std::string& name : locking.options.locked) {
     if (free_base && name == root_joint_name) {
       refuse(locking.tree,
-             "joint 'root_joint' of a free-flying base cannot be locked; choose a "
-             "fixed base instead");
+             "joint 'root_joint' of a free-flying base cannot be locked; wanted a fixed base");
     }
     if (moves(find_joint(locking, name, "joint to lock"))) locking.locked.insert(name);
   }
@@ -54,11 +53,11 @@ void choose_locked(Locking& locking) {
     if (free_base && name == root_joint_name) continue;
     if (!moves(find_joint(locking, name, "joint to leave free"))) {
       refuse(locking.tree, "joint to leave free " + in_quotes(name) +
-                               " is fixed in the description; name a moving joint");
+                               " is fixed in the description; wanted a moving joint");
     }
     if (locking.locked.contains(name)) {
       refuse(locking.tree,
-             "joint " + in_quotes(name) + " is listed both as locked and as free; name it once");
+             "joint " + in_quotes(name) + " is listed as locked and as free; wanted only one");
     }
     free.insert(name);
   }
@@ -68,7 +67,7 @@ void choose_locked(Locking& locking) {
     if (free.contains(joint.name) && joint.mimic && !follows) {
       refuse(locking.tree, "joint to leave free " + in_quotes(joint.name) + " follows joint " +
                                in_quotes(joint.mimic->leader) +
-                               ", which is locked; leave that one free");
+                               ", which is locked; wanted that joint free too");
     }
     if (!free.contains(joint.name) && !follows) locking.locked.insert(joint.name);
   }
@@ -83,13 +82,13 @@ void check_posture(const Locking& locking) {
     const JointSpec& joint = find_joint(locking, name, "joint of the posture");
     if (!moves(joint)) {
       refuse(locking.tree, "joint of the posture " + in_quotes(name) +
-                               " is fixed in the description and has no value");
+                               " is fixed in the description; wanted a moving joint");
     }
     check_posture_values(origin_of(locking.tree), name, values, posture_size(joint.type));
   }
 }
 
-/// Where a joint of any number of coordinates is locked.
+/// Returns the coordinates at which a joint is locked.
 std::vector<double> locked_value(const Locking& locking, const JointSpec& joint, Courses& courses) {
   if (posture_size(joint.type) == 1) return {courses.of(joint).offset};
   const auto stated = locking.options.posture.find(joint.name);

@@ -1,4 +1,4 @@
-// Turning joints into fixed ones before a tree is compiled.
+// Locking of joints before a tree is compiled.
 #pragma once
 
 #include <map>
@@ -9,15 +9,16 @@
 
 namespace burnish {
 
-/// A tree in which the locked joints are fixed, and their names in the order of the tree; a joint
-/// that still mimics another names one that mimics none.
+/// Tree in which locked joints are fixed. A joint that still mimics another has a leader that moves
+/// by itself.
 struct LockedTree {
   TreeSpec tree;
-  std::vector<std::string> locked;
-  std::map<std::string, StatedJoint> held;  ///< by name: those locked and those that the tree holds
+  std::vector<std::string> locked;        ///< Names of locked joints, in the order of the tree
+  std::map<std::string, FileJoint> held;  ///< Locked joints, and joints that the file holds
 };
 
-/// Locks what the options ask for, and what follows it. Assumes that the tree passed its checks.
+/// Locks the joints that the options select, and their followers. The tree must have passed
+/// check_topology() and check_values().
 LockedTree lock_joints(const TreeSpec& tree, const ModelOptions& options);
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 
 #include "base/degrees.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "model/tree_sentence.hpp"
 
 namespace burnish {
@@ -25,10 +26,10 @@ void check_placement(const LoopSpec& loop, const Eigen::Isometry3d& placement, c
                    " frame is not a placement; wanted a finite position and a rotation matrix");
 }
 
-/// Where the frame of a loop hangs.
+/// Returns an unnamed frame at `placement` in a link.
 Frame frame_of(const Model& model, const std::string& link, const Eigen::Isometry3d& placement) {
   if (link == "world" && !model.has_frame(link)) return {"", FrameKind::User, -1, placement};
-  const Frame& parent = model.frames[static_cast<std::size_t>(model.frame_index(link))];
+  const Frame& parent = model.frames[to_size(model.frame_index(link))];
   return {"", FrameKind::User, parent.body, parent.placement * placement};
 }
 
@@ -39,19 +40,19 @@ void check_loops(const TreeSpec& tree, Findings& findings) {
   for (const LinkSpec& link : tree.links) links.insert(link.name);
   for (const LoopSpec& loop : tree.loops) {
     if (loop.name.empty()) {
-      findings.problem("a loop has no name; every loop needs one");
+      findings.problem("a loop has no name; wanted a name for every loop");
       continue;
     }
     if (!names.insert(loop.name).second)
-      findings.problem(label_of(loop) + " is defined twice; names of loops must be unique");
+      findings.problem(label_of(loop) + " is defined twice; wanted unique names of loops");
     for (const std::string* link : {&loop.first_link, &loop.second_link}) {
       if (*link == "world" || links.contains(*link)) continue;
-      const std::vector<std::string> known(links.begin(), links.end());
+      const std::vector<std::string> existing(links.begin(), links.end());
       findings.problem(label_of(loop) + ": link " + in_quotes(*link) + " does not exist" +
-                       (findings.are_few() ? did_you_mean(*link, known) : ""));
+                       (findings.are_few() ? did_you_mean(*link, existing) : ""));
     }
     if (loop.first_link == loop.second_link)
-      findings.problem(label_of(loop) + " ties link " + in_quotes(loop.first_link) +
+      findings.problem(label_of(loop) + " connects link " + in_quotes(loop.first_link) +
                        " to itself; wanted two links");
     if (loop.directions.bits == 0 || loop.directions.bits > Directions::all().bits)
       findings.problem(label_of(loop) +
@@ -71,15 +72,17 @@ void add_loops(const TreeSpec& tree, Model& model) {
       if (miss.closes()) continue;
       refuse(tree, label_of(spec) + ": links " + in_quotes(spec.first_link) + " and " +
                        in_quotes(spec.second_link) +
-                       " are one body, since no joint between them moves, and it misses by " +
-                       miss.text() + "; lock joints where it closes, or leave one free");
+                       " are one body, because all joints between them are locked, and the loop "
+                       "is open by " +
+                       miss.text() +
+                       "; wanted a posture that closes it, or one of the joints free");
     }
     first.name = spec.name + "/first";
     second.name = spec.name + "/second";
     for (const Frame* frame : {&first, &second})
       if (model.has_frame(frame->name))
         refuse(tree, label_of(spec) + ": its frame " + in_quotes(frame->name) +
-                         " has the name of another; rename one of them");
+                         " has the name of another frame; wanted unique names");
     model.loops.push_back({spec.name, first.name, second.name, spec.directions});
     model.frames.push_back(std::move(first));
     model.frames.push_back(std::move(second));
@@ -100,10 +103,10 @@ LoopDistance loop_distance(const Directions& directions, const Eigen::Isometry3d
 
 std::string LoopDistance::text() const {
   const std::string length = number(1e3 * translation) + " mm";
-  constexpr double nothing = 1e-6;  // rad and m, beside what is worth a word
-  if (rotation < nothing) return length;
+  constexpr double negligible = 1e-6;  // smaller errors are left out, chosen by hand [rad, m]
+  if (rotation < negligible) return length;
   const std::string angle = number(degrees_per_radian * rotation) + " degrees";
-  return translation < nothing ? angle : length + " and " + angle;
+  return translation < negligible ? angle : length + " and " + angle;
 }
 
 }  // namespace burnish

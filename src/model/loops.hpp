@@ -1,4 +1,4 @@
-// Loops of a description: whether they can be meant, and their frames in the model.
+// Loops of a description: checks, and their frames in the model.
 #pragma once
 
 #include "base/findings.hpp"
@@ -6,24 +6,26 @@
 
 namespace burnish {
 
-/// A loop that misses by more than this along a held direction does not close.
-inline constexpr double loop_miss_m = 1e-3;           ///< m
-inline constexpr double loop_miss_rad = 1.745329e-3;  ///< rad, 0.1 degrees
+// Largest closure error of a closed loop, along its constrained directions; chosen by hand.
+inline constexpr double loop_miss_m = 1e-3;           ///< Translation [m]
+inline constexpr double loop_miss_rad = 1.745329e-3;  ///< Rotation, 0.1 degrees [rad]
 
-/// Notes what is wrong with the loops of a tree, by names alone.
+/// Reports invalid names, links, directions and placements of the loops of a tree.
 void check_loops(const TreeSpec& tree, Findings& findings);
 
-/// Adds the loops of a checked tree and their frames to its model. Throws Error where a frame's
-/// name is taken, or where a loop ties a body to itself that it does not fit.
+/// Adds the loops of a checked tree and their frames to its model. Throws Error if another frame
+/// has the name of a loop's frame, or if a loop connects a body to itself and is open.
 void add_loops(const TreeSpec& tree, Model& model);
 
-/// How far a loop with the second frame there in the first is from closed, along its directions.
+/// Closure error of a loop along its constrained directions.
 struct LoopDistance {
-  double translation = 0.0;  ///< m
-  double rotation = 0.0;     ///< rad
+  double translation = 0.0;  ///< Translation [m]
+  double rotation = 0.0;     ///< Rotation [rad]
   bool closes() const { return translation <= loop_miss_m && rotation <= loop_miss_rad; }
-  std::string text() const;  ///< "2.3 mm and 0.4 degrees", of what is above 1e-6
+  /// Returns a text such as "2.3 mm and 0.4 degrees". Leaves out errors below 1e-6 m or rad.
+  std::string text() const;
 };
+/// Returns the closure error for the pose of the loop's second frame in its first frame.
 LoopDistance loop_distance(const Directions& directions, const Eigen::Isometry3d& second_in_first);
 
 }  // namespace burnish

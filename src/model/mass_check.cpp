@@ -1,9 +1,9 @@
-// Articulated inertias at one generic posture. With S_i the joint's directions and A_i the inertia
-// that body i shows when all joints beyond it are free to give way,
-//   A_i = I_i + sum over children of X^T (A_c - A_c S_c D_c^-1 S_c^T A_c) X,  D_c = S_c^T A_c S_c +
-//   armature,
-// and the mass matrix is positive definite exactly when every D is. A posture at which no angle is
-// special stands for all: what is zero there is zero everywhere.
+// Check of the mass matrix by articulated inertias at one generic posture. S_i are the joint's
+// directions, and A_i is the articulated inertia of body i, with all joints beyond it free to move:
+//   A_i = I_i + sum over children of X^T (A_c - A_c S_c D_c^-1 S_c^T A_c) X,
+//   D_c = S_c^T A_c S_c + armature.
+// The mass matrix is positive definite if and only if every D is. A quantity that is zero at a
+// generic posture, without special angles, is zero at all postures.
 #include "model/mass_check.hpp"
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "model/posture.hpp"
 
 namespace burnish {
@@ -21,7 +22,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using JointAxes = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
-constexpr double no_inertia = 1e-12;  // kg m^2 or kg
+constexpr double no_inertia = 1e-12;  // inertia that counts as zero, chosen by hand [kg m^2, kg]
 
 Eigen::Matrix3d skew(const Eigen::Vector3d& x) {
   Eigen::Matrix3d result;
@@ -29,7 +30,7 @@ Eigen::Matrix3d skew(const Eigen::Vector3d& x) {
   return result;
 }
 
-/// Inertia of a body about its frame's origin, linear first.
+/// Returns the inertia of a body about its frame's origin, linear rows first.
 Matrix6d spatial_inertia(const Joint& joint) {
   const Eigen::Matrix3d cross = skew(joint.com);
   Matrix6d result;
@@ -38,7 +39,7 @@ Matrix6d spatial_inertia(const Joint& joint) {
   return result;
 }
 
-/// Takes motions in the parent's frame to the frame placed in it.
+/// Returns the transform of motions from the parent's frame to a frame at `placement` in it.
 Matrix6d motion_transform(const Eigen::Isometry3d& placement) {
   const Eigen::Matrix3d back = placement.linear().transpose();
   Matrix6d result;
@@ -66,7 +67,8 @@ JointAxes directions_of(JointKind kind) {
   return Matrix6d::Identity();
 }
 
-/// The body's placement in the parent body at a posture that differs from joint to joint.
+/// Returns the body's placement in the parent body, at a joint position that depends on the index
+/// of the joint.
 Eigen::Isometry3d generic_placement(const Joint& joint, std::size_t index) {
   const double value = 0.3 + std::fmod(0.618 * static_cast<double>(index), 1.0);
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
@@ -81,20 +83,23 @@ Eigen::Isometry3d generic_placement(const Joint& joint, std::size_t index) {
   return joint.placement * moved;
 }
 
-/// What the joint's own motions meet when all joints beyond it give way, and what they carry.
-struct Met {
-  Square inertia;  // S^T A S + armature
-  Square carried;  // the same as if the joints beyond it were rigid
-  SymmetricEigen decomposed;
+/// Inertia along the directions of a joint.
+struct JointInertia {
+  Square inertia;             ///< S^T A S + armature, with all joints beyond it free to move
+  Square carried;             ///< Inertia with all joints beyond it rigid
+  SymmetricEigen decomposed;  ///< Eigenvalues and eigenvectors of `inertia`
 
-  Met(Square met, Square rigid)
-      : inertia(std::move(met)), carried(std::move(rigid)), decomposed(symmetric_eigen(inertia)) {}
+  JointInertia(Square articulated, Square rigid)
+      : inertia(std::move(articulated)),
+        carried(std::move(rigid)),
+        decomposed(symmetric_eigen(inertia)) {}
   double smallest() const { return decomposed.values[0]; }
-  /// Rounding of the subtraction grows with what was subtracted from.
+  /// Returns the threshold below which an eigenvalue is zero. Rounding errors of the articulated
+  /// inertia grow with the carried inertia.
   double tolerance() const {
     return no_inertia * std::max(1.0, carried.diagonal().cwiseAbs().maxCoeff());
   }
-  /// inertia^-1 along what has an inertia: where there is none, nothing is handed on.
+  /// Returns the pseudo-inverse of `inertia`: directions without inertia map to zero.
   Square inverse() const {
     const auto along = decomposed.values.array();
     const Eigen::ArrayXd inverses = (along.abs() > tolerance()).select(1.0 / along, 0.0);
@@ -102,17 +107,17 @@ struct Met {
   }
 };
 
-/// Names of the joints that one sentence is about.
+/// Names of joints.
 using Names = std::vector<std::string>;
 
-/// What is found at one joint after the other.
+/// Joints with a singular or negative inertia.
 struct Oddities {
   Names massless, twins, negative;
 
-  void look(const Joint& joint, const Met& met) {
-    if (met.smallest() > met.tolerance()) return;
-    const double carried = symmetric_eigen(met.carried).values[0];
-    if (met.smallest() < -met.tolerance()) {
+  void examine(const Joint& joint, const JointInertia& along) {
+    if (along.smallest() > along.tolerance()) return;
+    const double carried = symmetric_eigen(along.carried).values[0];
+    if (along.smallest() < -along.tolerance()) {
       negative.push_back(joint.name);
     } else if (carried <= no_inertia) {
       massless.push_back(joint.name);
@@ -121,28 +126,28 @@ struct Oddities {
     }
   }
   void warn(Findings& findings) const {
-    const auto say = [&](const Names& names, const std::string& what) {
+    const auto add = [&](const Names& names, const std::string& what) {
       if (!names.empty()) findings.warn(listed("joint", names) + what);
     };
     const auto verb = [](const Names& names, const char* one, const char* several) {
       return std::string(names.size() == 1 ? one : several);
     };
-    say(massless,
+    add(massless,
         verb(massless, " moves", " move") +
-            " no mass, so that the mass matrix is singular; give a link beyond a mass, or "
-            "the joint an armature, or lock it");
-    say(twins,
+            " no mass, so that the mass matrix is singular; give a link beyond the joint a mass, "
+            "or the joint an armature, or lock it");
+    add(twins,
         verb(twins, " moves", " move") +
             " no mass of its own, so that the mass matrix is singular: joints beyond it move "
-            "the same bodies in the same way; give its link a mass or lock it");
-    say(negative, verb(negative, " meets", " meet") +
+            "the same bodies in the same directions; give its link a mass or lock it");
+    add(negative, verb(negative, " moves", " move") +
                       " a negative inertia, so that the mass matrix is not positive definite; "
-                      "correct the inertias of the links beyond or lock it");
+                      "correct the inertias of the links beyond the joint or lock it");
   }
 };
 
-/// What the followers of each joint meet, times multiplier^2, all joints beyond them being rigid;
-/// `subtree` holds the bodies' own inertias.
+/// Returns, for each joint, the sum of its followers' inertias times multiplier^2, with all joints
+/// beyond the followers rigid. `subtree` holds the inertias of the bodies.
 std::vector<double> inertia_of_followers(const Model& model, std::vector<Matrix6d> subtree) {
   std::vector<double> result(model.joints.size(), 0.0);
   for (std::size_t i = model.joints.size(); i-- > 0;) {
@@ -150,12 +155,12 @@ std::vector<double> inertia_of_followers(const Model& model, std::vector<Matrix6
     if (joint.follows) {
       const JointAxes along = directions_of(joint.kind);
       const double factor = joint.follows->multiplier;
-      result[static_cast<std::size_t>(joint.follows->leader)] +=
+      result[to_size(joint.follows->leader)] +=
           factor * factor * (along.transpose() * subtree[i] * along)(0, 0);
     }
     if (joint.parent < 0) continue;
     const Matrix6d to_body = motion_transform(generic_placement(joint, i));
-    subtree[static_cast<std::size_t>(joint.parent)] += to_body.transpose() * subtree[i] * to_body;
+    subtree[to_size(joint.parent)] += to_body.transpose() * subtree[i] * to_body;
   }
   return result;
 }
@@ -172,28 +177,28 @@ void check_inertia_along_joints(const Model& model, Findings& findings) {
   Oddities oddities;
   for (std::size_t i = model.joints.size(); i-- > 0;) {
     const Joint& joint = model.joints[i];
-    Matrix6d given = articulated[i];
+    Matrix6d transmitted = articulated[i];  // to the parent
     bool finite = articulated[i].allFinite() && composite[i].allFinite();
-    if (!joint.follows) {  // a follower does not give way by itself
+    if (!joint.follows) {  // a follower does not move by itself
       const JointAxes along = directions_of(joint.kind);
       Square added = model.armature.segment(joint.v_index, joint.nv).asDiagonal();
       added(0, 0) += followers[i];
-      const Met met(along.transpose() * articulated[i] * along + added,
-                    along.transpose() * composite[i] * along + added);
-      finite = finite && met.inertia.allFinite();
-      if (finite) oddities.look(joint, met);
-      const JointAxes pushed = articulated[i] * along;
-      given -= pushed * met.inverse() * pushed.transpose();
+      const JointInertia joint_inertia(along.transpose() * articulated[i] * along + added,
+                                       along.transpose() * composite[i] * along + added);
+      finite = finite && joint_inertia.inertia.allFinite();
+      if (finite) oddities.examine(joint, joint_inertia);
+      const JointAxes forces = articulated[i] * along;
+      transmitted -= forces * joint_inertia.inverse() * forces.transpose();
     }
     if (!finite) {
       findings.problem("joint " + in_quotes(joint.name) +
-                       ": the inertia that it moves is too large for a number");
+                       ": the inertia that it moves overflows; wanted finite inertias");
       return;
     }
     if (joint.parent < 0) continue;
-    const auto parent = static_cast<std::size_t>(joint.parent);
+    const auto parent = to_size(joint.parent);
     const Matrix6d to_body = motion_transform(generic_placement(joint, i));
-    articulated[parent] += to_body.transpose() * given * to_body;
+    articulated[parent] += to_body.transpose() * transmitted * to_body;
     composite[parent] += to_body.transpose() * composite[i] * to_body;
   }
   oddities.warn(findings);
@@ -205,7 +210,7 @@ std::string simulation_problem(const Model& model) {
   for (const Joint& joint : model.joints) names.push_back(joint.name);
   if (model.total_mass() <= 0.0)
     return listed("joint", names) + (names.size() == 1 ? " moves" : " move") +
-           " no mass, so that it cannot be simulated; give the links beyond a mass";
+           " no mass, so that the robot cannot be simulated; give the links that move a mass";
   Findings findings("");
   check_inertia_along_joints(model, findings);
   std::string text;

@@ -1,4 +1,4 @@
-// Whether every joint of a compiled tree moves some mass.
+// Check that every joint of a compiled tree moves some mass.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace burnish {
 
-/// Warns of joints that make the mass matrix singular or indefinite at every posture: that, all
-/// joints beyond them being free to give way, meet no inertia (<= 1e-12 kg m^2 or kg) and have no
-/// armature, or meet a negative one. Figures whose inertias overflow are a problem.
+/// Warns of joints that make the mass matrix singular or indefinite at all postures. Such a joint
+/// moves a negative inertia, or moves no inertia (at most 1e-12 kg m^2 or kg) and has no armature.
+/// All joints beyond it are free to move. Reports inertias that overflow as a problem.
 void check_inertia_along_joints(const Model& model, Findings& findings);
 
-/// Why nothing can simulate or control the robot: joints that check_inertia_along_joints warns of,
-/// by name, or a robot of which nothing that moves has a mass. Empty: it can be.
+/// Returns the reason why the robot cannot be simulated, or an empty text. Reasons are the warnings
+/// of check_inertia_along_joints(), and a robot whose moving links all lack mass.
 std::string simulation_problem(const Model& model);
 
-/// Throws Error("robot '<name>': <simulation_problem>") where there is one.
+/// Throws Error("robot '<name>': <simulation_problem>") if there is such a reason.
 void require_simulable(const Model& model);
 
 }  // namespace burnish

@@ -11,7 +11,8 @@ namespace {
 bool slides(const JointSpec& joint) { return joint.type == JointType::Prismatic; }
 bool turns_endlessly(const JointSpec& joint) { return joint.type == JointType::Continuous; }
 
-/// Larger ones would lose the digits of an angle.
+/// Returns true for whole numbers up to a million. A larger multiplier would lose the digits of an
+/// angle.
 bool is_whole(double multiplier) {
   return std::abs(multiplier) <= 1e6 && multiplier == std::nearbyint(multiplier);
 }
@@ -22,9 +23,9 @@ const JointSpec& find_joint(const TreeSpec& tree, const JointByName& joints,
                             const std::string& name, const std::string& what) {
   const auto found = joints.find(name);
   if (found != joints.end()) return *found->second;
-  std::vector<std::string> known;
-  for (const JointSpec& joint : tree.joints) known.push_back(joint.name);
-  refuse(tree, what + " " + in_quotes(name) + " does not exist" + did_you_mean(name, known));
+  std::vector<std::string> existing;
+  for (const JointSpec& joint : tree.joints) existing.push_back(joint.name);
+  refuse(tree, what + " " + in_quotes(name) + " does not exist" + did_you_mean(name, existing));
 }
 
 const JointSpec& named_leader(const TreeSpec& tree, const JointByName& joints,
@@ -38,10 +39,10 @@ Courses::Courses(const TreeSpec& tree, const JointByName& joints,
     : tree_(tree), joints_(joints), locked_(locked), posture_(posture) {}
 
 Course Courses::of(const JointSpec& joint) {
-  if (const auto known = known_.find(&joint); known != known_.end()) return known->second;
-  if (!under_way_.insert(&joint).second) {
+  if (const auto found = cached_.find(&joint); found != cached_.end()) return found->second;
+  if (!in_progress_.insert(&joint).second) {
     refuse(tree_, "joint " + in_quotes(joint.name) +
-                      " copies itself through its leaders; one of them must not copy");
+                      " copies itself through its leaders; wanted a leader that copies no joint");
   }
   Course course;
   if (locked_.contains(joint.name)) {
@@ -53,8 +54,8 @@ Course Courses::of(const JointSpec& joint) {
   } else {
     course = {&joint, 1.0, 0.0};
   }
-  under_way_.erase(&joint);
-  known_.emplace(&joint, course);
+  in_progress_.erase(&joint);
+  cached_.emplace(&joint, course);
   return course;
 }
 
@@ -62,13 +63,13 @@ Course Courses::through_leader(const JointSpec& joint) {
   const JointSpec& leader = named_leader(tree_, joints_, joint);
   if (posture_size(joint.type) != 1) {
     refuse(tree_, "joint " + in_quotes(joint.name) +
-                      " has not one coordinate but copies another joint; only revolute, continuous "
-                      "and prismatic joints can");
+                      " copies another joint but does not have exactly one coordinate; wanted a "
+                      "revolute, continuous or prismatic joint");
   }
   if (posture_size(leader.type) > 1) {
     refuse(tree_, "joint " + in_quotes(joint.name) + " copies joint " + in_quotes(leader.name) +
-                      ", which has not one coordinate; only revolute, continuous and prismatic "
-                      "joints can be copied");
+                      ", which has more than one coordinate; wanted a revolute, continuous or "
+                      "prismatic joint");
   }
   const Course above = of(leader);
   const MimicSpec& mimic = *joint.mimic;
@@ -83,9 +84,9 @@ Course Courses::through_leader(const JointSpec& joint) {
       std::abs(stated->second[0] - value) > posture_tolerance) {
     refuse(tree_, "joint " + in_quotes(joint.name) + " is at " + number(stated->second[0]) +
                       " in the posture, but follows joint " + in_quotes(leader.name) +
-                      ", which is held at " + number(above.offset) + " and puts it at " +
+                      ", which is locked at " + number(above.offset) + " and implies " +
                       number(value) + "; correct one of them, or lock " + in_quotes(joint.name) +
-                      " too, which holds it at its own value");
+                      " too, at its own value");
   }
   return {nullptr, 0.0, value};
 }
@@ -109,8 +110,8 @@ void Courses::check_multiplier(const JointSpec& joint, const JointSpec& leader,
   if (on_circle && slides(joint) && multiplier * above.multiplier != 0.0) {
     refuse(tree_, "joint " + in_quotes(joint.name) + " slides by the angle of joint " +
                       in_quotes(above.leader->name) +
-                      ", which is continuous: an angle on the circle is no displacement; make the "
-                      "leader revolute");
+                      ", which is continuous; wanted a revolute leader, because an angle on the "
+                      "circle does not determine a displacement");
   }
   if (!(on_circle || turns_endlessly(joint) || turns_endlessly(leader)) || is_whole(multiplier))
     return;
@@ -120,8 +121,8 @@ void Courses::check_multiplier(const JointSpec& joint, const JointSpec& leader,
   refuse(tree_, "joint " + in_quotes(joint.name) + " copies joint " + in_quotes(leader.name) +
                     " with the multiplier " + number(multiplier) + ", but joint " +
                     in_quotes(endless.name) +
-                    " is continuous, and on the circle an angle has whole multiples only; make it "
-                    "revolute, or the multiplier a whole number of at most a million");
+                    " is continuous; wanted a revolute joint, or a whole multiplier of at most a "
+                    "million, because an angle on the circle has whole multiples only");
 }
 
 }  // namespace burnish

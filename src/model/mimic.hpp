@@ -1,4 +1,5 @@
-// What becomes of joints that mimic others: held, or following one that moves by itself.
+// Resolution of joints that mimic others. Such a joint is held, or follows a joint that moves by
+// itself.
 #pragma once
 
 #include <map>
@@ -12,31 +13,35 @@ namespace burnish {
 
 using JointByName = std::unordered_map<std::string, const JointSpec*>;
 
-/// The joint of that name; `what` says whose it is. Throws Error with the nearest known name.
+/// Returns the joint with this name. If it does not exist, throws Error with the nearest name. The
+/// message begins with `what`, the role of the joint.
 const JointSpec& find_joint(const TreeSpec& tree, const JointByName& joints,
                             const std::string& name, const std::string& what);
 
-/// The leader that a mimic joint names.
+/// Returns the joint that a mimic joint names as its leader.
 const JointSpec& named_leader(const TreeSpec& tree, const JointByName& joints,
                               const JointSpec& follower);
 
-/// The value of a joint of one coordinate: multiplier * value of the leader + offset.
+/// Position of a joint with one coordinate: multiplier * position of the leader + offset.
 struct Course {
-  const JointSpec* leader = nullptr;  ///< moves by itself; nullptr where the joint is held
+  const JointSpec* leader = nullptr;  ///< Joint that moves by itself; nullptr if the joint is held
   double multiplier = 0.0;
-  double offset = 0.0;  ///< where it is held
+  double offset = 0.0;  ///< Position of the joint if it is held [rad, m]
 };
 
-/// The courses of a tree's joints, with those of `locked` held as ModelOptions says.
+/// Courses of a tree's joints. The joints `locked` are held as ModelOptions describes.
 class Courses {
  public:
   /// Keeps references to all arguments.
   Courses(const TreeSpec& tree, const JointByName& joints, const std::set<std::string>& locked,
           const Posture& posture);
 
-  /// Of a joint of one coordinate, or of a fixed one. Throws Error naming the joints where one
-  /// follows itself, where a multiplier has no meaning on the circle, where a locked joint follows
-  /// one that moves, and where the posture contradicts a leader that is held.
+  /// Returns the course of a joint with one coordinate, or of a fixed joint. Throws Error with the
+  /// names of the joints in these cases:
+  ///  - a joint follows itself;
+  ///  - a multiplier is invalid for a continuous joint;
+  ///  - a locked joint without a value in the posture follows a moving joint;
+  ///  - the posture contradicts a leader that is held.
   Course of(const JointSpec& joint);
 
  private:
@@ -48,8 +53,8 @@ class Courses {
   const JointByName& joints_;
   const std::set<std::string>& locked_;
   const Posture& posture_;
-  std::map<const JointSpec*, Course> known_;
-  std::set<const JointSpec*> under_way_;
+  std::map<const JointSpec*, Course> cached_;
+  std::set<const JointSpec*> in_progress_;
 };
 
 }  // namespace burnish

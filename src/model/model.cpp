@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "model/followers.hpp"
 #include "model/posture.hpp"
@@ -24,21 +25,21 @@ constexpr std::array<std::string_view, 4> quaternion_names = {".qx", ".qy", ".qz
 constexpr std::array<std::string_view, 2> circle_names = {".cos", ".sin"};
 
 std::string_view suffix_of_v(JointKind kind, int entry) {
-  const auto k = static_cast<std::size_t>(entry);
+  const auto k = to_size(entry);
   if (kind == JointKind::FreeFlyer) return twist_names[k];
   if (kind == JointKind::Ball) return turn_names[k];
   return kind == JointKind::Planar ? planar_twist_names[k] : "";
 }
 
 std::string_view suffix_of_q(JointKind kind, int entry) {
-  const auto k = static_cast<std::size_t>(entry);
+  const auto k = to_size(entry);
   if (kind == JointKind::FreeFlyer) return pose_names[k];
   if (kind == JointKind::Planar) return planar_pose_names[k];
   if (kind == JointKind::Ball) return quaternion_names[k];
   return kind == JointKind::Continuous ? circle_names[k] : "";
 }
 
-/// "robot 'x'", or "model" where it has no name.
+/// Returns "robot 'x'", or "model" without a name.
 std::string label_of(const Model& model) {
   return model.name.empty() ? "model" : "robot " + in_quotes(model.name);
 }
@@ -46,7 +47,7 @@ std::string label_of(const Model& model) {
 void check_entry(const Model& model, int k, int size, const char* vector) {
   if (k >= 0 && k < size) return;
   refuse(label_of(model), "entry " + std::to_string(k) + " of " + vector +
-                              " does not exist; it has " + std::to_string(size));
+                              " does not exist; the size is " + std::to_string(size));
 }
 
 void write_coordinates(const Joint& joint, std::span<const double> values, Eigen::VectorXd& q) {
@@ -72,12 +73,12 @@ void write_coordinates(const Joint& joint, std::span<const double> values, Eigen
   }
 }
 
-/// What a posture says of a follower: it gives a leader that is plain and not named its value, and
-/// must be what the leader's value gives.
+/// Applies a follower's value in a posture. If the leader has no value and is not continuous, the
+/// follower's value determines it. Otherwise the value must agree with the leader's value.
 void agree_with_leader(const Model& model, const Joint& joint, double stated,
                        const Posture& posture, Eigen::VectorXd& q) {
   const Following& follows = *joint.follows;
-  const Joint& leader = model.joints[static_cast<std::size_t>(follows.leader)];
+  const Joint& leader = model.joints[to_size(follows.leader)];
   const bool has_value = posture.contains(leader.name);
   if (!has_value && leader.kind != JointKind::Continuous && follows.multiplier != 0.0 &&
       q[leader.q_index] == model.q_neutral[leader.q_index])
@@ -90,8 +91,8 @@ void agree_with_leader(const Model& model, const Joint& joint, double stated,
   refuse(label_of(model), "posture of joint " + in_quotes(joint.name) + ": its value is " +
                               number(stated) + ", but it follows joint " + in_quotes(leader.name) +
                               ", which " + (has_value ? "is" : "without a value of its own is") +
-                              " at " + number(joint_value(model, leader, q)) + " and puts it at " +
-                              number(given) + "; correct one of them, or leave it out");
+                              " at " + number(joint_value(model, leader, q)) + " and implies " +
+                              number(given) + "; correct or omit one of the two values");
 }
 
 }  // namespace
@@ -139,15 +140,14 @@ std::string_view name_of(JointKind kind) {
 std::span<const int> Model::support(int body) const {
   if (body < 0) return {};
   check_entry(*this, body, static_cast<int>(joints.size()), "the bodies");
-  const int begin = support_begin[static_cast<std::size_t>(body)];
-  const int end = support_begin[static_cast<std::size_t>(body) + 1];
-  return std::span<const int>(support_entries)
-      .subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+  const int begin = support_begin[to_size(body)];
+  const int end = support_begin[to_size(body) + 1];
+  return std::span<const int>(support_entries).subspan(to_size(begin), to_size(end - begin));
 }
 
 std::string Model::v_name(int k) const {
   check_entry(*this, k, nv, "v");
-  const Joint& joint = joints[static_cast<std::size_t>(joint_of_v[static_cast<std::size_t>(k)])];
+  const Joint& joint = joints[to_size(joint_of_v[to_size(k)])];
   return joint.name + std::string(suffix_of_v(joint.kind, k - joint.v_index));
 }
 
@@ -167,24 +167,24 @@ int Model::frame_index(std::string_view frame_name) const {
     of_joint = static_cast<int>(i);
   }
   if (of_joint >= 0) return of_joint;
-  std::vector<std::string> known;
-  for (const Frame& frame : frames) known.push_back(frame.name);
+  std::vector<std::string> existing;
+  for (const Frame& frame : frames) existing.push_back(frame.name);
   refuse(label_of(*this),
-         "frame " + in_quotes(frame_name) + " does not exist" + did_you_mean(frame_name, known));
+         "frame " + in_quotes(frame_name) + " does not exist" + did_you_mean(frame_name, existing));
 }
 
 int Model::joint_index(std::string_view joint_name) const {
-  std::vector<std::string> known;
+  std::vector<std::string> existing;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (joints[i].name == joint_name) return static_cast<int>(i);
-    known.push_back(joints[i].name);
+    existing.push_back(joints[i].name);
   }
   for (const std::string& locked : locked_joints) {
     if (locked != joint_name) continue;
-    refuse(label_of(*this), "joint " + in_quotes(joint_name) + " is locked; name one that moves");
+    refuse(label_of(*this), "joint " + in_quotes(joint_name) + " is locked; wanted a moving joint");
   }
   refuse(label_of(*this),
-         "joint " + in_quotes(joint_name) + " does not exist" + did_you_mean(joint_name, known));
+         "joint " + in_quotes(joint_name) + " does not exist" + did_you_mean(joint_name, existing));
 }
 
 bool Model::has_frame(std::string_view frame_name) const {
@@ -201,10 +201,10 @@ double Model::total_mass() const {
 
 Eigen::VectorXd configuration(const Model& model, const Posture& posture) {
   std::map<std::string_view, const Joint*> moving;
-  std::vector<std::string> known = model.locked_joints;
+  std::vector<std::string> existing = model.locked_joints;
   for (const Joint& joint : model.joints) {
     moving.emplace(joint.name, &joint);
-    known.push_back(joint.name);
+    existing.push_back(joint.name);
   }
   Eigen::VectorXd q = model.q_neutral;
   for (const auto& [name, values] : posture) {
@@ -214,12 +214,12 @@ Eigen::VectorXd configuration(const Model& model, const Posture& posture) {
       if (!joint.follows) write_coordinates(joint, values, q);
       continue;
     }
-    const bool passed_over =
+    const bool is_ignored =
         name == root_joint_name || std::find(model.locked_joints.begin(), model.locked_joints.end(),
                                              name) != model.locked_joints.end();
-    if (!passed_over) {
+    if (!is_ignored) {
       refuse(label_of(model), "joint of the posture " + in_quotes(name) + " does not exist" +
-                                  did_you_mean(name, known));
+                                  did_you_mean(name, existing));
     }
   }
   for (const auto& [name, values] : posture) {

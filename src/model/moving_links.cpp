@@ -7,6 +7,8 @@
 #include <set>
 #include <string_view>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 namespace {
 
@@ -15,7 +17,7 @@ double half_size(const Shape& shape) {
   if (const auto* tube = std::get_if<CylinderShape>(&shape))
     return std::hypot(tube->radius, 0.5 * tube->length);
   if (const auto* ball = std::get_if<SphereShape>(&shape)) return ball->radius;
-  return 0.0;  // meshes are not opened
+  return 0.0;  // mesh files are not read
 }
 
 double volume_of(const Shape& shape) {
@@ -40,7 +42,7 @@ double extent_of(const LinkSpec& link) {
   return extent;
 }
 
-/// Collects links by one walk over the tree.
+/// Walk over the tree that collects the moving links.
 class LinkWalk {
  public:
   explicit LinkWalk(const TreeSpec& tree) {
@@ -54,12 +56,12 @@ class LinkWalk {
     while (!stack.empty()) {
       const Pending next = stack.back();
       stack.pop_back();
-      const int at = next.part < 0 ? -1 : add(next);
+      const int at = next.subtree < 0 ? -1 : add(next);
       for (const JointSpec* joint : below_[next.link->name])
         stack.push_back(child(next, *joint, at));
     }
     for (const int joints : joints_)
-      all_.joints_in_a_part = std::max(all_.joints_in_a_part, joints);
+      all_.joints_in_a_subtree = std::max(all_.joints_in_a_subtree, joints);
     return std::move(all_);
   }
 
@@ -67,17 +69,18 @@ class LinkWalk {
   struct Pending {
     const LinkSpec* link;
     const JointSpec* joint;
-    int part;    // what hangs on one joint of the world; -1: fixed to it
-    int parent;  // index in the links that move
-    double path;
+    int subtree;  ///< Index of the subtree below a joint of the world, -1 if fixed to the world
+    int parent;   ///< Index of the parent among the moving links, -1 if none
+    double path;  ///< Path length from the first joint that moves the link [m]
   };
 
   Pending child(const Pending& above, const JointSpec& joint, int parent) {
     const LinkSpec* link = link_by_name_.at(joint.child_link);
     const bool moves = joint.type != JointType::Fixed;
-    if (above.part >= 0) {
-      joints_[static_cast<std::size_t>(above.part)] += moves ? 1 : 0;
-      return {link, &joint, above.part, parent, above.path + joint.placement.translation().norm()};
+    if (above.subtree >= 0) {
+      joints_[to_size(above.subtree)] += moves ? 1 : 0;
+      return {link, &joint, above.subtree, parent,
+              above.path + joint.placement.translation().norm()};
     }
     if (!moves) return {link, &joint, -1, -1, 0.0};
     joints_.push_back(1);
@@ -92,8 +95,8 @@ class LinkWalk {
     parents_.push_back(next.parent);
     all_.mass += mass;
     all_.skeleton = std::max(all_.skeleton, next.path + all_.links.back().extent);
-    for (int up = index; up >= 0; up = parents_[static_cast<std::size_t>(up)])
-      all_.links[static_cast<std::size_t>(up)].mass_beyond += mass;
+    for (int up = index; up >= 0; up = parents_[to_size(up)])
+      all_.links[to_size(up)].mass_beyond += mass;
     return index;
   }
 
@@ -113,9 +116,9 @@ const LinkSpec& root_link(const TreeSpec& tree) {
 }  // namespace
 
 bool MovingLinks::is_far_off(const MovingLink& link) const {
-  // A centre of mass within a few reaches may be that of a link whose shape nobody states.
+  // Closer centres of mass may belong to links without a shape. Chosen by hand.
   constexpr double far = 5.0;
-  return link.link->inertia.mass > 0.0 && skeleton > 0.0 && joints_in_a_part > 1 &&
+  return link.link->inertia.mass > 0.0 && skeleton > 0.0 && joints_in_a_subtree > 1 &&
          link.link->inertia.com.norm() > far * skeleton;
 }
 

@@ -1,4 +1,4 @@
-// The links of a description that move against the world: their places, sizes and masses.
+// Links of a description that move relative to the world: their places, sizes and masses.
 #pragma once
 
 #include <vector>
@@ -7,29 +7,29 @@
 
 namespace burnish {
 
-/// A link that moves.
+/// Link that moves.
 struct MovingLink {
   const LinkSpec* link = nullptr;
-  const JointSpec* joint = nullptr;  ///< above it; nullptr of a floating root
-  double path = 0.0;                 ///< sum of offsets from the first joint that moves it [m]
-  double extent = 0.0;               ///< of its shapes from its origin, meshes left out [m]
-  double volume = 0.0;               ///< of its shapes, meshes left out [m^3]
-  double mass_beyond = 0.0;          ///< of the link and all links beyond [kg]
+  const JointSpec* joint = nullptr;  ///< Joint above the link, nullptr for a floating root
+  double path = 0.0;         ///< Sum of joint offsets from the first joint that moves the link [m]
+  double extent = 0.0;       ///< Largest distance of its shapes from its origin, without meshes [m]
+  double volume = 0.0;       ///< Volume of its shapes, without meshes [m^3]
+  double mass_beyond = 0.0;  ///< Mass of the link and of all links beyond it [kg]
 };
 
-/// What moves of a robot.
+/// Moving links of a robot.
 struct MovingLinks {
-  std::vector<MovingLink> links;  ///< parents before children
-  int joints_in_a_part = 0;       ///< most joints that move what hangs on one joint of the world
-  double mass = 0.0;              ///< kg
-  double skeleton = 0.0;          ///< reach of joints and shapes from the first joint [m]
-  double reach = 0.0;             ///< the same with centres of mass that are not far off [m]
+  std::vector<MovingLink> links;  ///< Parents before children
+  int joints_in_a_subtree = 0;    ///< Largest number of joints below a world joint, inclusive
+  double mass = 0.0;              ///< Sum of the masses [kg]
+  double skeleton = 0.0;          ///< Reach of joints and shapes from the first joint [m]
+  double reach = 0.0;  ///< Reach including centres of mass, except those that are far off [m]
 
-  /// Whether the centre of mass is several times the skeleton away.
+  /// Returns true if the link's centre of mass is farther than 5 times `skeleton` from its origin.
   bool is_far_off(const MovingLink& link) const;
 };
 
-/// Of a tree that passed check_topology and check_values.
+/// Collects the moving links. The tree must have passed check_topology() and check_values().
 MovingLinks moving_links(const TreeSpec& tree, const ModelOptions& options);
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// Thresholds lie between what the URDF files of about 80 robots hold, named beside each, and what a
-// wrong unit makes of such figures.
+// Plausibility checks. Each threshold lies between values in URDF files of about 80 robots and the
+// values that a wrong unit makes of them. A comment beside the threshold states the former.
 #include "model/plausibility.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -15,15 +15,15 @@
 namespace burnish {
 namespace {
 
-constexpr double two_turns = 4.0 * std::numbers::pi;  // rad
+constexpr double two_turns = 4.0 * std::numbers::pi;  // [rad]
 
-/// Whether a figure is one that stands for "unknown" in many files: 1, 10, 100, 1000, ...
+/// Returns true for powers of ten, which stand for "unknown" in many files.
 bool is_power_of_ten(double x) {
   const double exponent = std::log10(x);
   return std::abs(exponent - std::round(exponent)) < 1e-9;
 }
 
-/// The largest finite position limit in size; 0 where there is none.
+/// Returns the largest absolute value of a finite position limit, 0 without finite limits.
 double largest_limit(const JointSpec& joint) {
   const auto size = [](double limit) { return std::isfinite(limit) ? std::abs(limit) : 0.0; };
   return std::max(size(joint.lower), size(joint.upper));
@@ -33,15 +33,16 @@ std::string limits_text(const JointSpec& joint) {
   return "limits of position " + number(joint.lower) + " and " + number(joint.upper) + " rad";
 }
 
-/// What is odd about one joint is odd about more than half of those that were looked at.
+/// Joints with an odd value among the examined joints.
 struct Suspects {
-  std::vector<const JointSpec*> odd;
-  std::size_t seen = 0;
+  std::vector<const JointSpec*> odd;  ///< Joints with an odd value
+  std::size_t seen = 0;               ///< Number of examined joints
 
-  bool are_most(std::size_t fewest = 1) const {
-    return odd.size() >= fewest && 2 * odd.size() > seen;
+  /// Returns true if more than half of the examined joints, and at least `min_count`, are odd.
+  bool are_majority(std::size_t min_count = 1) const {
+    return odd.size() >= min_count && 2 * odd.size() > seen;
   }
-  /// "line 3: joint 'a' (and 4 of 5 others)"
+  /// Returns a text such as "line 3: joint 'a' (and 4 of 5 others)".
   std::string text() const {
     const std::string others = seen < 2 ? ""
                                         : " (and " + std::to_string(odd.size() - 1) + " of " +
@@ -50,13 +51,15 @@ struct Suspects {
   }
 };
 
+/// Examines all revolute joints. `odd` returns whether a joint is odd, or nothing if the joint has
+/// no value to examine.
 template <class Odd>
 Suspects suspects(const TreeSpec& tree, Odd&& odd) {
   Suspects result;
   for (const JointSpec& joint : tree.joints) {
     if (joint.type != JointType::Revolute) continue;
     const std::optional<bool> is_odd = odd(joint);
-    if (!is_odd) continue;  // says nothing about it
+    if (!is_odd) continue;
     ++result.seen;
     if (*is_odd) result.odd.push_back(&joint);
   }
@@ -66,46 +69,48 @@ Suspects suspects(const TreeSpec& tree, Odd&& odd) {
 // ---- Joints
 
 void check_angles(const TreeSpec& tree, Findings& findings) {
-  constexpr double beyond_degrees = 1000.0;  // rad; a figure for "unlimited"
+  constexpr double beyond_degrees = 1000.0;  // larger limits stand for "unlimited" [rad]
   const Suspects degrees = suspects(tree, [](const JointSpec& joint) -> std::optional<bool> {
     const double largest = largest_limit(joint);
     return largest > two_turns && largest <= beyond_degrees;
   });
-  if (degrees.are_most())
+  if (degrees.are_majority())
     findings.warn(degrees.text() + " has " + limits_text(*degrees.odd.front()) +
-                  "; a joint that turns less than twice was expected. Are they in degrees?");
-  // Both limits at one angle stand for a joint that nobody measured.
-  constexpr double narrow = 0.12;  // rad; 2 pi in degrees that are read as rad are 0.11
+                  "; less than two turns was expected. Are they in degrees?");
+  // Equal limits stand for a joint whose range nobody measured.
+  constexpr double narrow = 0.12;  // 2 pi rad, read as degrees, are 0.11 rad [rad]
   const Suspects small = suspects(tree, [](const JointSpec& joint) -> std::optional<bool> {
     if (!std::isfinite(joint.lower) || !std::isfinite(joint.upper)) return std::nullopt;
     return joint.upper > joint.lower && joint.upper - joint.lower < narrow;
   });
-  if (small.are_most(3))
-    findings.warn(small.text() + " has " + limits_text(*small.odd.front()) + "; more room than " +
-                  number(narrow) + " rad was expected. Are rad read as degrees?");
+  if (small.are_majority(3))
+    findings.warn(small.text() + " has " + limits_text(*small.odd.front()) +
+                  "; a range of more than " + number(narrow) +
+                  " rad was expected. Were radians converted as if they were degrees?");
 }
 
 void check_velocities(const TreeSpec& tree, Findings& findings) {
-  constexpr double fastest = 60.0;    // rad/s; 52 among the good ones
-  constexpr double slowest = 5000.0;  // rad/s; 90 in degrees
+  constexpr double fastest = 60.0;      // largest plausible limit; correct files have 52 [rad/s]
+  constexpr double unlimited = 5000.0;  // larger values stand for "unlimited" [rad/s]
   const Suspects degrees = suspects(tree, [](const JointSpec& joint) -> std::optional<bool> {
     if (!std::isfinite(joint.velocity_limit)) return std::nullopt;
-    return joint.velocity_limit > fastest && joint.velocity_limit < slowest &&
+    return joint.velocity_limit > fastest && joint.velocity_limit < unlimited &&
            !is_power_of_ten(joint.velocity_limit);
   });
-  if (degrees.are_most())
+  if (degrees.are_majority())
     findings.warn(degrees.text() + " has a velocity limit of " +
                   number(degrees.odd.front()->velocity_limit) + " rad/s; at most " +
                   number(fastest) + " rad/s was expected. Is it in degrees per second?");
   for (const JointSpec& joint : tree.joints)
     if (joint.type != JointType::Fixed && joint.velocity_limit == 0.0)
       findings.warn(label_of(joint) +
-                    " has a velocity limit of 0, so that it cannot move; a positive one was "
-                    "expected, or that it is locked");
+                    " has a velocity limit of 0, so that it cannot move; a positive limit or a "
+                    "locked joint was expected");
 }
 
 // ---- Links
 
+/// Principal moments of inertia [kg m^2].
 struct Moments {
   double smallest, largest, sum;
 };
@@ -116,14 +121,15 @@ Moments moments_of(const InertiaSpec& inertia) {
   return {principal[0], principal[2], principal.sum()};
 }
 
-/// Links of which no joint moves any mass are named by check_inertia_along_joints.
+/// Warns of moving links without mass. check_inertia_along_joints() reports joints that move no
+/// mass.
 void check_zero_masses(const MovingLinks& robot, Findings& findings) {
-  constexpr double negligible = 1e-6;  // beside that of the whole robot
+  constexpr double negligible = 1e-6;  // moment, relative to mass times reach squared of the robot
   std::vector<std::string> all, hollow;
-  bool any_armature = false;
+  bool has_armature = false;
   for (const MovingLink& link : robot.links) {
     all.push_back(link.link->name);
-    any_armature = any_armature || (link.joint != nullptr && link.joint->armature > 0.0);
+    has_armature = has_armature || (link.joint != nullptr && link.joint->armature > 0.0);
     const Moments moments = moments_of(link.link->inertia);
     if (link.link->inertia.mass == 0.0 && moments.smallest >= 0.0 &&
         moments.largest > negligible * robot.mass * robot.reach * robot.reach)
@@ -132,9 +138,9 @@ void check_zero_masses(const MovingLinks& robot, Findings& findings) {
   const std::string expected = "; masses in kg were expected";
   if (!hollow.empty())
     findings.warn(listed("link", hollow) + (hollow.size() == 1 ? " has" : " have") +
-                  " moments of inertia but no mass, as no solid has" + expected);
-  else if (any_armature && robot.mass == 0.0)
-    findings.warn("nothing that moves has a mass: " + listed("link", all) + expected);
+                  " moments of inertia but no mass" + expected);
+  else if (has_armature && robot.mass == 0.0)
+    findings.warn("no moving link has a mass: " + listed("link", all) + expected);
 }
 
 void check_far_masses(const MovingLinks& robot, Findings& findings) {
@@ -146,15 +152,16 @@ void check_far_masses(const MovingLinks& robot, Findings& findings) {
                     " m; a centre inside the link was expected. Is it in mm?");
 }
 
-/// Radii of gyration of links that count: at most 0.85 of the reach among the good ones.
+/// Warns of a radius of gyration above the robot's reach. Correct files have at most 0.85 of the
+/// reach. Skips light links.
 void check_large_inertias(const MovingLinks& robot, Findings& findings) {
-  constexpr double least_share = 0.01;  // of the robot's mass
+  constexpr double min_mass_fraction = 0.01;  // of the robot's mass
   const MovingLink* worst = nullptr;
   double largest = 0.0;
   std::size_t count = 0;
   for (const MovingLink& link : robot.links) {
     const InertiaSpec& inertia = link.link->inertia;
-    if (inertia.mass <= 0.0 || inertia.mass < least_share * robot.mass) continue;
+    if (inertia.mass <= 0.0 || inertia.mass < min_mass_fraction * robot.mass) continue;
     const double radius = std::sqrt(std::max(moments_of(inertia).largest, 0.0) / inertia.mass);
     if (radius <= robot.reach) continue;
     ++count;
@@ -166,14 +173,15 @@ void check_large_inertias(const MovingLinks& robot, Findings& findings) {
   const InertiaSpec& inertia = worst->link->inertia;
   findings.warn(label_of(*worst->link) + ": a moment of inertia of " +
                 number(moments_of(inertia).largest) + " kg m^2 at a mass of " +
-                number(inertia.mass) + " kg is a radius of gyration of " + number(largest) +
+                number(inertia.mass) + " kg gives a radius of gyration of " + number(largest) +
                 " m, beyond the robot's reach of " + number(robot.reach) + " m" +
-                (count > 1 ? ", as of " + std::to_string(count - 1) + " other links" : "") +
-                "; a smaller one was expected. Is it in kg mm^2, or the mass in t?");
+                (count > 1 ? ", as for " + std::to_string(count - 1) + " other links" : "") +
+                "; a smaller moment was expected. Is it in kg mm^2, or the mass in t?");
 }
 
-/// Density of a ball with the largest second moment of the link, which no solid of its inertia
-/// undercuts by much; 0 of points and of links without a mass.
+/// Returns the density of a ball with the link's mass and largest second moment of mass [kg/m^3].
+/// No solid with this inertia has a much lower density. Returns 0 for points and links without
+/// mass.
 double least_density(const InertiaSpec& inertia) {
   const Moments moments = moments_of(inertia);
   const double second = 0.5 * moments.sum - moments.smallest;
@@ -182,12 +190,12 @@ double least_density(const InertiaSpec& inertia) {
   return inertia.mass / (4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3));
 }
 
-/// Links that are denser than metal: most of them, or very much so where they weigh half of all.
-/// Among the good ones most links have 2,800 kg/m^3 at most, and some a stand-in for an inertia.
+/// Warns if most links are denser than metal, or if links of absurd density have half of the mass.
+/// In correct files most links have at most 2,800 kg/m^3, and some have a placeholder inertia.
 void check_small_inertias(const MovingLinks& robot, Findings& findings) {
-  constexpr double densest = 2e5;    // kg/m^3; osmium has 22,600, a part of a link weighs more
-  constexpr double absurd = 5e8;     // kg/m^3; bases of good robots with a stand-in have 5e7
-  constexpr std::size_t fewest = 2;  // links; a single one may have a stand-in
+  constexpr double densest = 2e5;  // osmium has 22,600; compact links can exceed it [kg/m^3]
+  constexpr double absurd = 5e8;   // bases with a placeholder in correct files have 5e7 [kg/m^3]
+  constexpr std::size_t min_count = 2;  // a single link may have a placeholder
   const LinkSpec* worst = nullptr;
   std::size_t seen = 0, dense = 0;
   double absurd_mass = 0.0;
@@ -200,65 +208,68 @@ void check_small_inertias(const MovingLinks& robot, Findings& findings) {
     if (density > absurd) absurd_mass += link.link->inertia.mass;
     if (worst == nullptr || link.link->inertia.mass > worst->inertia.mass) worst = link.link;
   }
-  const bool are_most = dense >= fewest && 2 * dense > seen;
-  if (worst == nullptr || (!are_most && 2.0 * absurd_mass <= robot.mass)) return;
+  const bool are_majority = dense >= min_count && 2 * dense > seen;
+  if (worst == nullptr || (!are_majority && 2.0 * absurd_mass <= robot.mass)) return;
   findings.warn(label_of(*worst) + ": moments of inertia up to " +
                 number(moments_of(worst->inertia).largest) + " kg m^2 at a mass of " +
-                number(worst->inertia.mass) + " kg are those of a ball of " +
+                number(worst->inertia.mass) + " kg correspond to a ball with a density of " +
                 number(least_density(worst->inertia)) +
-                " kg/m^3; at most that of a metal was expected. Is the mass in g, or the inertia "
-                "too small?");
+                " kg/m^3; at most the density of a metal was expected. Is the mass in g, or the "
+                "inertia too small?");
 }
 
-/// Mass over reach cubed: 2.3 to 117 kg/m^3 among the good ones.
+/// Warns of an odd mass over reach cubed. Correct files have 2.3 to 117 kg/m^3.
 void check_size(const MovingLinks& robot, Findings& findings) {
-  constexpr double thinnest = 0.05, densest = 1e4;  // kg/m^3
+  constexpr double thinnest = 0.05, densest = 1e4;  // [kg/m^3]
   const double density = robot.mass / std::pow(robot.reach, 3);
   if (density >= thinnest && density <= densest) return;
-  findings.warn("links of " + number(robot.mass) + " kg reach " + number(robot.reach) + " m, " +
-                number(density) + " kg/m^3 of reach cubed; " + number(thinnest) + " to " +
-                number(densest) + " was expected. Are " +
+  findings.warn("the links weigh " + number(robot.mass) + " kg and reach " + number(robot.reach) +
+                " m, " + number(density) + " kg per cubic metre of reach; " + number(thinnest) +
+                " to " + number(densest) + " was expected. Are " +
                 (density < thinnest ? "lengths in mm, or masses in t?" : "masses in g?"));
 }
 
-/// A light link that has the shape and the inertia of a heavy one.
+/// Warns of light links with the shape and the inertia of a heavy link.
 void check_light_links(const MovingLinks& robot, Findings& findings) {
-  constexpr double largest_share = 0.01;  // of the robot's mass; heavier ones are judged above
-  constexpr double least_inertia =
-      1e-4;                          // beside robot.mass robot.reach^2; below it changes little
-  constexpr double lightest = 20.0;  // kg/m^3 of the shapes; foam has as much
+  // Fraction of the robot's mass; check_large_inertias() examines heavier links.
+  constexpr double max_mass_fraction = 0.01;
+  // Smallest relevant moment, relative to mass times reach squared of the robot; chosen by hand.
+  constexpr double min_inertia = 1e-4;
+  constexpr double lightest = 20.0;  // mass per volume of the shapes, as low as foam [kg/m^3]
   for (const MovingLink& link : robot.links) {
     const InertiaSpec& inertia = link.link->inertia;
     const double largest = moments_of(inertia).largest;
-    if (inertia.mass <= 0.0 || inertia.mass >= largest_share * robot.mass ||
-        largest < least_inertia * robot.mass * robot.reach * robot.reach ||
+    if (inertia.mass <= 0.0 || inertia.mass >= max_mass_fraction * robot.mass ||
+        largest < min_inertia * robot.mass * robot.reach * robot.reach ||
         largest <= inertia.mass * robot.reach * robot.reach ||
         inertia.mass >= lightest * link.volume)
       continue;
     findings.warn(label_of(*link.link) + ": its mass is " + number(inertia.mass) +
-                  " kg, with shapes of " + number(1e3 * link.volume) +
-                  " l and moments of inertia up to " + number(largest) +
-                  " kg m^2; a heavier one was expected. Is it in t?");
+                  " kg, but its shapes have a volume of " + number(1e3 * link.volume) +
+                  " litres and its moments of inertia are up to " + number(largest) +
+                  " kg m^2; a larger mass was expected. Is it in t?");
   }
 }
 
 // ---- Drives
 
-/// Torque that the weight of all beyond the joint has at the robot's reach [Nm].
+/// Returns the torque of the weight beyond a joint, with the robot's reach as lever arm [N m].
 double weight_torque(const MovingLinks& robot, const MovingLink& link, double gravity) {
   return gravity * link.mass_beyond * robot.reach;
 }
 
+/// Joints with too large and too small effort limits among the examined joints.
 struct Efforts {
   std::vector<const JointSpec*> large, small;
   std::size_t seen = 0;
 };
 
 void check_efforts(const MovingLinks& robot, const ModelOptions& options, Findings& findings) {
-  // Largest efforts of good robots: 0.01 to 20 times the torque of their whole weight, figures such
-  // as 10, 100 and 1000 left out.
+  // Largest efforts in correct files are 0.01 to 20 times the torque of the robot's weight, without
+  // powers of ten.
   constexpr double strongest = 50.0, weakest = 0.003;
-  constexpr std::size_t share_of_strong = 4;  // one in four: legs beside hands
+  // Warns if at least one joint in four is too strong: a robot can have legs and hands.
+  constexpr std::size_t joints_per_strong = 4;
   const double gravity = options.gravity.norm();
   const double whole = gravity * robot.mass * robot.reach;
   Efforts efforts;
@@ -273,18 +284,18 @@ void check_efforts(const MovingLinks& robot, const ModelOptions& options, Findin
   }
   if (whole <= 0.0 || efforts.seen < 3) return;
   const Suspects large{efforts.large, efforts.seen}, small{efforts.small, efforts.seen};
-  if (share_of_strong * large.odd.size() >= large.seen)
+  if (joints_per_strong * large.odd.size() >= large.seen)
     findings.warn(
         large.text() + " has an effort limit of " + number(large.odd.front()->effort_limit) +
-        " Nm; the robot's weight at its reach takes " + number(whole) + " Nm. Is it in Nmm?");
-  if (small.are_most())
+        " Nm; the robot's weight at its reach requires " + number(whole) + " Nm. Is it in Nmm?");
+  if (small.are_majority())
     findings.warn(small.text() + " has an effort limit of " +
                   number(small.odd.front()->effort_limit) +
                   " Nm, too little for the weight that it carries. Is it in kNm?");
 }
 
 void check_armatures(const MovingLinks& robot, Findings& findings) {
-  constexpr double largest = 10.0;  // beside robot.mass robot.reach^2, or robot.mass
+  constexpr double largest = 10.0;  // relative to robot.mass robot.reach^2, or robot.mass; by hand
   for (const MovingLink& link : robot.links) {
     const JointSpec* joint = link.joint;
     if (joint == nullptr || joint->armature <= 0.0) continue;
@@ -294,19 +305,22 @@ void check_armatures(const MovingLinks& robot, Findings& findings) {
     findings.warn(label_of(*joint) + " has an armature of " + number(joint->armature) +
                   (slides ? " kg" : " kg m^2") + ", but the whole robot " +
                   (slides ? "weighs " : "stretched out has ") + number(scale) +
-                  (slides ? " kg" : " kg m^2") + "; less was expected. Is it in kg cm^2?");
+                  (slides ? " kg" : " kg m^2") +
+                  "; a smaller armature was expected. Is it in kg cm^2?");
   }
 }
 
 void check_slides(const MovingLinks& robot, Findings& findings) {
-  constexpr double longest = 20.0;  // reaches; what carries half of the robot may be a rail
+  // Largest plausible limit, relative to the robot's reach; chosen by hand. Skips joints that carry
+  // half of the robot, which may be rails.
+  constexpr double max_travel = 20.0;
   for (const MovingLink& link : robot.links) {
     const JointSpec* joint = link.joint;
     if (joint == nullptr || joint->type != JointType::Prismatic ||
         2.0 * link.mass_beyond > robot.mass)
       continue;
     const double travel = largest_limit(*joint);
-    if (travel <= longest * robot.reach || is_power_of_ten(travel)) continue;
+    if (travel <= max_travel * robot.reach || is_power_of_ten(travel)) continue;
     findings.warn(label_of(*joint) + " has limits of position " + number(joint->lower) + " and " +
                   number(joint->upper) + " m, but the robot reaches " + number(robot.reach) +
                   " m. Are they in mm?");
@@ -314,11 +328,11 @@ void check_slides(const MovingLinks& robot, Findings& findings) {
 }
 
 void check_gravity(const ModelOptions& options, Findings& findings) {
-  constexpr double strongest = 30.0, weakest = 0.1;  // m/s^2; Jupiter has 25, Pluto 0.6
+  constexpr double strongest = 30.0, weakest = 0.1;  // Jupiter has 25, Pluto 0.6 [m/s^2]
   const double gravity = options.gravity.norm();
   if (gravity == 0.0 || (gravity >= weakest && gravity <= strongest)) return;
-  findings.warn("gravity is " + number(gravity) +
-                " m/s^2; 9.81 was expected, that of another planet, or zero");
+  findings.warn("gravity is " + number(gravity) + " m/s^2; zero or " + number(weakest) + " to " +
+                number(strongest) + " m/s^2 was expected (9.81 on Earth)");
 }
 
 }  // namespace
@@ -332,19 +346,19 @@ void check_plausibility(const TreeSpec& tree, const ModelOptions& options, Findi
   if (robot.mass <= 0.0) return;
   check_small_inertias(robot, findings);
   check_efforts(robot, options, findings);
-  // A body alone, or bodies on top of each other, have no size to compare with.
-  if (robot.joints_in_a_part < 2 || robot.reach <= 0.0) return;
+  // A single body, or bodies with coinciding origins, have no reach for a comparison.
+  if (robot.joints_in_a_subtree < 2 || robot.reach <= 0.0) return;
   check_far_masses(robot, findings);
   check_large_inertias(robot, findings);
   check_light_links(robot, findings);
   check_armatures(robot, findings);
   check_slides(robot, findings);
-  // A pendulum or a mass on slides may be as small as it likes.
-  constexpr int fewest = 3;  // joints, and links with a mass
+  // A pendulum or a mass on slides may have any size.
+  constexpr int min_count = 3;  // joints, and links with a mass
   const auto massive = std::count_if(robot.links.begin(), robot.links.end(), [](const auto& link) {
     return link.link->inertia.mass > 0.0;
   });
-  if (robot.joints_in_a_part >= fewest && massive >= fewest) check_size(robot, findings);
+  if (robot.joints_in_a_subtree >= min_count && massive >= min_count) check_size(robot, findings);
 }
 
 }  // namespace burnish

@@ -7,8 +7,9 @@
 namespace burnish {
 
 Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& axis) {
-  // The shortest rotation from z, or for axes below the horizon from -z after half a turn about x:
-  // both are far from their own singularity and exact for axes along x, y or z.
+  // The shortest rotation from z to the axis. For axes with negative z: half a turn about x, then
+  // the shortest rotation from -z. Both are far from their singularity, and exact for axes along x,
+  // y or z.
   const bool above = axis.z() >= 0.0;
   const Eigen::Vector3d from(0.0, 0.0, above ? 1.0 : -1.0);
   const Eigen::Vector3d cross = from.cross(axis);
@@ -75,8 +76,8 @@ void check_posture_values(const std::string& origin, const std::string& joint,
   }
   for (const double value : values) {
     if (!std::isfinite(value)) {
-      refuse(origin, "posture of joint " + in_quotes(joint) + " holds " + number(value) +
-                         "; its values must be finite");
+      refuse(origin, "posture of joint " + in_quotes(joint) + " contains " + number(value) +
+                         "; wanted finite values");
     }
   }
   if (size != 7 && size != 4) return;

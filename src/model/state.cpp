@@ -15,7 +15,8 @@ using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
 
-constexpr double unit_tolerance = 1e-6;  // on the length of quaternions and (cos, sin) pairs
+/// Tolerance on the unit length of quaternions and (cos, sin) pairs; chosen by hand.
+constexpr double unit_tolerance = 1e-6;
 
 void check_size(Eigen::Index size, int wanted, std::string_view argument) {
   if (size == wanted) return;
@@ -23,7 +24,7 @@ void check_size(Eigen::Index size, int wanted, std::string_view argument) {
               " entries; wanted " + std::to_string(wanted));
 }
 
-/// (1 - cos t) / t^2 and (t - sin t) / t^3, smooth through zero.
+/// Terms (1 - cos t) / t^2 and (t - sin t) / t^3 of the exponential, smooth at zero.
 struct ExpTerms {
   double first, second;
 };
@@ -37,7 +38,8 @@ ExpTerms exp_terms(double angle) {
   return {2.0 * half * half / square, (angle - std::sin(angle)) / (square * angle)};
 }
 
-/// (1 - (t / 2) / tan(t / 2)) / t^2, smooth through zero, for |t| <= pi.
+/// Returns the term (1 - (t / 2) / tan(t / 2)) / t^2 of the logarithm, smooth at zero, for
+/// |t| <= pi.
 double log_term(double angle) {
   const double square = angle * angle;
   if (square < 1e-4) return 1.0 / 12.0 + square / 720.0 * (1.0 + square / 42.0);
@@ -54,7 +56,7 @@ Eigen::Quaterniond quaternion_exp(const Vector3& w) {
   return result;
 }
 
-/// The rotation vector of length at most pi.
+/// Returns the rotation vector, of length at most pi.
 Vector3 quaternion_log(const Eigen::Quaterniond& rotation) {
   const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
   const double sine = rotation.vec().norm();
@@ -70,7 +72,7 @@ double angle_between(const Vector2& from, const Vector2& to) {
   return std::atan2(from[0] * to[1] - from[1] * to[0], from.dot(to));
 }
 
-/// Displacement of the twist (v, w) held for unit time, in the axes at its start.
+/// Returns the displacement by the constant twist (v, w) during unit time, in the initial axes.
 Vector3 exp_position(const Vector3& v, const Vector3& w) {
   const ExpTerms terms = exp_terms(w.norm());
   const Vector3 turned = w.cross(v);
@@ -127,10 +129,10 @@ void difference_joint(JointKind kind, const Entries& q0, const Entries& q1, Twis
     case JointKind::Planar: {
       const Vector2 pair = q0.template tail<2>();
       const double angle = angle_between(pair, q1.template tail<2>());
-      const Vector2 apart = q1.template head<2>() - q0.template head<2>();
+      const Vector2 displacement = q1.template head<2>() - q0.template head<2>();
       const Vector2 inverse(pair[0], -pair[1]);
       Vector3 moved = Vector3::Zero();
-      moved.head<2>() = rotated(inverse, apart);
+      moved.head<2>() = rotated(inverse, displacement);
       dq.template head<2>() = log_position(moved, {0.0, 0.0, angle}).head<2>();
       dq[2] = angle;
       break;
@@ -139,8 +141,8 @@ void difference_joint(JointKind kind, const Entries& q0, const Entries& q1, Twis
       const Eigen::Quaterniond from(Eigen::Vector4d(q0.template tail<4>()));
       const Eigen::Quaterniond to(Eigen::Vector4d(q1.template tail<4>()));
       const Vector3 w = quaternion_log(from.conjugate() * to);
-      const Vector3 apart = q1.template head<3>() - q0.template head<3>();
-      dq.template head<3>() = log_position(from.conjugate() * apart, w);
+      const Vector3 displacement = q1.template head<3>() - q0.template head<3>();
+      dq.template head<3>() = log_position(from.conjugate() * displacement, w);
       dq.template tail<3>() = w;
       break;
     }
@@ -153,7 +155,7 @@ void difference_joint(JointKind kind, const Entries& q0, const Entries& q1, Twis
   }
 }
 
-/// d(quaternion * exp(w)) / dw at w = 0, the quaternion as x, y, z, w.
+/// Returns d(quaternion * exp(w)) / dw at w = 0, with the quaternion as x, y, z, w.
 Eigen::Matrix<double, 4, 3> quaternion_tangent(const Eigen::Vector4d& q) {
   Eigen::Matrix<double, 4, 3> result;
   result << q[3], -q[2], q[1], q[2], q[3], -q[0], -q[1], q[0], q[3], -q[0], -q[1], -q[2];
@@ -194,20 +196,20 @@ void tangent_joint(JointKind kind, const Entries& q, Block map) {
   }
 }
 
-/// First entry in q of the joint's rotation and how many it has (0 for none).
+/// Returns the first entry in q of the joint's unit vector, and its size (0 for none).
 std::pair<int, int> rotation_entries(const Joint& joint) {
   const int size = joint.follows ? 0 : unit_entries(joint.kind);
   return {joint.q_index + joint.nq - size, size};
 }
 
-/// Uniform in [0, 1), the same with every standard library.
+/// Returns a uniform number in [0, 1). Results do not depend on the standard library.
 double uniform(std::mt19937_64& generator) {
   return static_cast<double>(generator() >> 11) * 0x1.0p-53;
 }
 
 double random_coordinate(double lower, double upper, double reach, std::mt19937_64& generator) {
-  // Limits that no joint reaches stand for none: at 1e16 rad a number is an angle no more.
-  constexpr double furthest = 1e4;  // rad or m
+  // Larger limits count as infinite. At 1e16 rad, rounding errors of an angle exceed 1 rad.
+  constexpr double furthest = 1e4;  // chosen by hand [rad, m]
   if (lower < -furthest) lower = -std::numeric_limits<double>::infinity();
   if (upper > furthest) upper = std::numeric_limits<double>::infinity();
   if (std::isinf(lower) && std::isinf(upper)) {
@@ -221,7 +223,7 @@ double random_coordinate(double lower, double upper, double reach, std::mt19937_
   return lower + (upper - lower) * uniform(generator);
 }
 
-/// Uniform over rotations (K. Shoemake, Uniform random rotations, 1992).
+/// Returns a uniformly distributed rotation (K. Shoemake, Uniform random rotations, 1992).
 Eigen::Vector4d random_quaternion(std::mt19937_64& generator) {
   const double split = uniform(generator);
   const double a = 2.0 * std::numbers::pi * uniform(generator);
@@ -284,7 +286,7 @@ Eigen::VectorXd normalized(const Model& model, const ConstVector& q) {
     const double length = result.segment(first, size).norm();
     if (!(length > 1e-12) || !std::isfinite(length)) {
       throw Error("argument 'q': the rotation of joint " + in_quotes(joint.name) + " has length " +
-                  number(length) + ", which gives no direction to normalise");
+                  number(length) + "; wanted a finite length above 1e-12");
     }
     result.segment(first, size) /= length;
   }
@@ -317,8 +319,8 @@ Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& genera
 
 namespace {
 
-/// rad, m, rad/s, m/s: doubles beyond are 1e-7 apart and more, and sums of lengths and products
-/// lose as many digits again.
+/// Largest magnitude of an entry of q or v [rad, m, rad/s, m/s]. Larger numbers have a resolution
+/// worse than 1e-7, and products and sums of lengths lose as many digits again.
 constexpr double largest_coordinate = 1e9;
 
 template <class Name>
@@ -326,28 +328,30 @@ void check_digits(const ConstVector& x, std::string_view argument, const Name& n
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (std::abs(x[i]) > largest_coordinate)
       throw Error("argument " + in_quotes(argument) + ": " + in_quotes(name(i)) + " is " +
-                  number(x[i]) + ", and numbers of that size are " +
+                  number(x[i]) + ", where two adjacent floating-point numbers differ by " +
                   number(std::nextafter(std::abs(x[i]), INFINITY) - std::abs(x[i])) +
-                  " apart; wanted at most " + number(largest_coordinate) + " in size");
+                  "; wanted a magnitude of at most " + number(largest_coordinate));
 }
 
-constexpr double largest_usual = 1e4;  ///< rad, m or per s, which random_configuration() has too
-constexpr double largest_place = 1e6;  ///< m, of a base in the world
-constexpr double far_above = 10.0;     ///< times its limit, of a velocity or a torque
+// Thresholds of odd_state(), chosen by hand.
+constexpr double largest_usual = 1e4;  ///< Largest magnitude without a limit [rad, m, rad/s, m/s]
+constexpr double largest_place = 1e6;  ///< Largest coordinate of a base in the world [m]
+constexpr double far_above = 10.0;     ///< Largest velocity or torque, relative to its limit
 
-/// "joint 'a' is at 1.2 rad".
+/// Returns a text such as "joint 'a' is at 1.2 rad".
 std::string position_text(const Joint& joint, double q) {
   return "joint " + in_quotes(joint.name) + " is at " + number(q) +
          (joint.kind == JointKind::Prismatic ? " m" : " rad");
 }
-/// "; its limits are -1 and 1 rad".
+/// Returns a text such as "; its limits are -1 and 1 rad".
 std::string limits_text(const Model& model, const Joint& joint) {
   return "; its limits are " + number(model.q_lower[joint.q_index]) + " and " +
          number(model.q_upper[joint.q_index]) +
          (joint.kind == JointKind::Prismatic ? " m" : " rad");
 }
 
-/// Adds a sentence where a position is out of all sense.
+/// Adds a sentence if a position is beyond the limits by more than the range, or by more than one
+/// turn if that is larger.
 void about_position(const Model& model, const Joint& joint, double q,
                     std::vector<std::string>& sentences) {
   const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
@@ -355,18 +359,19 @@ void about_position(const Model& model, const Joint& joint, double q,
   const bool limited = lower > -largest_usual && upper < largest_usual;
   const double turn = slides ? 0.0 : 2.0 * std::numbers::pi;
   const double over = limited ? std::max(upper - lower, turn) : 0.0;
-  const double least = limited ? lower - over : -largest_usual;
-  const double most = limited ? upper + over : largest_usual;
-  if (q >= least && q <= most) return;
+  const double lowest = limited ? lower - over : -largest_usual;
+  const double highest = limited ? upper + over : largest_usual;
+  if (q >= lowest && q <= highest) return;
   std::string sentence = position_text(joint, q);
-  sentence +=
-      limited ? limits_text(model, joint)
-              : "; wanted at most " + number(largest_usual) + (slides ? " m" : " rad") + " in size";
-  if (limited && !slides) sentence += ", and degrees would be taken for radians";
+  sentence += limited ? limits_text(model, joint)
+                      : "; wanted a magnitude of at most " + number(largest_usual) +
+                            (slides ? " m" : " rad");
+  if (limited && !slides) sentence += ", and angles must be in radians, not degrees";
   sentences.push_back(sentence);
 }
 
-/// Adds a sentence for each entry of v that is far above its limit, or `otherwise` without one.
+/// Adds a sentence for each entry that is far above its limit, or above `otherwise` without a
+/// limit.
 void about_entries(const Model& model, const ConstVector& x, const char* quantity,
                    const Eigen::VectorXd& limits, double otherwise,
                    std::vector<std::string>& sentences) {
@@ -375,7 +380,7 @@ void about_entries(const Model& model, const ConstVector& x, const char* quantit
     if (std::abs(x[k]) <= (limited ? far_above * limits[k] : otherwise)) continue;
     sentences.push_back(quantity + in_quotes(model.v_name(k)) + " is " + number(x[k]) +
                         (limited ? "; its limit is " + number(limits[k])
-                                 : "; wanted at most " + number(otherwise) + " in size"));
+                                 : "; wanted a magnitude of at most " + number(otherwise)));
   }
 }
 
@@ -392,7 +397,7 @@ std::vector<std::string> odd_state(const Model& model, const ConstVector& q, con
     if (place > largest_place)
       sentences.push_back("joint " + in_quotes(joint.name) + " is " + number(place) +
                           " m from the world's origin; wanted at most " + number(largest_place) +
-                          " m, beyond which digits are lost");
+                          " m, because larger distances lose digits");
   }
   about_entries(model, v, "the velocity of ", model.velocity_limit, largest_usual, sentences);
   about_entries(model, tau, "the torque of ", model.effort_limit, INFINITY, sentences);

@@ -15,7 +15,7 @@ std::string label_of(const TendonSpec& tendon) {
          in_quotes(tendon.name);
 }
 
-/// Adds to the coefficient of a joint that is there already.
+/// Adds a joint with its coefficient. Adds to the coefficient if the joint is in `parts`.
 void add_part(const std::string& joint, double coefficient, Parts& parts) {
   const auto same = std::find_if(parts.begin(), parts.end(),
                                  [&](const auto& part) { return part.joint == joint; });
@@ -29,14 +29,14 @@ const JointSpec& joint_of(const TreeSpec& tree, const JointByName& joints, const
                           const std::string& name) {
   const JointSpec& joint = find_joint(tree, joints, name, label_of(tendon) + ": joint");
   if (posture_size(joint.type) > 1) {
-    refuse(tree, label_of(tendon) + ": joint " + in_quotes(name) +
-                     " has not one coordinate; a tendon can go along revolute, continuous and "
-                     "prismatic joints");
+    refuse(tree,
+           label_of(tendon) + ": joint " + in_quotes(name) +
+               " has more than one coordinate; wanted a revolute, continuous or prismatic joint");
   }
   return joint;
 }
 
-/// A held tendon while it is looked at.
+/// Held tendon and its moving joints.
 struct HeldTendon {
   const TreeSpec& tree;
   const ModelOptions& options;
@@ -52,7 +52,7 @@ struct HeldTendon {
     return options.free.empty() || is_listed(options.free, joint);
   }
 
-  /// Joints that move, with coefficients that count.
+  /// Collects the moving joints with nonzero coefficients.
   void gather() {
     rest = tendon.rest;
     for (const TendonSpec::Part& part : tendon.parts) {
@@ -62,8 +62,8 @@ struct HeldTendon {
     std::erase_if(parts, [](const auto& part) { return part.coefficient == 0.0; });
   }
 
-  /// Of more than two joints, those that are locked by themselves are lengths.
-  void take_off_locked() {
+  /// Removes joints that are locked by themselves, and subtracts their lengths from `rest`.
+  void remove_locked() {
     std::erase_if(parts, [&](const TendonSpec::Part& part) {
       const bool locked = is_listed(options.locked, part.joint) || !is_free(part.joint);
       if (!locked || joints.at(part.joint)->mimic) return false;
@@ -103,22 +103,23 @@ TreeSpec with_held_tendons(const TreeSpec& tree, const ModelOptions& options) {
     if (!tendon.held) continue;
     HeldTendon held{tree, options, joints, tendon};
     held.gather();
-    if (held.parts.size() > 2) held.take_off_locked();
+    if (held.parts.size() > 2) held.remove_locked();
     Parts& parts = held.parts;
     if (parts.empty()) continue;
     if (parts.size() == 1) {
-      refuse(tree, label_of(tendon) + " holds " + held.listed_parts() +
-                       " alone; lock that joint instead");
+      refuse(tree, label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
+                       " alone; wanted two joints, or this joint locked");
     }
     if (parts.size() > 2) {
-      refuse(tree, label_of(tendon) + " holds the length along " + held.listed_parts() +
-                       "; a joint can follow one other, so that two is the most: lock the rest");
+      refuse(tree, label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
+                       "; wanted at most two moving joints, because one length can couple two "
+                       "joints only: lock the others");
     }
     if (!held.can_follow(parts[1].joint, parts[0].joint)) std::swap(parts[0], parts[1]);
     if (!held.can_follow(parts[1].joint, parts[0].joint)) {
-      refuse(tree, label_of(tendon) + " holds the length along " + held.listed_parts() +
-                       ", but neither can follow the other; one of them must copy no joint, and "
-                       "be locked only with the other");
+      refuse(tree, label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
+                       ", but neither joint can follow the other; wanted one of them without a "
+                       "leader of its own, and locked only together with the other");
     }
     // c_0 q_0 + c_1 q_1 = rest
     changed.at(parts[1].joint)->mimic =
@@ -145,8 +146,8 @@ std::vector<TendonSpec> reduced_tendons(const TreeSpec& tree, const JointByName&
     for (const TendonSpec::Part& part : tendon.parts) {
       if (tendon.stiffness == 0.0 || joints.at(part.joint)->type != JointType::Continuous) continue;
       refuse(tree, label_of(stated) + " has a spring along joint " + in_quotes(part.joint) +
-                       ", which is continuous: an angle on the circle has no length; make it "
-                       "revolute");
+                       ", which is continuous; wanted a revolute joint, because whole turns of a "
+                       "continuous joint are not counted");
     }
     result.push_back(std::move(tendon));
   }

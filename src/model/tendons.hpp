@@ -1,5 +1,5 @@
-// What becomes of a tree's tendons: joints that follow others, or springs and dampers on joints
-// that move by themselves.
+// Conversion of a tree's tendons: to followers, or to springs and dampers on joints that move by
+// themselves.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,20 @@
 
 namespace burnish {
 
-/// The tree with a mimic in place of each tendon that is held. Throws Error naming tendon and
-/// joints where that cannot be.
+/// Returns the tree with each held tendon replaced by a mimic of one of its joints. Throws Error
+/// with the names of tendon and joints if that is impossible.
 TreeSpec with_held_tendons(const TreeSpec& tree, const ModelOptions& options);
 
-/// The tree's tendons over joints that move by themselves: what held joints add to the length is
-/// taken off `rest`, what followers add is their leaders'. Without those that move nothing or have
-/// neither spring nor damper. Throws Error naming tendon and joint for a joint that is unknown, has
-/// not one coordinate, or has no length.
+/// Returns the tree's tendons over joints that move by themselves. The length along held joints is
+/// subtracted from `rest`; the length along followers is assigned to their leaders. Leaves out
+/// tendons that move no joint, and tendons without spring and damper.
+///
+/// Throws Error with the names of tendon and joint for unknown joints, joints with more than one
+/// coordinate, and springs along continuous joints.
 std::vector<TendonSpec> reduced_tendons(const TreeSpec& tree, const JointByName& joints,
                                         Courses& courses);
 
-/// The tendons of a tree that reduced_tendons() gave, at the model's entries.
+/// Compiles the tendons from reduced_tendons() for the entries of the model.
 std::vector<Tendon> compile_tendons(const TreeSpec& reduced, const Model& model);
 
 }  // namespace burnish

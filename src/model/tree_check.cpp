@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "model/loops.hpp"
 #include "model/tree_sentence.hpp"
 
@@ -20,24 +21,24 @@ IndexByName index_names(const std::vector<Element>& elements, const std::string&
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const std::string& name = elements[i].name;
     if (name.empty()) {
-      findings.problem(kind + " number " + std::to_string(i + 1) + " has no name; every " + kind +
-                       " needs one");
+      findings.problem(kind + " number " + std::to_string(i + 1) +
+                       " has no name; wanted a name for every " + kind);
     } else if (!index.emplace(name, i).second) {
-      findings.problem(label_of(elements[i]) + " is defined twice; names of " + kind +
-                       "s must be unique");
+      findings.problem(label_of(elements[i]) + " is defined twice; wanted unique names of " + kind +
+                       "s");
     }
   }
   return index;
 }
 
-/// The joint above each link as an index into tree.joints, -1 for a root.
+/// Returns the joint above each link, as an index into tree.joints, -1 for a root.
 std::vector<int> parent_joints(const TreeSpec& tree, const IndexByName& links, Findings& findings) {
-  std::vector<std::string> known;
-  for (const LinkSpec& link : tree.links) known.push_back(link.name);
+  std::vector<std::string> existing;
+  for (const LinkSpec& link : tree.links) existing.push_back(link.name);
   const auto exists = [&](const JointSpec& joint, const std::string& name, const char* role) {
     if (links.contains(name)) return true;
     findings.problem(label_of(joint) + ": " + role + " link " + in_quotes(name) +
-                     " does not exist" + (findings.are_few() ? did_you_mean(name, known) : ""));
+                     " does not exist" + (findings.are_few() ? did_you_mean(name, existing) : ""));
     return false;
   };
   std::vector<int> above(tree.links.size(), -1);
@@ -47,11 +48,11 @@ std::vector<int> parent_joints(const TreeSpec& tree, const IndexByName& links, F
     if (!exists(joint, joint.child_link, "child")) continue;
     const std::size_t child = links.at(joint.child_link);
     if (above[child] >= 0) {
-      const JointSpec& first = tree.joints[static_cast<std::size_t>(above[child])];
+      const JointSpec& first = tree.joints[to_size(above[child])];
       findings.problem(label_of(tree.links[child]) + " has two parents, " +
                        in_quotes(first.parent_link) + " through joint " + in_quotes(first.name) +
                        " and " + in_quotes(joint.parent_link) + " through joint " +
-                       in_quotes(joint.name) + "; a link of a tree has one");
+                       in_quotes(joint.name) + "; wanted one parent");
       continue;
     }
     above[child] = static_cast<int>(j);
@@ -68,12 +69,12 @@ void check_one_root(const TreeSpec& tree, const std::vector<int>& above, Finding
       continue;
     }
     findings.problem("links " + in_quotes(root->name) + " and " + in_quotes(tree.links[i].name) +
-                     " both have no parent joint; a tree has one root, so join them by a joint");
+                     " both have no parent joint; wanted one root, so connect them by a joint");
   }
 }
 
-/// Depth of every link by walking up until a link of known depth. A walk longer than the number
-/// of links has met a cycle.
+/// Reports cycles and trees that are too deep. Finds the depth of each link by a walk up to a link
+/// whose depth is computed. A walk longer than the number of links is a cycle.
 void check_depths(const TreeSpec& tree, const IndexByName& links, const std::vector<int>& above,
                   Findings& findings) {
   std::vector<int> depth(tree.links.size(), 0);
@@ -86,32 +87,32 @@ void check_depths(const TreeSpec& tree, const IndexByName& links, const std::vec
       if (path.size() > tree.links.size()) {
         findings.problem("link " + in_quotes(tree.links[link].name) +
                          " is its own ancestor through joint " +
-                         in_quotes(tree.joints[static_cast<std::size_t>(above[link])].name) +
-                         "; the links must form a tree without cycles");
+                         in_quotes(tree.joints[to_size(above[link])].name) +
+                         "; wanted a tree of links without cycles");
         return;
       }
-      link = links.at(tree.joints[static_cast<std::size_t>(above[link])].parent_link);
+      link = links.at(tree.joints[to_size(above[link])].parent_link);
     }
     int below = depth[link] == 0 ? 1 : depth[link];
     depth[link] = below;
     for (auto up = path.rbegin(); up != path.rend(); ++up) depth[*up] = ++below;
     if (below > max_depth) {
       findings.problem("link " + in_quotes(tree.links[start].name) + " is " +
-                       std::to_string(below) + " links from the root; at most " +
-                       std::to_string(max_depth) + " are supported");
+                       std::to_string(below) + " links from the root; wanted at most " +
+                       std::to_string(max_depth));
       return;
     }
   }
 }
 
-/// The values of one link or joint: what is wrong with them is noted under its name.
+/// Checks of the values of one link or joint. Reports problems under its name.
 struct ValueCheck {
   std::string element;
   Findings& findings;
 
   void problem(const std::string& what) const { findings.problem(element + what); }
-  void value(const std::string& quantity, double number_there, const std::string& wanted) const {
-    problem(": " + quantity + " is " + number(number_there) + "; " + wanted);
+  void value(const std::string& quantity, double stated, const std::string& wanted) const {
+    problem(": " + quantity + " is " + number(stated) + "; wanted " + wanted);
   }
 
   template <class Derived>
@@ -119,7 +120,7 @@ struct ValueCheck {
     for (Eigen::Index j = 0; j < values.cols(); ++j) {
       for (Eigen::Index i = 0; i < values.rows(); ++i) {
         if (std::isfinite(values(i, j))) continue;
-        value(quantity, values(i, j), "it must be finite");
+        value(quantity, values(i, j), "a finite number");
         return false;
       }
     }
@@ -131,51 +132,54 @@ struct ValueCheck {
     const Eigen::Matrix3d rotation = stated.linear();
     if ((rotation * rotation.transpose()).isIdentity(1e-6) && rotation.determinant() > 0.0) return;
     problem(": the rotation of its " + quantity +
-            " is not orthonormal and right-handed; a rotation matrix was wanted");
+            " is not orthonormal and right-handed; wanted a rotation matrix");
   }
 
   void not_negative(const std::string& quantity, double stated, bool may_be_infinite) const {
     if (std::isnan(stated) || stated < 0.0 || (!may_be_infinite && std::isinf(stated))) {
-      value(quantity, stated, "it must be zero or positive");
+      value(quantity, stated,
+            may_be_infinite ? "zero or a positive number" : "zero or a finite positive number");
     }
   }
 };
 
-/// What counts as zero beside the body: the inertia of its mass at a distance far below its size,
-/// or of a speck of dust.
+/// Returns the inertia that counts as zero for this body [kg m^2]: a small fraction of its inertia
+/// and of the inertia of its mass at a small distance. At least the inertia of a speck of dust. All
+/// constants were chosen by hand.
 double negligible_inertia(const InertiaSpec& inertia) {
-  constexpr double share = 1e-6, smallest_size = 0.01, dust = 1e-20;
-  return dust + share * (inertia.inertia_at_com.cwiseAbs().maxCoeff() +
-                         1e-3 * std::abs(inertia.mass) * smallest_size * smallest_size);
+  constexpr double fraction = 1e-6, smallest_size = 0.01, dust = 1e-20;  // [1, m, kg m^2]
+  return dust + fraction * (inertia.inertia_at_com.cwiseAbs().maxCoeff() +
+                            1e-3 * std::abs(inertia.mass) * smallest_size * smallest_size);
 }
 
 void check_inertia(const LinkSpec& link, Findings& findings) {
   const ValueCheck check{label_of(link), findings};
   const Eigen::Matrix3d& inertia = link.inertia.inertia_at_com;
   const double mass = link.inertia.mass;
-  if (!std::isfinite(mass)) return check.value("mass", mass, "it must be finite");
+  if (!std::isfinite(mass)) return check.value("mass", mass, "a finite number");
   if (mass < 0.0) {
-    check.problem(": mass " + number(mass) + " kg is negative; a mass must be zero or positive");
+    check.problem(": mass " + number(mass) + " kg is negative; wanted zero or a positive mass");
   }
   check.finite("centre of mass", link.inertia.com);
   if (!check.finite("inertia", inertia)) return;
   const double size = inertia.cwiseAbs().maxCoeff();
   if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) {
     return check.problem(
-        ": its inertia matrix is not symmetric; an inertia about the centre of mass is");
+        ": its inertia matrix is not symmetric; wanted a symmetric matrix, about the centre of "
+        "mass");
   }
   const double smallest_moment = inertia.diagonal().minCoeff();
-  const double nothing = negligible_inertia(link.inertia);
-  if (smallest_moment < -inertia_tolerance * size - nothing) {
+  const double negligible = negligible_inertia(link.inertia);
+  if (smallest_moment < -inertia_tolerance * size - negligible) {
     return check.problem(": moment of inertia " + number(smallest_moment) +
-                         " kg m^2 is negative; it must be zero or positive");
+                         " kg m^2 is negative; wanted zero or a positive moment");
   }
   const Eigen::Vector3d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
-  if (principal[0] < -nothing) {
+  if (principal[0] < -negligible) {
     findings.warn(check.element + ": its inertia has the principal moment " + number(principal[0]) +
-                  " kg m^2, which is negative; no solid has one");
-  } else if (principal[0] + principal[1] < (1.0 - inertia_tolerance) * principal[2] - nothing) {
+                  " kg m^2, which is negative; no solid has a negative moment");
+  } else if (principal[0] + principal[1] < (1.0 - inertia_tolerance) * principal[2] - negligible) {
     findings.warn(check.element + ": its principal moments of inertia " + number(principal[0]) +
                   ", " + number(principal[1]) + ", " + number(principal[2]) +
                   " kg m^2 belong to no solid; the largest can be at most the sum of the other two "
@@ -204,7 +208,7 @@ void check_visuals(const LinkSpec& link, Findings& findings) {
     }
     const double size = smallest_size(visual.shape);
     if (!(size >= 0.0) || !std::isfinite(size)) {
-      check.value("a size of its visual", size, "it must be finite and not negative");
+      check.value("a size of its visual", size, "zero or a finite positive number");
     }
   }
 }
@@ -216,21 +220,21 @@ void check_joint(const JointSpec& joint, Findings& findings) {
   const bool has_axis =
       joint.type != JointType::Fixed && joint.type != JointType::Floating && !is_ball;
   if (check.finite("axis", joint.axis) && has_axis && joint.axis.norm() < 1e-9) {
-    check.problem(": its axis is zero; a direction was wanted");
+    check.problem(": its axis is zero; wanted a direction");
   }
-  if (std::isnan(joint.lower)) check.value("lower limit", joint.lower, "a number was wanted");
-  if (std::isnan(joint.upper)) check.value("upper limit", joint.upper, "a number was wanted");
+  if (std::isnan(joint.lower)) check.value("lower limit", joint.lower, "a number");
+  if (std::isnan(joint.upper)) check.value("upper limit", joint.upper, "a number");
   if (joint.lower > joint.upper) {
     check.problem(": its lower limit " + number(joint.lower) + " is above its upper limit " +
-                  number(joint.upper) + "; lower must be at most upper");
+                  number(joint.upper) + "; wanted lower <= upper");
   }
   if (is_ball && joint.rest != 0.0 && joint.stiffness > 0.0) {
-    findings.warn(check.element + ": it is a ball, whose spring rests at no rotation; 'rest' of " +
-                  number(joint.rest) + " is passed over");
+    findings.warn(check.element + ": 'rest' of " + number(joint.rest) +
+                  " is ignored, because the spring of a ball joint rests at zero rotation");
   }
   if (is_ball && (std::isfinite(joint.lower) || std::isfinite(joint.upper))) {
     findings.warn(check.element +
-                  ": it is a ball, which has no limits of position; those stated are passed over");
+                  ": its position limits are ignored, because a ball joint has no position limits");
   }
   check.not_negative("velocity limit", joint.velocity_limit, true);
   check.not_negative("effort limit", joint.effort_limit, true);
@@ -242,8 +246,8 @@ void check_joint(const JointSpec& joint, Findings& findings) {
   if (joint.stiffness > 0.0 &&
       (joint.type == JointType::Planar || joint.type == JointType::Floating)) {
     findings.warn(check.element +
-                  ": its spring is passed over; springs are in joints of one coordinate and in "
-                  "balls");
+                  ": its spring is ignored; only joints with one coordinate and ball joints can "
+                  "have springs");
   }
   if (!joint.mimic) return;
   check.finite("mimic multiplier", Eigen::Matrix<double, 1, 1>(joint.mimic->multiplier));
@@ -252,7 +256,7 @@ void check_joint(const JointSpec& joint, Findings& findings) {
 
 void check_tendon(const TendonSpec& tendon, Findings& findings) {
   const ValueCheck check{label("tendon", tendon.name, tendon.line), findings};
-  if (tendon.parts.empty()) check.problem(" couples no joint; it needs at least one");
+  if (tendon.parts.empty()) check.problem(" couples no joint; wanted at least one");
   for (const TendonSpec::Part& part : tendon.parts) {
     check.finite("coefficient of joint " + in_quotes(part.joint),
                  Eigen::Matrix<double, 1, 1>(part.coefficient));
@@ -265,16 +269,16 @@ void check_tendon(const TendonSpec& tendon, Findings& findings) {
 }  // namespace
 
 void check_topology(const TreeSpec& tree, Findings& findings) {
-  if (tree.links.empty()) return findings.problem("it has no links; a robot needs at least one");
+  if (tree.links.empty()) return findings.problem("it has no links; wanted at least one");
   if (tree.links.size() > max_links) {
-    return findings.problem("it has " + std::to_string(tree.links.size()) + " links; at most " +
-                            std::to_string(max_links) + " are supported");
+    return findings.problem("it has " + std::to_string(tree.links.size()) +
+                            " links; wanted at most " + std::to_string(max_links));
   }
   Findings of_names(findings.origin());
   const IndexByName links = index_names(tree.links, "link", of_names);
   index_names(tree.joints, "joint", of_names);
   const std::vector<int> above = parent_joints(tree, links, of_names);
-  // Where a link is unknown, roots and depths follow from what is wrong already.
+  // Wrong names would cause misleading findings about roots and depths.
   if (!of_names.has_problems()) {
     check_depths(tree, links, above, of_names);
     if (!of_names.has_problems()) check_one_root(tree, above, of_names);

@@ -1,4 +1,4 @@
-// Sentences about a robot's description.
+// Sentences about a robot's description, for error messages and warnings.
 #pragma once
 
 #include "base/sentence.hpp"
@@ -6,13 +6,13 @@
 
 namespace burnish {
 
-/// What a sentence starts with: the file that was read, or else the robot's name.
+/// Returns the beginning of a sentence: the name of the file, else the name of the robot.
 inline std::string origin_of(const TreeSpec& tree) {
   if (!tree.source.empty()) return tree.source;
   return tree.name.empty() ? "tree" : "robot " + in_quotes(tree.name);
 }
 
-/// "line 12: joint 'a'"
+/// Returns a label such as "line 12: joint 'a'".
 inline std::string label(const std::string& kind, const std::string& name, int line) {
   return (line > 0 ? "line " + std::to_string(line) + ": " : "") + kind + " " + in_quotes(name);
 }

@@ -1,4 +1,4 @@
-// The last second of a controller, kept for its fault report.
+// Flight recorder: keeps the ticks of a controller's last second for its fault report.
 #pragma once
 
 #include "burnish/mpc/mpc.hpp"
@@ -8,17 +8,18 @@ namespace burnish {
 
 class BlackBox {
  public:
-  /// Prepares the report's trace too.
+  /// Reserves memory for one second of ticks, in the ring buffer and in the trace of
+  /// `latch.report`.
   BlackBox(const MpcSpec& spec, FaultLatch& latch);
 
   void reset() noexcept { count_ = 0; }
-  /// A tick at `now` (s) with the last good measurement. With the first fault the ticks until then
-  /// go into its report, and nothing is kept any more.
+  /// Records a tick at the time `now` [s]. `m`: last valid measurement. At the first fault, the
+  /// recorded ticks are copied into the fault report; later calls have no effect.
   void record(double now, double schedule_time, const Measurement& m, const Command& command,
               FaultLatch& latch) noexcept;
 
  private:
-  RowMatrix rows_;  ///< a ring
+  RowMatrix rows_;  ///< Ring buffer, one row per tick.
   long count_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// The robot by itself, as what estimates and holds it sees it.
+// Dynamics of a robot with its closed loops and with the supports that it stands on. Estimators and
+// the fallback use them.
 #pragma once
 
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -7,18 +8,18 @@
 
 namespace burnish {
 
-/// Contacts that the robot stands on always: those of MpcSpec::supports that every stage has, as
-/// the problem has them.
+/// Returns the contacts of those MpcSpec::supports that are in contact in every stage, in the order
+/// of ProblemSpec::contacts.
 std::vector<ContactSpec> supports_of(const MpcSpec& spec);
-/// Frames of all of MpcSpec::supports, in the order of Measurement::support_wrenches; none where
-/// these are not measured.
+/// Returns the frames of all MpcSpec::supports, in the order of Measurement::support_wrenches;
+/// empty if the specification has no wrench sensors.
 std::vector<std::string> measured_frames(const MpcSpec& spec);
-/// Whether a contact is one that the robot stands on, or holds a loop of it.
+/// Returns true if `contact` is a support, or closes a loop of the robot.
 bool carries(const MpcSpec& spec, const ContactSpec& contact);
 
-/// Dynamics without contacts but the supports and the robot's loops. These are held without gains,
-/// which would turn noise into forces, and with a little compliance for dead points. Throws Error
-/// as loop_contacts() does.
+/// Returns dynamics whose only contacts are `supports` and the loops of the robot. The gains of
+/// these contacts are zero, because gains would turn measurement noise into forces. A small
+/// regularization allows singular postures. Throws Error for loops that loop_contacts() rejects.
 ContactDynamics closed_dynamics(const Model& model, std::vector<ContactSpec> supports = {});
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/to_size.hpp"
 #include "dynamics/reference.hpp"
 #include "mpc/closed_dynamics.hpp"
 #include "mpc/horizon.hpp"
@@ -9,8 +10,8 @@
 namespace burnish {
 namespace {
 
-/// Stabilisation keeps plans on the surface; in an estimate it would turn the noise of velocities
-/// into force.
+/// Returns the contacts with zero gains. In plans, the gains keep the tool on the surface; in an
+/// estimate, they would turn velocity noise into force.
 std::vector<ContactSpec> without_gains(std::vector<ContactSpec> contacts) {
   for (ContactSpec& contact : contacts) contact.with_gains(0.0, 0.0);
   return contacts;
@@ -24,7 +25,7 @@ ContactForceEstimate::ContactForceEstimate(const MpcSpec& spec)
                 without_gains(contacts_at(spec.problem.contacts, spec.problem.start_time)),
                 {.mu = 1e-9}),
       following_(contacts_on_surface(spec)),
-      rubbing_(contacts_that_rub(spec)) {
+      with_friction_(contacts_with_friction(spec)) {
   const ProblemSpec& problem = spec.problem;
   for (const ContactSpec& contact : problem.contacts)
     rotations_.push_back(contact.reference.rotation_over_time);
@@ -45,23 +46,22 @@ void ContactForceEstimate::set_surface(const Quadric& surface) noexcept {
 }
 
 void ContactForceEstimate::set_friction(double coefficient) noexcept {
-  for (const int contact : rubbing_) (void)dynamics_.set_friction(contact, coefficient);
+  for (const int contact : with_friction_) (void)dynamics_.set_friction(contact, coefficient);
 }
 
 bool ContactForceEstimate::has_contact(int stage) const noexcept {
-  const std::vector<char>& holds = holds_[static_cast<std::size_t>(stage)];
+  const std::vector<char>& holds = holds_[to_size(stage)];
   for (std::size_t c = 0; c < holds.size(); ++c)
     if (holds[c] != 0 && carries_[c] == 0) return true;
   return false;
 }
 
-/// False where a reference has no rotation at this time.
-bool ContactForceEstimate::turn(double time) noexcept {
+bool ContactForceEstimate::set_rotations(double time) noexcept {
   for (std::size_t c = 0; c < rotations_.size(); ++c) {
     if (rotations_[c].empty()) continue;
     try {
       rotations_[c].at(time, xyzw_);
-    } catch (...) {  // a user's function
+    } catch (...) {  // a function of the specification threw an exception
       return false;
     }
     if (!is_unit_quaternion(xyzw_)) return false;
@@ -72,14 +72,14 @@ bool ContactForceEstimate::turn(double time) noexcept {
 
 bool ContactForceEstimate::forward(int stage, double time, bool with_all, const ConstVectorRef& q,
                                    const ConstVectorRef& v, const Eigen::VectorXd& tau) noexcept {
-  if (!turn(time)) return false;
-  const std::vector<char>& holds = holds_[static_cast<std::size_t>(stage)];
+  if (!set_rotations(time)) return false;
+  const std::vector<char>& holds = holds_[to_size(stage)];
   for (int c = 0; c < static_cast<int>(holds.size()); ++c) {
-    const auto at = static_cast<std::size_t>(c);
+    const auto at = to_size(c);
     const bool active = holds[at] != 0 && (with_all || carries_[at] != 0);
     if (dynamics_.is_active(c) != active) dynamics_.set_active(c, active);
   }
-  return dynamics_.forward(q, v, tau) <= Status::NotConverged;
+  return is_usable(dynamics_.forward(q, v, tau));
 }
 
 bool ContactForceEstimate::force_at(int stage, double time, const Eigen::VectorXd& q,
@@ -87,9 +87,9 @@ bool ContactForceEstimate::force_at(int stage, double time, const Eigen::VectorX
                                     Eigen::Vector3d& out) noexcept {
   out.setZero();
   if (!has_contact(stage) || !forward(stage, time, true, q, v, tau)) return false;
-  const std::vector<char>& holds = holds_[static_cast<std::size_t>(stage)];
+  const std::vector<char>& holds = holds_[to_size(stage)];
   for (int c = 0; c < static_cast<int>(holds.size()); ++c)
-    if (dynamics_.is_active(c) && carries_[static_cast<std::size_t>(c)] == 0)
+    if (dynamics_.is_active(c) && carries_[to_size(c)] == 0)
       out += dynamics_.wrench(c, Reference::centered()).head<3>();
   return true;
 }

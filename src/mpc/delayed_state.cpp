@@ -9,7 +9,9 @@
 namespace burnish {
 namespace {
 
-constexpr double step = 1e-3;  // s of a prediction's step, about: a contact is held all along
+// Approximate length of an integration step [s]; chosen by hand. The prediction assumes that no
+// contact begins or ends during it.
+constexpr double step = 1e-3;
 
 int ticks_of(double delay, double tick_period) {
   return static_cast<int>(std::lround(delay / tick_period));
@@ -23,7 +25,8 @@ DelayedState::DelayedState(const MpcSpec& spec)
       ticks_(ticks_of(spec.command_delay, spec.tick_period) +
              ticks_of(spec.measurement_delay, spec.tick_period)),
       per_step_(std::max(1, ticks_of(step, spec.tick_period))),
-      most_(ticks_ == 0 ? 0 : ticks_ + ticks_of(std::min(spec.limits.stale, 0.1), tick_period_)),
+      max_ticks_(ticks_ == 0 ? 0
+                             : ticks_ + ticks_of(std::min(spec.limits.stale, 0.1), tick_period_)),
       nq_(spec.problem.model.nq),
       nv_(spec.problem.model.nv),
       filter_(spec.problem.torque_model
@@ -32,7 +35,7 @@ DelayedState::DelayedState(const MpcSpec& spec)
       tree_(std::make_unique<const Tree>(spec.problem.model)),
       tool_(RigidBody(spec.problem.model), spec.tool, spec.base),
       sent_(nv_, ticks_),
-      effective_(nv_, most_) {
+      effective_(nv_, max_ticks_) {
   for (const Joint& joint : spec.problem.model.joints)
     if (joint.kind != JointKind::FreeFlyer && !joint.follows)
       for (int k = 0; k < joint.nv; ++k) actuated_.push_back(joint.v_index + k);
@@ -62,21 +65,22 @@ void DelayedState::send(const Eigen::VectorXd& tau, const Eigen::VectorXd& frict
 }
 
 bool DelayedState::predict(ContactForceEstimate& dynamics, const MeasurementGate& gate,
-                           const Known& known, Eigen::VectorXd& x) noexcept {
+                           const PredictionInput& input, Eigen::VectorXd& x) noexcept {
   if (!started_) return false;
   const Measurement& m = gate.last();
-  const bool holds = known.touches && dynamics.has_contact(known.stage);
+  const bool holds = input.touches && dynamics.has_contact(input.stage);
   const bool is_filtered = filter_ > 0.0 && x.size() > nq_ + nv_;
   start_ = x;
   auto q = x.head(nq_);
   auto v = x.segment(nq_, nv_);
-  // What is bridged is predicted too.
+  // Each tick without a measurement extends the prediction by one tick.
   const int missed = ticks_of(gate.now() - m.time, tick_period_);
-  int left = std::min(most_, ticks_ + std::max(0, missed));
-  // What a contact does not hold is felt: along the surface friction, in the air all that there is.
+  int left = std::min(max_ticks_, ticks_ + std::max(0, missed));
+  // Adds the measured force in directions that no contact of the model holds: along the surface as
+  // friction, in free air in all directions.
   Eigen::Vector3d felt_world = m.tool_force_world;
-  if (holds) felt_world -= known.normal_world * known.normal_world.dot(felt_world);
-  const bool feels = !(holds && known.has_friction);
+  if (holds) felt_world -= input.normal_world * input.normal_world.dot(felt_world);
+  const bool feels = !(holds && input.has_friction);
   if (feels) tool_.update(gate.body());
   while (left > 0) {
     const int count = std::min(left, per_step_);
@@ -92,10 +96,10 @@ bool DelayedState::predict(ContactForceEstimate& dynamics, const MeasurementGate
       else
         tau_ += command / count;
     }
-    total_ = tau_ + known.torque_error;
+    total_ = tau_ + input.torque_error;
     if (feels) total_.noalias() += tool_.jacobian().transpose() * felt_world;
     const double dt = count * tick_period_;
-    if (!dynamics.forward(known.stage, known.schedule_time, holds, q, v, total_)) break;
+    if (!dynamics.forward(input.stage, input.schedule_time, holds, q, v, total_)) break;
     dq_ = dt * (v + 0.5 * dt * dynamics.acceleration());
     integrate_configuration(*tree_, q.data(), dq_.data(), q.data());
     v += dt * dynamics.acceleration();

@@ -1,5 +1,5 @@
-// What delays that are known mean for a controller: which torque has acted, and the state in which
-// the next one will act.
+// Compensation of the delays of commands and measurements. It stores past torques and predicts the
+// state in which the next command will act.
 #pragma once
 
 #include "mpc/contact_force_estimate.hpp"
@@ -11,48 +11,54 @@ namespace burnish {
 
 struct Tree;
 
-/// Predicts the state at which the next command acts, `lead()` after it is sent. Integrates the
-/// torques that were sent already from the measured state. Without delays that state is returned.
+/// Prediction of the state in which the next command acts, which is lead() after the command is
+/// sent. The prediction starts at the measured state and integrates the dynamics with the torques
+/// already sent. Without delays, the predicted state is the measured state.
 class DelayedState {
  public:
   explicit DelayedState(const MpcSpec& spec);
   ~DelayedState();
 
   void reset() noexcept;
-  /// Ticks between a command and the measurement that shows what it did.
+  /// Returns the number of ticks between a command and the first measurement that shows its effect.
   int ticks() const noexcept { return ticks_; }
-  /// s from a command to its effect.
+  /// Returns the time from a command to its effect [s].
   double lead() const noexcept { return lead_; }
-  /// Records the torque that was sent at the end of a tick, and its part that compensates joint
-  /// friction; nv each [Nm or N]. Earlier torques are taken to equal the first.
+  /// Records the torque sent at the end of a tick, and the part of it that compensates joint
+  /// friction; nv each [Nm or N]. For times before the first call, torques equal to the first one
+  /// are assumed.
   void send(const Eigen::VectorXd& tau, const Eigen::VectorXd& friction) noexcept;
-  /// Commanded torque that acted when the measurement was taken, without its part that compensates
-  /// joint friction; nv [Nm or N].
+  /// Returns the commanded torque that acted at the time of the measurement, without the
+  /// compensation of joint friction; nv [Nm or N].
   auto acted() const noexcept { return effective_.ago(ticks_); }
-  /// nv, Nm (N), the whole command that acted then.
+  /// Returns the commanded torque that acted at the time of the measurement, including the
+  /// compensation of joint friction; nv [Nm or N].
   auto sent() const noexcept { return sent_.ago(ticks_); }
 
-  /// What a prediction is made with, at the last good measurement.
-  struct Known {
-    int stage;                            ///< whose contacts hold
-    double schedule_time;                 ///< s
-    bool touches;                         ///< the tool, as its stage has it
-    const Eigen::VectorXd& torque_error;  ///< estimated, nv [Nm or N]
-    bool has_friction;             ///< of the contact's model; else the measured force has it
-    Eigen::Vector3d normal_world;  ///< of length one, that contacts hold
+  /// Inputs of a prediction, at the time of the last valid measurement.
+  struct PredictionInput {
+    int stage;                            ///< Stage whose contacts are active.
+    double schedule_time;                 ///< Time of the schedule [s].
+    bool touches;                         ///< True if the tool is in contact.
+    const Eigen::VectorXd& torque_error;  ///< Estimated torque error, nv [Nm or N].
+    /// True if the contact has a friction model. If false, the measured force is used as the
+    /// friction.
+    bool has_friction;
+    Eigen::Vector3d normal_world;  ///< Unit normal of the surface, in world axes.
   };
-  /// Moves x (nx), the state that was measured, to the one in which the next command will act.
-  /// False, and x as it was, where the dynamics cannot be evaluated.
-  bool predict(ContactForceEstimate& dynamics, const MeasurementGate& gate, const Known& known,
-               Eigen::VectorXd& x) noexcept;
+  /// Replaces the measured state x (nx) by the state in which the next command will act. Returns
+  /// false and leaves x unchanged if the dynamics cannot be evaluated.
+  bool predict(ContactForceEstimate& dynamics, const MeasurementGate& gate,
+               const PredictionInput& input, Eigen::VectorXd& x) noexcept;
 
  private:
-  double tick_period_, lead_;  ///< s
-  int ticks_, per_step_;       ///< of both delays together; of a step of the prediction
-  int most_;                   ///< longest prediction, missing measurements included [ticks]
+  double tick_period_, lead_;  ///< Tick period and value of lead() [s].
+  int ticks_;                  ///< Delay of commands plus delay of measurements [ticks].
+  int per_step_;               ///< Length of an integration step [ticks].
+  int max_ticks_;  ///< Longest prediction; it includes ticks with missing measurements [ticks].
   int nq_, nv_;
   std::vector<int> actuated_;
-  double filter_;  ///< of the torque model, what is left after a tick; 0: none
+  double filter_;  ///< Decay factor per tick of the filter in the torque model; 0: no filter.
   std::unique_ptr<const Tree> tree_;
   ToolMotion tool_;
   SentTorques sent_, effective_;

@@ -30,7 +30,7 @@ const Description& description_of(const Measurement* /*of*/) {
           .field("base_lost_for", &S::base_lost_for,
                  "Time since the last position estimate of a floating base [{s}]")
           .more("The value 0 means that the estimate is current. While the value is positive, the"
-                " base's entries of q and v are outdated");
+                " floating base's entries of q and v are outdated");
   return all;
 }
 
@@ -65,15 +65,15 @@ const Description& description_of(const Command* /*of*/) {
                  "finished")
           .field("missed_deadline", &S::missed_deadline,
                  "True if the solve that finished at this tick took longer than its deadline")
-          .field("limits_outside", &S::limits_outside,
-                 "Largest violation of a hard constraint along the last plan, as a fraction of "
-                 "the constraint's scale")
-          .field("limits_open", &S::limits_open,
-                 "Constraint residual that remained when the last solve used up its budget, as a "
-                 "fraction of the constraint's scale")
-          .field("limits_pushing", &S::limits_pushing,
+          .field("constraint_violation", &S::constraint_violation,
+                 "Largest violation of a hard constraint in the last plan, as a fraction of the "
+                 "constraint's scale")
+          .field("constraint_residual", &S::constraint_residual,
+                 "Constraint residual after the last iteration of the last solve, as a fraction "
+                 "of the constraint's scale")
+          .field("active_constraints", &S::active_constraints,
                  "Number of active constraints in the last plan, summed over all knots")
-          .field("limits_infeasible", &S::limits_infeasible,
+          .field("constraints_infeasible", &S::constraints_infeasible,
                  "True if the last solve found that the hard constraints cannot all be satisfied")
           .field("clipped_torques", &S::clipped_torques,
                  "Number of joints whose torque was clipped to its limit at this tick");
@@ -112,31 +112,33 @@ const Description& description_of(const FaultReport* /*of*/) {
           .field("kind", &S::kind)
           .field("time", &S::time,
                  "Time of the measurement that shows the fault [{s}]")
-          .more("If a measurement is missing, the time at which it was due")
+          .more("For a missing measurement, this is the time at which the measurement was due")
           .field("joint", &S::joint,
                  "Index in v of the joint with the fault; -1: the fault concerns no joint")
           .field("value", &S::value,
                  "Measured value that violates the limit")
-          .more("The unit depends on the kind of fault: s, number of updates, N, m or m/s. For a "
-                "joint it is rad, rad/s or Nm (prismatic joint: m, m/s or N)")
+          .more("The unit depends on the kind of fault: s, number of updates, N, m or m/s. If the"
+                " fault concerns a joint, the unit is rad, rad/s or Nm (prismatic joint: m, m/s "
+                "or N)")
           .field("limit", &S::limit,
                  "Limit that `value` violates, in the same unit")
           .field("quantity", &S::quantity,
                  "Subject of the fault: a monitored quantity, a support, or a part of the robot; "
                  "empty if there is none")
-          .more("A quantity is given by name and unit (FaultKind::Watched), a support by name "
-                "(FaultKind::SupportSlipped), a part by words such as \"hand 'left'\"")
+          .more("With FaultKind::Watched, this is name and unit of the quantity. With "
+                "FaultKind::SupportSlipped, this is the name of the support. A part of the robot "
+                "has words such as \"hand 'left'\"")
           .field("joint_name", &S::joint_name,
                  "Name of the joint with the fault; empty: the fault concerns no joint")
           .field("unit", &S::unit,
-                 "Unit of `value` and `limit` if the fault concerns a joint; empty: `kind` "
-                 "determines the unit")
+                 "Unit of `value` and `limit` if the fault concerns a joint; empty: the kind of "
+                 "fault determines the unit")
           .field("cause", &S::cause,
-                 "Cause of the fault as far as measurements show it, such as \"the force came to "
-                 "1.4 N at most; 2 N count as contact\"; empty if unknown")
+                 "Probable cause of the fault, such as \"the largest force was 1.4 N; 2 N count "
+                 "as contact\"; empty if unknown")
           .field("last_second", &S::last_second,
-                 "Record of all ticks in the second before the fault, oldest first; empty without"
-                 " a fault");
+                 "Record of all ticks in the last second before the fault, oldest first; empty "
+                 "without a fault");
   return all;
 }
 
@@ -169,7 +171,7 @@ const Description& description_of(const FrictionEstimateOptions* /*of*/) {
           .field("coefficient", &S::coefficient,
                  "Initial coefficient of friction",
                  {.least = 0})
-          .more("Plans include friction if this value is positive or `enabled` is true")
+          .more("Plans include friction if this initial value is positive or if `enabled` is true")
           .field("deviation", &S::deviation,
                  "Standard deviation of the initial coefficient",
                  {.least = 0, .open = true})
@@ -180,13 +182,14 @@ const Description& description_of(const FrictionEstimateOptions* /*of*/) {
           .field("force_noise", &S::force_noise,
                  "Standard deviation of the measured force along the surface [{N}]",
                  {.least = 0, .open = true})
-          .more("Forces measured more than `noise_time` apart have independent noise")
+          .more("The noise of two forces is independent if they are measured more than "
+                "`noise_time` apart")
           .field("noise_time", &S::noise_time,
                  "Correlation time of the force noise [{s}]",
                  {.least = 0})
           .field("speed", &S::speed,
-                 "Sliding speed below which forces get little weight, since they may be stiction "
-                 "[{m/s}]",
+                 "Sliding speed below which forces get little weight, because they may be "
+                 "stiction [{m/s}]",
                  {.least = 0, .open = true});
   return all;
 }
@@ -195,14 +198,15 @@ const Description& description_of(const GainRange* /*of*/) {
   using S = GainRange;
   static const Description all =
       Describe<S>("mpc", "GainRange",
-                  "Range of factors on the torque of one joint within which the loop is stable. "
-                  "The torques of all other joints are exact. Factors from 0.1 to 10 are tried.")
+                  "Stable range of a factor on the torque of one joint. The control loop is "
+                  "stable for factors in this range if the torques of all other joints are exact."
+                  " Only factors from 0.1 to 10 are tried.")
           .result()
           .field("joint", &S::joint)
           .field("below", &S::below,
-                 "Smallest factor at which the loop is stable")
+                 "Smallest torque factor at which the control loop is stable")
           .field("above", &S::above,
-                 "Largest factor at which the loop is stable");
+                 "Largest torque factor at which the control loop is stable");
   return all;
 }
 
@@ -213,14 +217,14 @@ const Description& description_of(const LoopMargins* /*of*/) {
                   "Stability margins of the closed loop of a controller and an arm.")
           .result()
           .field("delay", &S::delay,
-                 "Largest extra command delay at which the loop is stable [{s}]")
-          .more("Delays up to 0.01 s are tried. The value 0 means that the loop is unstable even "
-                "without extra delay")
+                 "Largest extra delay of commands at which the control loop is stable [{s}]")
+          .more("Delays up to 0.01 s are tried. The value 0 means that the control loop is "
+                "unstable even without extra delay")
           .field("bandwidth", &S::bandwidth,
-                 "Bandwidth of the model-error observer at which the delay margin is smallest "
-                 "[{rad/s}]")
+                 "Bandwidth of the model-error observer at the smallest delay margin [{rad/s}]")
+          .more("The delay margin is computed for up to three bandwidths")
           .field("gains", &S::gains,
-                 "Ranges of torque factors, one per entry of v");
+                 "Stable ranges of torque factors, one per entry of v");
   return all;
 }
 
@@ -228,10 +232,11 @@ const Words& words_of(ModelErrorKind /*of*/) {
   static const Words all{
       "mpc",
       "ModelErrorKind",
-      "Model error that an MpcController estimates. The estimate is relative to the commanded "
-      "torque, so it includes errors of the actuators.",
+      "Model error that an MpcController estimates. The error is relative to the commanded torque"
+      " and therefore includes errors of the actuators.",
       {{"none", "No estimate, as in the controller of Kleff et al. (docs/frames.md)"},
-       {"torque", "Torque error d of each joint, defined by M a + b = tau + J^T f + d"},
+       {"torque", "Torque error d of each joint, defined by the equation of motion M a + b = tau + J^T f + "
+        "d"},
        {"force", "Measured normal force minus the normal force that the model predicts"}}};
   return all;
 }
@@ -245,52 +250,45 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
           .field("kind", &S::kind,
                  "Estimated error: none, torque (per joint) or force (along the normal)")
           .field("bandwidth", &S::bandwidth,
-                 "Bandwidth of the observer (auto: fitted to the arm in polishing, else 30) "
+                 "Bandwidth of the observer (automatic: 30, but fitted to the arm in polishing) "
                  "[{rad/s}]",
                  {.least = 0, .open = true})
-          .in_code("Bandwidth of the observer (none: fitted to the arm in polishing, else 30) "
-                   "[rad/s]")
           .more("A higher bandwidth corrects friction sooner and tolerates less delay. With kind "
                 "force, the observer closes a loop through the controller, and the delays of that"
                 " loop limit the bandwidth. Example: with a force sensor that is filtered at 50 "
                 "Hz, 50 rad/s work and 100 rad/s oscillate.")
           .word("auto")
-          .field("boost", &S::boost,
-                 "Largest factor on the bandwidth (auto: fitted to the arm in polishing, else 3)",
+          .field("transient_scale", &S::transient_scale,
+                 "Largest factor on the bandwidth (automatic: 3, but fitted to the arm in "
+                 "polishing)",
                  {.least = 0, .open = true})
-          .in_code("Largest factor on the bandwidth (none: fitted to the arm in polishing, else "
-                   "3)")
           .more("The factor rises while a torque error changes faster than its noise: after a "
-                "push or an impact, or where a joint reverses. The value 1 means no boost")
+                "push or an impact, or when a joint reverses. With 1, the bandwidth does not rise")
           .word("auto")
-          .field("calm", &S::calm,
-                 "Factor on the bandwidth while the torque error has only noise (1: no reduction)",
+          .field("quiescent_scale", &S::quiescent_scale,
+                 "Factor on the bandwidth while the torque error is only noise (1: no reduction)",
                  {.least = 0.01, .most = 1})
           .more("A smaller factor lets less noise pass, such as encoder steps")
           .field("lag", &S::lag,
-                 "Lag of velocities behind torques (auto: fitted to the arm in polishing, else 0)"
-                 " [{s}]",
+                 "Lag of velocities behind torques (automatic: 0, but fitted to the arm in "
+                 "polishing) [{s}]",
                  {.least = 0})
-          .in_code("Lag of velocities behind torques (none: fitted to the arm in polishing, else "
-                   "0) [s]")
-          .more("Motors and the filters of measured velocities cause this lag. The stated command"
-                " and measurement delays are not part of the lag")
+          .more("Motors and the filters of measured velocities cause the lag. "
+                "MpcSpec.command_delay and measurement_delay are not part of the lag")
           .word("auto")
           .field("force_gain", &S::force_gain,
-                 "Gain on the normal force error (auto: fitted to the arm in polishing, else 0) "
-                 "[{N/N}]",
+                 "Gain on the normal force error (automatic: 0, but fitted to the arm in "
+                 "polishing) [{N/N}]",
                  {.least = 0})
-          .in_code("Gain on the normal force error (none: fitted to the arm in polishing, else 0)"
-                   " [N/N]")
-          .more("Force error times gain is a commanded force on the tool. Used in contact, with "
-                "kind torque and a force sensor")
+          .more("Force error times gain is a commanded force on the tool. The gain is used only "
+                "in contact, with a force sensor, and if `kind` is torque")
           .word("auto")
           .field("sliding_bandwidth", &S::sliding_bandwidth,
                  "Bandwidth of the estimate of friction along the surface (0: as `bandwidth`) "
                  "[{rad/s}]",
                  {.least = 0})
-          .more("Used with kind torque")
-          .field("fading", &S::fading,
+          .more("The estimate is made only if `kind` is torque")
+          .field("decay_time", &S::decay_time,
                  "Decay time that plans assume for a new torque error, as after a push [{s}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("Errors that have lasted for some seconds do not decay. With an infinite decay "
@@ -298,10 +296,11 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
           .field("limit", &S::limit,
                  "Largest magnitude of an estimate [{Nm (N)}]",
                  {.least = 0, .open = true})
-          .more("For a floating base, at least 6 % of the robot's weight")
+          .more("For a floating base, the limit is at least 6 % of the robot's weight")
           .field("joint_friction", &S::joint_friction,
                  "Estimate joint friction separately and feed it forward")
-          .more("The compensation changes sign as soon as a joint reverses. Used with kind torque")
+          .more("The compensation changes sign as soon as a joint reverses. It is used only if "
+                "`kind` is torque")
           .field("friction_speed", &S::friction_speed,
                  "Joint speed below which the compensation of joint friction fades to zero "
                  "[{rad/s (m/s)}]",
@@ -325,11 +324,11 @@ const Description& description_of(const SafetyLimits* /*of*/) {
           .field("stale", &S::stale,
                  "Longest time without a new measurement [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("Must be longer than the tick period")
+          .more("The time must be longer than the tick period")
           .field("bad", &S::bad,
                  "Longest time with invalid measurements [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("During that time the policy continues from the last valid measurement")
+          .more("During this time, the feedback policy continues from the last valid measurement")
           .field("failed_solves", &S::failed_solves,
                  "Number of failed solves in a row that raises a fault",
                  {.least = 1})
@@ -345,16 +344,16 @@ const Description& description_of(const SafetyLimits* /*of*/) {
           .field("base_lost", &S::base_lost,
                  "Longest time without a position estimate of a floating base [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .field("support_way", &S::support_way,
+          .field("support_slip", &S::support_slip,
                  "Largest sliding distance of a foot along the ground within about a second [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("torque_gap", &S::torque_gap,
-                 "Largest torque gap of a motor, as a fraction of the effort limit",
+                 "Largest torque error of a motor, as a fraction of its effort limit",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The gap is the difference between measured and commanded torque, as a mean over "
-                "30 ms. Beyond the limit, the motor counts as failed. The limit is multiplied by "
-                "0.6 while a motor delivers less than a fifth of its command. Torques must be "
-                "measured");
+          .more("The torque error is the difference between measured and commanded torque, as a "
+                "mean over 30 ms. Beyond the limit, the motor counts as failed. While a motor "
+                "delivers less than a fifth of its command, the limit is multiplied by 0.6. A "
+                "finite limit requires measured torques");
   return all;
 }
 
@@ -362,15 +361,15 @@ const Description& description_of(const SlipOptions* /*of*/) {
   using S = SlipOptions;
   static const Description all =
       Describe<S>("mpc", "SlipOptions",
-                  "Reaction of plans to a support that slips, such as a foot: plans use a smaller"
-                  " coefficient of friction for that support. The coefficient is `share` times "
-                  "the measured ratio of tangential to normal force, or `least` if forces are not"
-                  " measured. A support counts as slipping if three values exceed their "
-                  "thresholds: its load (if measured), its sliding distance within about a "
-                  "second, and its speed.")
+                  "Reaction of plans to a slipping support, such as a foot: plans reduce the "
+                  "coefficient of friction of that support. The reduced coefficient is "
+                  "`friction_fraction` times the measured ratio of tangential to normal force. "
+                  "Without measured forces, the reduced coefficient is `min_friction`. A support "
+                  "counts as slipping if its load (if measured), its sliding speed and its "
+                  "sliding distance within about a second all exceed their thresholds.")
           .field("enabled", &S::enabled,
                  "Reduce the friction coefficient of supports that slip")
-          .field("way", &S::way,
+          .field("distance", &S::distance,
                  "Sliding distance above which a support can count as slipping [{m}]",
                  {.least = 0})
           .field("speed", &S::speed,
@@ -380,20 +379,21 @@ const Description& description_of(const SlipOptions* /*of*/) {
           .field("load", &S::load,
                  "Load above which a support can count as slipping [{N}]",
                  {.least = 0})
-          .field("share", &S::share,
-                 "Friction coefficient for a support that slips, as a fraction of the measured "
-                 "ratio of tangential to normal force",
+          .field("friction_fraction", &S::friction_fraction,
+                 "Reduced friction coefficient, as a fraction of the measured ratio of tangential"
+                 " to normal force of the slipping support",
                  {.least = 0, .most = 1})
-          .field("least", &S::least,
+          .field("min_friction", &S::min_friction,
                  "Lower limit of the reduced friction coefficient",
                  {.least = 0, .open = true})
           .field("easing", &S::easing,
-                 "Time constant with which the coefficient is reduced [{s}]",
+                 "Time constant of the reduction of the friction coefficient [{s}]",
                  {.least = 0})
-          .more("The time constant is doubled if forces are not measured. After an abrupt change,"
-                " the solver would not find a good plan")
+          .more("Without measured forces, the time constant is doubled. The reduction is gradual,"
+                " because the solver would not find a good plan after an abrupt change")
           .field("recovery", &S::recovery,
-                 "Rate at which the coefficient recovers while the support does not slip [{1/s}]",
+                 "Rate at which the friction coefficient recovers while the support does not slip"
+                 " [{1/s}]",
                  {.least = 0})
           .field("radius", &S::radius,
                  "Radius of spherical feet (0: feet are not spherical) [{m}]",
@@ -410,16 +410,17 @@ const Description& description_of(const Fallback* /*of*/) {
                   "there. The torque of the actuated joints is tau = b(q, 0) - M (stiffness e + "
                   "damping v), clipped to the effort limits. M is the mass matrix, b(q, 0) the "
                   "gravity torque, v the joint velocity and e = q (-) q_hold the spring "
-                  "deflection. q_hold is the configuration at the fault. Where the spring torque "
-                  "would exceed the fraction `give` of a joint's effort limit, q_hold follows the"
-                  " robot.")
+                  "deflection. q_hold is the configuration at the fault. If the spring torque of "
+                  "a joint would exceed `saturation_fraction` times its effort limit, q_hold "
+                  "follows the robot.")
           .field("stiffness", &S::stiffness,
-                 "Spring stiffness, multiplied by the mass matrix (0: braked, not held) [{1/s^2}]",
+                 "Spring stiffness per inertia (0: a damper brakes the robot, no spring) "
+                 "[{1/s^2}]",
                  {.least = 0})
           .field("damping", &S::damping,
                  "Damping, multiplied by the mass matrix [{1/s}]",
                  {.least = 0})
-          .field("give", &S::give,
+          .field("saturation_fraction", &S::saturation_fraction,
                  "Largest spring torque, as a fraction of a joint's effort limit",
                  {.least = 0, .most = 1});
   return all;
@@ -432,7 +433,7 @@ const Words& words_of(PlanTiming /*of*/) {
       "Time at which a newly computed plan replaces the previous one.",
       {{"fixed", "A plan is used a fixed time, solver_delay, after the measurement from which it was "
         "computed"},
-       {"measured", "A plan is used once its measured computing time has passed; for simulations"},
+       {"measured", "A plan is used when its measured computing time has passed in simulated time"},
        {"thread", "A plan is used as soon as a background thread has computed it"}}};
   return all;
 }
@@ -460,7 +461,7 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "Robot frame that carries the surface, such as a plate in the other hand; empty:"
                  " the world")
           .more("The reaction to the force on the tool acts on this frame")
-          .field("normal_world", &S::normal_world,
+          .field("normal_base", &S::normal_base,
                  "Normal of the surface that the tool presses on, in the axes of `base` (world "
                  "axes if `base` is empty)")
           .more("The normal points towards the robot. Friction acts perpendicular to the normal")
@@ -471,14 +472,16 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "that are in contact only in some stages, such as hands on a wall, require "
                 "support_sensors")
           .field("support_sensors", &S::support_sensors,
-                 "Measurement.support_wrenches is measured, one column per entry of `supports`")
+                 "Whether Measurement.support_wrenches is measured, with one column per entry of "
+                 "`supports`")
           .more("Torque errors are then estimated in all joints, including the joints of "
                 "supporting legs")
           .field("force_sensor", &S::force_sensor,
-                 "Measurement.tool_force_world is measured; if false, the force at the tool is "
-                 "estimated")
-          .more("The estimate is the force that explains how the torque error changes at contact."
-                " It uses torques, positions and velocities and requires model_error.kind torque")
+                 "Whether Measurement.tool_force_world is measured; if false, the force at the "
+                 "tool is estimated")
+          .more("The estimated force explains the change of the torque error at contact. The "
+                "estimate uses torques, positions and velocities, and requires model_error.kind "
+                "torque")
           .field("contact_threshold", &S::contact_threshold,
                  "Normal force above which the tool counts as in contact [{N}]")
           .field("tick_period", &S::tick_period,
@@ -489,48 +492,52 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "Time before the first plan during which the fallback holds the robot in place "
                  "[{s}]",
                  {.least = 0})
-          .more("The estimators settle in that time. The schedule begins afterwards")
+          .more("The estimators settle during this time. The schedule begins afterwards")
           .field("timing", &S::timing,
                  "When a new plan comes into use: fixed, measured or thread")
           .field("solver_delay", &S::solver_delay,
                  "Time from a measurement to the use of the plan computed from that measurement "
                  "[{s}]")
-          .more("With timing fixed, at most the update period. The plan begins at the state that "
-                "the current policy is predicted to reach after this time")
+          .more("With timing fixed, the delay is at most the update period. The new plan starts "
+                "from the state that is predicted for the end of the delay under the current "
+                "policy")
           .field("command_delay", &S::command_delay,
-                 "Assumed delay from a command to its torque, rounded to ticks [{s}]")
-          .more("Plans and feedback start from the state predicted from the torques already sent."
-                " The model error is estimated from the torque that acted at the time of the "
-                "measurement")
+                 "Assumed delay from a torque command to the torque in the joint, rounded to "
+                 "ticks [{s}]")
+          .more("The state at the end of the delay is predicted from the torques already sent. "
+                "Plans and feedback start from the predicted state. The model error is estimated "
+                "from the torque that acted at the time of the measurement")
           .field("measurement_delay", &S::measurement_delay,
                  "Assumed delay from a measurement to the tick that receives it [{s}]")
-          .more("The controller predicts the state over this delay, as for command_delay. "
-                "Measurement.time must be the time of the receiving tick")
+          .more("The controller predicts the state over the sum of both delays, command_delay and"
+                " measurement_delay. Measurement.time must be the time of the receiving tick")
           .field("slowdown", &S::slowdown,
                  "Factor on measured computing times, to simulate a slower computer")
-          .more("Used with timing measured")
+          .more("The factor is used only if `timing` is `measured`")
           .field("solver", &S::solver)
           .field("first_iterations", &S::first_iterations,
                  "Maximum number of iterations of the first solve")
           .field("jump_iterations", &S::jump_iterations,
-                 "Maximum number of iterations of a solve after a jump or pause of the schedule's"
-                 " clock")
-          .field("max_factors", &S::max_factors,
+                 "Maximum number of iterations of a solve right after the schedule's clock jumped"
+                 " or waited")
+          .field("max_factorizations", &S::max_factorizations,
                  "Maximum number of Riccati recursions per iteration if the problem has "
                  "constraints")
-          .more("Sweeps that reuse a factorization have the same maximum. The entries "
-                "max_factors, max_sweeps and largest_price of solver.limits are ignored")
-          .field("first_factors", &S::first_factors,
+          .more("The number of sweeps that reuse a factorization has the same maximum. The "
+                "entries max_factorizations, max_sweeps and max_l1_weight of solver.limits are "
+                "ignored")
+          .field("first_max_factorizations", &S::first_max_factorizations,
                  "Maximum number of Riccati recursions per iteration in the first solve")
-          .more("Also used in a solve after a jump or pause of the schedule's clock")
+          .more("This maximum is also used in a solve right after the schedule's clock jumped or "
+                "waited")
           .field("torque_limit", &S::torque_limit,
                  "Additional limits on the commanded torques, nv entries [{Nm (N)}]; empty: no "
                  "additional limits")
           .more("The robot's effort limits always apply. The fallback uses only the effort limits")
           .field("model_error", &S::model_error)
           .field("friction_estimate", &S::friction_estimate,
-                 "Estimate of the friction coefficient for contacts of the tool that have "
-                 "friction (ContactSpec.friction)")
+                 "Estimation of the friction coefficient at the tool, for contacts with "
+                 "ContactSpec.friction")
           .field("slip", &S::slip,
                  "Reaction of plans to slipping supports")
           .field("limits", &S::limits)
@@ -558,16 +565,17 @@ const Description& description_of(const SurfaceEstimateOptions* /*of*/) {
           .field("curvature", &S::curvature,
                  "Standard deviation of the initial curvatures [{1/m}]",
                  {.least = 0, .open = true})
-          .more("A quarter of the magnitude of the initial curvatures is added to this value")
-          .field("bend_change", &S::bend_change,
+          .more("The filter adds a quarter of the magnitude of the initial curvatures to this "
+                "value")
+          .field("curvature_change", &S::curvature_change,
                  "Random-walk intensity of the curvatures over the travelled distance "
                  "[{1/m/sqrt(m)}]",
                  {.least = 0, .open = true})
           .field("position_noise", &S::position_noise,
                  "Standard deviation of position noise that is correlated along the path [{m}]",
                  {.least = 0, .open = true})
-          .more("The noise is along the surface normal. Noise that is independent from tick to "
-                "tick is estimated online and added to this noise")
+          .more("The noise is along the surface normal. The filter itself estimates the "
+                "additional noise that is uncorrelated from tick to tick")
           .field("noise_length", &S::noise_length,
                  "Correlation length of position noise, such as the tip motion per encoder step "
                  "[{m}]",
@@ -604,13 +612,13 @@ const Description& description_of(const SchedulePhase* /*of*/) {
           .field("until", &S::until,
                  "Event that ends the phase, such as \"contact\"; empty: the phase ends after its"
                  " duration")
-          .more("If the event is early, the clock jumps to the end of the phase. If the event is "
-                "late, the clock waits at the time `hold` before the end. Plans made while the "
-                "clock waits contain the rest of this phase and then the next phase. The event is"
-                " ignored in the last phase")
+          .more("If the event is early, the schedule's clock jumps to the end of the phase. If "
+                "the event is late, the clock stops at the time `hold` before the end of the "
+                "phase and waits. Plans made while the clock waits contain the rest of this phase"
+                " and then the next phase. The last phase ignores its event")
           .field("hold", &S::hold,
-                 "Time before the end of the phase at which the clock waits for a late event "
-                 "[{s}]")
+                 "Remaining time of the phase at which the schedule's clock waits for a late "
+                 "event [{s}]")
           .more("If `hold` is longer than the phase, the clock waits at the start of the phase");
   return all;
 }

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "mpc/closed_dynamics.hpp"
 #include "mpc/horizon.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr double sliding_speed = 0.02;  // m/s, below which friction fades
-constexpr double until_torques = 2e-3;  // s, from a measurement
-constexpr double since_forces = 3e-3;   // s, of sensors and their filters
-constexpr double touch_fade = 0.2;      // s from a touch until all of the force gain counts
-// s of waiting for contact until the force counts as a model error, and until all of it does
+// Tuning constants, chosen by hand.
+constexpr double sliding_speed = 0.02;  // speed below which the friction fades out [m/s]
+constexpr double until_torques = 2e-3;  // assumed time from a measurement until torques act [s]
+constexpr double since_forces = 3e-3;   // assumed delay of force sensors with their filters [s]
+constexpr double touch_fade = 0.2;      // time from a touch until the full force gain is used [s]
+// While contact is due: waiting time after which the normal force begins to count as a model error,
+// and further time until it counts in full [s].
 constexpr double waiting = 0.1, waiting_fade = 0.1;
 
 }  // namespace
@@ -21,8 +24,8 @@ constexpr double waiting = 0.1, waiting_fade = 0.1;
 ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
     : options_(spec.model_error),
       filter_(spec.problem.torque_model),
-      normal_world_(spec.normal_world),
-      normal_at_first_(spec.normal_world),
+      normal_world_(spec.normal_base),
+      normal_at_first_(spec.normal_base),
       contact_threshold_(spec.contact_threshold),
       observer_(spec.problem.model, spec.tool, spec.model_error, supports_of(spec),
                 measured_frames(spec), spec.base),
@@ -31,13 +34,12 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
       has_sensor_(spec.force_sensor),
       contact_force_(spec),
       tool_motion_(RigidBody(spec.problem.model), spec.tool, spec.base) {
-  const std::vector<int> rubbing = contacts_that_rub(spec);
-  if (!rubbing.empty()) {
+  const std::vector<int> with_friction = contacts_with_friction(spec);
+  if (!with_friction.empty()) {
     friction_.emplace(spec.friction_estimate);
-    planned_speed_ =
-        spec.problem.contacts[static_cast<std::size_t>(rubbing.front())].friction->fade_speed();
+    planned_speed_ = spec.problem.contacts[to_size(with_friction.front())].friction->fade_speed();
   }
-  known_delay_ = spec.command_delay + spec.measurement_delay;
+  nominal_delay_ = spec.command_delay + spec.measurement_delay;
   smoothing_ =
       joint_friction_.lead() + spec.solver_delay + 0.5 * spec.update_period - until_torques;
   acted_ = force_feedback_ = torque_offset_ = torque_error_ = lasting_error_ = total_ = v_ahead_ =
@@ -55,7 +57,7 @@ void ErrorEstimate::reset() noexcept {
   torque_offset_.setZero();
   torque_error_.setZero();
   lasting_error_.setZero();
-  since_ = waits_for_ = 0.0;
+  lasting_time_ = waits_for_ = 0.0;
   friction_force_.setZero();
   v_ahead_.setZero();
   between_.setZero();
@@ -77,44 +79,47 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
                            const ConstVectorRef& acted, int stage, double schedule_time,
                            bool waits) noexcept {
   const Measurement& m = gate.last();
-  const double share = -std::expm1(-options_.usual_bandwidth() * gate.dt());
-  if (has_sensor_) follow_command(gate, acted);  // else it was, by feel()
+  const double weight = -std::expm1(-options_.usual_bandwidth() * gate.dt());
+  // Without a force sensor, feel() has already called follow_command().
+  if (has_sensor_) follow_command(gate, acted);
   total_ = m.tau;
   if (options_.kind == ModelErrorKind::Torque) {
-    // What cannot be evaluated changes nothing, of either estimate.
-    const Eigen::Vector3d force = known_force(m, gate.dt(), waits);
+    // If the dynamics cannot be evaluated, observer and estimate stay unchanged.
+    const Eigen::Vector3d force = observed_force(m, gate.dt(), waits);
     const Status seen =
         has_sensor_ ? observer_.update(m.q, m.v, acted_, force, gate.dt(), m.support_wrenches)
                     : Status::Ok;
-    if (seen <= Status::NotConverged) {
-      torque_offset_ += share * (m.tau - acted_ - torque_offset_);
-      joint_friction_.learn(model_error(), m.v, observed_at(), gate.dt());
+    if (is_usable(seen)) {
+      torque_offset_ += weight * (m.tau - acted_ - torque_offset_);
+      joint_friction_.learn(model_error(), m.v, observer_bandwidth(), gate.dt());
     }
     follow_friction(gate, before);
-    push_back(gate, before);
+    update_force_feedback(gate, before);
     follow_lasting(gate.dt());
     contact_force_.set_friction(friction());
-    // Section IV-C: at the measured torques. What the torque error knows of them counts once.
+    // Forces are computed with the measured torques (section IV-C of Kleff et al.). The torque
+    // error already contains the slow part of these torques, so torque_offset_ is subtracted.
     total_ += model_error() - torque_offset_;
     total_.noalias() += tool_motion_.jacobian().transpose() * friction_force_;
   }
-  if (options_.kind == ModelErrorKind::Force) follow_force_error(m, stage, schedule_time, share);
+  if (options_.kind == ModelErrorKind::Force) follow_force_error(m, stage, schedule_time, weight);
   (void)contact_force_.force_at(stage, schedule_time, m.q, m.v, total_, force_world_);
 }
 
-/// The force that the observer is given. A light arm that meets the surface slowly may rest on it
-/// with less than what counts as contact, and its plans, which know of no surface there, push no
-/// harder. While contact is due the force along the normal is therefore given as a model error:
-/// the plans push against it until it is felt.
-Eigen::Vector3d ErrorEstimate::known_force(const Measurement& m, double dt, bool waits) noexcept {
+/// Returns the force for the observer. A light arm that touches the surface slowly may rest on it
+/// with a force below the contact threshold. The plans do not yet contain the surface then, and
+/// push no harder. While contact is due, the observer therefore does not receive the normal force
+/// and treats it as a model error. Plans push against this error until the contact is detected.
+Eigen::Vector3d ErrorEstimate::observed_force(const Measurement& m, double dt,
+                                              bool waits) noexcept {
   waits_for_ = waits ? waits_for_ + dt : 0.0;
   const double hidden = std::clamp((waits_for_ - waiting) / waiting_fade, 0.0, 1.0);
   return m.tool_force_world - hidden * normal_force(m) * normal_world_;
 }
 
-/// What the model believes to act on the joints: the command that acted, behind the torque model's
-/// filter if there is one. What is lost between motor and link, joint friction above all,
-/// is to be known too, so that errors are told from the command and not from the torque sensors.
+/// Updates the torque that acts on the joints. It is the command, low-pass filtered if there is a
+/// torque model. Torque errors are relative to the command rather than to torque sensors, so that
+/// they include losses between motor and link, such as joint friction.
 void ErrorEstimate::follow_command(const MeasurementGate& gate,
                                    const ConstVectorRef& acted) noexcept {
   if (!filter_) {
@@ -126,73 +131,79 @@ void ErrorEstimate::follow_command(const MeasurementGate& gate,
   }
 }
 
-/// Friction is no error of its own: it goes with the normal force. Given back as measured it would
-/// close a loop from the normal force through friction and the arm's inertia to itself, with the
-/// observer's lag in it, which rings where pressing harder and sliding hang together (a light wrist
-/// on a heavy arm). So what is kept is its ratio to the normal force, and what is given back is
-/// that ratio times the force that is asked for.
+/// Updates the friction along the surface, and the torque error. Feedback of the measured friction
+/// would close a loop through normal force, friction, the inertia of the arm and the lag of the
+/// observer. This loop rings if pressing and sliding are coupled in the arm, as with a light wrist
+/// on a heavy arm. The estimate is therefore the ratio of friction to normal force. The feedback is
+/// this ratio times the target force.
 void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& before) noexcept {
   const Measurement& m = gate.last();
   const Eigen::Vector3d& n = normal_world_;
   const double bandwidth =
       options_.sliding_bandwidth > 0.0 ? options_.sliding_bandwidth : options_.usual_bandwidth();
-  const double share = -std::expm1(-bandwidth * gate.dt());
-  pressed_ += share * (normal_force(m) - pressed_);
+  const double weight = -std::expm1(-bandwidth * gate.dt());
+  pressed_ += weight * (normal_force(m) - pressed_);
   const Eigen::Vector3d across = m.tool_force_world - normal_force(m) * n;
-  friction_force_ += share * (across - explained_friction(gate, across) - friction_force_);
-  const double asked = std::max(before.target_force, 0.0);
+  friction_force_ += weight * (across - explained_friction(gate, across) - friction_force_);
+  const double target = std::max(before.target_force, 0.0);
   const bool presses = pressed_ > contact_threshold_;
-  // What is larger than the normal force is no friction.
-  const double ratio = presses ? asked / std::max(pressed_, friction_force_.norm()) : 0.0;
+  // The part of a tangential force that exceeds the normal force does not count as friction.
+  const double ratio = presses ? target / std::max(pressed_, friction_force_.norm()) : 0.0;
   tool_motion_.update(gate.body());
-  const Eigen::Vector3d known = turned_friction(gate.dt(), bandwidth);
+  const Eigen::Vector3d friction = friction_along_plan(gate.dt(), bandwidth);
   torque_error_ = model_error();
-  torque_error_.noalias() += ratio * (tool_motion_.jacobian().transpose() * known);
+  torque_error_.noalias() += ratio * (tool_motion_.jacobian().transpose() * friction);
 }
 
-/// A force that is off is answered at once, in proportion; the observer, which takes that torque
-/// for a command like any other, takes away what is left. After a touch it is faded in: an impact
-/// is not to be answered.
-void ErrorEstimate::push_back(const MeasurementGate& gate, const Command& before) noexcept {
+/// Updates the force feedback, which is proportional to the force error and acts without delay. The
+/// observer treats this torque as part of the command and corrects the remaining error. After a
+/// touch, the gain rises gradually, because the controller should not respond to the impact.
+void ErrorEstimate::update_force_feedback(const MeasurementGate& gate,
+                                          const Command& before) noexcept {
   const double gain = has_sensor_ ? options_.usual_force_gain() : 0.0;
   const bool presses = pressed_ > contact_threshold_ && before.target_force > contact_threshold_;
   pressed_for_ = presses ? pressed_for_ + gate.dt() : 0.0;
-  const double off = normal_force(gate.last()) - before.target_force;
-  const double bounded = std::clamp(off, -options_.limit, options_.limit);
-  const double share = gain * std::min(1.0, pressed_for_ / touch_fade);
+  const double error = normal_force(gate.last()) - before.target_force;
+  const double bounded = std::clamp(error, -options_.limit, options_.limit);
+  const double faded_gain = gain * std::min(1.0, pressed_for_ / touch_fade);
   force_feedback_.noalias() =
-      share * bounded * (tool_motion_.jacobian().transpose() * normal_world_);
+      faded_gain * bounded * (tool_motion_.jacobian().transpose() * normal_world_);
 }
 
-/// The mean of the first seconds, and of the last ones from then on.
+/// Updates the average of the torque error: at first over the whole time, later over the last
+/// seconds.
 void ErrorEstimate::follow_lasting(double dt) noexcept {
-  constexpr double memory = 2.0, first = 0.1;  // s
-  since_ += dt;
-  const double share = std::min(1.0, dt / std::clamp(since_, first, memory));
-  lasting_error_ += share * (torque_error_ - lasting_error_);
+  constexpr double memory = 2.0, first = 0.1;  // longest and shortest averaging time [s]
+  lasting_time_ += dt;
+  const double weight = std::min(1.0, dt / std::clamp(lasting_time_, first, memory));
+  lasting_error_ += weight * (torque_error_ - lasting_error_);
 }
 
-/// What is measured of friction is late by the filters of forces and by the time until torques act.
-/// What of it lies along the way that the tool slid by then is turned to the way that it will
-/// slide. Both are of what plans foresee a while ahead, behind a filter that is late by the same
-/// while: measured velocities would close a loop through friction.
-Eigen::Vector3d ErrorEstimate::turned_friction(double dt, double bandwidth) noexcept {
-  if (friction_) return friction_force_;  // plans know where it turns
-  constexpr double least = 0.25;          // of slid_: slower than that nothing is known of friction
+/// Returns the estimated friction, rotated from the past to the future sliding direction. The
+/// estimate is old by the delay of the force filters and by the time until torques act. The part
+/// along the past sliding direction is therefore rotated to the direction in which the tool will
+/// slide. Both directions come from planned velocities; the past one is delayed like the force.
+/// Measured velocities would close a loop through friction.
+Eigen::Vector3d ErrorEstimate::friction_along_plan(double dt, double bandwidth) noexcept {
+  if (friction_) return friction_force_;  // plans already contain the change of direction
+  // Lower bound of |slid_|^2. If the tool moves more slowly, the direction of friction is
+  // uncertain.
+  constexpr double min_squared_slide = 0.25;
   const Eigen::Vector3d& n = normal_world_;
-  const double share = -std::expm1(-2.0 * dt / smoothing_);
-  between_ += share * (tool_motion_.jacobian() * v_ahead_ - between_);
-  v_tool_ += share * (between_ - v_tool_);
+  const double weight = -std::expm1(-2.0 * dt / smoothing_);
+  between_ += weight * (tool_motion_.jacobian() * v_ahead_ - between_);
+  v_tool_ += weight * (between_ - v_tool_);
   const Eigen::Vector3d will_slide = sliding_direction(v_tool_ - n * n.dot(v_tool_), sliding_speed);
-  const double late = until_torques + since_forces + known_delay_ + 1.0 / bandwidth;
-  slid_ += -std::expm1(-dt / late) * (will_slide - slid_);
-  const double along =
-      std::max(0.0, -friction_force_.dot(slid_)) / std::max(slid_.squaredNorm(), least);  // N
+  const double delay = until_torques + since_forces + nominal_delay_ + 1.0 / bandwidth;
+  slid_ += -std::expm1(-dt / delay) * (will_slide - slid_);
+  const double along = std::max(0.0, -friction_force_.dot(slid_)) /
+                       std::max(slid_.squaredNorm(), min_squared_slide);  // force [N]
   return friction_force_ - along * (will_slide - slid_);
 }
 
-/// Of the force along the surface, what the contacts' own friction says, N: the same that plans
-/// know. What the coefficient learns leaves the rest, whose sum with it stays what it was.
+/// Returns the part of the force along the surface that the friction model of the contacts explains
+/// [N]. Plans already contain this part. When the coefficient changes, friction_force_ is corrected
+/// so that the sum of both parts stays the same.
 Eigen::Vector3d ErrorEstimate::explained_friction(const MeasurementGate& gate,
                                                   const Eigen::Vector3d& across) noexcept {
   if (!friction_) return Eigen::Vector3d::Zero();
@@ -200,14 +211,14 @@ Eigen::Vector3d ErrorEstimate::explained_friction(const MeasurementGate& gate,
   const Eigen::Vector3d v = tool_motion_.velocity(gate.body());
   const Eigen::Vector3d v_across = v - normal_world_ * normal_world_.dot(v);
   const Eigen::Vector3d s = sliding_direction(v_across, planned_speed_);
-  const double known = friction_->coefficient();
+  const double before = friction_->coefficient();
   if (pressed_ > contact_threshold_) friction_->update(force, across, v_across, gate.dt());
-  friction_force_ += (friction_->coefficient() - known) * pressed_ * s;
+  friction_force_ += (friction_->coefficient() - before) * pressed_ * s;
   return -friction_->coefficient() * force * s;
 }
 
 void ErrorEstimate::follow_force_error(const Measurement& m, int stage, double schedule_time,
-                                       double share) noexcept {
+                                       double weight) noexcept {
   const bool pressed = normal_force(m) > contact_threshold_;
   double error = 0.0;
   if (pressed && contact_force_.has_contact(stage)) {
@@ -215,7 +226,7 @@ void ErrorEstimate::follow_force_error(const Measurement& m, int stage, double s
     if (!contact_force_.force_at(stage, schedule_time, m.q, m.v, acted_, model_force)) return;
     error = normal_force(m) - model_force.dot(normal_world_);
   }
-  force_error_ += share * (error - force_error_);
+  force_error_ += weight * (error - force_error_);
   force_error_ = std::clamp(force_error_, -options_.limit, options_.limit);
 }
 

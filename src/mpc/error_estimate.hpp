@@ -1,5 +1,4 @@
-// What the model gets wrong, as an MpcController estimates it from tick to tick: see
-// ModelErrorKind.
+// Estimate of the model error in an MpcController, updated at every tick (see ModelErrorKind).
 #pragma once
 
 #include "mpc/contact_force_estimate.hpp"
@@ -12,115 +11,125 @@ namespace burnish {
 
 class ErrorEstimate {
  public:
-  /// spec: of a normal of length one.
+  /// `spec.normal_base` must be a unit vector.
   explicit ErrorEstimate(const MpcSpec& spec);
 
   void reset() noexcept;
-  /// After a good measurement, with the command of the tick before, the torque that acted until it
-  /// was taken less what that made up for friction (nv), the stage that the schedule is in and its
-  /// time, s. What cannot be evaluated changes nothing. `waits`: the schedule waits for contact,
-  /// as Schedule::waits() says.
+  /// Updates the estimate after a valid measurement. If the dynamics cannot be evaluated, the
+  /// estimate stays unchanged.
+  /// - `before`: command of the previous tick.
+  /// - `acted`: torque that acted until the measurement, without the compensation of joint friction
+  ///   (nv).
+  /// - `stage`, `schedule_time`: stage and time of the schedule [s].
+  /// - `waits`: result of Schedule::waits().
   void update(const MeasurementGate& gate, const Command& before, const ConstVectorRef& acted,
               int stage, double schedule_time, bool waits) noexcept;
 
-  /// Without a force sensor, first of all after a good measurement: the force at the tool, N, world
-  /// axes, at the stage that the schedule is in.
+  /// Estimates and returns the force at the tool, in world axes [N]. Called before update() if the
+  /// robot lacks a force sensor. `stage`: current stage of the schedule.
   const Eigen::Vector3d& feel(const MeasurementGate& gate, const ConstVectorRef& acted,
                               int stage) noexcept;
-  /// Forward dynamics with the surface and the friction as they are known now.
+  /// Returns the forward dynamics that use the current estimates of surface and friction.
   ContactForceEstimate& dynamics() { return contact_force_; }
-  /// The surface at the tool from now on: its normal, and what contacts that follow it hold.
+  /// Sets the surface under the tool, for the contacts that follow it, and the unit normal of the
+  /// surface.
   void set_surface(const Quadric& surface, const Eigen::Vector3d& normal_world) noexcept {
     normal_world_ = normal_world;
     contact_force_.set_surface(surface);
   }
-  /// Its normal alone, of length one, of a surface that turns.
+  /// Sets only the unit normal, for a surface that has rotated.
   void set_normal(const Eigen::Vector3d& normal_world) noexcept { normal_world_ = normal_world; }
-  /// What the robot carries at a frame, of which torques and forces are told from now on.
+  /// Sets the payload at a frame for all later estimates.
   void set_payload(std::string_view frame, const InertiaSpec& payload) {
     (void)observer_.set_payload(frame, payload);
     felt_.set_payload(frame, payload);
     contact_force_.set_payload(frame, payload);
   }
   const Eigen::Vector3d& normal_world() const { return normal_world_; }
-  /// Of the tool's contacts with friction: their coefficient; 0 without them.
+  /// Returns the coefficient of friction of the tool's contacts; 0 without a friction model.
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
-  /// nv, of a new plan, joint_friction().lead() after it begins: friction in joints and along the
-  /// surface turns around with it.
+  /// Sets the planned velocity (nv) of a new plan, at joint_friction().lead() after the plan's
+  /// first knot. The estimates of friction change sign with this velocity.
   void foresee(const Eigen::VectorXd& v) noexcept {
     joint_friction_.foresee(v.data());
     v_ahead_ = v;
   }
 
-  /// Its torque is taken for a part of the command before: that which friction takes away again.
+  /// Returns the estimate of joint friction. The torques passed to update() must not include its
+  /// compensation.
   JointFriction& joint_friction() { return joint_friction_; }
 
-  /// nv, observed and of friction, Nm (N).
+  /// Returns the estimated torque error; nv [Nm or N]. It includes friction along the surface.
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
-  /// nv, of that: what is observed, without the friction that is asked for; Nm (N).
+  /// Returns the part of torque_error() from the observer; nv [Nm or N]. It does not include
+  /// friction along the surface.
   const Eigen::VectorXd& observed_error() const { return model_error(); }
-  /// Whether contacts of the tool have friction of their own.
+  /// Returns true if the tool's contacts have a friction model.
   bool models_friction() const { return friction_.has_value(); }
-  /// nv, of that: what has been there for some seconds, Nm (N).
+  /// Returns the mean of torque_error() over the last seconds; nv [Nm or N].
   const Eigen::VectorXd& lasting_error() const { return lasting_error_; }
-  double force_error() const { return force_error_; }  ///< N
-  /// nv, slow part of measured minus acted torque, Nm (N).
+  double force_error() const { return force_error_; }  ///< Estimated force error [N].
+  /// Returns the low-pass filtered difference, measured minus acting torque; nv [Nm or N].
   const Eigen::VectorXd& torque_offset() const { return torque_offset_; }
-  /// Of the stage's contacts on the tool, N, world axes.
+  /// Returns the estimated sum of the contact forces on the tool, in world axes [N].
   const Eigen::Vector3d& force_world() const { return force_world_; }
-  /// nv, to be added to a command: force_gain times what the normal force is off, Nm (N).
+  /// Returns the torque to add to a command as force feedback; nv [Nm or N]. It is the error of the
+  /// normal force times force_gain, converted to joint torques.
   const Eigen::VectorXd& force_feedback() const { return force_feedback_; }
 
  private:
-  Eigen::Vector3d known_force(const Measurement& m, double dt, bool waits) noexcept;
+  Eigen::Vector3d observed_force(const Measurement& m, double dt, bool waits) noexcept;
   double normal_force(const Measurement& m) const noexcept {
     return m.tool_force_world.dot(normal_world_);
   }
   const Eigen::VectorXd& model_error() const {
     return has_sensor_ ? observer_.torque_error() : felt_.model_error();
   }
-  double observed_at() const {  ///< rad/s
+  double observer_bandwidth() const {  ///< Bandwidth of the observer in use [rad/s].
     return has_sensor_ ? observer_.bandwidth() : felt_.bandwidth();
   }
   void follow_command(const MeasurementGate& gate, const ConstVectorRef& acted) noexcept;
-  void push_back(const MeasurementGate& gate, const Command& before) noexcept;
+  void update_force_feedback(const MeasurementGate& gate, const Command& before) noexcept;
   void follow_lasting(double dt) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before) noexcept;
-  Eigen::Vector3d turned_friction(double dt, double bandwidth) noexcept;
+  Eigen::Vector3d friction_along_plan(double dt, double bandwidth) noexcept;
   Eigen::Vector3d explained_friction(const MeasurementGate& gate,
                                      const Eigen::Vector3d& across) noexcept;
   void follow_force_error(const Measurement& m, int stage, double schedule_time,
-                          double share) noexcept;
+                          double weight) noexcept;
 
   ModelErrorOptions options_;
   std::optional<TorqueModel> filter_;
   Eigen::Vector3d normal_world_, normal_at_first_;
-  double contact_threshold_;  ///< N
+  double contact_threshold_;  ///< Normal force above which the tool is in contact [N].
   TorqueErrorObserver observer_;
   FeltForce felt_;
   JointFriction joint_friction_;
   bool has_sensor_;
   ContactForceEstimate contact_force_;
   ToolMotion tool_motion_;
-  /// nv, torque that the model believes to act, less that of joint_friction_
+  /// Torque that acts according to the torque model, without the compensation of joint friction;
+  /// nv.
   Eigen::VectorXd acted_;
   Eigen::VectorXd force_feedback_;
-  double pressed_for_ = 0.0;  ///< s, with a force that is asked for
+  double pressed_for_ = 0.0;  ///< Time in contact while a force is commanded [s].
   Eigen::VectorXd torque_offset_, torque_error_, lasting_error_, total_;
-  Eigen::VectorXd v_ahead_;  ///< nv, of a plan
-  double since_ = 0.0;       ///< s, of lasting_error_
-  double waits_for_ = 0.0;   ///< s, since contact was due
-  double smoothing_;         ///< s
-  double known_delay_;       ///< s, of commands and measurements
-  /// m/s, of the tool in v_ahead_, smoothed once and twice: its velocity when torques act
+  Eigen::VectorXd v_ahead_;    ///< Planned velocity set by foresee(), nv.
+  double lasting_time_ = 0.0;  ///< Averaging time of lasting_error_ so far [s].
+  double waits_for_ = 0.0;     ///< Time for which the schedule has waited for contact [s].
+  double smoothing_;           ///< Time constant of the filters of between_ and v_tool_ [s].
+  double nominal_delay_;       ///< Stated delay of commands plus stated delay of measurements [s].
+  /// Tool velocity for v_ahead_, low-pass filtered once (between_) and twice (v_tool_) [m/s].
+  /// v_tool_ is the planned velocity at the time when torques act.
   Eigen::Vector3d between_ = Eigen::Vector3d::Zero(), v_tool_ = between_;
-  Eigen::Vector3d slid_ = between_;  ///< sliding_direction() of that, when forces were measured
-  double pressed_ = 0.0;             ///< N, normal force behind the bandwidth
-  /// N, along the surface, alike: what the contacts' own friction does not explain
+  /// Direction of v_tool_ at the time of the force measurement.
+  Eigen::Vector3d slid_ = between_;
+  double pressed_ = 0.0;  ///< Low-pass filtered normal force [N].
+  /// Low-pass filtered force along the surface, without the friction in the contact models [N].
   Eigen::Vector3d friction_force_ = Eigen::Vector3d::Zero();
   std::optional<FrictionEstimator> friction_;
-  double planned_speed_ = 0.0;  ///< m/s, SlidingFriction::speed of plans
+  double planned_speed_ = 0.0;  ///< Planned speed, as in SlidingFriction::speed [m/s].
   Eigen::Vector3d force_world_ = Eigen::Vector3d::Zero();
   double force_error_ = 0.0;
 };

@@ -20,7 +20,7 @@ struct EstimatedBase::Impl {
     result.support_wrenches.setZero(6, feet_count);
   }
 
-  Status feel(const Measurement& measured, double dt) noexcept;
+  Status update_contacts(const Measurement& measured, double dt) noexcept;
   Status follow(const Measurement& measured) noexcept;
 
   GuardedBase base;
@@ -30,8 +30,8 @@ struct EstimatedBase::Impl {
   Eigen::Vector3d up;
   bool started = false;
   Status status = Status::Ok;
-  double last = 0.0;    ///< s, when the last measurement was taken that could be used
-  Eigen::VectorXd tau;  ///< of this one, without the base's entries
+  double last = 0.0;    ///< Time of the last usable measurement [s].
+  Eigen::VectorXd tau;  ///< Torques of the current measurement, with zero entries for the base.
   Eigen::VectorXd normal_forces;
   Measurement result;
 };
@@ -58,15 +58,17 @@ Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
   return Status::Ok;
 }
 
-/// Which feet stand.
-Status EstimatedBase::Impl::feel(const Measurement& measured, double dt) noexcept {
+/// Updates the set of standing feet from measured wrenches or, without wrenches, from joint
+/// torques.
+Status EstimatedBase::Impl::update_contacts(const Measurement& measured, double dt) noexcept {
   if (measured.support_wrenches.cols() > 0) {
     if (measured.support_wrenches.cols() < normal_forces.size()) return Status::WrongSize;
     for (int k = 0; k < feet_count; ++k)
       normal_forces[k] = up.dot(base.foot_rotation(k) * measured.support_wrenches.col(k).head<3>());
     return contacts.update(normal_forces, dt);
   }
-  // The base is the one of the tick before: its estimate needs to know which feet stand.
+  // Uses the base estimate of the previous tick, because the estimate of this tick needs the
+  // standing feet.
   if (measured.q.size() != result.q.size() || measured.v.size() != result.v.size())
     return Status::WrongSize;
   result.q.tail(result.q.size() - 7) = measured.q.tail(result.q.size() - 7);
@@ -74,8 +76,8 @@ Status EstimatedBase::Impl::feel(const Measurement& measured, double dt) noexcep
   if (measured.tau.size() != tau.size()) return Status::WrongSize;
   tau = measured.tau;
   tau.head<6>().setZero();
-  const Status told = forces.update(result.q, result.v, tau, dt);
-  if (told != Status::Ok) return told;
+  const Status status_of_forces = forces.update(result.q, result.v, tau, dt);
+  if (status_of_forces != Status::Ok) return status_of_forces;
   return contacts.update(forces.normal_forces(), dt);
 }
 
@@ -85,20 +87,20 @@ Status EstimatedBase::Impl::follow(const Measurement& measured) noexcept {
   const bool first = !started;
   started = true;
   if (first) return Status::Ok;
-  // What could not be used is bridged by the readings after it.
+  // Includes the time since the last usable measurement, because the next valid readings cover it.
   const double dt = measured.time - last;
   if (!(dt > 0.0)) return Status::NotFinite;
   const BaseSource before = base.source();
   const bool waits = before == BaseSource::Filter && !measured.imu &&
                      dt <= base.filter().options().watch.silent_after;
   if (waits) return Status::WrongSize;
-  const Status told = feel(measured, dt);
-  if (told != Status::Ok) return told;
+  const Status status_of_feet = update_contacts(measured, dt);
+  if (status_of_feet != Status::Ok) return status_of_feet;
   const ImuReading* const imu = measured.imu ? &*measured.imu : nullptr;
   const Status status_of_base =
       base.update(imu, measured.q, measured.v, contacts.standing(), contacts.forces(), dt);
   if (status_of_base == Status::Ok) last = measured.time;
-  // Its velocity is another's now, which is no acceleration.
+  // The velocity now comes from another source. Its jump must not be taken for an acceleration.
   if (base.source() != before) forces.reset();
   return status_of_base;
 }
@@ -110,8 +112,8 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   result.time = measured.time;
   result.tool_force_world = measured.tool_force_world;
   result.imu = measured.imu;
-  // Room for those of feet is there from the start on; without sensors it is given up, and stays
-  // so.
+  // The memory for the wrenches was reserved at the start. Without sensors, the columns of the
+  // wrenches are removed for good.
   if (measured.support_wrenches.cols() >= d.feet_count)
     result.support_wrenches = measured.support_wrenches;
   else

@@ -45,13 +45,13 @@ std::string_view name_of(FaultKind kind) {
 
 namespace {
 
-/// How value and limit of a kind are written: a format of two numbers.
+/// Returns the printf format of a fault, for its two numbers (value and limit).
 const char* words(FaultKind kind) {
   switch (kind) {
     case FaultKind::StaleMeasurement:
       return "no new measurement for %.4g s; allowed are %.4g s";
     case FaultKind::BadMeasurement:
-      return "not a state for %.4g s; allowed are %.4g s";
+      return "invalid measurements for %.4g s; allowed are %.4g s";
     case FaultKind::OutOfRange:
       return "position %.4g{unit}; the limit is %.4g{unit}";
     case FaultKind::SolverFailed:
@@ -59,32 +59,33 @@ const char* words(FaultKind kind) {
     case FaultKind::SolverLate:
       return "%.0f updates in a row past their deadline; the limit is %.0f";
     case FaultKind::ContactLost:
-      return "no contact for %.4g s while it was wanted; allowed are %.4g s";
+      return "no contact for %.4g s in a phase that requires contact; allowed are %.4g s";
     case FaultKind::NoContact:
-      return "the tool went on %.4g m without contact after that was due; allowed are %.4g m";
+      return "the tool moved %.4g m without contact after contact was due; allowed are %.4g m";
     case FaultKind::ContactLate:
       return "no contact for %.4g s after it was due; allowed are %.4g s";
     case FaultKind::UnexpectedContact:
-      return "%.4g N while no contact was wanted; allowed are %.4g N";
+      return "a force of %.4g N in a phase without contact; allowed are %.4g N";
     case FaultKind::ForceLimit:
       return "%.4g N; allowed are %.4g N";
     case FaultKind::SpeedLimit:
       return "%.4g{unit}, allowed %.4g{unit}";
     case FaultKind::SupportSlipped:
-      return "%.4g m away from where it was; allowed are %.4g m";
+      return "slid by %.4g m; allowed are %.4g m";
     case FaultKind::MotorLost:
-      return "a torque of %.4g{unit} off what was sent; allowed are %.4g{unit}";
+      return "the torque differs by %.4g{unit} from the command; allowed are %.4g{unit}";
     case FaultKind::Watched:
       return "%.4g; allowed is %.4g";
     case FaultKind::BaseLost:
-      return "nothing told where the base is for %.4g s; allowed are %.4g s";
+      return "no estimate of the base for %.4g s; allowed are %.4g s";
     case FaultKind::None:
       break;
   }
   return "";
 }
 
-/// What a fault is about, in front of its numbers; or empty.
+/// Returns the subject of a fault, such as a joint, which is written before the numbers; empty if
+/// there is none.
 std::string subject_of(const FaultReport& fault) {
   if (!fault.joint_name.empty()) return "joint '" + fault.joint_name + "': ";
   if (fault.joint >= 0) return "entry " + std::to_string(fault.joint) + " of v: ";
@@ -107,7 +108,7 @@ std::string FaultReport::text() const {
     format.replace(at, 6, in.empty() ? "" : " " + in);
   char when[64], numbers[256];
   std::snprintf(when, sizeof when, " at %.4f s: ", time);
-  // The format is one of those above.
+  // The format is one of the literals in words().
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
   std::snprintf(numbers, sizeof numbers, format.c_str(), value, limit);

@@ -3,24 +3,25 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/to_size.hpp"
 #include "model/joint_entries.hpp"
 
 namespace burnish {
 namespace {
-constexpr std::size_t room_for_cause = 320;
+constexpr std::size_t room_for_cause = 320;  // memory for the cause of a fault [characters]
 }
 
 FaultLatch::FaultLatch(const Model& model) {
-  std::size_t longest = 0;
+  std::size_t max_length = 0;
   for (const Joint& joint : model.joints)
     for (int i = 0; i < joint.nv; ++i) {
       const bool slides = i < sliding_entries(joint.kind);
       entries_.push_back({model.v_name(joint.v_index + i), slides ? "m" : "rad",
                           slides ? "m/s" : "rad/s", slides ? "N" : "Nm"});
-      longest = std::max(longest, entries_.back().name.size());
+      max_length = std::max(max_length, entries_.back().name.size());
     }
-  // What is raised in a tick allocates nothing.
-  report.joint_name.reserve(longest);
+  // Reserves memory, because raise() and explain() must not allocate.
+  report.joint_name.reserve(max_length);
   report.cause.reserve(room_for_cause);
 }
 
@@ -33,7 +34,7 @@ bool FaultLatch::raise(double time, FaultKind kind, double value, double limit,
   report.limit = limit;
   report.joint = joint;
   if (joint < 0 || entries_.empty()) return true;
-  const Entry& entry = entries_[static_cast<std::size_t>(joint)];
+  const Entry& entry = entries_[to_size(joint)];
   report.joint_name = entry.name;
   report.unit = kind == FaultKind::SpeedLimit  ? entry.speed
                 : kind == FaultKind::MotorLost ? entry.torque

@@ -1,8 +1,9 @@
-// The first fault of a run.
+// Storage of the first fault of a run. Later faults are ignored.
 #pragma once
 
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "burnish/model/model.hpp"
 #include "burnish/mpc/fault.hpp"
 
@@ -13,10 +14,10 @@ class FaultLatch {
   FaultReport report;
 
   FaultLatch() = default;
-  /// Reports name the joints of this model.
+  /// Creates a latch whose reports name the joints of `model`.
   explicit FaultLatch(const Model& model);
-  /// Quantities have names of at most `longest` characters.
-  void make_room(std::size_t longest) { report.quantity.reserve(longest); }
+  /// Reserves memory for names of quantities with at most `max_length` characters.
+  void make_room(std::size_t max_length) { report.quantity.reserve(max_length); }
 
   bool is_set() const noexcept { return report.kind != FaultKind::None; }
   void reset() noexcept {
@@ -29,18 +30,19 @@ class FaultLatch {
     report.cause.clear();
     report.last_second.clear();
   }
-  /// At `time`, s. What follows the first one is not heard. False then. `joint`: entry of v.
+  /// Stores a fault at the time `time` [s] and returns true. Returns false if an earlier fault is
+  /// stored. `joint`: index in v; -1: no joint.
   bool raise(double time, FaultKind kind, double value, double limit, int joint = -1) noexcept;
-  /// Adds a clause to the cause of the fault; an empty one adds nothing. What there is no room for
-  /// is left out.
+  /// Appends a clause to the cause of the fault. Empty clauses, and clauses that exceed the
+  /// reserved memory, are ignored.
   void explain(const char* clause) noexcept;
-  /// Name of an entry of v; empty where no model was given.
+  /// Returns the name of the joint to which an entry of v belongs; empty if the latch has no model.
   const char* name_of_entry(int entry) const noexcept {
-    return entries_.empty() ? "" : entries_[static_cast<std::size_t>(entry)].name.c_str();
+    return entries_.empty() ? "" : entries_[to_size(entry)].name.c_str();
   }
 
  private:
-  /// An entry of v, and the units of its position, speed and torque.
+  /// Name of an entry of v, with the units of position, speed and torque.
   struct Entry {
     std::string name;
     const char *position, *speed, *torque;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/solver/ddp.hpp"
 
@@ -12,23 +13,22 @@ namespace {
 
 int checked_knots(int knots, double step, int horizon) {
   if (knots < 1)
-    throw Error("feedback plan: room for " + std::to_string(knots) + " knots; wanted at least 1");
+    throw Error("feedback plan: the capacity is " + std::to_string(knots) +
+                " knots; wanted at least 1");
   if (!(step > 0.0) || !std::isfinite(step))
-    throw Error("feedback plan: a step of " + number(step) + " s; wanted a positive time");
+    throw Error("feedback plan: the step is " + number(step) + " s; wanted a positive time");
   return std::min(knots, horizon);
 }
 
 std::span<const double> first_steps(const ShootingProblem& problem, std::span<const double> steps) {
-  return steps.first(std::min(steps.size(), static_cast<std::size_t>(problem.knots())));
+  return steps.first(std::min(steps.size(), to_size(problem.knots())));
 }
 
 }  // namespace
 
 FeedbackPlan::FeedbackPlan(const ShootingProblem& problem, int knots, double step)
-    : FeedbackPlan(
-          problem,
-          std::vector<double>(static_cast<std::size_t>(checked_knots(knots, step, problem.knots())),
-                              step)) {}
+    : FeedbackPlan(problem, std::vector<double>(
+                                to_size(checked_knots(knots, step, problem.knots())), step)) {}
 
 FeedbackPlan::FeedbackPlan(const ShootingProblem& problem, std::span<const double> steps)
     : problem_(&problem),
@@ -36,8 +36,7 @@ FeedbackPlan::FeedbackPlan(const ShootingProblem& problem, std::span<const doubl
       times_(first_steps(problem, steps)),
       x_(RowMatrix::Zero(knots_ + 1, problem.state().nx)),
       u_(RowMatrix::Zero(knots_, problem.max_controls())),
-      gain_(static_cast<std::size_t>(knots_),
-            Eigen::MatrixXd::Zero(problem.max_controls(), problem.state().ndx)),
+      gain_(to_size(knots_), Eigen::MatrixXd::Zero(problem.max_controls(), problem.state().ndx)),
       dx_(Eigen::VectorXd::Zero(problem.state().ndx)) {}
 
 void FeedbackPlan::load(const DdpSolver& solver, double time) noexcept {
@@ -45,7 +44,7 @@ void FeedbackPlan::load(const DdpSolver& solver, double time) noexcept {
   u_ = solver.us().topRows(knots_);
   for (int k = 0; k < knots_; ++k) {
     const int nu = problem_->controls(k);
-    Eigen::MatrixXd& gain = gain_[static_cast<std::size_t>(k)];
+    Eigen::MatrixXd& gain = gain_[to_size(k)];
     gain.topRows(nu) = solver.gain(k);
     gain.bottomRows(gain.rows() - nu).setZero();
     u_.row(k).tail(u_.cols() - nu).setZero();
@@ -73,13 +72,13 @@ LinearFeedback FeedbackPlan::make_feedback() const {
           Eigen::VectorXd::Zero(x_.cols())};
 }
 
-void FeedbackPlan::at(double time, LinearFeedback& out) const noexcept {
+void FeedbackPlan::at(double time, LinearFeedback& out) noexcept {
   if (!loaded_) return;
   const double place = times_.place(time - start_);
   const int k = std::min(static_cast<int>(place), knots_ - 1);
   const double fraction = place - k;
   out.feedforward = u_.row(k).transpose();
-  out.gain = gain_[static_cast<std::size_t>(k)];
+  out.gain = gain_[to_size(k)];
   const double* const here = x_.data() + k * x_.cols();
   problem_->difference(here, here + x_.cols(), dx_.data());
   dx_ *= fraction;
@@ -87,7 +86,7 @@ void FeedbackPlan::at(double time, LinearFeedback& out) const noexcept {
 }
 
 void FeedbackPlan::control(const LinearFeedback& feedback, const Eigen::VectorXd& x,
-                           Eigen::VectorXd& u) const noexcept {
+                           Eigen::VectorXd& u) noexcept {
   problem_->difference(feedback.state.data(), x.data(), dx_.data());
   u = feedback.feedforward;
   u.noalias() += feedback.gain * dx_;

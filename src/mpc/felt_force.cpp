@@ -9,12 +9,16 @@
 namespace burnish {
 namespace {
 
-constexpr double first_look = 0.1;  // s in which all is taken for model error
-constexpr double memory = 0.2;      // s, of what is told in the air
+// Time constants, chosen by hand.
 
-/// Contact made and lost would be what the observer hurries after, or slows down before.
+// Time at the start during which the whole sum counts as model error [s].
+constexpr double first_look = 0.1;
+constexpr double memory = 0.2;  // averaging time in free air [s]
+
+/// Returns the options with a constant bandwidth. A variable bandwidth would change with every gain
+/// and loss of contact.
 ModelErrorOptions steady(ModelErrorOptions options) {
-  options.boost = options.calm = 1.0;
+  options.transient_scale = options.quiescent_scale = 1.0;
   return options;
 }
 
@@ -33,28 +37,28 @@ void FeltForce::reset() noexcept {
   air_.setZero();
   model_error_.setZero();
   force_.setZero();
-  since_ = 0.0;
+  learned_for_ = 0.0;
 }
 
 void FeltForce::update(const MeasurementGate& gate, const Eigen::VectorXd& acted,
                        bool free) noexcept {
   const Measurement& m = gate.last();
   const double dt = gate.dt();
-  if (observer_.update(m.q, m.v, acted, Eigen::Vector3d::Zero(), dt) > Status::NotConverged) return;
-  const Eigen::VectorXd& told = observer_.torque_error();
-  if (free && (since_ < first_look || force_.norm() < touch_)) {
-    since_ += dt;
-    air_ += std::min(1.0, dt / std::clamp(since_, dt + 1e-9, memory)) * (told - air_);
+  if (!is_usable(observer_.update(m.q, m.v, acted, Eigen::Vector3d::Zero(), dt))) return;
+  const Eigen::VectorXd& sum = observer_.torque_error();
+  if (free && (learned_for_ < first_look || force_.norm() < touch_)) {
+    learned_for_ += dt;
+    air_ += std::min(1.0, dt / std::clamp(learned_for_, dt + 1e-9, memory)) * (sum - air_);
   }
-  rest_ = told - air_;
+  rest_ = sum - air_;
   motion_.update(gate.body());
   const auto J = motion_.jacobian();
-  // A direction that no joint feels gets no force.
+  // Regularization, so that the force is zero in directions in which no joint moves the tool.
   Eigen::Matrix3d normal = J * J.transpose();
-  normal.diagonal().array() += 1e-6;  // m^2
-  force_ = since_ < first_look ? Eigen::Vector3d::Zero()
-                               : Eigen::Vector3d(normal.inverse() * (J * rest_));
-  model_error_ = told;
+  normal.diagonal().array() += 1e-6;  // regularization [m^2]
+  force_ = learned_for_ < first_look ? Eigen::Vector3d::Zero()
+                                     : Eigen::Vector3d(normal.inverse() * (J * rest_));
+  model_error_ = sum;
   model_error_.noalias() -= J.transpose() * force_;
 }
 

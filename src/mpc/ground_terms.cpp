@@ -8,7 +8,8 @@
 namespace burnish {
 namespace {
 
-/// The friction of a cone or a pressure of this contact; 0 of other residuals.
+/// Returns the friction coefficient in a friction cone or pressure limit of this contact; 0 for any
+/// other residual.
 double friction_of(const Residual& residual, const std::string& contact) {
   if (const auto* cone = std::get_if<residual::FrictionCone>(&residual))
     return cone->contact == contact ? cone->friction : 0.0;

@@ -1,4 +1,4 @@
-// The terms of a problem that say what a support bears: its friction cone and its pressure.
+// Terms of a problem that limit the force on a support through friction cones and pressure limits.
 #pragma once
 
 #include <vector>
@@ -7,20 +7,21 @@
 
 namespace burnish {
 
-/// A term whose target is the coefficient of friction under a support.
+/// Constraint or cost with the coefficient of friction under a support as its target.
 struct GroundTerm {
-  int term;         ///< of its stage, costs first
-  int support;      ///< of supports_of()
-  double friction;  ///< as the specification has it
+  int term;         ///< Index of the term in its stage; costs come first.
+  int support;      ///< Index of the support in supports_of().
+  double friction;  ///< Coefficient of friction in the specification.
 };
 
-/// Per stage of the problem.
+/// Returns the ground terms of each stage of the problem.
 std::vector<std::vector<GroundTerm>> ground_terms(const MpcSpec& spec);
 
-/// What plans reckon with under a support, from the first terms that say so.
+/// Friction and sole size of a support in plans, from the first terms of the problem that define
+/// them.
 struct GroundFigures {
-  double friction;        ///< of its cone; infinite: none
-  double half_x, half_y;  ///< m, of its sole; 0: none with friction
+  double friction;        ///< Coefficient of the friction cone; infinite: no cone.
+  double half_x, half_y;  ///< Half sides of the sole [m]; 0: no pressure limit with friction.
 };
 GroundFigures ground_figures(const ProblemSpec& problem, const std::string& contact);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
 #include "mpc/closed_dynamics.hpp"
@@ -19,7 +20,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       free_(closed_dynamics(spec.problem.model, supports_of(spec))),
       soles_(spec),
       open_(spec.problem.model),
-      share_(Eigen::VectorXd::Ones(spec.problem.model.nv)),
+      load_fraction_(Eigen::VectorXd::Ones(spec.problem.model.nv)),
       gravity_(spec.problem.model.gravity.norm()),
       weight_per_foot_(0.0),
       weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
@@ -37,7 +38,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
   const double weight = spec.problem.model.total_mass() * gravity_;
   if (!spec.support_sensors || !spec.problem.model.loops.empty() || !(weight > 0.0)) return;
   RigidBody body(spec.problem.model);
-  if (body.update(q_hold_, zero_) > Status::NotConverged) return;
+  if (!is_usable(body.update(q_hold_, zero_))) return;
   FrameDerivatives by;
   for (const ContactSpec& contact : supports_of(spec)) {
     const auto at = std::find(spec.supports.begin(), spec.supports.end(), contact.name);
@@ -54,7 +55,7 @@ void Holding::set_payload(std::string_view frame, const InertiaSpec& payload,
                           const LoadedBody& loaded) {
   (void)free_.set_payload(frame, payload);
   (void)open_.set_payload(frame, payload);
-  const double before = tree_.joints[static_cast<std::size_t>(loaded.body)].mass;
+  const double before = tree_.joints[to_size(loaded.body)].mass;
   set_body_inertia(tree_, loaded.body, body_inertia(loaded.inertia));
   if (!feet_.empty())
     weight_per_foot_ +=
@@ -64,16 +65,16 @@ void Holding::set_payload(std::string_view frame, const InertiaSpec& payload,
 void Holding::reset() noexcept {
   blind_for_ = 0.0;
   holding_ = false;
-  lost_ = -1;
+  failed_ = -1;
 }
 
 const Eigen::VectorXd* Holding::at_rest(const Eigen::VectorXd& q) noexcept {
-  const bool known = is_closed_ ? weigh_what_is_carried(q) : weigh_freely(q);
-  return known ? &weight_ : nullptr;
+  const bool found = is_closed_ ? compute_closed_inertia(q) : compute_free_inertia(q);
+  return found ? &weight_ : nullptr;
 }
 
-bool Holding::weigh_freely(const Eigen::VectorXd& q) noexcept {
-  if (free_.forward(q, zero_, zero_) > Status::NotConverged) return false;
+bool Holding::compute_free_inertia(const Eigen::VectorXd& q) noexcept {
+  if (!is_usable(free_.forward(q, zero_, zero_))) return false;
   for (const int k : actuated_) {
     weight_[k] = free_.bias()[k];
     for (const int j : actuated_) mass_(k, j) = free_.mass_matrix()(k, j);
@@ -81,26 +82,28 @@ bool Holding::weigh_freely(const Eigen::VectorXd& q) noexcept {
   return true;
 }
 
-/// With a = a_0 + A tau of the closed mechanism, which a robot on its feet is too, the actuated
-/// entries move as a body of the inertia A_aa^-1 does, and -A_aa^-1 a_0 holds them. Where motors
-/// are more than the degrees of freedom, what they would do against each other is left out: with D
-/// of the diagonal and B = D^-1/2 A_aa D^-1/2 the inverse is D^-1/2 B (B B + e^2)^-1 D^-1/2.
-bool Holding::weigh_what_is_carried(const Eigen::VectorXd& q) noexcept {
-  if (free_.forward(q, zero_, zero_) > Status::NotConverged) return false;
-  if (free_.forward_derivatives() > Status::NotConverged) return false;
+/// Computes holding torques and inertia of a closed mechanism, such as a robot on its feet. The
+/// acceleration of the mechanism is a = a_0 + A tau, where A_aa are the rows and columns of
+/// actuated entries. These entries have the effective inertia A_aa^-1, and the torque -A_aa^-1 a_0
+/// holds them. With more motors than degrees of freedom, A_aa is singular; torques that balance
+/// each other are then left out by a regularized inverse. With the diagonal D of A_aa and B =
+/// D^-1/2 A_aa D^-1/2, it is D^-1/2 B (B B + e^2)^-1 D^-1/2.
+bool Holding::compute_closed_inertia(const Eigen::VectorXd& q) noexcept {
+  if (!is_usable(free_.forward(q, zero_, zero_))) return false;
+  if (!is_usable(free_.forward_derivatives())) return false;
   const auto count = static_cast<Eigen::Index>(actuated_.size());
   for (Eigen::Index i = 0; i < count; ++i) {
-    const int k = actuated_[static_cast<std::size_t>(i)];
+    const int k = actuated_[to_size(i)];
     fall_[i] = -free_.a()[k];
     for (Eigen::Index j = 0; j < count; ++j)
-      mobility_(i, j) = free_.da_dtau()(k, actuated_[static_cast<std::size_t>(j)]);
+      mobility_(i, j) = free_.da_dtau()(k, actuated_[to_size(j)]);
     scale_[i] = 1.0 / std::sqrt(std::max(mobility_(i, i), 1e-12));
   }
-  leave_out_lost();
-  constexpr double least = 1e-3;  // of B: below it nothing moves
+  remove_failed_motor();
+  constexpr double e = 1e-3;  // eigenvalues of B that are below e count as zero
   mobility_ = scale_.asDiagonal() * mobility_ * scale_.asDiagonal();
   square_.noalias() = mobility_ * mobility_;
-  square_.diagonal().array() += least * least;
+  square_.diagonal().array() += e * e;
   factor_.compute(square_);
   if (factor_.info() != Eigen::Success) return false;
   inertia_ = mobility_;
@@ -109,18 +112,17 @@ bool Holding::weigh_what_is_carried(const Eigen::VectorXd& q) noexcept {
   scale_.noalias() = inertia_ * fall_;
   fall_ = scale_;
   for (Eigen::Index i = 0; i < count; ++i) {
-    const int k = actuated_[static_cast<std::size_t>(i)];
+    const int k = actuated_[to_size(i)];
     weight_[k] = fall_[i];
-    for (Eigen::Index j = 0; j < count; ++j)
-      mass_(k, actuated_[static_cast<std::size_t>(j)]) = inertia_(i, j);
+    for (Eigen::Index j = 0; j < count; ++j) mass_(k, actuated_[to_size(j)]) = inertia_(i, j);
   }
   return weight_.allFinite() && mass_.allFinite();
 }
 
-/// What moves freely there is no entry of the inertia, and takes no torque.
-void Holding::leave_out_lost() noexcept {
+/// Removes the failed motor. Its joint then moves freely, adds no inertia, and gets no torque.
+void Holding::remove_failed_motor() noexcept {
   for (std::size_t i = 0; i < actuated_.size(); ++i) {
-    if (actuated_[i] != lost_) continue;
+    if (actuated_[i] != failed_) continue;
     const auto at = static_cast<Eigen::Index>(i);
     mobility_.row(at).setZero();
     mobility_.col(at).setZero();
@@ -128,41 +130,44 @@ void Holding::leave_out_lost() noexcept {
   }
 }
 
-/// A foot that bears nothing carries nothing, and its leg hangs. To what moves it as if it stood,
-/// legs would kick. With the share s of its part of the weight that each foot bears, and for what
-/// is between no foot and the base that of all of them together, the entries move as a body of the
-/// inertia S^1/2 M_closed S^1/2 + (1 - S)^1/2 M_open (1 - S)^1/2, which is one again.
-void Holding::weigh_by_loads(const Eigen::VectorXd& q,
-                             const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches) noexcept {
+/// Blends the dynamics of standing and hanging legs. An unloaded foot does not support the robot,
+/// and its leg hangs; torques for a standing leg would make this leg kick. S is the diagonal matrix
+/// of load fractions s. The load fraction of a joint is the load of its foot relative to an equal
+/// distribution of the weight. Joints that do not lie between a foot and the base have the load
+/// fraction of all feet together. The blended inertia is S^1/2 M_closed S^1/2 + (1 - S)^1/2 M_open
+/// (1 - S)^1/2, which is again a valid inertia.
+void Holding::blend_with_hanging(
+    const Eigen::VectorXd& q, const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches) noexcept {
   if (feet_.empty()) return;
-  double all = 0.0;
+  double total_load = 0.0;
   for (const Foot& foot : feet_) {
     if (foot.sensor >= wrenches.cols()) return;
-    all += wrenches.col(foot.sensor).head<3>().norm();
+    total_load += wrenches.col(foot.sensor).head<3>().norm();
   }
-  // What bears some of its part stands: only the rest goes over into hanging.
-  constexpr double some = 0.3;
-  const auto part = [&](double load, double of) {
-    return std::isfinite(load) ? std::clamp(load / (some * of), 0.0, 1.0) : 1.0;
+  // Load fraction below which a leg is blended with a hanging leg; chosen by hand.
+  constexpr double full_load = 0.3;
+  const auto fraction = [&](double load, double nominal) {
+    return std::isfinite(load) ? std::clamp(load / (full_load * nominal), 0.0, 1.0) : 1.0;
   };
-  share_.setConstant(part(all, weight_per_foot_ * static_cast<double>(feet_.size())));
+  load_fraction_.setConstant(
+      fraction(total_load, weight_per_foot_ * static_cast<double>(feet_.size())));
   const auto each_carried = [&](const Foot& foot, const auto& see) {
     for (const int k : actuated_)
-      if (foot.carries[static_cast<std::size_t>(k)] != 0) see(share_[k]);
+      if (foot.carries[to_size(k)] != 0) see(load_fraction_[k]);
   };
-  for (const Foot& foot : feet_) each_carried(foot, [](double& share) { share = 0.0; });
-  // Of a joint above several feet, as one of a spine, the one that bears most.
+  for (const Foot& foot : feet_) each_carried(foot, [](double& entry) { entry = 0.0; });
+  // A joint above several feet, for example in the spine, gets the largest of their load fractions.
   for (const Foot& foot : feet_) {
-    const double own = part(wrenches.col(foot.sensor).head<3>().norm(), weight_per_foot_);
-    each_carried(foot, [own](double& share) { share = std::max(share, own); });
+    const double own = fraction(wrenches.col(foot.sensor).head<3>().norm(), weight_per_foot_);
+    each_carried(foot, [own](double& entry) { entry = std::max(entry, own); });
   }
-  if (share_.minCoeff() == 1.0 || open_.forward(q, zero_, zero_) > Status::NotConverged) return;
+  if (load_fraction_.minCoeff() == 1.0 || !is_usable(open_.forward(q, zero_, zero_))) return;
   for (const int k : actuated_) {
-    const double s = share_[k];
+    const double s = load_fraction_[k];
     weight_[k] = s * weight_[k] + (1.0 - s) * open_.bias()[k];
     for (const int j : actuated_)
-      mass_(k, j) = std::sqrt(s * share_[j]) * mass_(k, j) +
-                    std::sqrt((1.0 - s) * (1.0 - share_[j])) * open_.mass_matrix()(k, j);
+      mass_(k, j) = std::sqrt(s * load_fraction_[j]) * mass_(k, j) +
+                    std::sqrt((1.0 - s) * (1.0 - load_fraction_[j])) * open_.mass_matrix()(k, j);
   }
 }
 
@@ -172,19 +177,20 @@ void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fr
   blind_for_ = fresh ? 0.0 : blind_for_ + tick_period_;
   tau.setZero();
   if (at_rest(q) == nullptr) return;
-  weigh_by_loads(q, wrenches);
-  const bool held = stretch(q, fresh);
+  blend_with_hanging(q, wrenches);
+  const bool held = update_spring(q, fresh);
   for (const int k : actuated_) {
     tau[k] = weight_[k];
     for (const int j : actuated_) tau[k] -= fallback_.damping * mass_(k, j) * v[j];
     if (held) tau[k] -= pull_[k];
   }
   soles_.keep(wrenches, tau);
-  if (lost_ >= 0) tau[lost_] = 0.0;
+  if (failed_ >= 0) tau[failed_] = 0.0;
 }
 
-/// The spring's torque in pull_, slipped to what it may use; false where there is no spring.
-bool Holding::stretch(const Eigen::VectorXd& q, bool fresh) noexcept {
+/// Computes the spring torque in pull_. The rest position of the spring slips so that torque limits
+/// are kept. Returns false if the spring is off.
+bool Holding::update_spring(const Eigen::VectorXd& q, bool fresh) noexcept {
   if (blind_for_ > bridged_) holding_ = false;
   if (!holding_ && fresh) {
     q_hold_ = q;
@@ -194,19 +200,19 @@ bool Holding::stretch(const Eigen::VectorXd& q, bool fresh) noexcept {
   difference_configuration(tree_, q_hold_.data(), q.data(), error_.data());
   stretch_.setZero();
   for (const int k : actuated_) stretch_[k] = error_[k];
-  double share = 1.0;  // of the stretch, what stays
+  double kept = 1.0;  // fraction of the deflection that remains after slipping
   for (const int k : actuated_) {
     pull_[k] = 0.0;
     for (const int j : actuated_) pull_[k] += fallback_.stiffness * mass_(k, j) * stretch_[j];
-    const double most = fallback_.give * effort_[k];
-    // A joint without torque has no part in it.
-    if (effort_[k] > 0.0 && std::abs(pull_[k]) > most)
-      share = std::min(share, most / std::abs(pull_[k]));
+    const double max_torque = fallback_.saturation_fraction * effort_[k];
+    // Joints with an effort limit of 0 are ignored.
+    if (effort_[k] > 0.0 && std::abs(pull_[k]) > max_torque)
+      kept = std::min(kept, max_torque / std::abs(pull_[k]));
   }
-  pull_ *= share;
-  if (share < 1.0) {
-    // All joints slip by the same share: that can only take energy out of the spring.
-    stretch_ *= -share;
+  pull_ *= kept;
+  if (kept < 1.0) {
+    // All deflections are reduced by the same factor, which can only take energy out of the spring.
+    stretch_ *= -kept;
     integrate_configuration(tree_, q.data(), stretch_.data(), q_hold_.data());
   }
   holding_ = pull_.allFinite() && q_hold_.allFinite();

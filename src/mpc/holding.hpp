@@ -1,4 +1,4 @@
-// What an MpcController sends after a fault: see Fallback.
+// Torques that brake and hold the robot after a fault, by a spring and a damper (see Fallback).
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -15,63 +15,71 @@ class Holding {
   Holding(const MpcSpec& spec, std::vector<int> actuated);
 
   void reset() noexcept;
-  /// What the robot carries at a frame: as ContactDynamics::set_payload. `loaded`: the frame's body
-  /// with it, of status Ok.
+  /// Sets the payload at a frame, see ContactDynamics::set_payload(). `loaded`: body of the frame
+  /// including the payload; its status must be Ok.
   void set_payload(std::string_view frame, const InertiaSpec& payload, const LoadedBody& loaded);
-  /// The motor of an entry of v gives nothing from now on, until reset(); -1: all do.
-  void do_without(int entry) noexcept { lost_ = entry; }
-  /// The next time it holds, it holds where the robot is then.
+  /// Marks a motor as failed until reset(). `entry`: entry of v that the motor drives; -1: no
+  /// failed motor.
+  void set_failed_motor(int entry) noexcept { failed_ = entry; }
+  /// Releases the spring. The next call of torque() holds the configuration that the robot then
+  /// has.
   void release() noexcept { holding_ = false; }
-  /// tau (nv, Nm or N) at q, v; zero where the dynamics cannot be evaluated. fresh: q and v are of
-  /// this tick. wrenches: Measurement::support_wrenches, of as many columns as
-  /// MpcSpec::support_sensors says.
+  /// Sets `tau` (nv) [Nm or N] to the holding torque at q and v, or to zero if the dynamics cannot
+  /// be evaluated. `fresh`: true if q and v were measured at this tick. `wrenches`:
+  /// Measurement::support_wrenches, whose number of columns depends on MpcSpec::support_sensors.
   void torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
               const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
               Eigen::VectorXd& tau) noexcept;
-  /// Torques of the actuated entries (nv, zero elsewhere; Nm, N) that hold the robot still: b(q,
-  /// 0), with what the other joints of a robot with loops, or on supports, lay on them. Null where
-  /// they cannot be evaluated.
+  /// Returns the torques that hold the robot still (nv) [Nm or N]: b(q, 0) for the actuated
+  /// entries, zero for the others. On a robot with loops or supports, the torques also carry the
+  /// load of the unactuated joints. Returns null if the dynamics cannot be evaluated.
   const Eigen::VectorXd* at_rest(const Eigen::VectorXd& q) noexcept;
-  /// What ankles may do, which holds for plans too.
+  /// Returns the limits of ankle torques, which commands of plans must satisfy too.
   const SoleLimits& soles() const noexcept { return soles_; }
 
  private:
-  bool stretch(const Eigen::VectorXd& q, bool fresh) noexcept;
-  bool weigh_freely(const Eigen::VectorXd& q) noexcept;
-  void leave_out_lost() noexcept;
-  void weigh_by_loads(const Eigen::VectorXd& q,
-                      const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches) noexcept;
-  bool weigh_what_is_carried(const Eigen::VectorXd& q) noexcept;
+  bool update_spring(const Eigen::VectorXd& q, bool fresh) noexcept;
+  bool compute_free_inertia(const Eigen::VectorXd& q) noexcept;
+  void remove_failed_motor() noexcept;
+  void blend_with_hanging(const Eigen::VectorXd& q,
+                          const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches) noexcept;
+  bool compute_closed_inertia(const Eigen::VectorXd& q) noexcept;
 
   Fallback fallback_;
-  double tick_period_, bridged_;  ///< s
+  double tick_period_;
+  /// Longest time without valid measurements for which the spring stays on [s].
+  double bridged_;
   std::vector<int> actuated_;
   Eigen::VectorXd effort_;
   Tree tree_;
   bool is_closed_;
-  int lost_ = -1;         ///< entry of v
-  ContactDynamics free_;  ///< the robot without contacts but its supports and loops
-  /// Of a robot on feet with sensors: what hangs where they bear nothing.
+  int failed_ = -1;       ///< Entry of v whose motor has failed; -1: no failed motor.
+  ContactDynamics free_;  ///< Dynamics with the supports and loops as the only contacts.
+  /// Foot with a force sensor. While the sensor measures no load, the leg of the foot is controlled
+  /// as a hanging leg.
   struct Foot {
-    Eigen::Index sensor;        ///< column of the wrenches
-    std::vector<char> carries;  ///< nv: whether the entry is between it and the base
+    Eigen::Index sensor;  ///< Column of the foot's sensor in the wrenches.
+    /// Per entry of v: 1 if the entry is between this foot and the base.
+    std::vector<char> carries;
   };
   std::vector<Foot> feet_;
   SoleLimits soles_;
-  ContactDynamics open_;    ///< the robot in the air
-  Eigen::VectorXd share_;   ///< nv, of what stands: 1, of what hangs: 0
-  double gravity_;          ///< m/s^2
-  double weight_per_foot_;  ///< N, with what is carried
-  /// At the last at_rest(): torques that hold, and what moves the actuated entries (nv x nv).
+  ContactDynamics open_;  ///< Dynamics of the robot in the air, without supports.
+  /// Load fraction of each entry of v: 1 for joints of loaded legs, 0 for joints of hanging legs.
+  Eigen::VectorXd load_fraction_;
+  double gravity_;          ///< Gravitational acceleration [m/s^2].
+  double weight_per_foot_;  ///< Weight of robot and payload, divided by the number of feet [N].
+  /// Results of the last at_rest(): holding torques weight_, and inertia mass_ of the actuated
+  /// entries (nv x nv).
   Eigen::VectorXd weight_;
   Eigen::MatrixXd mass_;
-  Eigen::MatrixXd mobility_, square_,
-      inertia_;  ///< of the actuated entries alone, of a robot that is closed
+  /// Matrices for the actuated entries alone; used for a robot with loops or supports.
+  Eigen::MatrixXd mobility_, square_, inertia_;
   Eigen::VectorXd fall_, scale_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
-  Eigen::VectorXd zero_, q_hold_, error_, stretch_, pull_;  ///< nv, nq, nv, nv, nv
-  double blind_for_ = 0.0;                                  ///< s without a good measurement
-  bool holding_ = false;                                    ///< the spring has its q_hold_
+  Eigen::VectorXd zero_, q_hold_, error_, stretch_, pull_;  ///< Sizes nv, nq, nv, nv, nv.
+  double blind_for_ = 0.0;  ///< Time without a valid measurement [s].
+  bool holding_ = false;    ///< True if the spring is on; q_hold_ is its rest configuration.
 };
 
 }  // namespace burnish

@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "mpc/closed_dynamics.hpp"
 
 namespace burnish {
 
 namespace {
 
+/// Returns the target of a one-dimensional contact force; null for other residuals.
 template <class Residual>
 const Signal* one_force(const Residual& given) {
   const auto* force = std::get_if<residual::ContactForce>(&given);
   return force != nullptr && force->target.size() == 1 ? &force->target : nullptr;
 }
 
-/// Of a point of what the surface is fixed in that the tool is to come to.
+/// Returns the target of the tool's position relative to MpcSpec::base; null for other residuals.
 template <class Residual>
 const Signal* place_of(const Residual& given, const MpcSpec& spec) {
   const Anchor from = spec.base.empty() ? Anchor(Anchor::World) : Anchor(spec.base);
@@ -26,7 +28,7 @@ const Signal* place_of(const Residual& given, const MpcSpec& spec) {
              : nullptr;
 }
 
-/// What the surface is fixed in, as contacts name it.
+/// Returns the name of the frame that carries the surface, as contacts spell it.
 const std::string& base_of(const MpcSpec& spec) {
   static const std::string world = "world";
   return spec.base.empty() ? world : spec.base;
@@ -44,7 +46,7 @@ std::vector<int> contacts_on_surface(const MpcSpec& spec) {
   return result;
 }
 
-std::vector<int> contacts_that_rub(const MpcSpec& spec) {
+std::vector<int> contacts_with_friction(const MpcSpec& spec) {
   std::vector<int> result;
   const std::vector<ContactSpec>& contacts = spec.problem.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -59,10 +61,10 @@ Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule
       given_(knot_steps(spec.problem)),
       times_(given_),
       solved_(given_),
-      begins_(static_cast<std::size_t>(problem.knots()) + 1),
-      nearest_(static_cast<std::size_t>(problem.knots())),
+      begins_(to_size(problem.knots()) + 1),
+      nearest_(to_size(problem.knots())),
       following_(contacts_on_surface(spec)),
-      rubbing_(contacts_that_rub(spec)),
+      with_friction_(contacts_with_friction(spec)),
       friction_(spec.friction_estimate.coefficient),
       grounds_(ground_terms(spec)),
       corrects_force_(spec.model_error.kind == ModelErrorKind::Force),
@@ -99,7 +101,7 @@ Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule
 }
 
 int Horizon::stage_at(double schedule_time) const noexcept {
-  return stage_of_phase_[static_cast<std::size_t>(schedule_.phase_at(schedule_time))];
+  return stage_of_phase_[to_size(schedule_.phase_at(schedule_time))];
 }
 
 void Horizon::place_knot(int knot, double schedule_time) {
@@ -107,41 +109,41 @@ void Horizon::place_knot(int knot, double schedule_time) {
   problem_.set_knot(knot, stage, schedule_time);
   if (surface_)
     for (const int contact : following_) (void)problem_.set_surface(knot, contact, *surface_);
-  for (const int contact : rubbing_) (void)problem_.set_friction(knot, contact, friction_);
-  if (knot < problem_.knots()) ground(knot, stage);
-  if (surface_ && depth_ > 0.0) press_places(knot, schedule_time);
+  for (const int contact : with_friction_) (void)problem_.set_friction(knot, contact, friction_);
+  if (knot < problem_.knots()) set_ground_friction(knot, stage);
+  if (surface_ && depth_ > 0.0) shift_places(knot, schedule_time);
   if (corrects_force_ && knot < problem_.knots()) lower_forces(knot, schedule_time);
 }
 
-/// A knot that was set has the specification's friction.
-void Horizon::ground(int knot, int stage) {
-  for (const GroundTerm& ground : grounds_[static_cast<std::size_t>(stage)]) {
-    const double known = support_friction_[ground.support], cone = cones_[ground.support];
-    if (!(known < cone)) continue;
-    one_[0] = ground.friction * known / cone;
-    (void)problem_.set_target(knot, ground.term, one_);  // one_ has the term's size
+/// Sets the estimated friction under supports. Before this, set_knot() has set the friction of the
+/// specification.
+void Horizon::set_ground_friction(int knot, int stage) {
+  for (const GroundTerm& ground : grounds_[to_size(stage)]) {
+    const double estimated = support_friction_[ground.support], cone = cones_[ground.support];
+    if (!(estimated < cone)) continue;
+    one_[0] = ground.friction * estimated / cone;
+    (void)problem_.set_target(knot, ground.term, one_);  // one_ has the size of the target
   }
 }
 
-/// Across the normal n the tool is where it is to be if it is depth n below there.
-void Horizon::press_places(int knot, double schedule_time) {
+/// Moves the position targets of the tool into the surface, by depth_ along the normal.
+void Horizon::shift_places(int knot, double schedule_time) {
   const bool ends = knot == problem_.knots();
-  for (const Target& place :
-       ends ? places_at_end_ : places_[static_cast<std::size_t>(stage_at(schedule_time))]) {
+  for (const Target& place : ends ? places_at_end_ : places_[to_size(stage_at(schedule_time))]) {
     place.signal.at(schedule_time, three_);
     const Eigen::Vector3d gradient = surface_->gradient(three_.head<3>());
     const double length = gradient.norm();
     if (!(length > 1e-9)) continue;
     three_ -= depth_ / length * gradient;
-    (void)problem_.set_target(knot, place.term, three_);  // three_ has the term's size
+    (void)problem_.set_target(knot, place.term, three_);  // three_ has the size of the target
   }
 }
 
 void Horizon::lower_forces(int knot, double schedule_time) {
-  for (const Target& force : forces_[static_cast<std::size_t>(stage_at(schedule_time))]) {
+  for (const Target& force : forces_[to_size(stage_at(schedule_time))]) {
     force.signal.at(schedule_time, one_);
     one_[0] -= force_error_;
-    (void)problem_.set_target(knot, force.term, one_);  // one_ has the term's size
+    (void)problem_.set_target(knot, force.term, one_);  // one_ has the size of the target
   }
 }
 
@@ -153,26 +155,25 @@ void Horizon::place(double schedule_time) {
   }
   begin_at_phases(schedule_time);
   for (int k = 0; k < N; ++k) problem_.set_step(k, times_.step(k));
-  for (int k = 0; k <= N; ++k) place_knot(k, begins_[static_cast<std::size_t>(k)]);
+  for (int k = 0; k <= N; ++k) place_knot(k, begins_[to_size(k)]);
 }
 
-/// Of two changes of phase that are nearest to the same knot, or closer to each other than a fifth
-/// of it is long, the first has it.
+/// Moves each knot to the nearest change of phase, to the first of two that are equally near. A
+/// change is skipped if a step would become shorter than min_step.
 void Horizon::begin_at_phases(double schedule_time) noexcept {
   const int N = problem_.knots();
   times_.copy_first(given_);
-  for (int k = 0; k <= N; ++k)
-    begins_[static_cast<std::size_t>(k)] = schedule_time + given_.after(k);
-  constexpr double shortest = 0.2;
+  for (int k = 0; k <= N; ++k) begins_[to_size(k)] = schedule_time + given_.after(k);
+  constexpr double min_step = 0.2;  // shortest allowed step, as a fraction of the nominal step
   int last = 0;
   for (int phase = 1; phase < static_cast<int>(schedule_.phases().size()); ++phase) {
     const double begin = schedule_.start_of(phase), ahead = begin - schedule_time;
     const double place = given_.place(ahead);
     const int k = static_cast<int>(std::lround(place));
     if (k <= last || k >= N) continue;
-    if (ahead - times_.after(k - 1) < shortest * given_.step(k - 1)) continue;
+    if (ahead - times_.after(k - 1) < min_step * given_.step(k - 1)) continue;
     times_.move(k, ahead);
-    begins_[static_cast<std::size_t>(k)] = begin;
+    begins_[to_size(k)] = begin;
     last = k;
   }
 }
@@ -189,7 +190,7 @@ void Horizon::guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
   const auto us = solver.us();
   const double elapsed = std::max(0.0, schedule_time - guess_time_);
   for (int k = 0; k <= N; ++k) {
-    const double at = where(k, elapsed);
+    const double at = place_in_solution(k, elapsed);
     const int i = std::min(static_cast<int>(at), N - 1);
     const double* const here = xs.data() + i * xs.cols();
     problem_.difference(here, here + xs.cols(), dx_.data());
@@ -202,8 +203,9 @@ void Horizon::guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
   guess_x_.row(0) = x.transpose();
 }
 
-/// Where a knot that now begins so much later than the solution falls into that.
-double Horizon::where(int knot, double elapsed) const noexcept {
+/// Returns the position of a knot in the last solution, as a fractional knot number. The horizon
+/// now begins `elapsed` [s] later than the last solution.
+double Horizon::place_in_solution(int knot, double elapsed) const noexcept {
   if (given_.is_even())
     return std::min(knot + elapsed / given_.step(0), static_cast<double>(given_.knots()));
   return solved_.place(times_.after(knot) + elapsed);
@@ -214,7 +216,8 @@ void Horizon::guess_mean_control(int knot, double elapsed, const DdpSolver& solv
   const int N = problem_.knots();
   const double begin = times_.after(knot) + elapsed, end = times_.after(knot + 1) + elapsed;
   const int first = std::min(static_cast<int>(solved_.place(begin)), N - 1);
-  if (first == N - 1 || end <= solved_.after(first + 1)) return;  // one control
+  // Only one control of the solution applies.
+  if (first == N - 1 || end <= solved_.after(first + 1)) return;
   guess_u_.row(knot).setZero();
   double from = begin;
   for (int i = first; i < N && from < end; ++i) {
@@ -233,7 +236,7 @@ void Horizon::shift_limits(DdpSolver& solver, double schedule_time) noexcept {
     return;
   }
   for (int k = 0; k < N; ++k)
-    nearest_[static_cast<std::size_t>(k)] = static_cast<int>(std::lround(where(k, elapsed)));
+    nearest_[to_size(k)] = static_cast<int>(std::lround(place_in_solution(k, elapsed)));
   solver.shift_limits(nearest_);
 }
 

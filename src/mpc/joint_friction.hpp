@@ -1,77 +1,86 @@
-// Friction in the joints, estimated from the correlation of the model error with joint velocities,
-// and its feedforward compensation.
+// Estimate of joint friction from the correlation between model error and joint velocities, and
+// feedforward compensation of the friction.
 #pragma once
 
 #include <cmath>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "mpc/sent_torques.hpp"
 
 namespace burnish {
 
-/// Per joint a Kalman filter of the observed model error
-///   d = c - F s(v) - B v,   s(v) = tanh(v / w),
-/// with an offset c that varies fast and Coulomb and viscous friction F, B >= 0 that vary slowly.
-/// v is the planned velocity, because encoders do not resolve when a joint reverses: plans are read
-/// lead() ahead and smoothed by a filter whose delay cancels that lead. The width w is
-/// friction_speed. It grows with the deviation of the measured velocity from v, so that s is the
-/// expected sign of an uncertain velocity. Otherwise the compensation would accelerate a light
-/// joint that noise moves.
+/// Estimator with a Kalman filter per joint. The measurement of the filter is the observed model
+/// error
+///   d = c - F s(v) - B v,   s(v) = tanh(v / w).
+/// The offset c varies fast. The friction coefficients F >= 0 (Coulomb) and B >= 0 (viscous) vary
+/// slowly.
+///
+/// v is the planned velocity, because encoders do not resolve the moment at which a joint reverses.
+/// Plans are read lead() ahead and then smoothed by a filter with this delay, so that v is not
+/// late. The width w is `friction_speed` at least. It grows with the deviation of the measured
+/// velocity from v, so that s is the expected sign of an uncertain velocity. With a constant w, the
+/// compensation would accelerate a light joint whose measured velocity is only noise.
 class JointFriction {
  public:
   explicit JointFriction(const MpcSpec& spec);
 
   void reset() noexcept;
-  /// Time after a plan's first knot at which foresee() needs the planned velocity [s].
+  /// Returns the time after a plan's first knot for which foresee() takes the planned velocity [s].
   double lead() const { return lead_; }
-  /// Takes the velocity (nv) of a new plan, lead() after its first knot.
+  /// Sets the velocity (nv) of a new plan at lead() after the plan's first knot.
   void foresee(const double* v) noexcept;
-  /// Updates torque() for a tick that is dt later [s].
+  /// Advances torque() by `dt` [s], to the next tick.
   void advance(double dt) noexcept;
   /// Sets torque() to zero until the next advance().
   void rest() noexcept { torque_.setZero(); }
-  /// Updates the estimates with an observer's torque error (nv) and the measured velocity (nv).
-  /// The observer has this bandwidth [rad/s] and was given the commands without torque().
+  /// Updates the estimates from the torque error of an observer (nv) and the measured velocity
+  /// (nv). The torques that the observer assumes must not include torque(). `bandwidth`: bandwidth
+  /// of the observer [rad/s].
   void learn(const Eigen::VectorXd& torque_error, const Eigen::VectorXd& v, double bandwidth,
              double dt) noexcept;
 
-  const Eigen::VectorXd& torque() const { return torque_; }  ///< nv, Nm (N), to be added
-  double coulomb(int k) const { return joints_[static_cast<std::size_t>(k)].x[1]; }  ///< F, Nm (N)
-  double viscous(int k) const { return joints_[static_cast<std::size_t>(k)].x[2]; }  ///< B, Nms/rad
-  /// Standard deviation of the estimated F [Nm (N)].
-  double deviation(int k) const { return std::sqrt(joints_[static_cast<std::size_t>(k)].P(1, 1)); }
+  const Eigen::VectorXd& torque() const { return torque_; }  ///< Compensation, nv [Nm or N].
+  /// Returns the estimated Coulomb friction F of entry k [Nm or N].
+  double coulomb(int k) const { return joints_[to_size(k)].x[1]; }
+  /// Returns the estimated viscous friction B of entry k [Nms/rad or Ns/m].
+  double viscous(int k) const { return joints_[to_size(k)].x[2]; }
+  /// Returns the standard deviation of the estimated F [Nm or N].
+  double deviation(int k) const { return std::sqrt(joints_[to_size(k)].P(1, 1)); }
 
  private:
-  struct Late {  ///< a signal as the observer shows it
+  struct Late {  ///< Second-order low-pass with the delay of the observer.
     double first = 0.0, second = 0.0;
-    double follow(double value, double share) {
-      first += share * (value - first);
-      return second += share * (first - second);
+    double follow(double value, double weight) {
+      first += weight * (value - first);
+      return second += weight * (first - second);
     }
   };
   struct Joint {
     bool driven = false;
-    double prior = 1.0;                          ///< Nm (N), deviation of F at first
-    double ahead = 0.0, between = 0.0, v = 0.0;  ///< rad/s: planned, smoothed once and twice
+    double prior = 1.0;  ///< Initial standard deviation of F [Nm or N].
+    /// Planned velocity: as read (ahead), low-pass filtered once (between) and twice (v) [rad/s].
+    double ahead = 0.0, between = 0.0, v = 0.0;
     Late sign, speed, given;
-    Late actual, foreseen;  ///< rad/s: measured and planned velocity behind the same filter
-    double strays = 0.0;    ///< rad^2/s^2, mean square of their difference
-    Eigen::Vector3d x;      ///< c, F, B
+    Late actual, foreseen;  ///< Measured and planned velocity, low-pass filtered alike [rad/s].
+    double strays = 0.0;  ///< Mean square of the difference `actual` minus `foreseen` [rad^2/s^2].
+    Eigen::Vector3d x;    ///< State: c, F, B.
     Eigen::Matrix3d P;
-    double noise = 0.0;  ///< Nm^2
+    double noise = 0.0;  ///< Variance of the observed error [Nm^2].
   };
   double sign_of(const Joint& joint, double v) const noexcept;
-  void learn(Joint& joint, double error, double speed, double share, double dt) noexcept;
+  void learn(Joint& joint, double error, double speed, double weight, double dt) noexcept;
 
   bool enabled_;
   ModelErrorOptions options_;
-  double lead_, smoothing_;  ///< s
+  double lead_;       ///< Result of lead() [s].
+  double smoothing_;  ///< Time constant of the filter of planned velocities [s].
   std::vector<Joint> joints_;
   Eigen::VectorXd torque_;
-  int late_;                      ///< ticks that observations are old, from known delays
-  SentTorques torques_, speeds_;  ///< nv, Nm (N) and rad/s, of the last late_ ticks
-  Eigen::VectorXd speed_;         ///< nv, rad/s
+  int late_;                      ///< Age of the observed error, from the stated delays [ticks].
+  SentTorques torques_, speeds_;  ///< Compensation and planned velocity of the last late_ ticks.
+  Eigen::VectorXd speed_;         ///< Planned velocity at this tick, nv [rad/s].
 };
 
 }  // namespace burnish

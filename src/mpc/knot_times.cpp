@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish {
@@ -22,7 +23,7 @@ KnotTimes::KnotTimes(std::span<const double> steps) {
 }
 
 void KnotTimes::move(int knot, double after) noexcept {
-  after_[static_cast<std::size_t>(knot)] = after;
+  after_[to_size(knot)] = after;
   is_even_ = false;
 }
 

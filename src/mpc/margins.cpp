@@ -3,31 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "mpc/sampled_loop.hpp"
 
 namespace burnish {
 namespace {
 
-// 1/s: a disturbance that grows faster takes less than half a second from a joint's noise to its
-// speed limit. Simulations of 12 arms fault there.
-constexpr double slow = 8.0;
-// Of the way from the stated to the boosted bandwidth: boost fades by itself within 0.15 s, so that
-// simulations fault where the loop is unstable half the way, not where it is at the very end.
-constexpr double mean_boost = 0.5;
+// Largest growth rate with which the loop still counts as stable [1/s]. With this rate, a
+// disturbance needs about half a second to grow from joint noise to the speed limit. In simulations
+// of 12 arms, faster growth led to faults.
+constexpr double max_growth = 8.0;
+// Mean bandwidth increase in a transient, as a fraction of the largest increase. The bandwidth
+// scale decays within 0.15 s. In simulations, faults occur if the loop is unstable at this
+// fraction, but not if it is unstable only at the largest bandwidth.
+constexpr double mean_transient_scale = 0.5;
 
-/// Bandwidths that the observer works at [rad/s].
+/// Returns the observer bandwidths at which the loop is analysed [rad/s].
 std::vector<double> bandwidths(const ModelErrorOptions& options) {
-  const double stated = options.usual_bandwidth(), boost = options.usual_boost();
+  const double stated = options.usual_bandwidth(),
+               transient_scale = options.usual_transient_scale();
   std::vector<double> all{stated};
   if (options.kind != ModelErrorKind::Torque) return all;
-  if (options.calm < 1.0) all.push_back(options.calm * stated);
-  if (boost > 1.0) all.push_back((1.0 + mean_boost * (boost - 1.0)) * stated);
+  if (options.quiescent_scale < 1.0) all.push_back(options.quiescent_scale * stated);
+  if (transient_scale > 1.0)
+    all.push_back((1.0 + mean_transient_scale * (transient_scale - 1.0)) * stated);
   return all;
 }
 
 using Case = SampledLoop::Case;
 
-/// The loop as `options` have it, with the observer at a bandwidth [rad/s].
+/// Returns the parameters of the loop for `options`, with an observer of the given bandwidth
+/// [rad/s].
 Case case_of(const ModelErrorOptions& options, double bandwidth) {
   Case result{.bandwidth = bandwidth};
   if (options.kind != ModelErrorKind::Torque) return result;
@@ -49,7 +55,7 @@ struct LoopAnalysis::Impl {
   bool is_stable(Case with, int entry, double factor) const {
     with.entry = entry;
     with.factor = factor;
-    return loop.growth(with) < slow;
+    return loop.growth(with) < max_growth;
   }
   double largest_delay(Case with, double furthest) const;
   double limit_of_gain(const Case& with, int entry, double furthest) const;
@@ -59,11 +65,13 @@ struct LoopAnalysis::Impl {
   std::vector<std::string> joints;
 };
 
-/// At most `furthest` [s]. Between two steps of delay by how fast the growth rises beyond them.
+/// Returns the largest additional delay with which the loop is stable, at most `furthest` [s].
+/// Delays are tried in steps. Between two steps, the limit is extrapolated from the growth rates at
+/// the next two unstable delays.
 double LoopAnalysis::Impl::largest_delay(Case with, double furthest) const {
   const auto excess = [&](int steps) {
     with.delay_steps = steps;
-    return loop.growth(with) - slow;
+    return loop.growth(with) - max_growth;
   };
   int stable = -1, unstable = static_cast<int>(std::ceil(furthest / loop.dt() - 1e-9));
   if (excess(unstable) < 0.0) return furthest;
@@ -76,11 +84,12 @@ double LoopAnalysis::Impl::largest_delay(Case with, double furthest) const {
   return std::clamp((unstable - back) * loop.dt(), 0.0, furthest);
 }
 
-/// Factor between 1 and `furthest` from which on the loop is unstable; 1 where it is without.
+/// Returns the factor on the torque of an entry beyond which the loop is unstable. It lies between
+/// 1 and `furthest`, and is 1 if the loop is unstable without a factor.
 double LoopAnalysis::Impl::limit_of_gain(const Case& with, int entry, double furthest) const {
   if (is_stable(with, entry, furthest)) return furthest;
   if (!is_stable(with, entry, 1.0)) return 1.0;
-  constexpr double precision = 0.05;  // of the logarithm
+  constexpr double precision = 0.05;  // tolerance of the factor's logarithm
   double stable = 0.0, unstable = std::log(furthest);
   while (std::abs(unstable - stable) > precision) {
     const double middle = 0.5 * (stable + unstable);
@@ -117,7 +126,7 @@ bool LoopAnalysis::tolerates(const ModelErrorOptions& options, double delay, dou
 }
 
 LoopMargins LoopAnalysis::delay_margin(const ModelErrorOptions& options) const {
-  LoopMargins result{.delay = longest_delay, .bandwidth = options.usual_bandwidth()};
+  LoopMargins result{.delay = max_delay, .bandwidth = options.usual_bandwidth()};
   for (const double bandwidth : bandwidths(options)) {
     const double delay = impl_->largest_delay(case_of(options, bandwidth), result.delay);
     if (delay < result.delay) result.bandwidth = bandwidth;
@@ -129,7 +138,7 @@ LoopMargins LoopAnalysis::delay_margin(const ModelErrorOptions& options) const {
 LoopMargins LoopAnalysis::margins(const ModelErrorOptions& options) const {
   LoopMargins result = delay_margin(options);
   for (int k = 0; k < impl_->loop.nv(); ++k) {
-    GainRange range{impl_->joints[static_cast<std::size_t>(k)], smallest_gain, largest_gain};
+    GainRange range{impl_->joints[to_size(k)], smallest_gain, largest_gain};
     for (const double bandwidth : bandwidths(options)) {
       range.below = impl_->limit_of_gain(case_of(options, bandwidth), k, range.below);
       range.above = impl_->limit_of_gain(case_of(options, bandwidth), k, range.above);
@@ -142,17 +151,16 @@ LoopMargins LoopAnalysis::margins(const ModelErrorOptions& options) const {
 std::string without_margins(const MpcSpec& spec) {
   const Model& model = spec.problem.model;
   if (!model.joints.empty() && model.joints.front().kind == JointKind::FreeFlyer)
-    return "margins: the base of the robot floats; they are computed for a fixed one";
-  if (!model.loops.empty())
-    return "margins: the robot has loops; they are computed for open chains";
+    return "margins: the base of the robot floats; wanted a fixed base";
+  if (!model.loops.empty()) return "margins: the robot has loops; wanted an open chain";
   if (!spec.supports.empty())
-    return "margins: the robot stands on supports; they are computed for arms";
+    return "margins: the robot stands on supports; wanted an arm without supports";
   if (!spec.base.empty())
-    return "margins: the robot carries the surface; they are computed for one that stands";
+    return "margins: the robot carries the surface; wanted a surface fixed to the world";
   if (!spec.force_sensor)
-    return "margins: the force is estimated from torques; they are computed for a force sensor";
+    return "margins: the force is estimated from torques; wanted a force sensor";
   if (spec.model_error.kind == ModelErrorKind::Force)
-    return "margins: the error of the force is estimated; they are computed for that of torques";
+    return "margins: model_error.kind is force; wanted torque or none";
   return {};
 }
 

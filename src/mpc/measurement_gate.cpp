@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 
 MeasurementGate::MeasurementGate(const MpcSpec& spec)
@@ -36,14 +38,14 @@ void MeasurementGate::take(const Measurement& m, FaultLatch& latch, Status& stat
   const double before = last_.time;
   fresh_ = accept(m, latch, status);
   first_ = fresh_ && !started_;
-  // Over ticks without a good measurement, if there were any.
+  // The interval includes the ticks whose measurements were missing or invalid.
   dt_ = first_ ? 0.0 : last_.time - before;
   if (fresh_ && !latch.is_set()) started_ = true;
 }
 
 bool MeasurementGate::take_state(const Measurement& m) noexcept {
   if (m.q.size() != last_.q.size() || m.v.size() != last_.v.size()) return false;
-  if (body_.update(m.q, m.v) > Status::NotConverged) return false;
+  if (!is_usable(body_.update(m.q, m.v))) return false;
   last_.q = m.q;
   last_.v = m.v;
   return true;
@@ -52,7 +54,7 @@ bool MeasurementGate::take_state(const Measurement& m) noexcept {
 bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept {
   const bool stands_still = started_ && m.time <= last_.time;
   if (latch.is_set()) {
-    // The fallback makes do with a position and a velocity.
+    // The fallback needs only position and velocity.
     now_ += tick_period_;
     if (stands_still || !take_state(m)) return false;
     if (std::isfinite(m.time)) last_.time = m.time;
@@ -63,7 +65,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   }
   if (stands_still) {
     status = Status::NotEvaluated;
-    std::snprintf(bad_, sizeof bad_, "its time stands still at %.4f s", last_.time);
+    std::snprintf(bad_, sizeof bad_, "the measurement's time stays at %.4f s", last_.time);
     bridge(latch, FaultKind::StaleMeasurement, limits_.stale);
     return false;
   }
@@ -74,7 +76,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
                        (m.support_wrenches.cols() == supports_ && m.support_wrenches.allFinite()));
   if (!std::isfinite(m.time) || !forces || !take_state(m)) {
     status = Status::NotFinite;
-    say_what_is_bad(m);
+    describe_defect(m);
     bridge(latch, FaultKind::BadMeasurement, limits_.bad);
     return false;
   }
@@ -87,7 +89,8 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   return true;
 }
 
-/// Time goes on as it should have, so that the policy does too.
+/// Advances the time by one tick while a measurement is missing, so that the policy continues.
+/// Raises a fault when the limit is reached.
 void MeasurementGate::bridge(FaultLatch& latch, FaultKind kind, double limit) noexcept {
   now_ += tick_period_;
   const double missing = now_ - last_.time;
@@ -95,29 +98,29 @@ void MeasurementGate::bridge(FaultLatch& latch, FaultKind kind, double limit) no
     latch.explain(bad_);
 }
 
-/// Whether the entries, at least one a name, are of another number or not finite, which is said.
+/// Returns true if `entries` has a wrong number of columns or a column that is not finite, and
+/// describes this defect. `names`: names of the columns.
 template <class Entries>
 bool MeasurementGate::is_bad(const char* what, const Entries& entries,
                              const std::vector<std::string>& names) noexcept {
-  const auto wanted = static_cast<Eigen::Index>(names.size());
-  if (entries.cols() != wanted) {
-    std::snprintf(bad_, sizeof bad_, "%s has %d entries, and %d are wanted", what,
-                  static_cast<int>(entries.cols()), static_cast<int>(wanted));
+  const auto count = static_cast<Eigen::Index>(names.size());
+  if (entries.cols() != count) {
+    std::snprintf(bad_, sizeof bad_, "%s has %d entries; wanted %d", what,
+                  static_cast<int>(entries.cols()), static_cast<int>(count));
     return true;
   }
-  for (Eigen::Index i = 0; i < wanted; ++i) {
+  for (Eigen::Index i = 0; i < count; ++i) {
     if (entries.col(i).allFinite()) continue;
-    std::snprintf(bad_, sizeof bad_, "%s of '%s' is not finite", what,
-                  names[static_cast<std::size_t>(i)].c_str());
+    std::snprintf(bad_, sizeof bad_, "%s of '%s' is not finite", what, names[to_size(i)].c_str());
     return true;
   }
   return false;
 }
 
-/// In bad_.
-void MeasurementGate::say_what_is_bad(const Measurement& m) noexcept {
+/// Writes a description of a measurement's first defect into bad_.
+void MeasurementGate::describe_defect(const Measurement& m) noexcept {
   if (!std::isfinite(m.time)) {
-    std::snprintf(bad_, sizeof bad_, "its time is not finite");
+    std::snprintf(bad_, sizeof bad_, "the measurement's time is not finite");
     return;
   }
   if (is_bad("q", m.q.transpose(), q_names_) || is_bad("v", m.v.transpose(), v_names_) ||
@@ -130,7 +133,7 @@ void MeasurementGate::say_what_is_bad(const Measurement& m) noexcept {
   if (supports_ > 0 && is_bad("the wrench of the support", m.support_wrenches, support_names_))
     return;
   const Status status = body_.update(m.q, m.v);
-  std::snprintf(bad_, sizeof bad_, "q and v are not a state (%.*s)",
+  std::snprintf(bad_, sizeof bad_, "q and v are not a valid state (%.*s)",
                 static_cast<int>(describe(status).size()), describe(status).data());
 }
 

@@ -1,4 +1,4 @@
-// Which measurements are states, and what time it is while there are none.
+// Check of measurements. The gate also advances the time while measurements are missing or invalid.
 #pragma once
 
 #include "burnish/derivatives/rigid_body.hpp"
@@ -7,35 +7,37 @@
 
 namespace burnish {
 
-/// Keeps the last good measurement. One that is none (NaN, wrong sizes, time that stands still) is
-/// bridged: time goes on by ticks until the limits' `bad` or `stale` is over.
+/// Check that keeps the last valid measurement. A measurement is invalid if it contains a NaN or a
+/// vector of wrong size, or if its time does not increase. While measurements are invalid, the time
+/// advances by one tick period per tick, until one of the limits `bad` and `stale` is reached.
 class MeasurementGate {
  public:
   explicit MeasurementGate(const MpcSpec& spec);
 
   void reset() noexcept;
-  /// At each tick. While a fault is latched a position and a velocity will do. Status: NotEvaluated
-  /// for time that stands still, NotFinite for what is no state, else as it was.
+  /// Checks the measurement of a tick. After a fault, only position and velocity must be valid.
+  /// Sets `status` to NotEvaluated if the time does not increase, and to NotFinite for an invalid
+  /// measurement. Otherwise, `status` is unchanged.
   void take(const Measurement& m, FaultLatch& latch, Status& status) noexcept;
 
-  bool is_fresh() const { return fresh_; }  ///< this tick's is good
-  bool is_first() const { return first_; }  ///< and no good one was before
-  double dt() const { return dt_; }         ///< s from the good one before to this one
-  double now() const { return now_; }       ///< s, of this tick
+  bool is_fresh() const { return fresh_; }  ///< True if the measurement of this tick is valid.
+  bool is_first() const { return first_; }  ///< True if this measurement is the first valid one.
+  double dt() const { return dt_; }         ///< Time between the last two valid measurements [s].
+  double now() const { return now_; }       ///< Time of this tick [s].
   const Measurement& last() const { return last_; }
-  const RigidBody& body() const { return body_; }  ///< at last()
-  /// RigidBody::set_payload.
+  const RigidBody& body() const { return body_; }  ///< Kinematics at the last valid measurement.
+  /// Sets the payload at a frame, see RigidBody::set_payload().
   void set_payload(std::string_view frame, const InertiaSpec& payload) {
     (void)body_.set_payload(frame, payload);
   }
-  /// The force at the tool in place of a sensor's, N, world axes.
+  /// Sets the force at the tool for robots without a force sensor, in world axes [N].
   void feel(const Eigen::Vector3d& force_world) noexcept { last_.tool_force_world = force_world; }
-  /// Of the velocity, what stays, where it is of long ago.
-  void fade_velocity(double share) noexcept { last_.v *= share; }
+  /// Multiplies the velocity of last() by `factor`. Called while the last valid measurement is old.
+  void fade_velocity(double factor) noexcept { last_.v *= factor; }
 
  private:
   bool accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept;
-  void say_what_is_bad(const Measurement& m) noexcept;
+  void describe_defect(const Measurement& m) noexcept;
   template <class Entries>
   bool is_bad(const char* what, const Entries& entries,
               const std::vector<std::string>& names) noexcept;
@@ -44,15 +46,15 @@ class MeasurementGate {
 
   SafetyLimits limits_;
   std::vector<std::string> q_names_, v_names_, support_names_;
-  char bad_[160] = "";  ///< what is wrong with the last measurement that was none
+  char bad_[160] = "";  ///< Description of what was wrong with the last invalid measurement.
   double tick_period_;
   bool has_force_;
-  Eigen::Index supports_;  ///< whose wrenches are measured
+  Eigen::Index supports_;  ///< Number of supports with measured wrenches.
   Eigen::VectorXd q_start_;
   RigidBody body_;
-  Measurement last_;  ///< its time is that of the last good one
+  Measurement last_;  ///< Last valid measurement; its time is the time of that measurement.
   double now_ = 0.0, dt_ = 0.0;
-  bool started_ = false;  ///< there was a good measurement before any fault
+  bool started_ = false;  ///< True after the first valid measurement, unless a fault came before.
   bool fresh_ = false, first_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
@@ -14,24 +15,27 @@ namespace burnish {
 
 namespace {
 
-/// Tells changes of the torque error from its noise, and so how fast it is to be followed.
-class Haste {
+/// Detector of changes in the torque error. It distinguishes changes from noise, and scales the
+/// bandwidth of the observer.
+class ChangeDetector {
  public:
-  Haste(const Model& model, const ModelErrorOptions& options)
-      : boost_(std::max(options.usual_boost(), 1.0)),
-        calm_(options.calm),
+  ChangeDetector(const Model& model, const ModelErrorOptions& options)
+      : transient_scale_(std::max(options.usual_transient_scale(), 1.0)),
+        quiescent_scale_(options.quiescent_scale),
         rate_(Eigen::VectorXd::Zero(model.nv)),
         usual_(rate_),
-        least_(rate_),
+        floor_(rate_),
         slow_(rate_),
         slow_square_(rate_),
         square_(rate_) {
-    constexpr double small = 2e-3;  // of a joint's effort limit: what need not be known at once
+    // Largest rate of the torque error that never counts as a transient, as a fraction of effort
+    // limit times bandwidth; chosen by hand. Joints without an effort limit count as 100 Nm.
+    constexpr double small = 2e-3;
     for (int k = 0; k < model.nv; ++k) {
       const double effort = model.effort_limit[k];
       const double rate = small * options.usual_bandwidth() *
                           (std::isfinite(effort) && effort > 0.0 ? effort : 100.0);
-      least_[k] = rate * rate;
+      floor_[k] = rate * rate;
     }
   }
   void reset() noexcept {
@@ -43,65 +47,77 @@ class Haste {
     level_ = seen_ = 0.0;
     busy_ = 1.0;
   }
-  /// After a change of the torque error, dt s after the last one, that followed at factor() times
-  /// the bandwidth. The same noise changes it by the square of that, which is no haste.
+  /// Processes the change of the torque error over the last `dt` [s], during which the bandwidth
+  /// was scaled by factor(). Noise of constant size causes changes proportional to the square of
+  /// this factor. The rates are therefore divided by the square.
   void see(const Eigen::VectorXd& change, double dt) noexcept {
-    constexpr double memory = 1.0;  // s
+    constexpr double memory = 1.0;  // averaging time of noise [s]
     seen_ += dt;
-    const double share = std::min(1.0, dt / std::min(seen_, memory));
+    const double weight = std::min(1.0, dt / std::min(seen_, memory));
     const double rate = 1.0 / (factor() * factor() * dt);
-    see_jumps(change, rate, dt, share);
-    see_wandering(change, rate, dt, share);
+    detect_jumps(change, rate, dt, weight);
+    detect_drift(change, rate, dt, weight);
   }
-  /// Times the bandwidth.
+  /// Returns the factor on the observer's bandwidth.
   double factor() const {
-    return calm_ + (1.0 - calm_) * std::max(busy_, level_) + (boost_ - 1.0) * level_;
+    return quiescent_scale_ + (1.0 - quiescent_scale_) * std::max(busy_, level_) +
+           (transient_scale_ - 1.0) * level_;
   }
 
  private:
-  /// Rates far beyond the usual ones, which last milliseconds.
-  void see_jumps(const Eigen::VectorXd& change, double rate, double dt, double share) noexcept {
-    constexpr double smoothing = 4e-3, first = 0.1, fading = 0.15;  // s
-    // Squares of deviations, mean of the joints: noise along one direction of the tool is the same
-    // in all of them, and is to be passed over some hundred times a second.
+  /// Detects jumps: rates far beyond the usual rates, for some milliseconds.
+  void detect_jumps(const Eigen::VectorXd& change, double rate, double dt, double weight) noexcept {
+    // Smoothing time of rates, time until detection starts, decay time of a detected jump [s].
+    constexpr double smoothing = 4e-3, first = 0.1, decay_time = 0.15;
+    // Thresholds for the squared rate relative to its usual mean, averaged over the joints. Below
+    // `noise` the rate is noise, above `certain` it is a jump; chosen by hand. The thresholds are
+    // high for two reasons. Noise of the force along one direction affects all joints by the same
+    // ratio. Also, hundreds of such samples per second must not cause a false alarm.
     constexpr double noise = 8.0, certain = 14.0;
     rate_ += std::min(1.0, dt / smoothing) * (change * rate - rate_);
-    double haste = 0.0;
+    double ratio = 0.0;
     for (Eigen::Index k = 0; k < rate_.size(); ++k) {
       const double square = rate_[k] * rate_[k];
-      haste += square / std::max(usual_[k], least_[k]);
-      // What is far from usual is not to become so at once.
-      const double most = 9.0 * std::max(usual_[k], least_[k]);
-      usual_[k] += share * (std::min(square, most) - usual_[k]);
+      ratio += square / std::max(usual_[k], floor_[k]);
+      // The usual rate grows slowly, because the square of an outlier counts as at most 9 times the
+      // usual square.
+      const double max_square = 9.0 * std::max(usual_[k], floor_[k]);
+      usual_[k] += weight * (std::min(square, max_square) - usual_[k]);
     }
-    haste /= static_cast<double>(std::max<Eigen::Index>(rate_.size(), 1));
+    ratio /= static_cast<double>(std::max<Eigen::Index>(rate_.size(), 1));
     const double level =
-        seen_ < first ? 0.0 : std::clamp((haste - noise) / (certain - noise), 0.0, 1.0);
-    level_ = std::max(level, level_ * std::exp(-dt / fading));
+        seen_ < first ? 0.0 : std::clamp((ratio - noise) / (certain - noise), 0.0, 1.0);
+    level_ = std::max(level, level_ * std::exp(-dt / decay_time));
   }
-  /// Rates that keep their sign for longer than noise does, in any joint. Of the steps of an
-  /// encoder, which come back, next to nothing is left behind a filter, whose share of them is the
-  /// tick's of its time; of an error that wanders most is.
-  void see_wandering(const Eigen::VectorXd& change, double rate, double dt, double share) noexcept {
-    constexpr double smoothing = 0.02, first = 0.5;                             // s
-    const double noise = 2.4 * dt / smoothing, certain = 4.0 * dt / smoothing;  // of the rate
+  /// Detects a drift: the rate of some joint keeps its sign for longer than noise does. The rate
+  /// passes a low-pass filter. Steps of encoders change their sign, so that only a fraction of
+  /// about dt divided by the filter's time constant remains. Of a drift, most remains.
+  void detect_drift(const Eigen::VectorXd& change, double rate, double dt, double weight) noexcept {
+    // Smoothing time, and time until detection starts [s].
+    constexpr double smoothing = 0.02, first = 0.5;
+    // Thresholds for the ratio of filtered to unfiltered rate (root mean squares). Below `noise`
+    // the rate is noise, above `certain` it is a drift; chosen by hand.
+    const double noise = 2.4 * dt / smoothing, certain = 4.0 * dt / smoothing;
     slow_ += std::min(1.0, dt / smoothing) * (change * rate - slow_);
-    double wandering = 0.0;
+    double drift = 0.0;
     for (Eigen::Index k = 0; k < slow_.size(); ++k) {
       const double square = change[k] * rate * (change[k] * rate);
-      slow_square_[k] += share * (slow_[k] * slow_[k] - slow_square_[k]);
-      square_[k] += share * (square - square_[k]);
-      if (square_[k] > 0.0) wandering = std::max(wandering, slow_square_[k] / square_[k]);
+      slow_square_[k] += weight * (slow_[k] * slow_[k] - slow_square_[k]);
+      square_[k] += weight * (square - square_[k]);
+      if (square_[k] > 0.0) drift = std::max(drift, slow_square_[k] / square_[k]);
     }
     if (seen_ >= first)
-      busy_ = std::clamp((std::sqrt(wandering) - noise) / (certain - noise), 0.0, 1.0);
+      busy_ = std::clamp((std::sqrt(drift) - noise) / (certain - noise), 0.0, 1.0);
   }
 
-  double boost_, calm_;
-  Eigen::VectorXd rate_, usual_, least_;  ///< Nm/s, and the squares of what is usual and small
-  Eigen::VectorXd slow_, slow_square_, square_;  ///< Nm/s, and means of its and the rate's squares
-  double level_ = 0.0, seen_ = 0.0;              ///< 0 to 1; s
-  double busy_ = 1.0;                            ///< 0 to 1
+  double transient_scale_, quiescent_scale_;
+  Eigen::VectorXd rate_;                  ///< Smoothed rate of the torque error [Nm/s].
+  Eigen::VectorXd usual_, floor_;         ///< Usual squared rate, and lower bound of it [Nm^2/s^2].
+  Eigen::VectorXd slow_;                  ///< Low-pass filtered rate, for detect_drift() [Nm/s].
+  Eigen::VectorXd slow_square_, square_;  ///< Mean squares of slow_ and of the rate [Nm^2/s^2].
+  double level_ = 0.0;                    ///< Strength of a transient, 0 to 1.
+  double seen_ = 0.0;                     ///< Time for which rates have been observed [s].
+  double busy_ = 1.0;                     ///< Strength of a drift, 0 to 1.
 };
 
 }  // namespace
@@ -123,41 +139,45 @@ struct TorqueErrorObserver::Impl {
         innovation(Eigen::VectorXd::Zero(model.nv)),
         change(Eigen::VectorXd::Zero(model.nv)),
         late(Eigen::VectorXd::Zero(model.nv)),
-        most(Eigen::VectorXd::Constant(model.nv, given.limit)),
-        haste(model, given),
+        limit(Eigen::VectorXd::Constant(model.nv, given.limit)),
+        change_detector(model, given),
         bandwidth(given.usual_bandwidth()) {
     if (!(bandwidth > 0.0) || !std::isfinite(bandwidth))
-      throw Error("model error: a bandwidth of " + number(bandwidth) +
+      throw Error("model error: bandwidth is " + number(bandwidth) +
                   " rad/s; wanted a positive number");
-    if (!(given.calm >= 0.01 && given.calm <= 1.0))
-      throw Error("model error: calm " + number(given.calm) + "; wanted 0.01 to 1");
+    if (!(given.quiescent_scale >= 0.01 && given.quiescent_scale <= 1.0))
+      throw Error("model error: quiescent_scale is " + number(given.quiescent_scale) +
+                  "; wanted 0.01 to 1");
     if (!(given.usual_lag() >= 0.0) || !std::isfinite(given.usual_lag()))
-      throw Error("model error: a lag of " + number(given.usual_lag()) + " s; wanted at least 0");
+      throw Error("model error: lag is " + number(given.usual_lag()) + " s; wanted at least 0");
     if (!(given.limit > 0.0))
-      throw Error("model error: a limit of " + number(given.limit) + "; wanted a positive number");
+      throw Error("model error: limit is " + number(given.limit) + "; wanted a positive number");
     for (const std::string& at : measured) sensors.push_back(body.frame(at));
-    // What carries all others is wrong by a share of all their weights.
-    constexpr double share = 0.06;
+    // Largest error of the base, as a fraction of the robot's weight, because the base carries all
+    // other joints; chosen by hand.
+    constexpr double weight_fraction = 0.06;
     const Joint& first = model.joints.front();
     if (first.kind == JointKind::FreeFlyer)
-      most.segment(first.v_index, first.nv) =
-          most.segment(first.v_index, first.nv)
-              .cwiseMax(share * model.total_mass() * model.gravity.norm());
+      limit.segment(first.v_index, first.nv) =
+          limit.segment(first.v_index, first.nv)
+              .cwiseMax(weight_fraction * model.total_mass() * model.gravity.norm());
   }
 
   ModelErrorOptions options;
-  /// Of `change` the part that supports and loops carry moves nothing, so that nothing would ever
-  /// correct it: with a = a_0 + A tau of the closed mechanism, M A takes it away. False where A is
-  /// unknown.
-  bool drop_what_is_carried(ContactDynamics& closed) noexcept {
-    if (closed.forward_derivatives() > Status::NotConverged) return false;
+  /// Removes the part of `change` that forces of supports and loops balance. This part causes no
+  /// motion, so that no measurement would ever correct it. The acceleration of the closed mechanism
+  /// is a = a_0 + A tau, and multiplication by M A removes the part. Returns false if A cannot be
+  /// computed.
+  bool remove_balanced_part(ContactDynamics& closed) noexcept {
+    if (!is_usable(closed.forward_derivatives())) return false;
     innovation.noalias() = closed.da_dtau() * change;
     change.noalias() = closed.mass_matrix() * innovation;
     return true;
   }
 
-  /// Sets `total` to what has acted where velocities are late by the lag. What holds the robot
-  /// against gravity is not behind it: positions are not late.
+  /// Sets `total` to the torque that corresponds to the delayed velocities. It is the sum of the
+  /// torque without gravity, delayed by the lag, and of the gravity torque. The gravity torque is
+  /// not delayed, because positions have no delay.
   void act(const ConstVectorRef& tau, double dt) noexcept {
     total = tau;
     if (!(options.usual_lag() > 0.0)) return;
@@ -166,18 +186,19 @@ struct TorqueErrorObserver::Impl {
   }
 
   bool is_closed, has_loops;
-  ContactDynamics dynamics;  ///< with supports and loops
-  ContactDynamics free;      ///< with loops alone, where what acts on supports is measured
+  ContactDynamics dynamics;  ///< Dynamics with supports and loops.
+  /// Dynamics with the loops as the only contacts, if the wrenches of supports are measured.
+  ContactDynamics free;
   RigidBody body;
   ToolMotion pressed;
-  std::vector<int> sensors;  ///< frames that wrenches are measured at
+  std::vector<int> sensors;  ///< Frames at which wrenches are measured.
   FrameDerivatives derivatives;
   bool started = false;
   Eigen::VectorXd velocity, error, total, innovation, change;
-  Eigen::VectorXd late;  ///< Nm (N), nv: what torques were beyond gravity, behind the lag
-  Eigen::VectorXd most;  ///< Nm (N), nv: that errors stay within
-  Haste haste;
-  double bandwidth;  ///< rad/s, at present
+  Eigen::VectorXd late;   ///< Torque without gravity, delayed by the lag, nv [Nm or N].
+  Eigen::VectorXd limit;  ///< Largest magnitude of the error, nv [Nm or N].
+  ChangeDetector change_detector;
+  double bandwidth;  ///< Bandwidth that the last update used [rad/s].
 };
 
 TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& tool,
@@ -186,7 +207,7 @@ TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& 
                                          const std::vector<std::string>& measured,
                                          const std::string& base)
     : impl_(std::make_unique<Impl>(model, tool, options, supports, measured, base)) {
-  // Resized on first use: here, rather than in a tick.
+  // Allocates memory here, because ticks must not allocate.
   for (const int foot : impl_->sensors)
     impl_->body.frame_derivatives(foot, Reference::local(), impl_->derivatives);
 }
@@ -197,7 +218,7 @@ TorqueErrorObserver& TorqueErrorObserver::operator=(TorqueErrorObserver&&) noexc
 void TorqueErrorObserver::reset() noexcept {
   impl_->started = false;
   impl_->error.setZero();
-  impl_->haste.reset();
+  impl_->change_detector.reset();
   impl_->bandwidth = impl_->options.usual_bandwidth();
 }
 
@@ -221,7 +242,7 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
     return Status::NotFinite;
   ContactDynamics& dynamics = is_measured ? d.free : d.dynamics;
   Status status = d.body.update(q, v);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   if (!d.started) {
     d.velocity = v;
     d.late = tau - d.body.gravity_torque();
@@ -234,24 +255,23 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   d.total += d.error;
   d.total.noalias() += d.pressed.jacobian().transpose() * force_world;
   for (Eigen::Index i = 0; i < supports.cols(); ++i) {
-    d.body.frame_derivatives(d.sensors[static_cast<std::size_t>(i)], Reference::local(),
-                             d.derivatives);
+    d.body.frame_derivatives(d.sensors[to_size(i)], Reference::local(), d.derivatives);
     d.total.noalias() += d.derivatives.jacobian.transpose() * supports.col(i);
   }
   status = dynamics.forward(q, v, d.total);
-  if (status > Status::NotConverged) return status;
-  d.bandwidth = d.haste.factor() * d.options.usual_bandwidth();
+  if (!is_usable(status)) return status;
+  d.bandwidth = d.change_detector.factor() * d.options.usual_bandwidth();
   const double pole = std::exp(-d.bandwidth * dt);
   d.velocity += dt * dynamics.a();
   d.innovation = v - d.velocity;
   d.velocity += (1.0 - pole * pole) * d.innovation;
   d.innovation *= (1.0 - pole) * (1.0 - pole) / dt;
   d.change.noalias() = dynamics.mass_matrix() * d.innovation;
-  if ((is_measured ? d.has_loops : d.is_closed) && !d.drop_what_is_carried(dynamics))
+  if ((is_measured ? d.has_loops : d.is_closed) && !d.remove_balanced_part(dynamics))
     return Status::SingularContacts;
   d.error += d.change;
-  d.haste.see(d.change, dt);
-  d.error = d.error.cwiseMax(-d.most).cwiseMin(d.most);
+  d.change_detector.see(d.change, dt);
+  d.error = d.error.cwiseMax(-d.limit).cwiseMin(d.limit);
   return status;
 }
 

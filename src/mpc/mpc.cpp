@@ -36,9 +36,10 @@ const DdpSolver& MpcController::solver() const { return impl_->solver; }
 std::vector<double> MpcController::plan_costs(int knot) {
   const MatrixView xs = impl_->solver.xs(), us = impl_->solver.us();
   if (knot < 0 || knot > impl_->problem.knots())
-    throw Error("plan_costs: knot " + std::to_string(knot) + "; wanted 0 to " +
+    throw Error("plan_costs: knot " + std::to_string(knot) + " does not exist; wanted 0 to " +
                 std::to_string(impl_->problem.knots()));
-  const int control = std::min<int>(knot, static_cast<int>(us.rows()) - 1);  // the last has none
+  // The last knot does not have a control; the control of the previous knot is passed.
+  const int control = std::min<int>(knot, static_cast<int>(us.rows()) - 1);
   return impl_->problem.term_costs(knot, xs.row(knot).data(), us.row(control).data());
 }
 

@@ -1,11 +1,12 @@
-// Whether a specification of an MpcController fits together.
+// Consistency check of the specification of an MpcController.
 #pragma once
 
 #include "burnish/mpc/mpc.hpp"
 
 namespace burnish {
 
-/// Ticks from one update to the next. Throws Error with one sentence for what does not fit.
+/// Checks the specification and returns the number of ticks between updates of the plan. Throws
+/// Error with one sentence if the specification is inconsistent.
 int checked_ticks_per_update(const MpcSpec& spec);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Setting an MpcController up, and the order of a tick.
+// Construction of an MpcController, and the order of steps in a tick.
 #include "mpc/mpc_impl.hpp"
 
 #include <algorithm>
@@ -6,17 +6,19 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "mpc/mpc_check.hpp"
 
 namespace burnish {
 namespace {
 
-/// Of specifications without one.
+/// Task for specifications that have none.
 struct NoTask final : MpcTask {};
 
-/// With a normal of length one, the loops of the robot among the contacts, and fade speeds.
+/// Returns the specification with completed entries: a normal of length one, loops of the robot
+/// among the contacts, and fade speeds.
 MpcSpec completed(MpcSpec spec) {
-  spec.normal_world.normalize();
+  spec.normal_base.normalize();
   spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
   return spec;
 }
@@ -24,15 +26,16 @@ MpcSpec completed(MpcSpec spec) {
 std::unique_ptr<MpcTask> task_of(const MpcSpec& spec) {
   if (!spec.task) return std::make_unique<NoTask>();
   std::unique_ptr<MpcTask> made = spec.task(spec);
-  if (!made) throw Error("MPC: the specification's task makes none");
+  if (!made)
+    throw Error("MPC: the specification's function `task` returned no task; wanted a task");
   return made;
 }
 
-/// Room for the longest solve. Limits that cannot be kept give way at their price, and at that
-/// alone: there is no time to find out whether a larger one would do.
-DdpOptions roomy(const MpcSpec& spec) {
+/// Returns solver options with memory for the longest solve. A constraint that cannot be satisfied
+/// is violated at its L1 penalty weight, because there is no time for solves with a larger weight.
+DdpOptions solver_options(const MpcSpec& spec) {
   DdpOptions options = spec.solver;
-  options.limits.largest_price = 0.0;
+  options.limits.max_l1_weight = 0.0;
   options.max_iterations =
       std::max({options.max_iterations, spec.first_iterations, spec.jump_iterations});
   return options;
@@ -45,7 +48,7 @@ MpcController::Impl::Impl(MpcSpec given)
       spec(completed(std::move(given))),
       task(task_of(spec)),
       problem(spec.problem),
-      solver(problem, roomy(spec)),
+      solver(problem, solver_options(spec)),
       schedule(spec.schedule, task->events()),
       fault(spec.problem.model),
       gate(spec),
@@ -68,18 +71,18 @@ MpcController::Impl::Impl(MpcSpec given)
       x_(spec.problem.initial_state),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)),
       v_ahead_(Eigen::VectorXd::Zero(problem.layout().nv)),
-      passing_(v_ahead_),
+      decaying_(v_ahead_),
       x_plan_(x_),
       u_plan_(u_) {
   loaded_.assign(problem.model().joints.size(), 0);
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
-  command_.normal_world = spec.normal_world;
-  std::size_t longest = grip.longest_name();
+  command_.normal_world = spec.normal_base;
+  std::size_t max_length = grip.longest_name();
   for (WatchedQuantity& quantity : watched_) {
     if (!quantity.unit.empty()) quantity.name += ", " + quantity.unit;
-    longest = std::max({longest, quantity.name.size(), quantity.part.size()});
+    max_length = std::max({max_length, quantity.name.size(), quantity.part.size()});
   }
-  fault.make_room(longest);
+  fault.make_room(max_length);
   if (spec.timing == PlanTiming::Thread)
     planner_ = std::make_unique<BackgroundWork>([this] { make_plan(); });
 }
@@ -89,12 +92,14 @@ Status MpcController::Impl::set_payload(std::string_view frame, const InertiaSpe
   const LoadedBody loaded = loaded_body("set_payload", problem.model(), frame, payload);
   if (loaded.status != Status::Ok) return loaded.status;
   if (base_is_estimated_ && payload.mass > 0.0)
-    throw Error("set_payload: a payload of " + number(payload.mass) + " kg at " + in_quotes(frame) +
-                " does not reach the estimate of the base, which uses the weight on the feet; "
-                "wanted a model that has the payload, from with_payload()");
+    throw Error(
+        "set_payload: the estimate of the base uses the weight on the feet and would ignore the "
+        "payload of " +
+        number(payload.mass) + " kg at " + in_quotes(frame) +
+        "; wanted a model that contains the payload, from with_payload()");
   const Status status = problem.set_payload(frame, payload);
   if (status != Status::Ok) return status;
-  loaded_[static_cast<std::size_t>(loaded.body)] = payload.mass > 0.0 ? 1 : 0;
+  loaded_[to_size(loaded.body)] = payload.mass > 0.0 ? 1 : 0;
   error.set_payload(frame, payload);
   gate.set_payload(frame, payload);
   holding_.set_payload(frame, payload, loaded);
@@ -131,7 +136,7 @@ void MpcController::Impl::reset() noexcept {
   due_ = solved_ = warm_ = jumped_ = false;
   horizon.forget_surface();
   command_ = Command{std::move(command_.tau)};
-  command_.normal_world = spec.normal_world;
+  command_.normal_world = spec.normal_base;
   command_.tau.setZero();
 }
 
@@ -144,12 +149,13 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   due_ = due_ || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
   base_is_estimated_ = base_is_estimated_ || m.base_is_estimated;
-  const bool misled = base_is_estimated_ && carries_payload();
-  if (misled) command_.status = worst(command_.status, Status::NotPhysical);
+  const bool payload_conflict = base_is_estimated_ && carries_payload();
+  if (payload_conflict) command_.status = worst(command_.status, Status::NotPhysical);
   is_ahead_ = false;
   if (gate.is_fresh()) motors_.look(gate, ahead_.sent());
-  if (gate.is_fresh() && !fault.is_set() && !misled && has_settled()) see();
-  const bool controls = !fault.is_set() && solved_ && !misled;
+  if (gate.is_fresh() && !fault.is_set() && !payload_conflict && has_settled())
+    process_measurement();
+  const bool controls = !fault.is_set() && solved_ && !payload_conflict;
   if (controls) {
     control();
   } else {
@@ -157,7 +163,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   }
   limit_torque(controls);
   ahead_.send(command_.tau, error.joint_friction().torque());
-  aim();
+  set_targets();
   black_box_.record(gate.now(), schedule.time(), gate.last(), command_, fault);
   ++tick_;
   return command_;
@@ -168,49 +174,53 @@ bool MpcController::Impl::has_settled() noexcept {
   return gate.now() - began_ >= spec.settle - 0.01 * spec.tick_period;
 }
 
-/// What a good measurement tells, up to a new plan if one is due.
-void MpcController::Impl::see() noexcept {
+/// Processes a valid measurement: updates estimates, clock and monitors, and starts a new plan if
+/// one is due.
+void MpcController::Impl::process_measurement() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
   const int stage = horizon.stage_of(schedule.phase());
   if (!spec.force_sensor) gate.feel(error.feel(gate, ahead_.acted(), stage));
-  if (base_ >= 0) turn_normal();
+  if (base_ >= 0) rotate_normal();
   const unsigned happened = task->sense(view);
-  look_at_surface();
+  update_surface();
   error.update(gate, command_, ahead_.acted(), stage, schedule.time(), schedule.waits());
   grip.update(gate);
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
-  // While a thread makes the first plan the robot is held, and nothing of the task is due.
+  // Until a thread has computed the first plan, the fallback holds the robot, and the clock of the
+  // schedule stands still.
   const bool begins = solved_ || !is_making_;
   if (!gate.is_first() && begins && schedule.advance(gate.dt(), happened)) jumped_ = true;
   watch(view);
   if (is_making_ && !planner_->is_busy()) finish_plan();
   policy.take_over(acting_time());
-  // Else a plan that was to be used until the next one is there would never be.
+  // Starts no plan while a finished plan waits to come into use. A new plan would replace the
+  // waiting one, which would then never be used.
   const bool is_free = !is_making_ && gate.now() >= busy_until_ &&
                        (spec.timing == PlanTiming::Fixed || !policy.waits());
   if (!fault.is_set() && due_ && is_free) update();
 }
 
-/// With the robot's frame that the surface moves with.
-void MpcController::Impl::turn_normal() noexcept {
-  command_.normal_world = gate.body().placement(base_).linear() * spec.normal_world;
+/// Rotates the normal with the frame that carries the surface.
+void MpcController::Impl::rotate_normal() noexcept {
+  command_.normal_world = gate.body().placement(base_).linear() * spec.normal_base;
   error.set_normal(command_.normal_world);
 }
 
-void MpcController::Impl::look_at_surface() noexcept {
+void MpcController::Impl::update_surface() noexcept {
   const Quadric* const surface = task->surface();
   if (surface == nullptr || !surface->is_finite()) return;
   const Eigen::Vector3d p_tool_world = gate.body().placement(tool_).translation();
   Eigen::Vector3d gradient;
   if (base_ < 0) {
     gradient = surface->gradient(p_tool_world);
-  } else {  // it is in the axes of what it moves with
+  } else {  // surface_ is in the axes of `base`
     const Eigen::Isometry3d base_world = gate.body().placement(base_);
     gradient = base_world.linear() * surface->gradient(base_world.inverse() * p_tool_world);
   }
   const double length = gradient.norm();
-  if (!(length > 1e-9)) return;  // none there: what was known goes on
+  // The surface has no normal at this position, so the previous one is kept.
+  if (!(length > 1e-9)) return;
   command_.normal_world = gradient / length;
   error.set_surface(*surface, command_.normal_world);
   const double depth = task->surface_depth();
@@ -230,10 +240,11 @@ void MpcController::Impl::update() noexcept {
   finish_plan();
 }
 
-/// What a plan is made from, as it is now; false where that cannot be told to the problem.
+/// Sets the inputs of a plan. Returns false if the problem rejects the torque error.
 bool MpcController::Impl::prepare_plan() noexcept {
-  // Ticks are what time is counted by, and plans that others wait for begin at one. A thread's that
-  // is done later is used from then on, which is better than to let one that is done wait.
+  // Rounds delays to ticks, because a plan that is computed within a tick comes into use at a tick.
+  // A thread's plan that is finished late comes into use immediately; waiting for a tick would make
+  // it older.
   const double exact = expected_ / spec.tick_period;
   const double ticks = spec.timing == PlanTiming::Thread ? std::max(1.0, std::round(exact))
                                                          : std::ceil(exact - 0.01);
@@ -251,16 +262,15 @@ bool MpcController::Impl::prepare_plan() noexcept {
   horizon.set_force_error(error.force_error());
   if (surface_) horizon.set_surface(*surface_, depth_);
   x_plan_ = acting_state();
-  if (!warm_) look_ahead();
-  return spec.model_error.kind != ModelErrorKind::Torque || tell_torque_error();
+  if (!warm_) compute_rest_control();
+  return spec.model_error.kind != ModelErrorKind::Torque || set_torque_error();
 }
 
-/// The controls that hold the robot where it is.
-void MpcController::Impl::look_ahead() noexcept {
+/// Computes the controls that hold the robot in its present configuration.
+void MpcController::Impl::compute_rest_control() noexcept {
   const Eigen::VectorXd* const rest = holding_.at_rest(gate.last().q);
   for (int i = 0; i < problem.layout().nu; ++i)
-    u_plan_[i] =
-        rest == nullptr ? 0.0 : (*rest)[problem.layout().actuated[static_cast<std::size_t>(i)]];
+    u_plan_[i] = rest == nullptr ? 0.0 : (*rest)[problem.layout().actuated[to_size(i)]];
 }
 
 void MpcController::Impl::make_plan() noexcept {
@@ -270,17 +280,18 @@ void MpcController::Impl::make_plan() noexcept {
     making_.usable = replan();
     if (making_.usable) policy.fill(solver, horizon.times());
   } catch (...) {
-    // Of a function that the specification holds: all that is known is that there is no plan.
+    // A function of the specification threw an exception, so this tick gives no plan.
     making_.thrown = std::current_exception();
     warm_ = false;
   }
   making_.took = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-/// A plan from the measured state on: false if there is none that can be used.
+/// Computes a plan that starts at the measured state, or at a state predicted from it. Returns
+/// false if the plan is not usable.
 bool MpcController::Impl::replan() {
   const double delay = making_.delay;
-  // Without a prediction the measurement is the best there is.
+  // If the prediction fails, the plan starts at the measured state.
   if (delay > 0.0)
     (void)prediction_.advance(problem, horizon, planner_ ? in_use_ : policy,
                               making_.now + ahead_.lead(), making_.schedule_time, delay, x_plan_);
@@ -294,7 +305,7 @@ bool MpcController::Impl::replan() {
   return true;
 }
 
-/// What came of a plan, in the tick that it is there.
+/// Accepts the result of a computed plan, in the first tick after the computation.
 void MpcController::Impl::finish_plan() noexcept {
   is_making_ = false;
   const double took = making_.took * (spec.timing == PlanTiming::Measured ? spec.slowdown : 1.0);
@@ -303,24 +314,25 @@ void MpcController::Impl::finish_plan() noexcept {
   if (making_.usable) {
     const DdpSummary& summary = solver.summary();
     command_.iterations = summary.iterations;
-    command_.limits_outside = summary.outside;
-    command_.limits_open = summary.limits_open;
-    command_.limits_pushing = summary.pushing;
-    command_.limits_infeasible = summary.given_way > 0 || summary.reason == StopReason::Infeasible;
-    // The first one is made while the robot is still held, and begins when it is there.
-    const bool passes = spec.timing == PlanTiming::Measured && !making_.first;
-    const double done = making_.now + (passes ? took : 0.0);
+    command_.constraint_violation = summary.violation;
+    command_.constraint_residual = summary.constraint_residual;
+    command_.active_constraints = summary.active_constraints;
+    command_.constraints_infeasible =
+        summary.unsatisfiable_rows > 0 || summary.reason == StopReason::Infeasible;
+    // The first plan is computed while the robot is held, so its computing time does not count.
+    const bool takes_time = spec.timing == PlanTiming::Measured && !making_.first;
+    const double done = making_.now + (takes_time ? took : 0.0);
     const double begin = making_.first ? gate.now() : making_.now + making_.delay;
     policy.offer(begin + ahead_.lead(), done + ahead_.lead(), making_.now);
     error.foresee(v_ahead_);
-    if (passes) busy_until_ = done - 0.01 * spec.tick_period;
+    if (takes_time) busy_until_ = done - 0.01 * spec.tick_period;
   } else {
     command_.status = worst(command_.status, Status::NotConverged);
     jumped_ = jumped_ || making_.jumped;
   }
   solved_ = solved_ || making_.usable;
   if (!making_.first) {
-    constexpr double forgetting = 0.05;
+    constexpr double forgetting = 0.05;  // weight of a new computing time in the moving average
     const bool in_thread = spec.timing == PlanTiming::Thread;
     const double seen = in_thread ? gate.now() - making_.now : took;
     const double mean = expected_ + forgetting * (seen - expected_);
@@ -335,11 +347,11 @@ void MpcController::Impl::await_plan() noexcept {
   if (planner_) planner_->wait();
 }
 
-bool MpcController::Impl::tell_torque_error() noexcept {
-  const double fading = spec.model_error.fading;
-  if (std::isinf(fading)) return problem.set_torque_bias(error.torque_error()) == Status::Ok;
-  passing_ = error.torque_error() - error.lasting_error();
-  return problem.set_torque_bias(error.lasting_error(), passing_, fading) == Status::Ok;
+bool MpcController::Impl::set_torque_error() noexcept {
+  const double decay_time = spec.model_error.decay_time;
+  if (std::isinf(decay_time)) return problem.set_torque_bias(error.torque_error()) == Status::Ok;
+  decaying_ = error.torque_error() - error.lasting_error();
+  return problem.set_torque_bias(error.lasting_error(), decaying_, decay_time) == Status::Ok;
 }
 
 bool MpcController::Impl::solve(double schedule_time) {
@@ -356,8 +368,8 @@ bool MpcController::Impl::solve(double schedule_time) {
   }
   warm_ = false;
   solver.set_max_iterations(iterations);
-  const int factors = plain ? spec.max_factors : spec.first_factors;
-  solver.set_limit_budget(factors, factors);
+  const int max_factorizations = plain ? spec.max_factorizations : spec.first_max_factorizations;
+  solver.set_limit_budget(max_factorizations, max_factorizations);
   solver.set_guess({horizon.guess_x().data(), horizon.guess_u().data()});
   const DdpSummary& summary = solver.solve();
   if (!solver.us().allFinite() || !solver.xs().allFinite()) return false;
@@ -365,27 +377,28 @@ bool MpcController::Impl::solve(double schedule_time) {
   horizon.solved_from(schedule_time);
   return summary.reason == StopReason::Converged || summary.reason == StopReason::Infeasible ||
          summary.reason == StopReason::MaxIterations ||
-         (summary.reason == StopReason::NoStep && summary.given_way > 0 &&
+         (summary.reason == StopReason::NoStep && summary.unsatisfiable_rows > 0 &&
           summary.largest_gap <= solver.options().gap_tolerance) ||
          (summary.reason == StopReason::TimeBudget && summary.iterations > 0);
 }
 
-/// In x_.
+/// Sets x_ to the measured state and returns it.
 const Eigen::VectorXd& MpcController::Impl::measured_state() noexcept {
   const StateLayout& layout = problem.layout();
   const Measurement& m = gate.last();
   x_.head(layout.nq) = m.q;
   x_.segment(layout.nq, layout.nv) = m.v;
-  // Without the part that the torque error stands for: the filter leads to the command alone.
+  // The torque error contains the torque offset. Subtracting the offset gives the torque that the
+  // filter computes from the command alone.
   for (int i = 0; i < layout.filtered; ++i) {
-    const int k = layout.actuated[static_cast<std::size_t>(i)];
+    const int k = layout.actuated[to_size(i)];
     x_[layout.nq + layout.nv + i] = m.tau[k] - error.torque_offset()[k];
   }
   return x_;
 }
 
-/// In x_: the one that the torques already sent lead to from the measured one, in which the command
-/// of this tick will act.
+/// Sets x_ to the state in which the command of this tick will act. It is the measured state,
+/// integrated with the torques already sent.
 const Eigen::VectorXd& MpcController::Impl::acting_state() noexcept {
   if (ahead_.ticks() == 0) return measured_state();
   if (is_ahead_) return x_;
@@ -394,7 +407,7 @@ const Eigen::VectorXd& MpcController::Impl::acting_state() noexcept {
   const int stage = horizon.stage_of(schedule.phase_at(time));
   const double pressed = gate.last().tool_force_world.dot(command_.normal_world);
   const bool has_friction = error.models_friction();
-  // Without a prediction the measurement is the best there is.
+  // If the prediction fails, x_ stays at the measured state.
   (void)ahead_.predict(
       error.dynamics(), gate,
       {.stage = stage,
@@ -419,7 +432,7 @@ void MpcController::Impl::control() noexcept {
   command_.tau.setZero();
   error.joint_friction().advance(spec.tick_period);
   for (int i = 0; i < problem.layout().nu; ++i) {
-    const int k = problem.layout().actuated[static_cast<std::size_t>(i)];
+    const int k = problem.layout().actuated[to_size(i)];
     const double friction = error.joint_friction().torque()[k];
     policy.add_feedforward(i, friction);
     command_.tau[k] = u_[i] + friction + error.force_feedback()[k];
@@ -429,26 +442,27 @@ void MpcController::Impl::control() noexcept {
 }
 
 void MpcController::Impl::fall_back() noexcept {
-  holding_.do_without(motors_.lost());
+  holding_.set_failed_motor(motors_.lost());
   if (!gate.is_fresh()) gate.fade_velocity(std::exp(-spec.fallback.damping * spec.tick_period));
   holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), gate.last().support_wrenches,
                   command_.tau);
   error.joint_friction().rest();
 }
 
-/// The fallback has all that the robot has.
+/// Clips the torque to the effort limits. `controls`: true to apply the additional limits
+/// `torque_limit` too, from which the fallback is exempt.
 void MpcController::Impl::limit_torque(bool controls) noexcept {
   const Eigen::VectorXd& effort = spec.problem.model.effort_limit;
   const bool is_cut = controls && spec.torque_limit.size() > 0;
   for (Eigen::Index k = 0; k < command_.tau.size(); ++k) {
     const double wanted = std::isfinite(command_.tau[k]) ? command_.tau[k] : 0.0;
-    const double most = is_cut ? std::min(effort[k], spec.torque_limit[k]) : effort[k];
-    command_.tau[k] = std::clamp(wanted, -most, most);
+    const double max_torque = is_cut ? std::min(effort[k], spec.torque_limit[k]) : effort[k];
+    command_.tau[k] = std::clamp(wanted, -max_torque, max_torque);
     command_.clipped_torques += command_.tau[k] != wanted;
   }
 }
 
-void MpcController::Impl::aim() noexcept {
+void MpcController::Impl::set_targets() noexcept {
   command_.phase = schedule.phase();
   if (fault.is_set()) {
     command_.target_force = 0.0;
@@ -462,7 +476,7 @@ void MpcController::Impl::aim() noexcept {
   }
 }
 
-/// Within a handler.
+/// Keeps an exception, unless one was kept before. Must be called within an exception handler.
 void MpcController::Impl::keep_exception() noexcept {
   if (!thrown) thrown = std::current_exception();
 }

@@ -1,4 +1,4 @@
-// The parts of an MpcController and what a tick does with them.
+// Implementation of MpcController: its parts, and the steps of a tick.
 #pragma once
 
 #include <exception>
@@ -30,18 +30,18 @@ struct MpcController::Impl {
   void expect_estimated_base() noexcept { base_is_estimated_ = true; }
 
  private:
-  // The steps of a tick.
+  // Steps of a tick.
   bool has_settled() noexcept;
-  void see() noexcept;
-  void turn_normal() noexcept;
-  void look_at_surface() noexcept;
+  void process_measurement() noexcept;
+  void rotate_normal() noexcept;
+  void update_surface() noexcept;
   void watch(const TaskView& view) noexcept;
   void explain_lag() noexcept;
   void explain_failure() noexcept;
   void update() noexcept;
   bool prepare_plan() noexcept;
-  bool tell_torque_error() noexcept;
-  void look_ahead() noexcept;
+  bool set_torque_error() noexcept;
+  void compute_rest_control() noexcept;
   void make_plan() noexcept;
   bool replan();
   void finish_plan() noexcept;
@@ -50,11 +50,12 @@ struct MpcController::Impl {
   void control() noexcept;
   void fall_back() noexcept;
   void limit_torque(bool controls) noexcept;
-  void aim() noexcept;
+  void set_targets() noexcept;
   void keep_exception() noexcept;
   const Eigen::VectorXd& measured_state() noexcept;
   const Eigen::VectorXd& acting_state() noexcept;
-  /// s, when the command of this tick acts; plans are in use by that time.
+  /// Returns the time at which the command of this tick acts [s]. A plan comes into use at such a
+  /// time.
   double acting_time() const noexcept { return gate.now() + ahead_.lead(); }
 
   int ticks_per_update_;
@@ -71,25 +72,29 @@ struct MpcController::Impl {
   SupportGrip grip;
   Horizon horizon;
   Policy policy;
-  std::exception_ptr thrown;  ///< by a function of the specification, first of all
+  std::exception_ptr thrown;  ///< First exception thrown by a function of the specification.
 
  private:
-  /// A plan that is being made, and what came of it. While it is, the problem, the solver, the
-  /// horizon, the prediction and the place of the policy's next plan are its maker's alone, and the
-  /// plan in use stays what it is.
+  /// Plan that is being computed, and its result. During the computation, only the computing thread
+  /// may use the problem, the solver, the horizon, the prediction and the policy's next plan. The
+  /// plan in use stays unchanged.
   struct Making {
-    double now = 0.0, schedule_time = 0.0, delay = 0.0;  ///< s, of the measurement that it is from
+    /// Time, time of the schedule and assumed delay, for the measurement from which the plan is
+    /// computed [s].
+    double now = 0.0, schedule_time = 0.0, delay = 0.0;
     bool first = false, jumped = false;
     bool usable = false;
-    double took = 0.0;  ///< s
+    double took = 0.0;  ///< Computing time [s].
     std::exception_ptr thrown = {};
   };
   Making making_;
-  Policy in_use_;                   ///< as it was when the plan was begun
-  std::vector<char> loaded_;        ///< per joint: its body carries a payload
-  bool base_is_estimated_ = false;  ///< by an EstimatedBase, at a tick or as was said
-  double expected_;                 ///< s that a plan takes, about
-  /// s, of measured timing
+  Policy in_use_;             ///< Copy of the policy in use when the computation started.
+  std::vector<char> loaded_;  ///< Per joint: 1 if its body carries a payload.
+  /// True if measurements are completed by an EstimatedBase.
+  bool base_is_estimated_ = false;
+  double expected_;  ///< Expected computing time of a plan [s].
+  /// With PlanTiming::Measured: simulated time at which the computation of the previous plan ends
+  /// [s].
   double busy_until_ = -std::numeric_limits<double>::infinity();
   bool is_making_ = false;
   std::optional<Quadric> surface_;
@@ -101,20 +106,25 @@ struct MpcController::Impl {
   MotorWatch motors_;
   BlackBox black_box_;
   std::vector<WatchedQuantity> watched_;
-  std::vector<Reading> readings_;  ///< of watched_
-  int tool_;                       ///< frame
-  int base_;                       ///< frame that the surface moves with; -1: the world
+  std::vector<Reading> readings_;  ///< Readings of the quantities in watched_.
+  int tool_;                       ///< Frame of the tool.
+  int base_;                       ///< Frame of the robot that carries the surface; -1: the world.
   Command command_;
-  Eigen::VectorXd x_, u_, v_ahead_, passing_;
-  Eigen::VectorXd x_plan_, u_plan_;  ///< where the plan begins; at rest
+  Eigen::VectorXd x_, u_, v_ahead_, decaying_;
+  /// First state of the plan (x_plan_), and control that holds the robot at rest (u_plan_).
+  Eigen::VectorXd x_plan_, u_plan_;
   long tick_ = 0;
-  double began_ = 0.0;                       ///< s, the first measurement
-  bool due_ = false;                         ///< an update
-  bool is_ahead_ = false;                    ///< x_ is the acting state of this tick
-  bool solved_ = false;                      ///< there is a plan
-  bool warm_ = false;                        ///< the solver's trajectory can be started from
-  bool jumped_ = false;                      ///< the schedule's clock, since the last plan
-  std::unique_ptr<BackgroundWork> planner_;  ///< of timing by a thread; the last: it ends first
+  double began_ = 0.0;     ///< Time of the first measurement [s].
+  bool due_ = false;       ///< True if a new plan is due.
+  bool is_ahead_ = false;  ///< True if x_ is the predicted state in which this tick's command acts.
+  bool solved_ = false;    ///< True after the first plan.
+  /// True if the solver's last trajectory can be the initial guess of the next solve.
+  bool warm_ = false;
+  /// True if the schedule's clock jumped since the last plan.
+  bool jumped_ = false;
+  /// Thread for PlanTiming::Thread. It is the last member, so that it ends before the others are
+  /// destroyed.
+  std::unique_ptr<BackgroundWork> planner_;
 };
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// What an MpcController watches at a tick, and what led to a fault.
+// Monitors that an MpcController evaluates in a tick, and causes of faults.
 #include <array>
 #include <cstdio>
 
@@ -7,13 +7,13 @@
 namespace burnish {
 namespace {
 
-/// Why a solve is of no use.
+/// Returns a text for the reason why a solve gave no usable plan; empty if the reason needs none.
 const char* reason_of(StopReason reason) {
   switch (reason) {
     case StopReason::NotEvaluated:
       return "a knot of the plan cannot be evaluated";
     case StopReason::NotPositiveDefinite:
-      return "the costs of a plan are not convex, whatever the regularisation";
+      return "the costs of a plan are not convex, even with the largest regularisation";
     case StopReason::NoStep:
       return "no step of the solver improves the plan";
     case StopReason::TimeBudget:
@@ -37,7 +37,8 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
     if (!(value > limit) || !fault.raise(gate.now(), kind, value, limit)) continue;
     const WatchedQuantity& quantity = watched_[i];
     fault.report.quantity =
-        kind == FaultKind::Watched ? quantity.name : quantity.part;  // there is room
+        // Does not allocate: memory is reserved.
+        kind == FaultKind::Watched ? quantity.name : quantity.part;
     std::array<char, 160> clause{};
     task->explain(i, clause);
     fault.explain(clause.data());
@@ -45,14 +46,15 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
   if (fault.is_set()) explain_lag();
 }
 
-/// A delay that nobody told the controller of makes it swing, whatever the fault is then called.
+/// Adds a clause about an unexpected delay of torques to the cause of a fault. Such a delay makes
+/// the controller oscillate, which can appear as any kind of fault.
 void MpcController::Impl::explain_lag() noexcept {
-  constexpr double shows = 1.5e-3;  // s
-  if (motors_.lag() < shows) return;
+  constexpr double min_lag = 1.5e-3;  // smallest lag that the clause mentions [s]; chosen by hand
+  if (motors_.lag() < min_lag) return;
   char clause[128];
   std::snprintf(clause, sizeof clause,
-                "measured torques follow what was sent %.0f ms late, which the controller does not "
-                "know",
+                "measured torques follow commands %.0f ms late, and the controller does not "
+                "compensate this delay",
                 1e3 * motors_.lag());
   fault.explain(clause);
 }
@@ -60,7 +62,7 @@ void MpcController::Impl::explain_lag() noexcept {
 void MpcController::Impl::explain_failure() noexcept {
   if (fault.report.kind == FaultKind::SolverLate) {
     char clause[96];
-    std::snprintf(clause, sizeof clause, "the last one took %.4g s, and %.4g s are allowed",
+    std::snprintf(clause, sizeof clause, "the last update took %.4g s; allowed are %.4g s",
                   command_.solve_time, spec.limits.deadline);
     fault.explain(clause);
   } else if (fault.report.kind == FaultKind::SolverFailed) {

@@ -10,12 +10,12 @@
 namespace burnish {
 namespace {
 
-/// Those of the controller's first solve.
+/// Returns the solver options with which the controller computes its first plan.
 DdpOptions first_options(const MpcSpec& spec) {
   DdpOptions options = spec.solver;
-  options.limits.largest_price = 0.0;
+  options.limits.max_l1_weight = 0.0;
   options.max_iterations = spec.first_iterations;
-  options.limits.max_factors = options.limits.max_sweeps = spec.first_factors;
+  options.limits.max_factorizations = options.limits.max_sweeps = spec.first_max_factorizations;
   options.time_budget = std::numeric_limits<double>::infinity();
   return options;
 }

@@ -3,18 +3,21 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "mpc/horizon.hpp"
 
 namespace burnish {
 namespace {
 
-// Steps of the differences: plans are all but linear over them, and solved far more finely.
-constexpr double state_step = 1e-5;   // rad (m), rad/s (m/s), Nm (N)
-constexpr double torque_step = 1e-2;  // Nm (N)
+// Steps of the finite differences. Plans are almost linear over such steps, and solver errors are
+// much smaller.
+constexpr double state_step = 1e-5;   // [rad (m), rad/s (m/s), Nm (N)]
+constexpr double torque_step = 1e-2;  // [Nm (N)]
 
-constexpr int first_iterations = 60;  // from rest; what is left is of no account
-constexpr int next_iterations = 3;    // from a solution so near that the first step all but does
+constexpr int first_iterations = 60;  // iterations from rest; the remaining error is negligible
+// Iterations from a nearby solution; one iteration is already almost exact.
+constexpr int next_iterations = 3;
 
 MpcSpec filled(MpcSpec spec) {
   spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
@@ -23,7 +26,8 @@ MpcSpec filled(MpcSpec spec) {
   return spec;
 }
 
-/// Solves again from the solution, with another start or torque error.
+/// Repeated solver of one problem. Each solve starts from the same solution, with a different
+/// initial state or torque error.
 class Differences {
  public:
   Differences(const MpcSpec& spec, int phase)
@@ -40,9 +44,8 @@ class Differences {
     solver_.set_guess({horizon_.guess_x().data(), horizon_.guess_u().data()});
     solver_.solve();
     if (!solver_.us().allFinite() || !solver_.xs().allFinite())
-      throw Error("margins: no plan from the start in phase " +
-                  in_quotes(spec_.schedule[static_cast<std::size_t>(phase)].name) + ": " +
-                  solver_.text());
+      throw Error("margins: the problem has no solution at the start of phase " +
+                  in_quotes(spec_.schedule[to_size(phase)].name) + ": " + solver_.text());
     xs_ = solver_.xs();
     us_ = solver_.us();
     solver_.set_max_iterations(next_iterations);
@@ -53,8 +56,8 @@ class Differences {
     const int ndx = layout.ndx(), nv = layout.nv;
     PlanSlopes result{.layout = layout, .step = problem_.step_of(0)};
     result.u.resize(layout.nu, ndx + nv);
-    result.way.resize(ndx, ndx + nv);
-    const Eigen::VectorXd u = us_.row(0).head(layout.nu).transpose(), way = way_of(xs_);
+    result.change.resize(ndx, ndx + nv);
+    const Eigen::VectorXd u = us_.row(0).head(layout.nu).transpose(), change = first_change(xs_);
     Eigen::VectorXd dx = Eigen::VectorXd::Zero(ndx), x = x_, d = no_torque_;
     for (int k = 0; k < ndx + nv; ++k) {
       const bool is_state = k < ndx;
@@ -70,24 +73,25 @@ class Differences {
         solve_from(x_, d);
       }
       result.u.col(k) = (solver_.us().row(0).head(layout.nu).transpose() - u) / step;
-      result.way.col(k) = (way_of(solver_.xs()) - way) / step;
+      result.change.col(k) = (first_change(solver_.xs()) - change) / step;
     }
     return result;
   }
 
  private:
-  Eigen::VectorXd way_of(const Eigen::Ref<const RowMatrix>& xs) const {
-    Eigen::VectorXd way(problem_.layout().ndx());
+  /// Returns the change of state during the first knot.
+  Eigen::VectorXd first_change(const Eigen::Ref<const RowMatrix>& xs) const {
+    Eigen::VectorXd change(problem_.layout().ndx());
     const Eigen::VectorXd from = xs.row(0).transpose(), to = xs.row(1).transpose();
-    problem_.difference(from.data(), to.data(), way.data());
-    return way;
+    problem_.difference(from.data(), to.data(), change.data());
+    return change;
   }
   void solve_from(const Eigen::VectorXd& x, const Eigen::VectorXd& torque) {
-    const double fading = spec_.model_error.fading;
-    if (std::isinf(fading))
+    const double decay_time = spec_.model_error.decay_time;
+    if (std::isinf(decay_time))
       (void)problem_.set_torque_bias(torque);
     else
-      (void)problem_.set_torque_bias(no_torque_, torque, fading);
+      (void)problem_.set_torque_bias(no_torque_, torque, decay_time);
     (void)problem_.set_initial_state(x);
     RowMatrix xs = xs_;
     xs.row(0) = x.transpose();

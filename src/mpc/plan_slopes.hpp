@@ -1,5 +1,5 @@
-// The first control of a plan as a linear function of where the plan starts and of the torque error
-// that it is told.
+// Linearization of a plan's first control with respect to the plan's initial state and torque
+// error.
 #pragma once
 
 #include "burnish/mpc/mpc.hpp"
@@ -8,14 +8,15 @@ namespace burnish {
 
 struct PlanSlopes {
   StateLayout layout = {};
-  double step = 0.0;       ///< Of the first knot [s].
-  Eigen::MatrixXd u = {};  ///< nu x (ndx + nv): of the first control.
-  /// ndx x (ndx + nv): of the way that the state goes during the first knot.
-  Eigen::MatrixXd way = {};
+  double step = 0.0;       ///< Step of the first knot [s].
+  Eigen::MatrixXd u = {};  ///< Derivative of the first control, nu x (ndx + nv).
+  /// Derivative of the change of state during the first knot, ndx x (ndx + nv).
+  Eigen::MatrixXd change = {};
 };
 
-/// By differences, about the specification's initial state, at the start of a phase of its
-/// schedule. Throws Error where the problem has no solution there.
+/// Returns the derivatives by finite differences at the initial state of the specification, at the
+/// start of a phase. `phase`: index in `spec.schedule`. Throws Error if the problem has no solution
+/// there.
 PlanSlopes plan_slopes(const MpcSpec& spec, int phase);
 
 }  // namespace burnish

@@ -3,21 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 namespace {
 
-/// Steps of the knots until so many updates have failed that the run is given up.
+/// Returns the time steps of the knots that must be kept of a plan. They cover the time until a run
+/// is stopped because too many updates have failed.
 std::vector<double> plan_steps(const MpcSpec& spec) {
-  // Nobody knows how long plans take.
+  // With other kinds of PlanTiming, the computing time has no limit, so that all knots are kept.
   if (spec.timing != PlanTiming::Fixed) return knot_steps(spec.problem);
   const double updates = 2.0 + spec.limits.failed_solves;
   const double time = updates * spec.update_period + spec.solver_delay;
   std::vector<double> steps = knot_steps(spec.problem);
   const KnotTimes times(steps);
-  // Uneven ones may begin half a knot earlier: at a change of phase.
-  const double more = times.is_even() ? 1.0 : 2.0;
-  const double knots = std::ceil(times.place(time)) + more;
-  steps.resize(static_cast<std::size_t>(std::min<double>(knots, times.knots())));
+  // With uneven knots, one step more is kept, because knots may move by half a step to a change of
+  // phase.
+  const double extra = times.is_even() ? 1.0 : 2.0;
+  const double knots = std::ceil(times.place(time)) + extra;
+  steps.resize(to_size(std::min<double>(knots, times.knots())));
   return steps;
 }
 
@@ -31,8 +35,7 @@ Policy::Policy(const MpcSpec& spec, const Problem& problem)
       feeds_back_(spec.feedback),
       rounding_(0.01 * spec.tick_period) {
   for (int i = 0; i < problem.layout().nu; ++i)
-    effort_[i] =
-        spec.problem.model.effort_limit[problem.layout().actuated[static_cast<std::size_t>(i)]];
+    effort_[i] = spec.problem.model.effort_limit[problem.layout().actuated[to_size(i)]];
 }
 
 void Policy::reset() noexcept {
@@ -60,7 +63,8 @@ void Policy::offer(double time, double done, double measured) noexcept {
 }
 
 void Policy::take_over(double now) noexcept {
-  // Times are sums: a plan is not to wait a whole tick for the last bit of one.
+  // Without this tolerance, a rounding error in the summed times could delay a plan by a whole
+  // tick.
   if (!next_ready_ || now < next_time_ - rounding_) return;
   std::swap(plan_, next_);
   measured_ = next_measured_;

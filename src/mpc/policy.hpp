@@ -1,4 +1,5 @@
-// The plan in use and the one that is to follow it, as a controller between two solves.
+// Feedback policy of an MpcController between two solves. It holds the plan in use and the next
+// plan.
 #pragma once
 
 #include <limits>
@@ -9,41 +10,48 @@ namespace burnish {
 
 class Policy {
  public:
-  /// Room for as many knots as are needed until a run is given up for want of plans.
+  /// Reserves memory for plans. Plans are kept for the longest time for which a run continues
+  /// without a new plan.
   Policy(const MpcSpec& spec, const Problem& problem);
 
   void reset() noexcept;
-  /// The solver's plan from `time` (s) on, with its knots at these times after; it is there to be
-  /// used from `done` on, and was made from the measurement of `measured`.
+  /// Loads the solver's solution as the next plan. The plan begins at `time` [s]; `times` are the
+  /// times of its knots after that. It comes into use at `done` [s] or later. `measured`: time of
+  /// the measurement from which the plan was computed [s].
   void load(const DdpSolver& solver, double time, const KnotTimes& times,
             double done = -std::numeric_limits<double>::infinity(),
             double measured = -std::numeric_limits<double>::infinity()) noexcept;
-  /// The two halves of that: what is long, for whoever made the plan to do while none waits to be
-  /// taken over, beside ticks; and what is short.
+  /// First part of load(), which takes most of its time. A planning thread may call it while ticks
+  /// run, provided that waits() is false.
   void fill(const DdpSolver& solver, const KnotTimes& times) noexcept;
+  /// Second part of load(), which takes little time. The parameters are those of load().
   void offer(double time, double done, double measured) noexcept;
-  /// The plan in use as the other's, for what is foreseen beside it; while that is asked by ticks.
+  /// Copies the plan in use of `other`, so that a prediction can use it while ticks run.
   void follow(const Policy& other) noexcept { plan_.follow(other.plan_); }
-  bool waits() const { return next_ready_; }     ///< a plan, for its time
-  double measured() const { return measured_; }  ///< s, that the plan in use was made from
-  /// Goes over to the plan that waits, if its time has come.
+  bool waits() const { return next_ready_; }  ///< True if a loaded plan is not yet in use.
+  /// Returns the time of the measurement from which the plan in use was computed [s].
+  double measured() const { return measured_; }
+  /// Replaces the plan in use by the loaded plan once the time of that plan has come.
   void take_over(double now) noexcept;
-  /// Of the plan in use at a time (s) and a state x (nx): u (nu), within the effort limits.
+  /// Computes the control u (nu) by the plan in use at the time `time` [s] and the state x (nx).
+  /// The control is clipped to the effort limits.
   void control(double time, const Eigen::VectorXd& x, Eigen::VectorXd& u) noexcept;
-  /// What entry i of the last control() is given besides, Nm (N).
+  /// Adds `torque` [Nm or N] to entry i of the feedforward in feedback().
   void add_feedforward(int i, double torque) noexcept { feedback_.feedforward[i] += torque; }
-  const LinearFeedback& feedback() const { return feedback_; }  ///< at the last control()
+  /// Affine policy at the last control().
+  const LinearFeedback& feedback() const { return feedback_; }
 
  private:
   FeedbackPlan plan_, next_;
   LinearFeedback feedback_;
-  Eigen::VectorXd effort_;  ///< nu, Nm (N)
+  Eigen::VectorXd effort_;  ///< Effort limits, nu [Nm or N].
   bool feeds_back_;
-  double rounding_;                                             ///< s
-  double measured_ = -std::numeric_limits<double>::infinity();  ///< s, of plan_
-  double next_measured_ = 0.0;                                  ///< s
-  double next_time_ = 0.0;                                      ///< s, when next_ takes over
-  bool next_ready_ = false;                                     ///< next_ waits for its time
+  double rounding_;  ///< Tolerance of the time at which a plan comes into use [s].
+  /// Measurement time of plan_ [s].
+  double measured_ = -std::numeric_limits<double>::infinity();
+  double next_measured_ = 0.0;  ///< Measurement time of next_ [s].
+  double next_time_ = 0.0;      ///< Time at which next_ comes into use [s].
+  bool next_ready_ = false;     ///< True if next_ is loaded and not yet in use.
 };
 
 }  // namespace burnish

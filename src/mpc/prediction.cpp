@@ -10,8 +10,9 @@ Prediction::Prediction(const Problem& problem)
       dx_(Eigen::VectorXd::Zero(problem.layout().ndx())),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)) {}
 
-/// Knots give accelerations; positions follow from them to second order, whatever the knots'
-/// integrator: v after a whole knot would be wrong by half of it on the average.
+/// Uses the acceleration at each knot, and integrates positions to second order, independent of the
+/// integrator in plans. An integrator that used the velocity at the end of a knot for the whole
+/// knot would be wrong by half the change of velocity.
 bool Prediction::advance(Problem& problem, Horizon& horizon, Policy& policy, double now,
                          double schedule_time, double duration, Eigen::VectorXd& x) {
   const int nq = problem.layout().nq, nv = problem.layout().nv;
@@ -20,14 +21,14 @@ bool Prediction::advance(Problem& problem, Horizon& horizon, Policy& policy, dou
     horizon.place_knot(0, schedule_time + done);
     const double step = problem.step_of(0);
     policy.control(now + done, x, u_);
-    const double part = std::min(duration - done, step);
+    const double duration_of_step = std::min(duration - done, step);
     const KnotValue value = problem.roll(0, 0, x.data(), u_.data(), next_.data());
-    if (value.status > Status::NotConverged) break;
+    if (!is_usable(value.status)) break;
     problem.difference(x.data(), next_.data(), dx_.data());
-    dx_ *= part / step;
-    dx_.head(nv) = part * (x.segment(nq, nv) + 0.5 * dx_.segment(nv, nv));
+    dx_ *= duration_of_step / step;
+    dx_.head(nv) = duration_of_step * (x.segment(nq, nv) + 0.5 * dx_.segment(nv, nv));
     problem.integrate(x.data(), dx_.data(), x.data());
-    done += part;
+    done += duration_of_step;
     if (duration - done < 1e-9 * step) return true;
   }
   x = start_;

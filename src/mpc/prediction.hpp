@@ -1,4 +1,5 @@
-// Where a policy leads in a while, for plans that are used later than they are begun.
+// Prediction of the state under a feedback policy. Plans that come into use after a delay start at
+// this state.
 #pragma once
 
 #include "mpc/horizon.hpp"
@@ -9,9 +10,11 @@ namespace burnish {
 class Prediction {
  public:
   explicit Prediction(const Problem& problem);
-  /// Moves x (nx) to where the policy leads within `duration` s from now on, by knots as they are
-  /// at the schedule's time; the first knot is then to be placed anew. False and x as it was where
-  /// there is no prediction. May throw what targets throw.
+  /// Replaces x (nx) by the state that the policy reaches after `duration` [s]. `now`: time at
+  /// which the policy starts [s]. `schedule_time`: time of the schedule that determines the
+  /// contacts [s]. The call overwrites the first knot of the problem, which must be placed again
+  /// afterwards. Returns false and leaves x unchanged if the dynamics cannot be evaluated.
+  /// Exceptions of targets are passed on.
   bool advance(Problem& problem, Horizon& horizon, Policy& policy, double now, double schedule_time,
                double duration, Eigen::VectorXd& x);
 

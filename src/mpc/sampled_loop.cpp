@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "mpc/tool_motion.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr double longest_step = 5e-4;  // s, of a plant, as simulations have it
+constexpr double max_step = 5e-4;  // longest step of the plant, the step of simulations [s]
 
-/// Part of the way that a first-order low-pass goes in a time.
-double passed_by(double cutoff, double time) {
+/// Returns the response of a first-order low-pass filter to a unit step after `time` [s]. It is 1
+/// for a cut-off of 0 (no filter).
+double step_response(double cutoff, double time) {
   return cutoff > 0.0 ? -std::expm1(-cutoff * time) : 1.0;
 }
 
@@ -26,7 +28,7 @@ int whole(double ratio) { return static_cast<int>(std::lround(ratio)); }
 }  // namespace
 
 bool presses_in(const MpcSpec& spec, int phase) {
-  const std::string& name = spec.schedule[static_cast<std::size_t>(phase)].stage;
+  const std::string& name = spec.schedule[to_size(phase)].stage;
   for (const Stage& stage : spec.problem.stages)
     for (const ContactSpec& contact : spec.problem.contacts)
       if (stage.name == name && contact.tool == spec.tool &&
@@ -37,8 +39,8 @@ bool presses_in(const MpcSpec& spec, int phase) {
 
 std::vector<Eigen::MatrixXd*> LoopState::blocks() {
   std::vector<Eigen::MatrixXd*> all{
-      &q,     &v,    &q_before, &v_measured, &force, &force_measured, &v_observed,
-      &error, &late, &told,     &command,    &motor, &acted,          &offset};
+      &q,     &v,    &q_before,   &v_measured, &force, &force_measured, &v_observed,
+      &error, &late, &plan_error, &command,    &motor, &acted,          &offset};
   for (Eigen::MatrixXd& entry : queue) all.push_back(&entry);
   return all;
 }
@@ -49,7 +51,7 @@ SampledLoop::SampledLoop(const MpcSpec& spec, const LoopChain& chain, int phase)
       feeds_back_(spec.feedback),
       tick_(spec.tick_period),
       ticks_(whole(spec.update_period / spec.tick_period)),
-      steps_(static_cast<int>(std::ceil(tick_ / longest_step - 1e-9))),
+      steps_(static_cast<int>(std::ceil(tick_ / max_step - 1e-9))),
       dt_(tick_ / steps_),
       plan_delay_(whole(spec.solver_delay / spec.tick_period)),
       torque_cutoff_(spec.problem.torque_model ? spec.problem.torque_model->cutoff : 0.0),
@@ -60,22 +62,22 @@ SampledLoop::SampledLoop(const MpcSpec& spec, const LoopChain& chain, int phase)
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n_);
   RigidBody body(model);
   ContactDynamics dynamics(model);
-  if (body.update(q, none) > Status::NotConverged ||
-      dynamics.forward(q, none, body.gravity_torque()) > Status::NotConverged ||
-      dynamics.forward_derivatives() > Status::NotConverged)
+  if (!is_usable(body.update(q, none)) ||
+      !is_usable(dynamics.forward(q, none, body.gravity_torque())) ||
+      !is_usable(dynamics.forward_derivatives()))
     throw Error("margins: the dynamics at the start cannot be evaluated");
   M_ = dynamics.mass_matrix();
   Minv_ = dynamics.da_dtau();
-  pull_ = dynamics.da_dq();
+  gravity_slope_ = dynamics.da_dq();
   J_ = Eigen::RowVectorXd::Zero(n_);
   if (!presses_in(spec, phase)) return;
   const ToolMotion tool(body, spec.tool, spec.base);
-  J_ = spec.normal_world.normalized().transpose() * tool.jacobian();
+  J_ = spec.normal_base.normalized().transpose() * tool.jacobian();
 }
 
 LoopState SampledLoop::identity(const Case& with) const {
   LoopState s;
-  s.queue.resize(static_cast<std::size_t>(whole(chain_.command_delay / dt_) + with.delay_steps));
+  s.queue.resize(to_size(whole(chain_.command_delay / dt_) + with.delay_steps));
   const int observed = observes_ ? n_ : 0;
   const int filtered = plan_.layout.filtered > 0 ? n_ : 0;
   const int acted = observes_ ? filtered : 0;
@@ -107,28 +109,28 @@ LoopState SampledLoop::identity(const Case& with) const {
 }
 
 void SampledLoop::measure(LoopState& s) const {
-  s.force_measured += passed_by(chain_.force_cutoff, tick_) * (s.force - s.force_measured);
+  s.force_measured += step_response(chain_.force_cutoff, tick_) * (s.force - s.force_measured);
   if (!chain_.difference_velocity) {
     s.v_measured = s.v;
     return;
   }
   const Eigen::MatrixXd difference = (s.q - s.q_before) / tick_;
-  s.v_measured += passed_by(chain_.velocity_cutoff, tick_) * (difference - s.v_measured);
+  s.v_measured += step_response(chain_.velocity_cutoff, tick_) * (difference - s.v_measured);
   s.q_before = s.q;
 }
 
-/// As ErrorEstimate and TorqueErrorObserver do.
+/// Updates the observer with the linearized equations of ErrorEstimate and TorqueErrorObserver.
 void SampledLoop::observe(LoopState& s, const Case& with) const {
   if (!observes_) return;
   if (plan_.layout.filtered > 0) {
-    s.acted += passed_by(torque_cutoff_, tick_) * (s.command - s.acted);
-    s.offset += passed_by(with.bandwidth, tick_) * (s.motor - s.acted - s.offset);
+    s.acted += step_response(torque_cutoff_, tick_) * (s.command - s.acted);
+    s.offset += step_response(with.bandwidth, tick_) * (s.motor - s.acted - s.offset);
   }
   const double pole = std::exp(-with.bandwidth * tick_);
-  Eigen::MatrixXd torque = M_ * (pull_ * s.q);
+  Eigen::MatrixXd torque = M_ * (gravity_slope_ * s.q);
   torque += s.acted.rows() > 0 ? s.acted : s.command;
   if (s.late.rows() > 0) {
-    s.late += passed_by(1.0 / with.lag, tick_) * (torque - s.late);
+    s.late += step_response(1.0 / with.lag, tick_) * (torque - s.late);
     torque = s.late;
   }
   torque += s.error;
@@ -139,8 +141,9 @@ void SampledLoop::observe(LoopState& s, const Case& with) const {
   s.error += (1.0 - pole) * (1.0 - pole) / tick_ * (M_ * innovation);
 }
 
-/// `start`: where the plan in use starts. A plan that takes time is taken to start where the robot
-/// is when it comes into use, as its prediction says, with the torque error of its measurement.
+/// Computes the command of a tick. `start`: initial state of the plan in use. The controller
+/// predicts the state in which a plan comes into use, so that the plan starts in this state. The
+/// torque error in the plan is as old as its measurement.
 void SampledLoop::control(LoopState& s, int tick, double force_gain, Eigen::MatrixXd& start) const {
   const StateLayout& layout = plan_.layout;
   const int ndx = layout.ndx();
@@ -148,7 +151,7 @@ void SampledLoop::control(LoopState& s, int tick, double force_gain, Eigen::Matr
   x.topRows(n_) = s.q;
   x.middleRows(n_, n_) = s.v_measured;
   for (int i = 0; i < layout.filtered; ++i) {
-    const int k = layout.actuated[static_cast<std::size_t>(i)];
+    const int k = layout.actuated[to_size(i)];
     x.row(2 * n_ + i) = s.motor.row(k);
     if (observes_) x.row(2 * n_ + i) -= s.offset.row(k);
   }
@@ -156,23 +159,23 @@ void SampledLoop::control(LoopState& s, int tick, double force_gain, Eigen::Matr
   if (tick == taken_over || start.size() == 0) start = x;
   const double elapsed = tick_ * std::max(0, tick - taken_over);
   const auto K = plan_.u.leftCols(ndx);
-  Eigen::MatrixXd u = K * start, way = plan_.way.leftCols(ndx) * start;
+  Eigen::MatrixXd u = K * start, change = plan_.change.leftCols(ndx) * start;
   if (observes_) {
-    const Eigen::MatrixXd& told = plan_delay_ > 0 ? s.told : s.error;
-    u += plan_.u.rightCols(n_) * told;
-    way += plan_.way.rightCols(n_) * told;
+    const Eigen::MatrixXd& error = plan_delay_ > 0 ? s.plan_error : s.error;
+    u += plan_.u.rightCols(n_) * error;
+    change += plan_.change.rightCols(n_) * error;
   }
-  if (feeds_back_) u += K * (x - start - elapsed / plan_.step * way);
-  if (tick == taken_over && plan_delay_ > 0) s.told = s.error;
+  if (feeds_back_) u += K * (x - start - elapsed / plan_.step * change);
+  if (tick == taken_over && plan_delay_ > 0) s.plan_error = s.error;
   s.command.setZero();
   for (int i = 0; i < layout.nu; ++i) {
-    const int k = layout.actuated[static_cast<std::size_t>(i)];
+    const int k = layout.actuated[to_size(i)];
     s.command.row(k) = u.row(i);
     if (s.force.rows() > 0) s.command.row(k) += force_gain * J_[k] * s.force_measured;
   }
 }
 
-/// A step of the plant, with the surface's force at its end.
+/// Advances the plant by one step. The force of the surface is the force at the end of the step.
 void SampledLoop::move(LoopState& s, const Case& with) const {
   Eigen::MatrixXd torque = s.command;
   if (!s.queue.empty()) {
@@ -181,11 +184,11 @@ void SampledLoop::move(LoopState& s, const Case& with) const {
     s.queue.back() = s.command;
   }
   if (s.motor.rows() > 0) {
-    s.motor += passed_by(chain_.torque_cutoff, dt_) * (torque - s.motor);
+    s.motor += step_response(chain_.torque_cutoff, dt_) * (torque - s.motor);
     torque = s.motor;
   }
   if (with.entry >= 0) torque.row(with.entry) *= with.factor;
-  s.v += dt_ * (Minv_ * torque + pull_ * s.q);
+  s.v += dt_ * (Minv_ * torque + gravity_slope_ * s.q);
   if (s.force.rows() > 0) {
     const double resist = chain_.stiffness * dt_ + chain_.damping;
     const Eigen::VectorXd response = Minv_ * J_.transpose();
@@ -214,12 +217,13 @@ Eigen::MatrixXd SampledLoop::transition(const Case& with) const {
   return result;
 }
 
-/// By squares of the transition, whose norm grows as its spectral radius does.
+/// Returns the growth rate, computed by repeated squaring of the transition matrix: the norm of its
+/// powers grows with the spectral radius.
 double SampledLoop::growth(const Case& with) const {
-  constexpr double watched = 20.0;  // s, after which transients count for little
+  constexpr double duration = 20.0;  // time after which transients hardly affect the result [s]
   Eigen::MatrixXd power = transition(with), square;
   double time = ticks_ * tick_, log_of_scale = 0.0;
-  while (time < watched) {
+  while (time < duration) {
     const double scale = power.norm();
     if (!std::isfinite(scale) || scale == 0.0) break;
     power /= scale;

@@ -1,4 +1,4 @@
-// The loop that a controller closes around an arm, linear and sampled at the controller's ticks.
+// Closed loop of a controller and an arm, linearized and sampled at the ticks of the controller.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,41 +9,42 @@
 
 namespace burnish {
 
-/// Whether a contact holds the tool in the stage of a phase, an index of `spec.schedule`.
+/// Returns true if the tool has a contact in the stage of a phase. `phase`: index in
+/// `spec.schedule`.
 bool presses_in(const MpcSpec& spec, int phase);
 
-/// What the loop remembers from tick to tick, a row per entry. The columns are as many states at
-/// once.
+/// State of the loop between ticks. Each column is one state; all columns are simulated together.
 struct LoopState {
-  Eigen::MatrixXd q, v;                   ///< Of the plant.
-  Eigen::MatrixXd q_before, v_measured;   ///< Of the velocity's difference and filter.
-  Eigen::MatrixXd force, force_measured;  ///< Along the normal.
-  Eigen::MatrixXd v_observed, error;      ///< Of the model-error observer.
-  Eigen::MatrixXd late;                   ///< Torques beyond gravity, behind the observer's lag.
-  Eigen::MatrixXd told;                   ///< Torque error that the plan in use was told.
+  Eigen::MatrixXd q, v;                   ///< State of the plant.
+  Eigen::MatrixXd q_before, v_measured;   ///< State of the velocity measurement.
+  Eigen::MatrixXd force, force_measured;  ///< Force along the normal.
+  Eigen::MatrixXd v_observed, error;      ///< State of the observer of the model error.
+  Eigen::MatrixXd late;        ///< Torque without gravity, delayed by the lag of the observer.
+  Eigen::MatrixXd plan_error;  ///< Torque error that the plan in use assumes.
   Eigen::MatrixXd command, motor;
-  Eigen::MatrixXd acted, offset;       ///< Of a torque model.
-  std::vector<Eigen::MatrixXd> queue;  ///< Commands on their way to the motors.
+  Eigen::MatrixXd acted, offset;  ///< State of the torque model.
+  /// Commands that have not yet arrived, because of the command delay.
+  std::vector<Eigen::MatrixXd> queue;
 
   std::vector<Eigen::MatrixXd*> blocks();
 };
 
 class SampledLoop {
  public:
-  /// What differs from one evaluation to the next.
+  /// Parameters of one evaluation.
   struct Case {
-    double bandwidth = 0.0;   ///< Of the observer [rad/s].
-    int delay_steps = 0;      ///< Extra delay, in steps of the plant.
-    int entry = -1;           ///< Of v, whose torque is wrong; -1: none.
-    double factor = 1.0;      ///< By which it is.
-    double lag = 0.0;         ///< Of the observer [s].
-    double force_gain = 0.0;  ///< Of the measured force, at once [N/N].
+    double bandwidth = 0.0;   ///< Bandwidth of the observer [rad/s].
+    int delay_steps = 0;      ///< Additional delay of commands, in steps of the plant.
+    int entry = -1;           ///< Entry of v whose torque is scaled; -1: none.
+    double factor = 1.0;      ///< Factor on the torque of `entry`.
+    double lag = 0.0;         ///< Lag that the observer assumes [s].
+    double force_gain = 0.0;  ///< Gain on the measured force [N/N].
   };
 
-  /// Throws Error as LoopAnalysis does.
+  /// Throws Error for the specifications that LoopAnalysis rejects.
   SampledLoop(const MpcSpec& spec, const LoopChain& chain, int phase);
 
-  /// Rate at which the fastest disturbance grows [1/s].
+  /// Returns the growth rate of the disturbance that grows fastest [1/s].
   double growth(const Case& with) const;
   double dt() const { return dt_; }  ///< Step of the plant [s].
   int nv() const { return n_; }
@@ -54,22 +55,24 @@ class SampledLoop {
   void observe(LoopState& s, const Case& with) const;
   void control(LoopState& s, int tick, double force_gain, Eigen::MatrixXd& start) const;
   void move(LoopState& s, const Case& with) const;
-  /// From the start of one plan to the start of the next.
+  /// Returns the transition matrix of the loop from the start of one plan to the start of the next.
   Eigen::MatrixXd transition(const Case& with) const;
 
   LoopChain chain_;
   bool observes_, feeds_back_;
-  double tick_;           ///< [s]
-  int ticks_;             ///< Per plan.
-  int steps_;             ///< Of the plant per tick.
-  double dt_;             ///< [s]
-  int plan_delay_;        ///< From a measurement to the use of its plan, in ticks.
-  double torque_cutoff_;  ///< That plans know of [rad/s].
+  double tick_;     ///< Tick period [s].
+  int ticks_;       ///< Ticks per plan.
+  int steps_;       ///< Steps of the plant per tick.
+  double dt_;       ///< Step of the plant [s].
+  int plan_delay_;  ///< Delay from a measurement until the plan computed from it is used [ticks].
+  /// Cut-off frequency of the torque model in plans [rad/s]; 0: no torque model.
+  double torque_cutoff_;
   PlanSlopes plan_;
   int n_;
   Eigen::MatrixXd M_, Minv_;
-  Eigen::MatrixXd pull_;  ///< Acceleration by gravity, by q.
-  Eigen::RowVectorXd J_;  ///< Of the tool along the normal; zero in free air.
+  /// Derivative of the joint accelerations with respect to q, at rest.
+  Eigen::MatrixXd gravity_slope_;
+  Eigen::RowVectorXd J_;  ///< Jacobian of the tool position along the normal; zero in free air.
 };
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/mpc/task.hpp"
 
@@ -20,15 +21,14 @@ std::vector<std::string> named_events(const std::vector<SchedulePhase>& phases) 
 
 }  // namespace
 
-// NOLINTNEXTLINE(performance-unnecessary-value-param): read for its events before it is copied
+// NOLINTNEXTLINE(performance-unnecessary-value-param): its events are read before it is copied
 Schedule::Schedule(std::vector<SchedulePhase> phases) : Schedule(phases, named_events(phases)) {}
 
 Schedule::Schedule(std::vector<SchedulePhase> phases, std::vector<std::string> events)
     : phases_(std::move(phases)), events_(std::move(events)) {
   if (phases_.empty()) throw Error("a schedule has no phases; wanted at least one");
   if (events_.size() > 32)
-    throw Error("a schedule knows " + std::to_string(events_.size()) +
-                " events; wanted at most 32");
+    throw Error("a schedule has " + std::to_string(events_.size()) + " events; wanted at most 32");
   double start = 0.0;
   for (std::size_t i = 0; i < phases_.size(); ++i) {
     const double duration = phases_[i].duration;
@@ -36,13 +36,15 @@ Schedule::Schedule(std::vector<SchedulePhase> phases, std::vector<std::string> e
       throw Error("phase " + std::to_string(i) + " of a schedule lasts " + number(duration) +
                   " s; wanted a positive time");
     if (std::isinf(duration) && i + 1 < phases_.size())
-      throw Error("phase " + std::to_string(i) + " of a schedule never ends, but " +
-                  std::to_string(phases_.size() - i - 1) + " follow it");
+      throw Error(
+          "phase " + std::to_string(i) +
+          " of a schedule never ends; wanted it last, but the number of phases after it is " +
+          std::to_string(phases_.size() - i - 1));
     const std::string& until = phases_[i].until;
     const auto event = std::find(events_.begin(), events_.end(), until);
     if (!until.empty() && event == events_.end())
       throw Error("phase " + std::to_string(i) + " of a schedule waits for " + in_quotes(until) +
-                  ", which is no event of its task" + did_you_mean(until, events_));
+                  ", which is not an event of its task" + did_you_mean(until, events_));
     if (!until.empty() && !(phases_[i].hold > 0.0 && std::isfinite(phases_[i].hold)))
       throw Error("phase " + std::to_string(i) + " of a schedule waits for " + in_quotes(until) +
                   " with a hold of " + number(phases_[i].hold) + " s; wanted a positive time");
@@ -60,8 +62,7 @@ void Schedule::reset() noexcept {
 
 int Schedule::phase_at(double time) const noexcept {
   int phase = 0;
-  while (phase + 1 < static_cast<int>(phases_.size()) &&
-         time >= starts_[static_cast<std::size_t>(phase) + 1])
+  while (phase + 1 < static_cast<int>(phases_.size()) && time >= starts_[to_size(phase) + 1])
     ++phase;
   return phase;
 }
@@ -81,9 +82,9 @@ bool Schedule::advance(double dt, unsigned happened) noexcept {
   time_ += dt;
   waits_ = false;
   for (; current_ + 1 < static_cast<int>(phases_.size()); ++current_) {
-    const SchedulePhase& phase = phases_[static_cast<std::size_t>(current_)];
+    const SchedulePhase& phase = phases_[to_size(current_)];
     const double end = start_of(current_ + 1);
-    const unsigned until = until_[static_cast<std::size_t>(current_)];
+    const unsigned until = until_[to_size(current_)];
     if ((until & happened) != 0) {
       const bool jumped = time_ != end;
       time_ = end;

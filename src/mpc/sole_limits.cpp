@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 
 namespace burnish {
 namespace {
 
+/// Returns the pressure limit (size of the sole) of a contact in the first stage; null if the
+/// contact does not have one.
 const residual::CenterOfPressure* sole_of(const MpcSpec& spec, const std::string& contact) {
   if (spec.problem.stages.empty()) return nullptr;
   for (const Constraint& rows : spec.problem.stages.front().constraints)
@@ -17,19 +20,20 @@ const residual::CenterOfPressure* sole_of(const MpcSpec& spec, const std::string
   return nullptr;
 }
 
-/// Least and most moment about a joint's axis `a` by 1 N upwards at the corners of the sole, whose
-/// frame has the axes R; `at_origin`: by 1 N at its origin [m].
+/// Returns the smallest and the largest moment about a joint axis `a` due to a force of 1 N upwards
+/// at a corner of the sole [m]. `R`: axes of the sole's frame. `at_origin`: moment of the force at
+/// the origin of the frame [m].
 std::pair<double, double> moments_of_corners(const residual::CenterOfPressure& sole,
                                              const Eigen::Matrix3d& R, const Eigen::Vector3d& a,
                                              double at_origin) {
-  double least = at_origin, most = at_origin;
+  double lower = at_origin, upper = at_origin;
   for (const double x : {-sole.half_x, sole.half_x})
     for (const double y : {-sole.half_y, sole.half_y}) {
       const double moment = at_origin + a.cross(R * Eigen::Vector3d(x, y, 0.0)).z();
-      least = std::min(least, moment);
-      most = std::max(most, moment);
+      lower = std::min(lower, moment);
+      upper = std::max(upper, moment);
     }
-  return {least, most};
+  return {lower, upper};
 }
 
 }  // namespace
@@ -37,41 +41,45 @@ std::pair<double, double> moments_of_corners(const residual::CenterOfPressure& s
 SoleLimits::SoleLimits(const MpcSpec& spec) {
   const Model& model = spec.problem.model;
   if (!spec.support_sensors || !model.loops.empty()) return;
-  constexpr double near =
-      0.3;  // of the height of the centre of mass, that an ankle is off its sole
-  constexpr double upright = 0.8;  // cosine: axes of the yaw of a foot move no pressure
-  constexpr double stretch = 1.0;  // rad, that a foot which hangs may be off
+  // Limits, chosen by hand.
+  // - `near`: largest distance of an ankle from its sole, relative to the height of the centre of
+  //   mass.
+  // - `upright`: largest cosine between joint axis and vertical, because a yaw joint does not move
+  //   the pressure.
+  // - `stretch`: spring deflection whose torque is allowed for a foot without load [rad].
+  constexpr double near = 0.3;
+  constexpr double upright = 0.8;
+  constexpr double stretch = 1.0;
   const Eigen::VectorXd q = spec.problem.initial_state.head(model.nq);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
   RigidBody body(model);
   ContactDynamics open(model);
-  if (body.update(q, rest) > Status::NotConverged ||
-      open.forward(q, rest, rest) > Status::NotConverged)
-    return;
+  if (!is_usable(body.update(q, rest)) || !is_usable(open.forward(q, rest, rest))) return;
   FrameDerivatives motion;
   for (std::size_t i = 0; i < spec.supports.size(); ++i) {
     const auto contact =
         std::find_if(spec.problem.contacts.begin(), spec.problem.contacts.end(),
-                     [&](const ContactSpec& known) { return known.name == spec.supports[i]; });
+                     [&](const ContactSpec& given) { return given.name == spec.supports[i]; });
     const auto* sole =
         contact == spec.problem.contacts.end() ? nullptr : sole_of(spec, contact->name);
     if (sole == nullptr) continue;
     const int frame = body.frame(contact->tool);
     const Eigen::Isometry3d at = body.placement(frame);
     body.frame_derivatives(frame, Reference::centered(), motion);
-    const Frame& foot = model.frames[static_cast<std::size_t>(model.frame_index(contact->tool))];
+    const Frame& foot = model.frames[to_size(model.frame_index(contact->tool))];
     int joint = foot.body;
-    for (; joint >= 0; joint = model.joints[static_cast<std::size_t>(joint)].parent) {
-      const Joint& one = model.joints[static_cast<std::size_t>(joint)];
+    for (; joint >= 0; joint = model.joints[to_size(joint)].parent) {
+      const Joint& one = model.joints[to_size(joint)];
       if (one.nv != 1 || one.kind == JointKind::Prismatic) break;
       const Eigen::Vector3d a = motion.jacobian.col(one.v_index).tail<3>();
       const Eigen::Vector3d linear = motion.jacobian.col(one.v_index).head<3>();
-      // Across the axis, the joint is so far from the sole.
+      // Stops at a joint whose axis is too far from the sole. The length of `linear` is the
+      // distance of the axis.
       if (linear.norm() > near * (body.com().z() - at.translation().z())) break;
       if (std::abs(a.z()) > upright) continue;
-      const auto [least, most] = moments_of_corners(*sole, at.linear(), a, linear.z());
+      const auto [lower, upper] = moments_of_corners(*sole, at.linear(), a, linear.z());
       ankles_.push_back(
-          {one.v_index, static_cast<Eigen::Index>(i), -most, -least,
+          {one.v_index, static_cast<Eigen::Index>(i), -upper, -lower,
            stretch * spec.fallback.stiffness * open.mass_matrix()(one.v_index, one.v_index)});
     }
   }
@@ -83,9 +91,9 @@ void SoleLimits::keep(const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
     if (ankle.sensor >= wrenches.cols()) return;
     const double load = wrenches.col(ankle.sensor).head<3>().norm();
     if (!std::isfinite(load)) continue;
-    const double least = std::min(0.0, load * ankle.least) - ankle.hanging;
-    const double most = std::max(0.0, load * ankle.most) + ankle.hanging;
-    tau[ankle.entry] = std::clamp(tau[ankle.entry], least, most);
+    const double lower = std::min(0.0, load * ankle.lower) - ankle.hanging;
+    const double upper = std::max(0.0, load * ankle.upper) + ankle.hanging;
+    tau[ankle.entry] = std::clamp(tau[ankle.entry], lower, upper);
   }
 }
 

@@ -1,4 +1,4 @@
-// Ankle torques that the soles of a standing robot bear without tipping.
+// Limits of the ankle torques of a standing robot, which keep its planar feet (soles) from tipping.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,15 @@
 namespace burnish {
 
 /// Limits of ankle torques. A foot tips as soon as the ankle torque moves the centre of pressure
-/// beyond an edge of its sole. Gains that are scaled with the whole robot's inertia, as those of
-/// Fallback, exceed this limit even at small speeds, because a foot is much lighter than the robot.
+/// beyond an edge of the sole. The foot is much lighter than the robot. Gains scaled with the
+/// inertia of the whole robot, such as those of Fallback, therefore tip a foot even at small
+/// speeds.
 class SoleLimits {
  public:
-  /// Soles are those of residual::CenterOfPressure in the first stage of the problem, for supports
-  /// with force sensors; ankles are the joints next to them, at the start. Empty for point feet,
-  /// for robots without such sensors and for those with loops.
+  /// Creates limits for supports with force sensors and a residual::CenterOfPressure in the first
+  /// stage of the problem, which defines the sole. Ankles are the joints next to a sole in the
+  /// initial configuration. There are no limits for point feet, for robots without force sensors,
+  /// and for robots with loops.
   explicit SoleLimits(const MpcSpec& spec);
 
   /// Clamps the ankle entries of tau (nv) so that no sole tips under its measured load [Nm].
@@ -24,10 +26,10 @@ class SoleLimits {
 
  private:
   struct Ankle {
-    int entry;            ///< of v
-    Eigen::Index sensor;  ///< column of the wrenches
-    double least, most;   ///< torque per load [m]
-    double hanging;       ///< torque allowed beyond that, to hold a foot without load [Nm]
+    int entry;            ///< Entry of v.
+    Eigen::Index sensor;  ///< Column of the wrenches.
+    double lower, upper;  ///< Limits of the torque per newton of load [m].
+    double hanging;       ///< Additional torque allowance, to hold a foot without load [Nm].
   };
   std::vector<Ankle> ankles_;
 };

@@ -9,18 +9,22 @@
 namespace burnish {
 namespace {
 
-constexpr double window_time = 5e-3;  // s
-constexpr double noise_time = 0.1;    // s, over which the noise of places is averaged
-constexpr double most_tilts = 5.0;    // deviations that a slope is believed to at most
+// Tuning constants, chosen by hand.
 
-/// The axes turned by the least rotation that takes their third to n: carried without spin.
+// Time over which positions are averaged into one measurement [s].
+constexpr double window_time = 5e-3;
+constexpr double noise_time = 0.1;  // averaging time of position noise [s]
+constexpr double max_tilts = 5.0;   // largest plausible slope [initial standard deviations]
+
+/// Returns the axes, turned by the smallest rotation that aligns their third axis with n (parallel
+/// transport).
 Eigen::Matrix3d carried(const Eigen::Matrix3d& axes, const Eigen::Vector3d& n) {
   const Eigen::Vector3d c = axes.col(2).cross(n);
-  const double share = 1.0 / std::max(1.0 + axes.col(2).dot(n), 1e-6);
+  const double factor = 1.0 / std::max(1.0 + axes.col(2).dot(n), 1e-6);
   Eigen::Matrix3d result;
   for (int i = 0; i < 2; ++i) {
     const Eigen::Vector3d once = c.cross(axes.col(i));
-    result.col(i) = (axes.col(i) + once + share * c.cross(once)).normalized();
+    result.col(i) = (axes.col(i) + once + factor * c.cross(once)).normalized();
   }
   result.col(2) = n;
   return result;
@@ -28,9 +32,9 @@ Eigen::Matrix3d carried(const Eigen::Matrix3d& axes, const Eigen::Vector3d& n) {
 
 }  // namespace
 
-SurfaceEstimator::SurfaceEstimator(Surface believed, double tip_radius,
+SurfaceEstimator::SurfaceEstimator(Surface nominal, double tip_radius,
                                    const SurfaceEstimateOptions& options, double tick_period)
-    : believed_(std::move(believed)),
+    : nominal_(std::move(nominal)),
       radius_(tip_radius),
       options_(options),
       window_(std::max(1, static_cast<int>(std::lround(window_time / tick_period)))),
@@ -74,24 +78,25 @@ void SurfaceEstimator::update(const Eigen::Vector3d& p, double force, bool touch
     sum_f_ += force;
     if (++ticks_ >= window_) learn();
   }
-  tell(p);
+  update_estimate(p);
 }
 
-/// From the mean of a window's ticks. Noise moves the tip along the surface and off it at once, as
-/// joints do, which looks like a slope: along the surface the tip has moved once it is clear of
-/// that.
+/// Processes the mean position of a window. Joint noise moves the tip along the surface and along
+/// the normal at once, which would look like a slope. The state is therefore moved along the
+/// surface only if the displacement clearly exceeds the noise.
 void SurfaceEstimator::learn() noexcept {
-  constexpr double clear = 6.0;  // deviations of a mean
+  // Displacement that exceeds the noise [standard deviations of a mean].
+  constexpr double clear = 6.0;
   const Eigen::Vector3d mean = sum_p_ / ticks_;
-  const SurfaceDistance believed = believed_.at(mean);
+  const SurfaceDistance nominal = nominal_.at(mean);
   if (!placed_) {
-    start(mean, believed);
+    start(mean, nominal);
   } else {
     wait(time_);
     const Eigen::Vector2d d = tangents_.leftCols<2>().transpose() * (mean - place_);
-    if (d.squaredNorm() * ticks_ >= clear * clear * spread_) move_to(mean, d, believed);
+    if (d.squaredNorm() * ticks_ >= clear * clear * spread_) move_to(mean, d, nominal);
   }
-  measure(believed.distance - radius_, sum_f_ / ticks_, (mean - last_).norm());
+  measure(nominal.distance - radius_, sum_f_ / ticks_, (mean - last_).norm());
   last_ = mean;
   ticks_ = 0;
   time_ = 0.0;
@@ -99,43 +104,46 @@ void SurfaceEstimator::learn() noexcept {
   sum_f_ = 0.0;
 }
 
-/// Of white noise s the second difference has the variance 6 s^2; of a motion it has next to
-/// nothing from tick to tick.
+/// Updates the variance of the position noise between ticks from second differences of the
+/// position. The second difference of white noise of standard deviation s has the variance 6 s^2.
+/// The motion of the tip hardly contributes.
 void SurfaceEstimator::follow_noise(const Eigen::Vector3d& p) noexcept {
   if (seen_ >= 2) {
-    const Eigen::Vector3d bend = p - 2.0 * before_ + before_that_;
-    const double share = std::max(noise_share_, 1.0 / (seen_ - 1)), along = normal_.dot(bend);
-    white_ += share * (along * along / 6.0 - white_);
-    spread_ += share * (bend.squaredNorm() / 6.0 - spread_);
+    const Eigen::Vector3d second = p - 2.0 * before_ + before_that_;
+    const double weight = std::max(noise_share_, 1.0 / (seen_ - 1)), along = normal_.dot(second);
+    white_ += weight * (along * along / 6.0 - white_);
+    spread_ += weight * (second.squaredNorm() / 6.0 - spread_);
   }
   before_that_ = before_;
   before_ = p;
   seen_ = std::min(seen_ + 1, 1 << 20);
 }
 
-void SurfaceEstimator::start(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept {
+void SurfaceEstimator::start(const Eigen::Vector3d& p, const SurfaceDistance& nominal) noexcept {
   const Eigen::Vector3d seed =
-      std::abs(believed.normal.x()) > 0.9 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
-  const Eigen::Vector3d t = seed.cross(believed.normal).normalized();
-  tangents_ << t, believed.normal.cross(t), believed.normal;
+      std::abs(nominal.normal.x()) > 0.9 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d t = seed.cross(nominal.normal).normalized();
+  tangents_ << t, nominal.normal.cross(t), nominal.normal;
   place_ = last_ = p;
   placed_ = true;
-  bend_ = options_.curvature + 0.25 * believed.bend.norm();
-  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = bend_ * bend_;
+  curvature_ = options_.curvature + 0.25 * nominal.hessian.norm();
+  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = curvature_ * curvature_;
 }
 
-/// The surface goes on moving: h += r dt, while r wanders.
+/// Propagates the state while the surface moves at its rate: h += r dt, with a random walk of r.
 void SurfaceEstimator::wait(double dt) noexcept {
-  constexpr double wander = 0.1;  // of the rate's variance, per s
+  // Growth of the rate's variance per time, relative to its initial variance [1/s].
+  constexpr double wander = 0.1;
   x_[h_] += dt * x_[r_];
   P_.row(h_) += dt * P_.row(r_);
   P_.col(h_) += dt * P_.col(r_);
   P_(r_, r_) += wander * options_.rate * options_.rate * dt;
 }
 
-/// With d the step along the tangents, h += s . d + d . K d / 2 and s += K d.
+/// Moves the state along the surface by the step d along the tangents: h += s . d + d . K d / 2, s
+/// += K d.
 void SurfaceEstimator::move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& d,
-                               const SurfaceDistance& believed) noexcept {
+                               const SurfaceDistance& nominal) noexcept {
   Covariance F = Covariance::Identity();
   F(h_, s_) = d[0];
   F(h_, s_ + 1) = d[1];
@@ -147,48 +155,50 @@ void SurfaceEstimator::move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& 
   x_ = F * x_;
   P_ = F * P_ * F.transpose();
   recover(d.norm());
-  const double change = trust_ * options_.bend_change, wander = change * change * d.norm();
+  const double change = trust_ * options_.curvature_change, wander = change * change * d.norm();
   for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) += wander;
-  tangents_ = carried(tangents_, believed.normal);
+  tangents_ = carried(tangents_, nominal.normal);
   place_ = p;
 }
 
-void SurfaceEstimator::measure(double distance, double force, double way) noexcept {
+void SurfaceEstimator::measure(double distance, double force, double travel) noexcept {
   State H = State::Zero();
   H[h_] = 1.0;
   H[c_] = -force;
-  // The noise of encoders is another one only once the tip has moved.
-  const double repeats = std::max(1.0, options_.noise_length / std::max(way, 1e-9));
-  const double give = x_[c_] * options_.force_noise;
+  // Encoder noise is constant at one position. The measurements within a travel of noise_length
+  // therefore count as one measurement.
+  const double repeats = std::max(1.0, options_.noise_length / std::max(travel, 1e-9));
+  const double yield = x_[c_] * options_.force_noise;
   const double R = options_.position_noise * options_.position_noise * std::min(repeats, 1e6) +
-                   give * give + white_ / ticks_;
+                   yield * yield + white_ / ticks_;
   const State PH = P_ * H;
   const double S = H.dot(PH) + R;
   const State gain = PH / S;
   const double innovation = distance - H.dot(x_);
   x_ += gain * innovation;
-  // Joseph's form stays symmetric and positive.
+  // Joseph's form of the update keeps the covariance symmetric and positive.
   const Covariance keep = Covariance::Identity() - gain * H.transpose();
   P_ = keep * P_ * keep.transpose() + R * gain * gain.transpose();
-  if (!(x_.segment<2>(s_).norm() <= most_tilts * trust_ * options_.tilt)) begin_anew();
+  if (!(x_.segment<2>(s_).norm() <= max_tilts * trust_ * options_.tilt)) begin_anew();
 }
 
-/// Over some way trust comes back: what was not known of may have ended (a tip that goes in at
-/// first).
-void SurfaceEstimator::recover(double way) noexcept {
-  constexpr double length = 0.15;  // m
+/// Raises trust_ towards 1 while the tip travels. The cause of an implausible slope may be over by
+/// then, such as a tip that sank in at first.
+void SurfaceEstimator::recover(double travel) noexcept {
+  constexpr double length = 0.15;  // travel after which trust_ has recovered [m]
   const double before = trust_;
-  trust_ += std::min(1.0, way / length) * (1.0 - trust_);
-  const double more = (trust_ * trust_ - before * before) * options_.tilt * options_.tilt;
-  P_(s_, s_) += more;
-  P_(s_ + 1, s_ + 1) += more;
+  trust_ += std::min(1.0, travel / length) * (1.0 - trust_);
+  const double added = (trust_ * trust_ - before * before) * options_.tilt * options_.tilt;
+  P_(s_, s_) += added;
+  P_(s_ + 1, s_ + 1) += added;
 }
 
-/// A slope that cannot be is none: what was taken for one is something that this knows nothing of
-/// (a surface that moves or creeps). What is believed is told again, and left by half as much.
+/// Restarts the estimates of slope and curvature after an implausible slope. Such a slope indicates
+/// an effect that the model lacks, such as a surface that moves or creeps. The initial deviations
+/// are halved, so that the effect has less influence.
 void SurfaceEstimator::begin_anew() noexcept {
-  constexpr double least = 1e-3;
-  trust_ = std::max(0.5 * trust_, least);
+  constexpr double min_trust = 1e-3;
+  trust_ = std::max(0.5 * trust_, min_trust);
   x_.segment<5>(s_).setZero();
   for (int i = s_; i < s_ + 5; ++i) {
     P_.row(i).setZero();
@@ -196,11 +206,11 @@ void SurfaceEstimator::begin_anew() noexcept {
   }
   const double tilt = trust_ * options_.tilt;
   P_(s_, s_) = P_(s_ + 1, s_ + 1) = tilt * tilt;
-  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = trust_ * trust_ * bend_ * bend_;
+  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = trust_ * trust_ * curvature_ * curvature_;
 }
 
-void SurfaceEstimator::tell(const Eigen::Vector3d& p) noexcept {
-  const SurfaceDistance here = believed_.at(p);
+void SurfaceEstimator::update_estimate(const Eigen::Vector3d& p) noexcept {
+  const SurfaceDistance here = nominal_.at(p);
   surface_ = here.quadric(p, radius_);
   if (placed_ && options_.enabled) {
     const auto T = tangents_.leftCols<2>();

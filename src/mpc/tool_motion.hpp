@@ -1,4 +1,4 @@
-// How the tool moves against the surface that it presses on, which the robot may carry itself.
+// Motion of the tool relative to the surface, which a frame of the robot may carry.
 #pragma once
 
 #include <string>
@@ -7,19 +7,23 @@
 
 namespace burnish {
 
-/// Of the tool's origin less that of what the robot carries there: what a force between the two
-/// does work along. Without a base the tool's own, in the world.
+/// Jacobian and velocity of the tool's origin relative to the surface. A force between tool and
+/// surface does work along this velocity. If the robot frame `base` carries the surface, the motion
+/// is relative to the point of that body at the tool's origin; otherwise, it is relative to the
+/// world.
 class ToolMotion {
  public:
-  /// base: frame of the robot; empty: the world. Throws Error for an unknown frame.
+  /// `base`: frame of the robot that carries the surface; empty if the surface is fixed in the
+  /// world. Throws Error for an unknown frame.
   ToolMotion(const RigidBody& body, const std::string& tool, const std::string& base)
       : tool_(body.frame(tool)),
         base_(base.empty() ? -1 : body.frame(base)),
         at_tool_{Anchor(tool), Anchor::World} {
-    update(body);  // sized here, not in a tick
+    update(body);  // allocates here, not in a tick
   }
 
-  /// At the state of `body`, of the same robot. Allocates nothing.
+  /// Updates the Jacobian to the state of `body`, which must belong to the same robot. Does not
+  /// allocate.
   void update(const RigidBody& body) {
     body.frame_derivatives(tool_, Reference::centered(), motion_);
     if (base_ < 0) return;
@@ -27,9 +31,9 @@ class ToolMotion {
     motion_.jacobian.topRows<3>() -= base_motion_.jacobian.topRows<3>();
   }
 
-  /// 3 x nv, world axes.
+  /// Returns the Jacobian of the relative velocity, 3 x nv, in world axes.
   auto jacobian() const { return motion_.jacobian.topRows<3>(); }
-  /// m/s, world axes, at the state of `body`.
+  /// Returns the relative velocity at the state of `body`, in world axes [m/s].
   Eigen::Vector3d velocity(const RigidBody& body) const {
     Eigen::Vector3d v = body.velocity(tool_, Reference::centered()).head<3>();
     if (base_ >= 0) v -= body.velocity(base_, at_tool_).head<3>();
@@ -37,7 +41,7 @@ class ToolMotion {
   }
 
  private:
-  int tool_, base_;  ///< frames
+  int tool_, base_;  ///< Frames of the robot; base_ is -1 for the world.
   Reference at_tool_;
   FrameDerivatives motion_, base_motion_;
 };

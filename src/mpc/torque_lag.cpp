@@ -6,9 +6,9 @@
 namespace burnish {
 namespace {
 
-constexpr double resolution = 1e-3;  // s
-constexpr double window = 0.03;      // s, of means
-constexpr double usual = 100.0;      // Nm (N), for joints without an effort limit
+constexpr double resolution = 1e-3;  // difference between two compared lags [s]
+constexpr double window = 0.03;      // averaging time of differences [s]
+constexpr double usual = 100.0;      // assumed effort limit of unlimited joints [Nm (N)]
 
 }  // namespace
 
@@ -40,23 +40,25 @@ void TorqueLag::look(const ConstVectorRef& sent, const Eigen::VectorXd& measured
   else
     sent_.fill(sent);
   started_ = true;
-  const double part = -std::expm1(-dt / window);
+  const double weight = -std::expm1(-dt / window);
   for (int lag = 0; lag < lags; ++lag) {
     const auto then = sent_.ago(lag * step_);
     now_[lag] = 0.0;
     for (const int k : actuated_) {
       const double gap = then[k] - measured[k];
-      gaps_(k, lag) += part * (gap - gaps_(k, lag));
+      gaps_(k, lag) += weight * (gap - gaps_(k, lag));
       now_[lag] += weight_[k] * gap * gap;
     }
   }
-  errors_ += part * (now_ - errors_);
-  // A lag shows where it explains most of a gap that is more than noise.
-  constexpr double noise = 0.01, explained = 0.25;  // of the effort limit; of the mean square
-  Eigen::Index least = 0;
-  const double error = errors_.minCoeff(&least);
-  const bool shows = errors_[0] > noise * noise && error < explained * errors_[0];
-  best_ = shows ? static_cast<int>(least) : 0;
+  errors_ += weight * (now_ - errors_);
+  // A lag is visible under two conditions. The difference without a delay must exceed `noise`, a
+  // fraction of the effort limit. A delay must reduce the mean square of the difference to at most
+  // the fraction `explained`.
+  constexpr double noise = 0.01, explained = 0.25;
+  Eigen::Index best = 0;
+  const double error = errors_.minCoeff(&best);
+  const bool is_visible = errors_[0] > noise * noise && error < explained * errors_[0];
+  best_ = is_visible ? static_cast<int>(best) : 0;
 }
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// How late the measured torques follow those that were sent.
+// Estimate of the delay from commanded torques to measured torques.
 #pragma once
 
 #include <vector>
@@ -8,31 +8,35 @@
 
 namespace burnish {
 
-/// Finds the lag at which measured torques match those sent up to 20 ms before: the smallest mean
-/// square of their differences. It is updated while torques vary enough.
+/// Estimate of the lag of measured torques behind commanded torques, up to 20 ms. It is the lag for
+/// which the mean square difference of the two is smallest. While the torques hardly vary, the
+/// estimate is 0.
 class TorqueLag {
  public:
-  /// actuated: entries of v that have a motor.
+  /// `actuated`: entries of v that have a motor.
   TorqueLag(const MpcSpec& spec, std::vector<int> actuated);
   void reset() noexcept;
-  /// sent: nv, at the tick before; measured: nv, dt s after the measurement before.
+  /// Updates the estimate. `sent`: torque commanded at the previous tick (nv). `measured`: measured
+  /// torque (nv), `dt` [s] after the previous measurement.
   void look(const ConstVectorRef& sent, const Eigen::VectorXd& measured, double dt) noexcept;
 
-  /// s between sending and measuring a torque, in steps of about 1 ms; 0: none that shows.
+  /// Returns the lag [s], in steps of about 1 ms; 0 if no lag is visible.
   double seconds() const noexcept { return best_ * step_ * tick_period_; }
-  /// Nm (N), mean over 30 ms: the torque that was sent, that lag ago, less the measured one.
+  /// Returns the mean over 30 ms of the commanded torque, delayed by the lag, minus the measured
+  /// torque [Nm or N].
   double gap(int entry) const noexcept { return gaps_(entry, best_); }
 
  private:
-  static constexpr int lags = 21;  ///< from none on, a step apart
+  static constexpr int lags = 21;  ///< Number of compared lags: 0, 1, ... steps.
 
   std::vector<int> actuated_;
-  Eigen::VectorXd weight_;  ///< 1 / effort limit^2
+  Eigen::VectorXd weight_;  ///< Weight of each joint, 1 / (effort limit)^2, nv.
   double tick_period_;
-  int step_;  ///< ticks
+  int step_;  ///< Difference between two compared lags [ticks].
   SentTorques sent_;
-  Eigen::MatrixXd gaps_;                                                  ///< nv x lags
-  Eigen::VectorXd errors_ = Eigen::VectorXd::Zero(lags), now_ = errors_;  ///< mean squares
+  Eigen::MatrixXd gaps_;  ///< Mean difference for each lag, nv x lags.
+  /// Mean square difference for each lag: over the window, and at this tick.
+  Eigen::VectorXd errors_ = Eigen::VectorXd::Zero(lags), now_ = errors_;
   bool started_ = false;
   int best_ = 0;
 };

@@ -21,9 +21,9 @@ void watch_joints(const Model& model, const SafetyLimits& limits, const Measurem
   const double now = gate.now();
   for (const Joint& joint : model.joints) {
     for (int k = joint.v_index; k < joint.v_index + joint.nv; ++k) {
-      const double fastest = limits.joint_speed_ratio * model.velocity_limit[k];
+      const double max_speed = limits.joint_speed_ratio * model.velocity_limit[k];
       const double speed = std::abs(gate.last().v[k]);
-      if (speed > fastest) latch.raise(now, FaultKind::SpeedLimit, speed, fastest, k);
+      if (speed > max_speed) latch.raise(now, FaultKind::SpeedLimit, speed, max_speed, k);
     }
     if (joint.nq != 1) continue;
     const double q = gate.last().q[joint.q_index];
@@ -43,38 +43,42 @@ void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
 
 MotorWatch::MotorWatch(const MpcSpec& spec)
     : actuated_(entries_with_motors(spec.problem.model)),
-      share_(spec.limits.torque_gap),
+      gap_fraction_(spec.limits.torque_gap),
       effort_(spec.problem.model.effort_limit),
-      told_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
+      commanded_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
       lag_(spec, actuated_) {}
 
 void MotorWatch::look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept {
   if (lost_ >= 0) return;
   lag_.look(tau_before, gate.last().tau, gate.dt());
-  if (std::isinf(share_)) return;
-  constexpr double window = 0.03;  // s, as the lag's
-  const double part = -std::expm1(-gate.dt() / window);
+  if (std::isinf(gap_fraction_)) return;
+  constexpr double window = 0.03;  // averaging time, equal to that of TorqueLag [s]
+  const double weight = -std::expm1(-gate.dt() / window);
   for (const int k : actuated_) {
-    told_[k] += part * (tau_before[k] - told_[k]);
-    if (effort_[k] > 0.0 && std::abs(lag_.gap(k)) > allowed(k)) lost_ = k;
+    commanded_[k] += weight * (tau_before[k] - commanded_[k]);
+    if (effort_[k] > 0.0 && std::abs(lag_.gap(k)) > max_gap(k)) lost_ = k;
   }
 }
 
-/// Nm (N) that a motor may be off. One that gives next to nothing is found before one that is weak.
-double MotorWatch::allowed(int entry) const noexcept {
-  constexpr double nothing = 0.2, sooner = 0.6;
-  const double came = std::abs(told_[entry] - lag_.gap(entry));
-  const bool gives = came > nothing * std::abs(told_[entry]);
-  return (gives ? 1.0 : sooner) * share_ * effort_[entry];
+/// Returns the largest allowed difference between commanded and measured torque of a motor [Nm or
+/// N]. The limit is lower for a motor that delivers almost nothing, so that a dead motor is found
+/// earlier than a weak one.
+double MotorWatch::max_gap(int entry) const noexcept {
+  // Delivered fraction below which a motor counts as dead, and factor on the limit of a dead motor
+  // (see SafetyLimits::torque_gap).
+  constexpr double dead = 0.2, dead_factor = 0.6;
+  const double measured = std::abs(commanded_[entry] - lag_.gap(entry));
+  const bool delivers = measured > dead * std::abs(commanded_[entry]);
+  return (delivers ? 1.0 : dead_factor) * gap_fraction_ * effort_[entry];
 }
 
 void MotorWatch::watch(double now, FaultLatch& latch) const noexcept {
   if (lost_ < 0) return;
   const double gap = lag_.gap(lost_);
-  if (!latch.raise(now, FaultKind::MotorLost, std::abs(gap), allowed(lost_), lost_)) return;
+  if (!latch.raise(now, FaultKind::MotorLost, std::abs(gap), max_gap(lost_), lost_)) return;
   char clause[96];
-  std::snprintf(clause, sizeof clause, "%.4g were sent and %.4g came, means over 30 ms",
-                told_[lost_], told_[lost_] - gap);
+  std::snprintf(clause, sizeof clause, "commanded %.4g, measured %.4g, as means over 30 ms",
+                commanded_[lost_], commanded_[lost_] - gap);
   latch.explain(clause);
 }
 

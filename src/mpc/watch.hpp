@@ -1,4 +1,4 @@
-// What every controller watches, whatever its task: the robot's own limits, and its plans.
+// Monitors for all controllers, independent of their tasks: joints, base, plans and motors.
 #pragma once
 
 #include "mpc/fault_latch.hpp"
@@ -7,21 +7,22 @@
 
 namespace burnish {
 
-/// Joints beyond their limits of velocity and position, of the last good measurement.
+/// Raises a fault if a joint exceeded its limit of velocity or position in the last valid
+/// measurement.
 void watch_joints(const Model& model, const SafetyLimits& limits, const MeasurementGate& gate,
                   FaultLatch& latch) noexcept;
 
-/// A floating base that nothing tells of.
+/// Raises a fault if the estimate of a floating base has been missing for too long.
 void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
                 FaultLatch& latch) noexcept;
 
-/// Updates in a row without a plan, or with a late one.
+/// Monitor of solves, which counts successive updates that gave no plan or a late plan.
 class PlanWatch {
  public:
   explicit PlanWatch(const SafetyLimits& limits) : limits_(limits) {}
   void reset() noexcept { failed_ = late_ = 0; }
-  /// An update at `now` (s) that took `seconds` of wall clock. The first one may take longer, and
-  /// may not fail. Whether it came later than it was due.
+  /// Records an update at the time `now` [s], whose solve took `seconds` of wall-clock time. The
+  /// first update may be late but must give a plan. Returns true if the update missed its deadline.
   bool judge(double now, bool usable, bool first, double seconds, FaultLatch& latch) noexcept;
 
  private:
@@ -29,30 +30,32 @@ class PlanWatch {
   int failed_ = 0, late_ = 0;
 };
 
-/// What motors give beside what they are told. Torques that come late are no motor that fails.
+/// Monitor of motors, which compares measured with commanded torques. A mere delay of the measured
+/// torques does not count as a failure.
 class MotorWatch {
  public:
   explicit MotorWatch(const MpcSpec& spec);
   void reset() noexcept {
-    told_.setZero();
+    commanded_.setZero();
     lag_.reset();
     lost_ = -1;
   }
-  /// After a good measurement, after a fault too; tau_before: nv, that was sent and should have
-  /// acted when it was taken.
+  /// Updates the monitor after a valid measurement; call it after a fault too. `tau_before`:
+  /// commanded torque that should have acted at the measurement (nv).
   void look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept;
   void watch(double now, FaultLatch& latch) const noexcept;
-  int lost() const { return lost_; }  ///< entry of v, the first one found; -1: none
-  /// s by which measured torques follow those that were sent, where that shows; else 0.
+  /// Entry of v of the first failed motor; -1: no failed motor.
+  int lost() const { return lost_; }
+  /// Returns the lag of measured behind commanded torques [s]; 0 if no lag is visible.
   double lag() const noexcept { return lag_.seconds(); }
 
  private:
-  double allowed(int entry) const noexcept;
+  double max_gap(int entry) const noexcept;
 
   std::vector<int> actuated_;
-  double share_;  ///< SafetyLimits::torque_gap
+  double gap_fraction_;  ///< SafetyLimits::torque_gap.
   Eigen::VectorXd effort_;
-  Eigen::VectorXd told_;  ///< nv, Nm (N), mean of what was sent
+  Eigen::VectorXd commanded_;  ///< Mean commanded torque, nv [Nm or N].
   TorqueLag lag_;
   int lost_ = -1;
 };

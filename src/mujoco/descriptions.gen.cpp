@@ -9,7 +9,7 @@ const Words& words_of(MujocoContact /*of*/) {
   static const Words all{
       "sim",
       "MujocoContact",
-      "Contact model for the tip in the plant of make_mujoco_plant().",
+      "Contact model of the tool's tip in a MuJoCo plant.",
       {{"exact", "Spring, damper and Coulomb friction on the exact surface"},
        {"engine", "MuJoCo's own contact, for the shapes that it supports"}}};
   return all;
@@ -28,8 +28,8 @@ const Description& description_of(const MujocoPlantOptions* /*of*/) {
           .field("impedance", &S::impedance,
                  "Impedance d of MuJoCo's own contact",
                  {.least = 0, .most = 1, .open = true})
-          .more("The apparent mass at the contact is d / (1 - d) times the apparent mass of the "
-                "tip.")
+          .more("The contact has an apparent mass. This mass is d / (1 - d) times the apparent "
+                "mass of the tip.")
           .field("friction_ratio", &S::friction_ratio,
                  "Ratio of frictional to normal impedance (MuJoCo's impratio)",
                  {.least = 0, .open = true})

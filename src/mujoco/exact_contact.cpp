@@ -18,12 +18,12 @@ ExactContact::ExactContact(const SceneSpec& scene, const mjModel& m, int tip_sit
   J_by_M_.setZero();
 }
 
-Eigen::Vector3d ExactContact::push(const mjModel& m, mjData& d, double time,
-                                   bool touched) noexcept {
+Eigen::Vector3d ExactContact::apply_force(const mjModel& m, mjData& d, double time,
+                                          bool touched) noexcept {
   using Axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
   const double dt = m.opt.timestep;
   const SurfaceMotion& motion = scene_.surface.motion;
-  const double moved = motion.way(time);
+  const double moved = motion.displacement(time);
   const Eigen::Vector3d& along = scene_.surface.normal;
   const Eigen::Vector3d tip_world = Eigen::Map<const Eigen::Vector3d>(d.site_xpos + 3 * site_);
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // the surface's axes in the world
@@ -33,7 +33,7 @@ Eigen::Vector3d ExactContact::push(const mjModel& m, mjData& d, double time,
     tip = R.transpose() *
           (tip_world - Eigen::Map<const Eigen::Vector3d>(d.site_xpos + 3 * surface_site_));
   }
-  tip -= moved * along;  // seen from the surface, which has moved
+  tip -= moved * along;  // relative to the moved surface
   const SurfaceDistance at = surface_.at(tip);
   const double radius = scene_.tip.radius;
   if (!(at.distance < radius) || !is_over(scene_, tip, touched)) return Eigen::Vector3d::Zero();
@@ -46,12 +46,11 @@ Eigen::Vector3d ExactContact::push(const mjModel& m, mjData& d, double time,
   }
   mj_solveM(&m, &d, J_by_M_.data(), J_.data(), 3);
   const Eigen::Map<const Eigen::VectorXd> v(d.qvel, m.nv), a(d.qacc_smooth, m.nv);
-  // Joint friction and followers act too: as in the step before, which is near enough for what is
-  // left of velocities at the end of this one.
+  // Forces of joint friction and followers are approximated by those of the previous step.
   const Eigen::Map<const Eigen::VectorXd> others(d.qfrc_constraint, m.nv);
   TipStep step{.dt = dt, .depth = radius - at.distance, .n = n, .v = {}, .A = {}};
   step.v = J_ * v + dt * (J_ * a + J_by_M_ * others) -
-           (motion.way(time + dt) - moved) / dt * (R * along);
+           (motion.displacement(time + dt) - moved) / dt * (R * along);
   step.A = J_by_M_ * J_.transpose();
   const Eigen::Vector3d force = penalty_force(contact_, step);
   Eigen::Map<Eigen::VectorXd>(d.qfrc_applied, m.nv).noalias() += J_.transpose() * force;

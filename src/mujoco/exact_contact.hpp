@@ -1,4 +1,4 @@
-// The contact of the tip with an exact surface, on MuJoCo's bodies.
+// Contact of the tip with an exact surface, for bodies that MuJoCo simulates.
 #pragma once
 
 #include "burnish/sim/scene.hpp"
@@ -7,17 +7,20 @@
 
 namespace burnish::mujoco {
 
+/// Computes the contact force of a PenaltyContact and applies it to MuJoCo's bodies.
 class ExactContact {
  public:
-  /// surface_site: of the frame that carries the surface; -1: none does.
+  /// `surface_site` is the site of the frame that carries the surface; -1: the surface is in the
+  /// world.
   ExactContact(const SceneSpec& scene, const mjModel& m, int tip_site, int tip_body,
                int surface_site);
 
-  /// Between mj_fwdAcceleration() and mj_fwdConstraint(): puts the force of the surface into
-  /// qfrc_applied and qacc_smooth, with its opposite on what carries the surface, at the same
-  /// point. `time`: of the step's begin, s. `touched`: whether it pushed in the step before. The
-  /// force on the tip, N, world axes.
-  Eigen::Vector3d push(const mjModel& m, mjData& d, double time, bool touched) noexcept;
+  /// Adds the force of the surface to qfrc_applied, qfrc_smooth and qacc_smooth. The opposite force
+  /// acts at the same point on the body that carries the surface. Must be called between
+  /// mj_fwdAcceleration() and mj_fwdConstraint(). `time` is the start of the step [s]. `touched`
+  /// tells whether there was a force in the previous step. Returns the force on the tip, in world
+  /// axes [N].
+  Eigen::Vector3d apply_force(const mjModel& m, mjData& d, double time, bool touched) noexcept;
 
  private:
   SceneSpec scene_;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "model/followers.hpp"
 #include "model/joint_entries.hpp"
@@ -13,7 +15,7 @@ namespace {
 
 using Vector3 = Eigen::Vector3d;
 
-/// Entries of qpos.
+/// Returns the number of entries of qpos for a joint.
 int count(JointKind kind) {
   switch (kind) {
     case JointKind::Planar:
@@ -31,7 +33,8 @@ Eigen::Matrix3d about_z(double angle) {
   return Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
 }
 
-/// Writes a joint's coordinates; the rotation from its moving axes to its fixed ones.
+/// Writes a joint's coordinates. Returns the rotation from the joint's moving axes to its fixed
+/// axes.
 Eigen::Matrix3d store_joint(JointKind kind, const double* x, mjtNum* qpos) {
   switch (kind) {
     case JointKind::Revolute:
@@ -78,25 +81,27 @@ Eigen::Matrix3d load_joint(JointKind kind, const mjtNum* qpos, double* x) {
   return Eigen::Matrix3d::Identity();
 }
 
-/// Entries that are along other axes for MuJoCo.
+/// Returns the number of velocity entries whose axes differ in MuJoCo.
 int turned_entries(const Joint& joint) { return joint.nv > 1 ? sliding_entries(joint.kind) : 0; }
 
 }  // namespace
 
 Coordinates::Coordinates(const Model& model, const mjModel& theirs)
     : model_(model),
-      entry_(static_cast<std::size_t>(model.nv)),
+      entry_(to_size(model.nv)),
       T_(Eigen::MatrixXd::Zero(model.nv, theirs.nv)),
       correction_(Eigen::VectorXd::Zero(model.nv)) {
   int first = 0;
   for (const Joint& joint : model.joints) {
     for (int k = 0; k < joint.nv; ++k) {
-      entry_[static_cast<std::size_t>(joint.v_index + k)] = first + k;
+      entry_[to_size(joint.v_index + k)] = first + k;
       if (first + k < theirs.nv) T_(joint.v_index + k, first + k) = 1.0;
     }
     first += joint_nv(joint.kind);
   }
-  if (theirs.nv != first) throw Error("MuJoCo counts other degrees of freedom");
+  if (theirs.nv != first)
+    throw Error("MuJoCo's model has " + std::to_string(theirs.nv) + " degrees of freedom; wanted " +
+                std::to_string(first));
   T_own_ = T_;
   first = 0;
   for (const Joint& joint : model.joints) {
@@ -112,7 +117,7 @@ void Coordinates::turn(const Joint& joint, int first, const Eigen::Matrix3d& rot
       for (int j = 0; j < n; ++j) (*matrix)(joint.v_index + i, first + j) = rotation(j, i);
 }
 
-/// Rates of translation along turning axes change by v x w.
+/// Computes the correction v x w for linear velocities along turning axes.
 void Coordinates::correct(const Joint& joint, const ConstVectorRef& v) {
   if (turned_entries(joint) == 0) return;
   const bool planar = joint.kind == JointKind::Planar;

@@ -1,39 +1,42 @@
-// States between burnish and MuJoCo. MuJoCo counts an angle for a continuous joint, writes
-// quaternions w first, and takes the translation rate of planar and floating joints along fixed
-// axes: v = T qvel with T orthogonal, so that M_ours = T M T^T, tau_theirs = T^T tau_ours and
-// a_ours = T qacc + (dT/dt) qvel.
+// Conversion of states between burnish and MuJoCo. In MuJoCo,
+//  - a continuous joint has an angle as its coordinate,
+//  - quaternions have the order w, x, y, z,
+//  - the linear velocity of planar and floating joints is along fixed axes.
+// Therefore v = T qvel with an orthogonal matrix T, and M_ours = T M T^T,
+// tau_theirs = T^T tau_ours, a_ours = T qacc + (dT/dt) qvel.
 //
-// In MuJoCo a follower has coordinates of its own. T is then T_own S^T with T_own the same for the
-// entries of joints that follow none and zero elsewhere: qvel = T^T v, M_ours = T M T^T and
-// tau_ours = T tau_theirs hold as before, while v = T_own qvel, and tau_theirs = T_own^T tau_ours
-// puts all torque on the leaders.
+// A joint that follows another one (a follower) has its own coordinates in MuJoCo. T then also
+// contains the multipliers of followers. T_own is T without followers: their columns are zero.
+// qvel = T^T v, M_ours = T M T^T and tau_ours = T tau_theirs still hold. The other directions are
+// v = T_own qvel and tau_theirs = T_own^T tau_ours, which puts all torque on the leaders.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
+#include "base/to_size.hpp"
 #include "burnish/base/views.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish::mujoco {
 
-/// Nothing allocates after construction but what returns a matrix.
+/// Converts states and torques. After construction, only functions that return a matrix allocate.
 class Coordinates {
  public:
-  /// Throws Error if MuJoCo's model counts other degrees of freedom.
+  /// Throws Error if MuJoCo's model has a different number of degrees of freedom.
   Coordinates(const Model& model, const mjModel& theirs);
 
-  /// Writes qpos and qvel.
+  /// Writes the state (q, v) to qpos and qvel.
   void store(const ConstVectorRef& q, const ConstVectorRef& v, mjData& data);
-  /// Reads them into q (nq) and v (nv).
+  /// Reads qpos and qvel into q (nq) and v (nv).
   void load(const mjData& data, Eigen::VectorXd& q, Eigen::VectorXd& v);
-  /// T_own^T tau: torques into MuJoCo's entries, and T theirs back, at the last state.
+  /// Convert torques to MuJoCo's entries (T_own^T tau) and back (T theirs), at the last state.
   void torque_to(const ConstVectorRef& tau, mjtNum* theirs) const;
   void torque_from(const mjtNum* theirs, Eigen::VectorXd& tau) const;
 
   const Eigen::MatrixXd& T() const { return T_; }
-  /// MuJoCo's entry of entry k of v.
-  int entry(int k) const { return entry_[static_cast<std::size_t>(k)]; }
-  /// (dT/dt) qvel at the last store().
+  /// Returns the index in MuJoCo's qvel for entry k of v.
+  int entry(int k) const { return entry_[to_size(k)]; }
+  /// Returns (dT/dt) qvel at the last store().
   const Eigen::VectorXd& correction() const { return correction_; }
 
  private:
@@ -46,7 +49,8 @@ class Coordinates {
   Eigen::VectorXd correction_;
 };
 
-/// M and b(q, v) in burnish's entries; after mj_fwdPosition and mj_fwdVelocity.
+/// Return M and b(q, v) in burnish's entries. Must be called after mj_fwdPosition and
+/// mj_fwdVelocity.
 Eigen::MatrixXd mass_matrix(const mjModel& model, const mjData& data, const Coordinates& at);
 Eigen::VectorXd bias(const mjModel& model, const mjData& data, const Coordinates& at);
 

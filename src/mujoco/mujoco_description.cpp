@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish::mujoco {
@@ -29,9 +30,10 @@ std::string stops_of(const Model& model, const Joint& joint) {
   return R"( limited="true" range=")" + numbers(lower, upper) + "\"";
 }
 
-/// The joints of a body: hinges and slides, and a ball where a floating joint is not at the root.
+/// Returns the joints of a body. A floating joint that is not at the root becomes three slides and
+/// a ball joint.
 std::string joints_of(const Model& model, int body, bool stops) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(body)];
+  const Joint& joint = model.joints[to_size(body)];
   const auto moving = [](const char* type, const char* axis, const std::string& more) {
     return "<joint type=\"" + std::string(type) + "\" axis=\"" + axis + "\"" + more + "/>";
   };
@@ -67,9 +69,9 @@ std::string sites_of(const Model& model, int body) {
   return text;
 }
 
-/// A body with its descendants.
+/// Returns the text of a body with its descendants.
 std::string body_text(const Model& model, int body, const Additions& additions) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(body)];
+  const Joint& joint = model.joints[to_size(body)];
   const PrincipalInertia inertia = principal(joint);
   Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
   at.translation() = joint.com;
@@ -129,7 +131,7 @@ ModelPointer compile(const std::string& text) {
   mjModel* model = mj_loadXML("model.xml", files.get(), reason, sizeof reason);
   mj_deleteVFS(files.get());
   if (model == nullptr) {
-    std::string sentence = "MuJoCo refuses the model: " + std::string(reason);
+    std::string sentence = "MuJoCo rejects the model: " + std::string(reason);
     std::replace(sentence.begin(), sentence.end(), '\n', ' ');
     throw Error(sentence);
   }
@@ -146,7 +148,7 @@ void load_figures(const Model& model, mjModel& theirs, mjData& data) {
     store(joint.com, theirs.body_ipos + 3 * body);
     store(inertia.axes, theirs.body_iquat + 4 * body);
   }
-  // A follower's is its leader's already.
+  // A leader's armature already contains the armatures of its followers.
   int entry = 0;
   for (const Joint& joint : model.joints) {
     for (int k = 0; k < joint.nv; ++k)

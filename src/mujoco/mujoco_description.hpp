@@ -1,4 +1,4 @@
-// A model written in MuJoCo's language, and loaded with exactly the model's figures.
+// Writes a model as MJCF text for MuJoCo, and loads it with the model's exact inertias.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -19,16 +19,16 @@ struct Free {
 using ModelPointer = std::unique_ptr<mjModel, Free>;
 using DataPointer = std::unique_ptr<mjData, Free>;
 
-/// What stands in the text besides the robot.
+/// Parts of the MJCF text other than the robot.
 struct Additions {
-  std::string options;                ///< attributes of <option>
-  std::string world;                  ///< elements of the world's body
-  std::map<int, std::string> bodies;  ///< elements of a body, by joint index
-  std::string sections;               ///< after the bodies
-  bool joint_stops = false;           ///< of revolute and prismatic joints with limits
+  std::string options;                ///< Attributes of <option>
+  std::string world;                  ///< Elements of the world body
+  std::map<int, std::string> bodies;  ///< Elements of a body, by joint index
+  std::string sections;               ///< Sections after <worldbody>
+  bool joint_stops = false;           ///< Whether joints stop at their limits
 };
 
-/// Values between blanks, with all digits.
+/// Returns the values with all digits, separated by blanks.
 template <class... Values>
 std::string numbers(Values... values) {
   std::string text;
@@ -37,25 +37,25 @@ std::string numbers(Values... values) {
   text.pop_back();
   return text;
 }
-/// The attributes pos and quat.
+/// Returns the attributes pos and quat of a placement.
 std::string pose_attributes(const Eigen::Isometry3d& placement);
 
-/// Names in the text: of the body that joint `body` carries ("world" for -1), of a joint of one
-/// entry, of a frame's site.
+/// Return names in the text: of the body that joint `body` moves ("world" for -1), of a joint, and
+/// of a frame's site.
 std::string body_name(int body);
 std::string joint_name(int joint);
 std::string site_name(int frame);
 
-/// The robot with one site per frame; followers move by themselves. MuJoCo refuses moments that
-/// published figures round past the triangle inequality, so the text has a ball's, and
-/// load_figures() puts in the true ones.
+/// Returns the text of a robot with one site for each frame. Followers are independent joints. The
+/// moments of inertia are those of spheres, because MuJoCo rejects moments that violate the
+/// triangle inequality by rounding. load_figures() sets the true moments.
 std::string describe(const Model& model, const Additions& additions = {});
 
-/// Compiles a text. Throws Error with MuJoCo's sentence.
+/// Compiles a text. Throws Error with MuJoCo's message.
 ModelPointer compile(const std::string& text);
 
-/// Masses, inertias and armature to the last digit: MuJoCo's own reading of an inertia is good to
-/// seven. Principal axes come from Eigen.
+/// Sets masses, inertias and armatures with all digits; MuJoCo's own reading of an inertia has an
+/// accuracy of seven digits. Eigen computes the principal axes.
 void load_figures(const Model& model, mjModel& theirs, mjData& data);
 
 }  // namespace burnish::mujoco

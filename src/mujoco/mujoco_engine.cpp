@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "mujoco/descriptions.gen.hpp"
@@ -15,11 +16,11 @@ void check(const MujocoPlantOptions& options) {
                [](const std::string& entry) { return "the MuJoCo plant's " + entry; });
 }
 
-/// MuJoCo's geometry of a surface, a square of a plane with this half side. `place`: of the
-/// surface's frame in its body.
+/// Returns MuJoCo's geom attributes of a surface. A plane is drawn as a square with this half side
+/// [m]. `place` is the placement of the surface's frame in its body.
 std::string geom_of(const SurfaceSpec& surface, double half_side, const Eigen::Isometry3d& place) {
   using Kind = SurfaceShape::Kind;
-  constexpr double half_length = 5.0;  // m, of a capsule that stands for a cylinder
+  constexpr double half_length = 5.0;  // of the capsule that represents a cylinder, m
   const SurfaceShape& shape = surface.shape;
   const Surface placed = surface_of(surface);
   Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
@@ -34,10 +35,10 @@ std::string geom_of(const SurfaceSpec& surface, double half_side, const Eigen::I
     case Kind::Ellipsoid:
       return "type=\"ellipsoid\"" + pose +
              numbers(shape.semi_axes.x(), shape.semi_axes.y(), shape.semi_axes.z()) + "\"";
-    default:  // those that it has not are drawn as their tangent plane
+    default:  // MuJoCo has no such geom; the tangent plane is drawn
       at.translation() = surface.point;
       at.linear() = Reference::surface_with_normal(surface.normal).rotation;
-      if (!surface.frame.empty()) {               // planes stand still
+      if (!surface.frame.empty()) {               // MuJoCo's planes cannot move
         constexpr double half_thickness = 0.002;  // m
         at.translation() -= half_thickness * at.linear().col(2);
         return "type=\"box\"" + pose_attributes(place * at) + " size=\"" +
@@ -48,34 +49,35 @@ std::string geom_of(const SurfaceSpec& surface, double half_side, const Eigen::I
   }
 }
 
-void check_engine_has(const SurfaceSpec& surface) {
+/// Throws Error unless MuJoCo's own contact supports the surface.
+void check_engine_supports(const SurfaceSpec& surface) {
   using Kind = SurfaceShape::Kind;
   const SurfaceShape& shape = surface.shape;
   if (!surface.frame.empty())
-    throw Error("MuJoCo's own contact has no surface that the robot carries, here at frame " +
-                in_quotes(surface.frame) + "; wanted one in the world, or contact: exact");
+    throw Error("MuJoCo's own contact does not support a surface that the robot carries (frame " +
+                in_quotes(surface.frame) + "); wanted a surface in the world, or contact: exact");
   if (!surface.motion.is_at_rest())
     throw Error(
-        "MuJoCo's own contact has no surface that moves; wanted one at rest, or contact: "
-        "exact");
-  const bool has = shape.kind == Kind::Plane || shape.kind == Kind::Sphere ||
-                   shape.kind == Kind::Cylinder || shape.kind == Kind::Ellipsoid;
-  if (!has || shape.hollow)
-    throw Error("MuJoCo's own contact has no " + shape.text() +
+        "MuJoCo's own contact does not support a moving surface; wanted a surface at rest, or "
+        "contact: exact");
+  const bool is_supported = shape.kind == Kind::Plane || shape.kind == Kind::Sphere ||
+                            shape.kind == Kind::Cylinder || shape.kind == Kind::Ellipsoid;
+  if (!is_supported || shape.hollow)
+    throw Error("MuJoCo's own contact does not support a " + shape.text() +
                 "; wanted a plane, a sphere, a cylinder or an ellipsoid that is not hollow, or "
                 "contact: exact");
 }
 
-/// Points of a loop's frames that are to meet: one for a ball, two along the free axis for a hinge,
-/// three for a loop that holds everything. m, in the frames' axes.
+/// Returns the points at which MuJoCo connects a loop's frames, in the frames' axes [m]: one point
+/// for a ball joint, two along the free axis for a hinge, three for a rigid connection.
 std::vector<Eigen::Vector3d> points_of(const Loop& loop) {
-  constexpr double arm = 0.1;  // m
+  constexpr double arm = 0.1;  // distance of the points, m; chosen by hand
   const Directions held = loop.directions;
   const int turns = (held.has(3) ? 1 : 0) + (held.has(4) ? 1 : 0) + (held.has(5) ? 1 : 0);
   if ((held.bits & Directions::linear().bits) != Directions::linear().bits || turns == 1)
-    throw Error("the MuJoCo plant holds loops at points that meet, and loop " +
+    throw Error("the MuJoCo plant closes loops at points, which holds x, y and z, but loop " +
                 in_quotes(loop.name) + " holds " + held.text() +
-                "; wanted x,y,z, or these with two or three of rx,ry,rz");
+                "; wanted x,y,z, alone or with two or three of rx,ry,rz");
   if (turns == 0) return {Eigen::Vector3d::Zero()};
   if (turns == 3)
     return {Eigen::Vector3d::Zero(), Eigen::Vector3d(arm, 0.0, 0.0),
@@ -84,13 +86,13 @@ std::vector<Eigen::Vector3d> points_of(const Loop& loop) {
   return {-arm * Eigen::Vector3d::Unit(axis), arm * Eigen::Vector3d::Unit(axis)};
 }
 
-/// Connections of MuJoCo, whose points load_loops() puts in: the text would have the second one
-/// where the first is at the neutral posture, which need not close the loop.
+/// Returns MuJoCo's connections of the loops. load_loops() sets their points. In the text, MuJoCo
+/// would compute the second point from the neutral posture, in which the loop can be open.
 std::string connections_of(const Model& model) {
   std::string text;
   for (const Loop& loop : model.loops) {
     const auto body = [&](const std::string& frame) {
-      return body_name(model.frames[static_cast<std::size_t>(model.frame_index(frame))].body);
+      return body_name(model.frames[to_size(model.frame_index(frame))].body);
     };
     for (std::size_t i = 0; i < points_of(loop).size(); ++i)
       text += "<connect body1=\"" + body(loop.first) + "\" body2=\"" + body(loop.second) +
@@ -99,8 +101,8 @@ std::string connections_of(const Model& model) {
   return text;
 }
 
-/// The points of connections in their bodies, and how they come back from the drift of its steps.
-/// `first`: the number of the first one among the equalities.
+/// Sets the points of the connections in their bodies, and the gains against drift. `first` is the
+/// index of the first connection among the equality constraints.
 void load_loops(const Model& model, int first, mjModel& m) {
   constexpr mjtNum d = mjMAXIMP;
   const LoopGains gains = LoopGains::for_step(m.opt.timestep);
@@ -109,7 +111,7 @@ void load_loops(const Model& model, int first, mjModel& m) {
     for (const Eigen::Vector3d& point : points_of(loop)) {
       mjtNum* data = m.eq_data + mjNEQDATA * i;
       for (const std::string& name : {loop.first, loop.second}) {
-        const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(name))];
+        const Frame& frame = model.frames[to_size(model.frame_index(name))];
         const Eigen::Vector3d at = frame.placement * point;
         mju_copy3(data, at.data());
         data += 3;
@@ -125,42 +127,44 @@ void load_loops(const Model& model, int first, mjModel& m) {
 
 std::string support_name(std::size_t i) { return "support_" + std::to_string(i); }
 
-/// Each support meets its own plane and nothing else: they share a bit behind those of tip and
-/// surface.
+/// Adds the supports and their planes. Each support collides only with its own plane, by its
+/// own collision bit. Bits 0 and 1 are for tip and surface.
 void add_supports(const Model& model, const SceneSpec& scene, Additions& to) {
   constexpr std::size_t first = 2, bits = 30;
-  constexpr double thickness = 0.01;  // m, of half a sole
+  constexpr double half_thickness = 0.01;  // of a planar foot, m
   if (scene.supports.size() > bits - first)
     throw Error("the scene has " + std::to_string(scene.supports.size()) +
-                " supports; MuJoCo tells at most " + std::to_string(bits - first) + " apart");
+                " supports; wanted at most " + std::to_string(bits - first) + " for MuJoCo");
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const SupportSpec& support = scene.supports[i];
     const std::string bit = std::to_string(1U << (first + i));
-    const std::string meets = " contype=\"" + bit + "\" conaffinity=\"" + bit + "\" condim=\"" +
-                              (support.friction > 0.0 ? "3" : "1") + "\" friction=\"" +
-                              numbers(support.friction, 0.0, 0.0) + "\"/>\n";
+    const std::string collision = " contype=\"" + bit + "\" conaffinity=\"" + bit + "\" condim=\"" +
+                                  (support.friction > 0.0 ? "3" : "1") + "\" friction=\"" +
+                                  numbers(support.friction, 0.0, 0.0) + "\"/>\n";
     Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
     at.translation() = support.point;
     at.linear() = Reference::surface_with_normal(support.normal).rotation;
     to.world += "<geom name=\"" + support_name(i) + R"(_plane" type="plane" size="1 1 0.01")" +
-                pose_attributes(at) + meets;
-    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(support.frame))];
+                pose_attributes(at) + collision;
+    const Frame& frame = model.frames[to_size(model.frame_index(support.frame))];
     Eigen::Isometry3d in_body = frame.placement;
     std::string shape = R"(type="sphere" size=")" + numbers(support.radius) + "\"";
     if (support.is_sole()) {
-      in_body.translation() += thickness * in_body.linear().col(2);
-      shape = R"(type="box" size=")" + numbers(support.half_x, support.half_y, thickness) + "\"";
+      in_body.translation() += half_thickness * in_body.linear().col(2);
+      shape =
+          R"(type="box" size=")" + numbers(support.half_x, support.half_y, half_thickness) + "\"";
     }
     to.bodies[frame.body] +=
-        "<geom name=\"" + support_name(i) + "\" " + shape + pose_attributes(in_body) + meets;
+        "<geom name=\"" + support_name(i) + "\" " + shape + pose_attributes(in_body) + collision;
   }
 }
 
-/// Tip and surface meet each other and nothing else.
+/// Returns the surface, the tip, the supports, followers and loops as additions to the robot's
+/// text. Tip and surface collide only with each other.
 Additions additions_for(const Model& model, const SceneSpec& scene,
                         const MujocoPlantOptions& options) {
   const SurfaceSpec& surface = scene.surface;
-  const Frame& tip = model.frames[static_cast<std::size_t>(model.frame_index(scene.tip.frame))];
+  const Frame& tip = model.frames[to_size(model.frame_index(scene.tip.frame))];
   Additions result;
   result.joint_stops = options.joint_stops;
   result.options = R"(cone="elliptic" integrator="Euler" timestep=")" + numbers(options.dt) +
@@ -170,25 +174,23 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   const std::string common = " condim=\"" + std::string(surface.friction > 0.0 ? "3" : "1") +
                              "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
   const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
-  const bool meets = options.contact == MujocoContact::Engine;
+  const bool collides = options.contact == MujocoContact::Engine;
   const Frame* const carrier =
-      surface.frame.empty()
-          ? nullptr
-          : &model.frames[static_cast<std::size_t>(model.frame_index(surface.frame))];
+      surface.frame.empty() ? nullptr : &model.frames[to_size(model.frame_index(surface.frame))];
   std::string& holder = carrier == nullptr ? result.world : result.bodies[carrier->body];
   const Eigen::Isometry3d place =
       carrier == nullptr ? Eigen::Isometry3d::Identity() : carrier->placement;
   holder += "<geom name=\"surface\" " + geom_of(surface, side, place) + common +
-            (meets ? " contype=\"2\"" : " contype=\"0\"") +
-            (meets ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
+            (collides ? " contype=\"2\"" : " contype=\"0\"") +
+            (collides ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
   add_supports(model, scene, result);
   result.bodies[tip.body] += R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
                              " size=\"" + numbers(scene.tip.radius) + "\"" + common +
                              " contype=\"1\" conaffinity=\"2\"/>\n";
-  // Room for friction and limits of every entry, for followers, loops and contacts.
+  // Upper bound of constraint rows: friction and limits of every entry, followers, loops, contacts.
   const std::size_t contacts = 8 + 4 * scene.supports.size();
-  const auto rows = 4 * static_cast<std::size_t>(model.nv) + model.joints.size() +
-                    9 * model.loops.size() + 5 * contacts;
+  const auto rows =
+      4 * to_size(model.nv) + model.joints.size() + 9 * model.loops.size() + 5 * contacts;
   result.sections = "<size njmax=\"" + std::to_string(rows) + "\" nconmax=\"" +
                     std::to_string(contacts) + "\"/>\n<equality>\n";
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
@@ -202,8 +204,8 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   return result;
 }
 
-/// The spring and damper of a contact, N/m and Ns/m, on both geoms.
-/// `d`: the impedance, in (0, 1).
+/// Sets the stiffness [N/m] and the damping [Ns/m] of a contact on both geoms. `d` is the
+/// impedance, in (0, 1).
 void load_contact(double stiffness, double damping, mjtNum d, mjModel& m, int plane_geom,
                   int tip_geom) {
   const double inverse_inertia = m.body_invweight0[2 * m.geom_bodyid[tip_geom]] +
@@ -218,9 +220,9 @@ void load_contact(double stiffness, double damping, mjtNum d, mjModel& m, int pl
   }
 }
 
-/// Damping and Coulomb friction of the joints. MuJoCo lets a joint creep under friction by R/B per
-/// unit of torque: an impedance close to one and a rate that halves the creep in a step keep a
-/// light joint below 1e-3 rad/s per Nm.
+/// Sets the damping and Coulomb friction of the joints. In MuJoCo, a joint under friction creeps
+/// with the speed R/B per unit of torque. An impedance close to 1 and a rate that halves the creep
+/// in a step keep the creep of a light joint below 1e-3 rad/s per Nm.
 void load_joint_friction(const Model& model, const Coordinates& coordinates, mjModel& m) {
   constexpr mjtNum d = 0.999;
   for (int k = 0; k < model.nv; ++k) {
@@ -234,8 +236,8 @@ void load_joint_friction(const Model& model, const Coordinates& coordinates, mjM
   }
 }
 
-/// Followers accelerate as their leaders do; the plant puts them back after each step. How many
-/// there are: they are the first of the equalities.
+/// Sets the equality constraints of followers: they accelerate like their leaders, and the plant
+/// corrects their positions after each step. Returns their number. They are the first equalities.
 int load_followers(mjModel& m) {
   constexpr mjtNum d = mjMAXIMP;
   int i = 0;
@@ -265,7 +267,7 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
                        : mj_name2id(m.get(), mjOBJ_SITE,
                                     site_name(robot.frame_index(scene.surface.frame)).c_str())),
       own_contact(options.contact == MujocoContact::Engine) {
-  if (own_contact) check_engine_has(scene.surface);
+  if (own_contact) check_engine_supports(scene.surface);
   load_figures(model, *m, *d);
   load_joint_friction(model, coordinates, *m);
   load_loops(model, load_followers(*m), *m);
@@ -278,9 +280,9 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
     };
     supports.push_back({id(mjOBJ_GEOM, support_name(i)), id(mjOBJ_GEOM, support_name(i) + "_plane"),
                         id(mjOBJ_SITE, site_name(robot.frame_index(support.frame)))});
-    const double corners = support.is_sole() ? 4.0 : 1.0;  // a sole touches at its corners
-    // A foot is light beside what it carries: damping that is stiff for it has to be solved for at
-    // the end of a step, which MuJoCo does the more the nearer its impedance is to one.
+    const double corners = support.is_sole() ? 4.0 : 1.0;  // contact points of the foot
+    // A foot is light compared with its load, so its damping is stiff and needs implicit steps.
+    // MuJoCo's steps are the more implicit, the closer the impedance is to 1. Chosen by hand.
     constexpr double impedance = 0.95;
     load_contact(support.stiffness / corners, support.damping / corners, impedance, *m,
                  supports.back().plane, supports.back().geom);
@@ -288,17 +290,17 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
 }
 
 void Engine::stiffen_equalities() const {
-  // MuJoCo's own bound on the impedance would let them lag by 1e-4 of the acceleration.
-  constexpr mjtNum softer = 1e-4;
+  // MuJoCo's bound on the impedance alone gives an error of 1e-4 of the acceleration.
+  constexpr mjtNum compliance_scale = 1e-4;
   for (int row = 0; row < d->nefc; ++row) {
     if (d->efc_type[row] != mjCNSTR_EQUALITY) continue;
-    d->efc_R[row] *= softer;
-    d->efc_D[row] /= softer;
+    d->efc_R[row] *= compliance_scale;
+    d->efc_D[row] /= compliance_scale;
   }
 }
 
-/// To MuJoCo every plane is endless.
-void Engine::meet_where_there_is_surface(bool in_contact) const {
+/// MuJoCo's planes are infinite, so collisions beside the surface are switched off.
+void Engine::update_surface_extent(bool in_contact) const {
   if (std::isinf(scene.surface.extent) || !own_contact) return;
   mj_kinematics(m.get(), d.get());
   const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * tip_site);
@@ -307,7 +309,7 @@ void Engine::meet_where_there_is_surface(bool in_contact) const {
   m->geom_conaffinity[surface_geom] = over ? 1 : 0;
 }
 
-void Engine::slip(double time) const noexcept {
+void Engine::update_ground_friction(double time) const noexcept {
   if (scene.slippery_ground.empty()) return;
   for (std::size_t i = 0; i < supports.size(); ++i)
     for (const int geom : {supports[i].geom, supports[i].plane})
@@ -336,6 +338,7 @@ Eigen::Matrix<double, 6, 1> Engine::support_wrench(const Support& support) const
 
 Eigen::Vector3d Engine::contact_force_world() const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  // MuJoCo orders the two geoms by type. The force is that on geom2.
   for (int i = 0; i < d->ncon; ++i) {
     const mjContact& contact = d->contact[i];
     const bool second = contact.geom2 == tip_geom && contact.geom1 == surface_geom;

@@ -1,4 +1,4 @@
-// MuJoCo loaded with a robot, a tip and a surface.
+// MuJoCo's model and data for a robot, a tip, a surface and supports.
 #pragma once
 
 #include "burnish/mujoco/mujoco_plant.hpp"
@@ -7,13 +7,13 @@
 
 namespace burnish::mujoco {
 
-/// A part of the robot that stands on a plane: what MuJoCo calls them both, and where forces are
-/// taken at.
+/// MuJoCo's ids of a support: the geom of the foot, the geom of the plane below it, and the site at
+/// which wrenches are computed.
 struct Support {
   int geom, plane, site;
 };
 
-/// Everything that make_mujoco_plant() compiles, open to be looked into.
+/// MuJoCo model of make_mujoco_plant(), with public members for tests.
 struct Engine {
   Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOptions& options);
 
@@ -23,29 +23,28 @@ struct Engine {
   DataPointer d;
   Coordinates coordinates;
   int tip_geom, surface_geom, tip_site, tip_body;
-  int surface_site;               ///< of the frame that carries the surface; -1: none does
-  std::vector<Support> supports;  ///< of the scene, in its order
-  bool own_contact;               ///< MujocoContact::Engine
+  int surface_site;               ///< Site of the frame that carries the surface; -1: none
+  std::vector<Support> supports;  ///< Supports of the scene, in its order
+  bool own_contact;               ///< Whether the contact is MujocoContact::Engine
 
-  /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders,
-  /// and loops together, to 1e-8 of the acceleration.
+  /// Stiffens the equality constraints of followers and loops, so that their error is 1e-8 of the
+  /// acceleration. Must be called between mj_fwdPosition() and mj_fwdConstraint().
   void stiffen_equalities() const;
 
-  /// Lets tip and surface collide at the configuration in `d` where there is surface under the tip,
-  /// and only there; `in_contact`: whether they touched in the step before. To be called before
+  /// Lets tip and surface collide only if there is surface under the tip, at the configuration in
+  /// `d`. `in_contact` tells whether they touched in the previous step. Must be called before
   /// mj_fwdPosition().
-  void meet_where_there_is_surface(bool in_contact) const;
+  void update_surface_extent(bool in_contact) const;
 
-  /// Gives every support the friction of what it stands on at a time, s, where that changes. To be
+  /// Sets the friction of every support at a time [s], if the scene has slippery ground. Must be
   /// called before mj_fwdPosition().
-  void slip(double time) const noexcept;
+  void update_ground_friction(double time) const noexcept;
 
-  /// Force of the surface on the tip, N, world axes, at the last mj_fwdConstraint(). MuJoCo orders
-  /// the two geoms by their types, so the ids say which way it points.
+  /// Returns the force of the surface on the tip at the last mj_fwdConstraint(), in world axes [N].
   Eigen::Vector3d contact_force_world() const;
 
-  /// Force and moment of its plane on a support, N and Nm, at the origin of its frame and in the
-  /// frame's axes, at the last mj_fwdConstraint().
+  /// Returns the wrench of the plane on a support at the last mj_fwdConstraint(): force [N] and
+  /// moment [Nm] at the origin of the support's frame, in the frame's axes.
   Eigen::Matrix<double, 6, 1> support_wrench(const Support& support) const;
 };
 

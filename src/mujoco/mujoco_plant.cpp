@@ -15,11 +15,11 @@ namespace {
 using mujoco::Engine;
 using mujoco::ExactContact;
 
-/// Beyond this MuJoCo itself calls a number bad, writes a log file and starts anew.
-constexpr double largest = 1e9;
+/// Bound of valid numbers. For larger numbers, MuJoCo would write a log file and reset the state.
+constexpr double max_number = 1e9;
 
 bool usable(const mjtNum* x, int n) {
-  return std::all_of(x, x + n, [](mjtNum value) { return std::abs(value) < largest; });
+  return std::all_of(x, x + n, [](mjtNum value) { return std::abs(value) < max_number; });
 }
 
 class MujocoPlant final : public Plant {
@@ -76,10 +76,11 @@ class MujocoPlant final : public Plant {
   bool in_contact_ = false;
   Eigen::VectorXd friction_;
   Springs springs_;
-  Eigen::VectorXd spring_torque_, total_;  ///< at a step's start; with the motors'
-  Eigen::VectorXd theirs_;                 ///< friction in MuJoCo's entries
+  Eigen::VectorXd spring_torque_;  ///< Torques of springs at the start of the step [Nm or N]
+  Eigen::VectorXd total_;          ///< Torques of motors and springs [Nm or N]
+  Eigen::VectorXd theirs_;         ///< Friction in MuJoCo's entries
   Wrenches supports_;
-  Eigen::VectorXd before_;  ///< qpos, qvel, warm start, forces of constraints before a step
+  Eigen::VectorXd before_;  ///< State of MuJoCo before a step, see store_moment()
 };
 
 void MujocoPlant::start(const ConstVectorRef& q, const ConstVectorRef& v) {
@@ -103,8 +104,8 @@ Status MujocoPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noex
   return Status::Ok;
 }
 
-/// mj_step1 and mj_step2 without their checks, which write files and start anew: the checks here
-/// return a status.
+/// Implements mj_step1 and mj_step2 without their checks, which write files and reset the state.
+/// Invalid numbers give a status instead.
 Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept {
   mjModel* m = engine_.m.get();
   mjData* d = engine_.d.get();
@@ -112,8 +113,8 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   if (!usable(tau.data(), engine_.model.nv) || !usable(push_world.data(), 3))
     return Status::NotFinite;
   store_moment(before_.data());
-  engine_.meet_where_there_is_surface(in_contact_);
-  engine_.slip(time());
+  engine_.update_surface_extent(in_contact_);
+  engine_.update_ground_friction(time());
   mj_fwdPosition(m, d);
   engine_.stiffen_equalities();
   mj_fwdVelocity(m, d);
@@ -121,7 +122,7 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);
   const Eigen::Vector3d force =
-      is_exact_ ? exact_.push(*m, *d, time(), in_contact_) : Eigen::Vector3d::Zero();
+      is_exact_ ? exact_.apply_force(*m, *d, time(), in_contact_) : Eigen::Vector3d::Zero();
   mj_fwdConstraint(m, d);
   if (!usable(d->qacc, m->nv)) {
     load_moment(before_.data());
@@ -134,12 +135,13 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   }
   mj_Euler(m, d);
   engine_.coordinates.load(*d, q_, v_);
-  if (m->neq > 0) engine_.coordinates.store(q_, v_, *d);  // followers, to the last digit
+  if (m->neq > 0) engine_.coordinates.store(q_, v_, *d);  // exact positions of followers
   ++steps_;
   return Status::Ok;
 }
 
-/// Springs come from the same kernel as in every other place: MuJoCo's own know no circle.
+/// Applies motor torques, springs and the push. Springs are computed by add_spring_torque(),
+/// because MuJoCo's own springs do not support angles on a circle.
 void MujocoPlant::load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
   mjData* d = engine_.d.get();
   spring_torque_.setZero();
@@ -166,7 +168,7 @@ void MujocoPlant::read() {
   friction_ += spring_torque_;
 }
 
-/// What MuJoCo's future depends on; without the warm start it would differ in the last digits.
+/// Saves all data on which MuJoCo's next steps depend. The warm start affects the last digits.
 void MujocoPlant::store_moment(double* to) const {
   const mjModel* m = engine_.m.get();
   const mjData* d = engine_.d.get();

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/model/state.hpp"
@@ -13,7 +14,10 @@
 namespace burnish {
 namespace {
 
-constexpr double largest_condition = 1e5;  // of J M^-1 J^T, unit diagonal
+/// Largest condition number of J M^-1 J^T, scaled to a unit diagonal, for contacts without
+/// compliance; chosen by hand.
+constexpr double max_condition = 1e5;
+/// Number of random states that are tried for each checked state; chosen by hand.
 constexpr int tries_per_state = 20;
 
 void check_options(const Problem& problem, const ProblemCheckOptions& options) {
@@ -22,11 +26,15 @@ void check_options(const Problem& problem, const ProblemCheckOptions& options) {
     refuse("states is " + std::to_string(options.states) + "; wanted at least 1");
   if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
     refuse("tolerance is " + number(options.tolerance) + "; wanted a positive number");
-  for (const double spread : {options.position, options.velocity, options.torque})
+  const auto check_spread = [&](const char* name, double spread) {
     if (!(spread >= 0.0) || !std::isfinite(spread))
-      refuse("states are drawn " + number(spread) + " apart; wanted a number of at least 0");
+      refuse(std::string(name) + " is " + number(spread) + "; wanted a number of at least 0");
+  };
+  check_spread("position", options.position);
+  check_spread("velocity", options.velocity);
+  check_spread("torque", options.torque);
   if (options.x.empty() && options.u.empty()) return;
-  const auto knots = static_cast<std::size_t>(problem.knots());
+  const auto knots = to_size(problem.knots());
   if (options.x.size() != knots + 1 || options.u.size() != knots)
     refuse("the trajectory has " + std::to_string(options.x.size()) + " states and " +
            std::to_string(options.u.size()) + " controls; wanted " + std::to_string(knots + 1) +
@@ -41,7 +49,7 @@ void check_options(const Problem& problem, const ProblemCheckOptions& options) {
              " entries; wanted " + std::to_string(problem.max_controls()));
 }
 
-/// Draws the states of a problem and compares.
+/// Compares derivatives with finite differences at random states of a problem.
 class ProblemCheck {
  public:
   ProblemCheck(Problem& problem, const ProblemCheckOptions& options)
@@ -50,7 +58,7 @@ class ProblemCheck {
     initial_ = x;
   }
 
-  /// The rows of a stage.
+  /// Returns the report's rows for a stage.
   std::vector<ProblemCheckRow> stage(int index) {
     std::vector<int> knots;
     for (int k = 0; k <= problem_.knots(); ++k)
@@ -63,8 +71,7 @@ class ProblemCheck {
     }
     rows_.clear();
     for (int i = 0; i < options_.states; ++i) {
-      const auto place =
-          static_cast<std::size_t>(i) * knots.size() / static_cast<std::size_t>(options_.states);
+      const auto place = to_size(i) * knots.size() / to_size(options_.states);
       compare_at(index, knots[place], i);
     }
     if (borrowed) problem_.set_knot(0, stage_before, problem_.time_of(0));
@@ -74,13 +81,14 @@ class ProblemCheck {
 
  private:
   double uniform() {
-    // The same numbers with every standard library.
+    // std::uniform_real_distribution differs between standard libraries.
     return 2.0 * static_cast<double>(generator_() >> 11) * 0x1.0p-53 - 1.0;
   }
 
+  /// Returns a random state and control, around the given trajectory or the initial state.
   ocp::CheckPoint draw(int knot) {
     const StateLayout& l = problem_.layout();
-    const auto place = static_cast<std::size_t>(knot);
+    const auto place = to_size(knot);
     const bool given = !options_.x.empty();
     const Eigen::VectorXd from = given ? options_.x[place] : initial_;
     Eigen::VectorXd dx(l.ndx()), x(l.nx()), u;
@@ -98,23 +106,24 @@ class ProblemCheck {
     return {problem_, knot, x, u};
   }
 
+  /// Returns whether the contacts of a knot are far from singular.
   bool regular(int knot, const Eigen::VectorXd& q) const {
     const ocp::CompiledProblem& compiled = ocp::ProblemInside::of(problem_).compiled;
     if (compiled.contact_solver.mu > 0.0) return true;
     std::vector<int> active;
     const ocp::CompiledStage& at = ocp::ProblemInside::of(problem_).stage(knot);
     for (int c = 0; c < compiled.contacts.size(); ++c)
-      if (at.active[static_cast<std::size_t>(c)] != 0) active.push_back(c);
+      if (at.active[to_size(c)] != 0) active.push_back(c);
     if (active.empty()) return true;
     const ContactSet contacts(compiled.model,
                               contacts_at(problem_.spec().contacts, problem_.time_of(knot)));
-    return diagnose(compiled.model, contacts, q, active).condition < largest_condition;
+    return diagnose(compiled.model, contacts, q, active).condition < max_condition;
   }
 
   void compare_at(int index, int knot, int state) {
-    for (int left = tries_per_state; left > 0; --left) {
+    for (int tries = 0; tries < tries_per_state; ++tries) {
       ocp::CheckPoint point = draw(knot);
-      if (point.status() > Status::NotConverged || point.near_half_turn()) continue;
+      if (!is_usable(point.status()) || point.near_half_turn()) continue;
       if (!regular(knot, point.x().head(problem_.layout().nq))) continue;
       std::size_t row = 0;
       if (knot < problem_.knots()) add(row++, index, "next state", state, point.next_state());
@@ -130,15 +139,14 @@ class ProblemCheck {
       return;
     }
     throw Error("check: " + problem_.knot_name(knot) +
-                " cannot be evaluated around its state, or its contacts are close to singular "
-                "there; give a trajectory or a compliance mu");
+                " cannot be evaluated near its state, or its contacts are close to singular near "
+                "it; wanted another trajectory to check at, or a compliance mu > 0");
   }
 
   void add(std::size_t place, int index, const std::string& term, int state,
            const std::vector<DerivativeBlock>& blocks) {
     if (place == rows_.size())
-      rows_.push_back(
-          {.stage = problem_.stage_names()[static_cast<std::size_t>(index)], .term = term});
+      rows_.push_back({.stage = problem_.stage_names()[to_size(index)], .term = term});
     ProblemCheckRow& row = rows_[place];
     if (!blocks.empty()) ++row.states;
     for (const DerivativeBlock& block : blocks) {

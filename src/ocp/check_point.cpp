@@ -4,20 +4,24 @@
 #include <limits>
 #include <numbers>
 
+#include "base/to_size.hpp"
 #include "derivatives/check_differences.hpp"
 #include "derivatives/check_units.hpp"
 
 namespace burnish::ocp {
 namespace {
 
-constexpr double largest_angle = std::numbers::pi - 0.1;  // rad
-constexpr double smallest_step = 2e-4;  // that differences fall back to, and every one below
+/// Largest angle of a rotation residual at which finite differences are safe [rad]; chosen by hand.
+constexpr double max_angle = std::numbers::pi - 0.1;
+/// Step of the finest extrapolated differences (check_differences.cpp), in units of z.
+constexpr double difference_step = 2e-4;
 
+/// Returns the size below which errors of a derivative count as absolute.
 double floor_of(const Eigen::VectorXd& values) {
   return std::max(1e-9, 1e-3 * (values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff()));
 }
 
-/// F of a knot, ndx x nz, from P and the lead blocks.
+/// Returns F of a knot, ndx x nz, from P and the non-Euclidean tangent blocks.
 Eigen::MatrixXd dense_dynamics(const StateShape& shape, const KnotExpansion& knot, int nu) {
   const int nz = nu + shape.ndx, nv = shape.nv;
   const Eigen::Map<const RowMatrix, 0, Eigen::OuterStride<>> given(
@@ -28,13 +32,13 @@ Eigen::MatrixXd dense_dynamics(const StateShape& shape, const KnotExpansion& kno
   F.middleRows(nv, nv) = given;
   F.topRows(nv) = knot.step * given;
   F.block(0, nu, nv, nv) += Eigen::MatrixXd::Identity(nv, nv);
-  const double* lead = knot.lead;
-  for (const LeadBlock& block : shape.blocks) {
+  const double* tangent_blocks = knot.tangent_blocks;
+  for (const NonEuclideanBlock& block : shape.blocks) {
     const int n = block.size;
-    const Eigen::Map<const RowMatrix> A(lead, n, n), B(lead + n * n, n, n);
+    const Eigen::Map<const RowMatrix> A(tangent_blocks, n, n), B(tangent_blocks + n * n, n, n);
     F.middleRows(block.first, n) = knot.step * B * given.middleRows(block.first, n);
     F.block(block.first, nu + block.first, n, n) += A;
-    lead += 2 * n * n;
+    tangent_blocks += 2 * n * n;
   }
   for (int i = 0; i < shape.filtered; ++i) {
     if (nu > 0) F(2 * nv + i, i) = 1.0 - knot.decay[i];
@@ -46,17 +50,15 @@ Eigen::MatrixXd dense_dynamics(const StateShape& shape, const KnotExpansion& kno
 }  // namespace
 
 Eigen::VectorXd check_units(const Problem& problem, int nu) {
-  constexpr double usual_torque = 200.0, usual_force = 200.0;  // Nm, N: 20 kg, 1 m
+  constexpr double usual_torque = 200.0, usual_force = 200.0;  // Nm, N: robot of 20 kg and 1 m
   const StateLayout& l = problem.layout();
   const CheckUnits units(problem.model());
-  const auto torque = [&](int i) {
-    return units.torque[l.actuated[static_cast<std::size_t>(i)]] / usual_torque;
-  };
+  const auto torque = [&](int i) { return units.torque[l.actuated[to_size(i)]] / usual_torque; };
   Eigen::VectorXd z(nu + l.ndx());
   for (int i = 0; i < nu; ++i) z[i] = torque(i);
   z.segment(nu, l.nv) = z.segment(nu + l.nv, l.nv) = units.motion;
   for (int i = 0; i < l.filtered; ++i) z[nu + 2 * l.nv + i] = torque(i);
-  z.tail(l.remembered).setConstant(units.force / usual_force);
+  z.tail(l.force_states).setConstant(units.force / usual_force);
   return z;
 }
 
@@ -78,7 +80,7 @@ CheckPoint::CheckPoint(Problem& problem, int knot, Eigen::VectorXd x, Eigen::Vec
   first_row_.push_back(row);
   next_ = Eigen::VectorXd::Zero(problem.state().nx);
   status_ = problem.roll(0, knot, x_.data(), u_.data(), next_.data()).status;
-  if (status_ > Status::NotConverged) return;
+  if (!is_usable(status_)) return;
   here_ = stacked(x_, u_);
   expand();
 }
@@ -87,7 +89,7 @@ Eigen::VectorXd CheckPoint::stacked(const Eigen::VectorXd& x, const Eigen::Vecto
   Eigen::VectorXd result(first_row_.back() + costs_);
   Eigen::VectorXd next(x.size());
   const Status status = problem_.roll(0, knot_, x.data(), u.data(), next.data()).status;
-  if (status > Status::NotConverged)
+  if (!is_usable(status))
     return Eigen::VectorXd::Constant(result.size(), std::numeric_limits<double>::quiet_NaN());
   if (knot_ < problem_.knots()) problem_.difference(next_.data(), next.data(), result.data());
   const std::vector<double> costs = problem_.term_costs(knot_, x.data(), u.data());
@@ -100,8 +102,8 @@ Eigen::VectorXd CheckPoint::stacked(const Eigen::VectorXd& x, const Eigen::Vecto
 }
 
 Eigen::VectorXd CheckPoint::moved(int k, double h) {
-  const auto known = cache_.find({k, h});
-  if (known != cache_.end()) return known->second;
+  const auto cached = cache_.find({k, h});
+  if (cached != cache_.end()) return cached->second;
   Eigen::VectorXd x = x_, u = u_;
   if (k < nu_) {
     u[k] += h * units_[k];
@@ -147,16 +149,16 @@ std::vector<DerivativeBlock> CheckPoint::split(const std::string& name,
   add("q", shape.nv);
   add("v", shape.nv);
   add("tau", problem_.layout().filtered);
-  add("force", problem_.layout().remembered);
+  add("force", problem_.layout().force_states);
   return blocks;
 }
 
 void CheckPoint::expand() {
   const StateShape& shape = problem_.state();
-  const auto knots = static_cast<std::size_t>(problem_.knots() + 1);
+  const auto knots = to_size(problem_.knots() + 1);
   const int stride = shape.ndx + problem_.max_controls();
-  std::vector<double> x(knots * static_cast<std::size_t>(shape.nx)), next = x;
-  std::vector<double> u(knots * static_cast<std::size_t>(problem_.max_controls()));
+  std::vector<double> x(knots * to_size(shape.nx)), next = x;
+  std::vector<double> u(knots * to_size(problem_.max_controls()));
   std::copy_n(x_.data(), shape.nx, x.data() + static_cast<std::ptrdiff_t>(knot_) * shape.nx);
   std::copy_n(u_.data(), nu_,
               u.data() + static_cast<std::ptrdiff_t>(knot_) * problem_.max_controls());
@@ -164,16 +166,16 @@ void CheckPoint::expand() {
   std::vector<KnotExpansion> out(knots);
   Eigen::VectorXd decay(shape.filtered);
   RowMatrix hessian(stride, stride), dynamics(stride, stride);
-  int lead_size = 0;
-  for (const LeadBlock& block : shape.blocks) lead_size += 2 * block.size * block.size;
-  Eigen::VectorXd lead(lead_size);
+  int tangent_size = 0;
+  for (const NonEuclideanBlock& block : shape.blocks) tangent_size += 2 * block.size * block.size;
+  Eigen::VectorXd tangent_blocks(tangent_size);
   gradient_.resize(stride);
-  KnotExpansion& knot = out[static_cast<std::size_t>(knot_)];
+  KnotExpansion& knot = out[to_size(knot_)];
   knot.stride = stride;
   knot.gradient = gradient_.data();
   knot.hessian = hessian.data();
   knot.dynamics = dynamics.data();
-  knot.lead = lead.data();
+  knot.tangent_blocks = tangent_blocks.data();
   knot.decay = decay.data();
   RowMatrix coefficients(problem_.rows(knot_), stride);
   Eigen::VectorXd row_values(problem_.rows(knot_));
@@ -205,7 +207,7 @@ std::vector<DerivativeBlock> CheckPoint::residual(int term) {
                floor_of(here_.segment(first_row(term), rows)));
 }
 
-bool CheckPoint::near_seam(int term) const {
+bool CheckPoint::near_breakpoint(int term) const {
   const CompiledTerm& compiled = term_at(term);
   if (compiled.penalty != Penalty::Kind::Barrier && compiled.penalty != Penalty::Kind::LogBarrier)
     return false;
@@ -213,18 +215,19 @@ bool CheckPoint::near_seam(int term) const {
   const double width = compiled.penalty == Penalty::Kind::LogBarrier ? compiled.width : 0.0;
   for (int i = 0; i < compiled.rows; ++i) {
     const double r = here_[first_row(term) + i];
-    const auto row = static_cast<std::size_t>(i);
-    const double apart = std::min(std::abs(r - compiled.lower[row] - width),
-                                  std::abs(r - compiled.upper[row] + width));
-    const double widest = J.row(i).tail(nz_).transpose().cwiseProduct(units_).cwiseAbs().maxCoeff();
-    if (apart < 2.0 * smallest_step * widest) return true;
+    const auto row = to_size(i);
+    const double distance = std::min(std::abs(r - compiled.lower[row] - width),
+                                     std::abs(r - compiled.upper[row] + width));
+    const double largest_change =
+        J.row(i).tail(nz_).transpose().cwiseProduct(units_).cwiseAbs().maxCoeff();
+    if (distance < 2.0 * difference_step * largest_change) return true;
   }
   return false;
 }
 
 std::vector<DerivativeBlock> CheckPoint::cost(int term) {
-  if (near_seam(term)) return {};
-  // The stage with this term alone, through the same code as all terms.
+  if (near_breakpoint(term)) return {};
+  // A stage with only this term, so that the usual code computes its gradient.
   auto& impl = ProblemInside::of(problem_);
   CompiledStage alone = impl.stage(knot_);
   alone.terms = {term_at(term)};
@@ -239,7 +242,7 @@ std::vector<DerivativeBlock> CheckPoint::cost(int term) {
 
 std::vector<DerivativeBlock> CheckPoint::all_costs() {
   for (int t = 0; t < costs_; ++t)
-    if (near_seam(t)) return {};
+    if (near_breakpoint(t)) return {};
   const Eigen::RowVectorXd expected = differences(cost_row(0), costs_).colwise().sum();
   return split("cost", {"sum"}, gradient_.transpose(), expected,
                floor_of(here_.segment(cost_row(0), costs_)));
@@ -255,8 +258,7 @@ std::vector<DerivativeBlock> CheckPoint::constraint(int term) {
 bool CheckPoint::near_half_turn() const {
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     const Eigen::VectorXd r = here_.segment(first_row_[t], terms_[t].rows);
-    if (terms_[t].load != CompiledTerm::Load::Plain && r.tail<3>().norm() > largest_angle)
-      return true;
+    if (terms_[t].load != CompiledTerm::Load::Plain && r.tail<3>().norm() > max_angle) return true;
   }
   return false;
 }

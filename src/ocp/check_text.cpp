@@ -1,4 +1,4 @@
-// The report of a problem's check as a table.
+// Text of a problem's derivative check: a table with one row for each stage and term.
 #include <array>
 
 #include "base/sentence.hpp"
@@ -16,14 +16,14 @@ std::string entry_text(const CheckEntry& entry) {
 
 Cells cells_of(const ProblemCheckRow& row) {
   return {row.stage, row.term, scientific(row.worst_error) + "  " + entry_text(row.worst),
-          row.states == 0 ? "passed over"
+          row.states == 0 ? "skipped"
           : row.pass      ? "pass"
                           : "FAIL"};
 }
 
 std::string failure_text(const ProblemCheckRow& row) {
   return "stage '" + row.stage + "', " + row.term + ": " + entry_text(row.worst) + " is " +
-         precise(row.worst.value) + ", differences say " + precise(row.worst.expected) +
+         precise(row.worst.value) + ", finite differences give " + precise(row.worst.expected) +
          " (state " + std::to_string(row.worst.state) + ")\n";
 }
 

@@ -1,6 +1,7 @@
-// What a robot's loops mean for a problem: contacts that every stage holds, joints without motors.
+// Kinematic loops in a problem: contacts that are active in every stage, and the driven joints.
 #include <algorithm>
 
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/ocp/problem_spec.hpp"
 
@@ -26,12 +27,12 @@ ProblemSpec with_loops(ProblemSpec spec) {
 std::vector<const Joint*> driven_joints(const Model& model, const ActuationSpec& actuation) {
   std::vector<const Joint*> result;
   for (const std::string& name : actuation.joints)
-    result.push_back(&model.joints[static_cast<std::size_t>(model.joint_index(name))]);
+    result.push_back(&model.joints[to_size(model.joint_index(name))]);
   if (!actuation.joints.empty()) return result;
   for (const Joint& joint : model.joints) {
     if (joint.kind == JointKind::FreeFlyer || joint.follows) continue;
-    // Descriptions of chains often state no effort where they mean no limit; in a mechanism most
-    // joints are hinges.
+    // In a robot with loops, a joint without effort has no motor. In other robots, an effort of
+    // zero often means that the description states no limit.
     const auto effort = model.effort_limit.segment(joint.v_index, joint.nv);
     if (!model.loops.empty() && effort.isZero(0.0)) continue;
     result.push_back(&joint);

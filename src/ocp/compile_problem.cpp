@@ -1,8 +1,10 @@
-// A problem compiled: robot, actuators, contacts, stages; what can be refused is refused here.
+// Compiles a problem: robot, actuators, contacts and stages. Throws Error for an invalid
+// specification.
 #include <algorithm>
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/model/state.hpp"
@@ -23,7 +25,7 @@ StateLayout make_layout(const ProblemSpec& spec) {
     for (int k = 0; k < joint.nv; ++k) layout.actuated.push_back(joint.v_index + k);
   };
   for (const std::string& name : spec.actuation.joints) {
-    const Joint& joint = spec.model.joints[static_cast<std::size_t>(spec.model.joint_index(name))];
+    const Joint& joint = spec.model.joints[to_size(spec.model.joint_index(name))];
     if (joint.follows) throw Error("actuation: " + that_it_follows(spec.model, joint));
     if (std::find(layout.actuated.begin(), layout.actuated.end(), joint.v_index) !=
         layout.actuated.end())
@@ -39,30 +41,31 @@ StateLayout make_layout(const ProblemSpec& spec) {
   return layout;
 }
 
-/// Looks up the contacts whose forces the state remembers, and makes room for them.
-std::vector<RememberedForce> remember_forces(const ProblemSpec& spec, const ContactSet& contacts,
+/// Looks up the contacts with force states, and adds their entries to the state.
+std::vector<ForceState> compile_force_states(const ProblemSpec& spec, const ContactSet& contacts,
                                              StateLayout& layout) {
-  std::vector<RememberedForce> result;
-  for (const std::string& name : spec.remembered_forces) {
+  std::vector<ForceState> result;
+  for (const std::string& name : spec.force_states) {
     int contact = -1;
     try {
       contact = contacts.index(name);
     } catch (const Error& error) {
-      throw Error(std::string("remembered_forces: ") + error.what());
+      throw Error(std::string("force_states: ") + error.what());
     }
-    for (const RememberedForce& other : result)
+    for (const ForceState& other : result)
       if (other.contact == contact)
-        throw Error("remembered_forces: contact " + in_quotes(name) + " is named twice");
-    const auto& directions = contacts.contacts()[static_cast<std::size_t>(contact)].directions;
-    result.push_back({contact, static_cast<int>(directions.size()), layout.remembered});
-    layout.remembered += result.back().rows;
+        throw Error("force_states: contact " + in_quotes(name) + " is named twice");
+    const auto& directions = contacts.contacts()[to_size(contact)].directions;
+    result.push_back({contact, static_cast<int>(directions.size()), layout.force_states});
+    layout.force_states += result.back().rows;
   }
   return result;
 }
 
 StateShape make_shape(const StateLayout& layout, const std::vector<TangentBlock>& blocks) {
-  // Remembered forces pass impacts as torques do, unchanged; other steps tell all their rows.
-  StateShape shape{layout.nx(), layout.ndx(), layout.nv, layout.filtered + layout.remembered, {}};
+  // An impact keeps the force states unchanged, as it keeps the torques. Other stages with force
+  // states are dense.
+  StateShape shape{layout.nx(), layout.ndx(), layout.nv, layout.filtered + layout.force_states, {}};
   for (const TangentBlock& block : blocks) shape.blocks.push_back({block.first, block.size});
   return shape;
 }
@@ -74,8 +77,8 @@ void check_initial_state(const ProblemSpec& spec, const StateLayout& layout) {
                 std::to_string(layout.nx()) + " (q: " + std::to_string(layout.nq) +
                 ", v: " + std::to_string(layout.nv) +
                 (layout.filtered > 0 ? ", tau: " + std::to_string(layout.filtered) : "") +
-                (layout.remembered > 0
-                     ? ", forces of the step before: " + std::to_string(layout.remembered)
+                (layout.force_states > 0
+                     ? ", forces of the previous step: " + std::to_string(layout.force_states)
                      : "") +
                 ")");
   check_configuration(spec.model, x.head(layout.nq), "initial_state");
@@ -83,31 +86,33 @@ void check_initial_state(const ProblemSpec& spec, const StateLayout& layout) {
   for (const LoopMiss& miss : loop_misses(spec.model, x.head(layout.nq))) {
     const LoopDistance distance{miss.translation, miss.rotation};
     if (!distance.closes())
-      throw Error("initial_state leaves loop " + in_quotes(miss.loop) + " open by " +
-                  distance.text() + "; wanted a posture that project_onto_loops() closes");
+      throw Error("initial_state does not close loop " + in_quotes(miss.loop) + ": the gap is " +
+                  distance.text() + "; wanted a posture from project_onto_loops()");
   }
   if (!x.allFinite())
-    throw Error("initial_state holds a NaN or an infinity in its torques or forces");
+    throw Error(
+        "initial_state holds a NaN or an infinity in its torques or forces; wanted finite numbers");
 }
 
 void check_torque_model(const std::optional<TorqueModel>& model) {
   if (!model) return;
   if (model->is_held() && model->cutoff != 0.0)
-    throw Error("torque_model: held torques with a cut-off of " + number(model->cutoff) +
-                " rad/s; wanted none, or the exact discretisation");
+    throw Error("torque_model: held torques have a cut-off of " + number(model->cutoff) +
+                " rad/s; wanted 0 rad/s, or the exact discretisation");
   if (!model->is_held() && (!(model->cutoff > 0.0) || !std::isfinite(model->cutoff)))
-    throw Error("torque_model: a cut-off of " + number(model->cutoff) +
+    throw Error("torque_model: cut-off of " + number(model->cutoff) +
                 " rad/s; wanted a positive number");
 }
 
-/// What is left of the torques after a time, s.
+/// Returns the remaining fraction of a torque error after `time` [s].
 double decay_after(const TorqueModel& model, double time) {
   if (model.is_held()) return 0.0;
   return model.discretization == TorqueModel::Discretization::Exact ? std::exp(-model.cutoff * time)
                                                                     : 1.0 - model.cutoff * time;
 }
 
-/// What is data of each knot of the active contacts: rotations, surfaces and friction.
+/// Adds the rotations, surfaces and friction coefficients of the active contacts to the stage's
+/// targets.
 void place_contacts(const ProblemSpec& spec, const ContactSet& contacts, CompiledStage& stage) {
   for (std::size_t c = 0; c < spec.contacts.size(); ++c) {
     if (stage.active[c] == 0) continue;
@@ -128,37 +133,37 @@ CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem
   stage.impact = given.impact;
   stage.integrator = given.integrator;
   stage.dense = !given.impact &&
-                (given.integrator == Integrator::RungeKutta4 || problem.layout.remembered > 0);
+                (given.integrator == Integrator::RungeKutta4 || problem.layout.force_states > 0);
   stage.step = given.impact ? 0.0 : given.step;
   if (!given.impact) problem.check_step(place, given.step);
   stage.nu = given.impact ? 0 : problem.layout.nu;
   stage.solves_contacts = !given.impact;
-  stage.active.assign(static_cast<std::size_t>(problem.contacts.size()), 0);
+  stage.active.assign(to_size(problem.contacts.size()), 0);
   for (const std::string& name : given.contacts) {
     try {
-      stage.active[static_cast<std::size_t>(problem.contacts.index(name))] = 1;
+      stage.active[to_size(problem.contacts.index(name))] = 1;
     } catch (const Error& error) {
       throw Error(place + ": " + error.what());
     }
   }
   if (given.impact && given.contacts.empty())
-    throw Error(place + ": an impact makes no contact; wanted at least one");
+    throw Error(place + ": the impact has no contacts; wanted at least one");
   place_contacts(spec, problem.contacts, stage);
   compile_terms(spec, problem, given.costs, given.constraints, place, stage);
   return stage;
 }
 
 void check_weights(const std::vector<CompiledStage>& stages) {
-  bool any_weight = false, any_term = false;
+  bool has_weight = false, has_term = false;
   for (const CompiledStage& stage : stages)
     for (const CompiledTerm& term : stage.cost_terms()) {
-      any_term = true;
-      any_weight =
-          any_weight || (term.weight > 0.0 && std::any_of(term.weights.begin(), term.weights.end(),
+      has_term = true;
+      has_weight =
+          has_weight || (term.weight > 0.0 && std::any_of(term.weights.begin(), term.weights.end(),
                                                           [](double w) { return w > 0.0; }));
     }
-  if (!any_term) throw Error("the problem has no cost terms; wanted at least one");
-  if (!any_weight) throw Error("all weights of the problem are zero; wanted at least one positive");
+  if (!has_term) throw Error("the problem has no cost terms; wanted at least one");
+  if (!has_weight) throw Error("all weights of the problem are zero; wanted at least one positive");
 }
 
 void find_largest(CompiledProblem& problem) {
@@ -167,7 +172,7 @@ void find_largest(CompiledProblem& problem) {
     problem.has_dense_stages = problem.has_dense_stages || stage.dense;
     problem.largest_targets = std::max(problem.largest_targets, stage.targets);
     problem.largest_terms = std::max(problem.largest_terms, static_cast<int>(stage.terms.size()));
-    problem.largest_bends = std::max(problem.largest_bends, stage.bend_rows);
+    problem.largest_curvatures = std::max(problem.largest_curvatures, stage.curvature_rows);
     problem.largest_limited_rows = std::max(problem.largest_limited_rows, stage.rows());
     for (const CompiledTerm& term : stage.terms) {
       problem.largest_rows = std::max(problem.largest_rows, term.rows);
@@ -188,10 +193,10 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
       contacts(model, contacts_at(spec.contacts, spec.start_time)),
       contact_solver(spec.contact_solver),
       torque_model(spec.torque_model),
-      torque_bias(static_cast<std::size_t>(model.nv), 0.0),
-      passing_torque(torque_bias) {
+      torque_bias(to_size(model.nv), 0.0),
+      decaying_torque(torque_bias) {
   check_torque_model(torque_model);
-  remembered = remember_forces(spec, contacts, layout);
+  force_states = compile_force_states(spec, contacts, layout);
   shape = make_shape(layout, blocks);
   if (spec.actuation.passive_torques) passive.emplace(model, spec.actuation.slip_velocity);
   check_initial_state(spec, layout);
@@ -199,18 +204,19 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
     for (const CompiledStage& other : stages)
       if (other.name == given.name)
         throw Error("stage " + in_quotes(given.name) + ": the name is used twice");
-    if (given.name.empty()) throw Error("a stage has no name");
+    if (given.name.empty()) throw Error("a stage has no name; wanted one");
     if (given.name == "terminal")
-      throw Error("stage 'terminal': the name is that of the end of the horizon");
+      throw Error(
+          "stage 'terminal': the name is reserved for the end of the horizon; wanted another name");
     stages.push_back(make_stage(spec, *this, given));
   }
   CompiledStage terminal;
   terminal.name = "terminal";
   terminal.terminal = true;
   terminal.solves_contacts = false;
-  terminal.active.assign(static_cast<std::size_t>(contacts.size()), 0);
-  // With a torque model's cut-off forces are known at the end too: of the contacts of the last
-  // stage.
+  terminal.active.assign(to_size(contacts.size()), 0);
+  // With filtered torques in the state, the terminal state determines contact forces. Its contacts
+  // are those of the last stage.
   if (layout.acts_from_state() && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;
@@ -226,7 +232,7 @@ KnotTime<double> CompiledProblem::timing(const CompiledStage& stage, double step
   if (!stage.passes_time()) return result;
   result.step = result.weight = step;
   result.per_second = 1.0 / step;
-  if (step > stage.step) result.pace = stage.step / step;
+  if (step > stage.step) result.step_ratio = stage.step / step;
   if (torque_model) {
     result.decay = decay_after(*torque_model, step);
     result.half_decay = decay_after(*torque_model, 0.5 * step);

@@ -1,9 +1,10 @@
-// Residuals compiled, kind by kind: rows, targets, columns, and what is refused.
+// Compiles each kind of residual: its rows, targets and Jacobian blocks. Refuses invalid residuals.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "dynamics/reference.hpp"
 #include "model/followers.hpp"
 #include "ocp/friction_pyramid.hpp"
@@ -15,18 +16,18 @@ namespace burnish::ocp {
 
 namespace {
 
-/// The builder, with what each kind of residual asks of it.
+/// A TermBuilder with one function for each kind of residual.
 struct ResidualCompiler : TermBuilder {
   void operator()(const residual::State& r) {
     term.rows = layout().ndx();
     target(r.target, layout().nx(), spec.initial_state);
     unit_configuration();
     StateDifference state{
-        &problem.tree, layout().nq, layout().filtered + layout().remembered, {}, problem.blocks};
-    std::vector<char> in_block(static_cast<std::size_t>(layout().ndx()), 0);
+        &problem.tree, layout().nq, layout().filtered + layout().force_states, {}, problem.blocks};
+    std::vector<char> in_block(to_size(layout().ndx()), 0);
     for (const TangentBlock& block : problem.blocks)
       std::fill_n(in_block.begin() + block.first, block.size, char{1});
-    // One diagonal run between each two blocks, in the order that evaluate writes them.
+    // One diagonal block for each run of entries between tangent blocks, in evaluate()'s order.
     int row = 0;
     while (row < layout().ndx()) {
       if (in_block[row] != 0) {
@@ -41,7 +42,7 @@ struct ResidualCompiler : TermBuilder {
       term.blocks.push_back(run);
     }
     for (const TangentBlock& block : problem.blocks) {
-      std::vector<int> columns(static_cast<std::size_t>(block.size));
+      std::vector<int> columns(to_size(block.size));
       std::iota(columns.begin(), columns.end(), layout().column_q() + block.first);
       term.blocks.push_back({block.first, block.size, columns, false});
     }
@@ -51,7 +52,7 @@ struct ResidualCompiler : TermBuilder {
   void select(Selection::Source source, std::vector<int> entries, int first_column,
               const std::vector<int>& columns, const Signal& signal) {
     term.rows = static_cast<int>(entries.size());
-    if (term.rows == 0) refuse("has no rows");
+    if (term.rows == 0) refuse("has no rows; wanted at least one");
     zero_target(signal, term.rows);
     JacobianBlock block{0, term.rows, {}, true};
     for (const int c : columns) block.columns.push_back(first_column + c);
@@ -60,8 +61,8 @@ struct ResidualCompiler : TermBuilder {
   }
 
   void operator()(const residual::Control& r) {
-    if (stage.nu == 0) refuse("there is no control here");
-    std::vector<int> entries(static_cast<std::size_t>(layout().nu));
+    if (stage.nu == 0) refuse("this stage has no controls");
+    std::vector<int> entries(to_size(layout().nu));
     std::iota(entries.begin(), entries.end(), 0);
     select(Selection::Source::U, entries, 0, entries, r.target);
   }
@@ -69,7 +70,7 @@ struct ResidualCompiler : TermBuilder {
   const Joint& joint(const std::string& name) const {
     try {
       const Model& model = problem.model;
-      const Joint& found = model.joints[static_cast<std::size_t>(model.joint_index(name))];
+      const Joint& found = model.joints[to_size(model.joint_index(name))];
       if (found.follows) refuse(that_it_follows(model, found));
       return found;
     } catch (const Error& error) {
@@ -114,7 +115,7 @@ struct ResidualCompiler : TermBuilder {
     select(Selection::Source::V, entries, layout().column_v(), entries, r.target);
   }
 
-  /// Of these joints, or of all that have one.
+  /// Returns the actuators of these joints, or all actuators.
   std::vector<int> actuators(const std::vector<std::string>& joints) const {
     std::vector<int> entries;
     for (const int k : velocity_entries(joints)) {
@@ -131,7 +132,7 @@ struct ResidualCompiler : TermBuilder {
   void operator()(const residual::JointTorque& r) {
     const std::vector<int> entries = actuators(r.joints);
     const bool in_state = layout().acts_from_state();
-    if (!in_state && stage.nu == 0) refuse("there is no control here");
+    if (!in_state && stage.nu == 0) refuse("this stage has no controls");
     select(in_state ? Selection::Source::TorqueState : Selection::Source::U, entries,
            in_state ? layout().column_tau() : 0, entries, r.target);
   }
@@ -139,16 +140,13 @@ struct ResidualCompiler : TermBuilder {
   void operator()(const residual::JointTorqueRate& r) {
     if (!spec.torque_model)
       refuse(
-          "torques that are the control have no rate; wanted a torque model in the problem, which "
-          "puts "
-          "one more entry per driven joint into the state: 'held', the torques of the step before, "
-          "or "
-          "a cut-off, those that act");
-    if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
+          "the torques are the control, which has no rate; wanted a torque model, 'held' or with a "
+          "cut-off, which adds one entry per driven joint to the state");
+    if (stage.nu == 0) refuse("this stage has no controls, so torques have no rate");
     const bool held = layout().holds_torque;
     TorqueRate rate{held ? 1.0 / stage.step : spec.torque_model->cutoff, held, actuators(r.joints)};
     term.rows = static_cast<int>(rate.entries.size());
-    if (term.rows == 0) refuse("has no rows");
+    if (term.rows == 0) refuse("has no rows; wanted at least one");
     zero_target(r.target, term.rows);
     for (int i = 0; i < term.rows; ++i)
       term.blocks.push_back(
@@ -156,15 +154,14 @@ struct ResidualCompiler : TermBuilder {
     term.residual = std::move(rate);
   }
 
-  /// Of a frame in a reference with another origin; axes of a surface at the tool have that of the
-  /// frame that it is fixed in.
+  /// Returns the position error of a frame. The reference's origin must not be the frame itself.
   FramePositionError position(const std::string& name, const Reference& reference) {
     const int f = frame(name);
     FramePositionError result{f, view(f, asked_for_positions(reference))};
     if (result.view.reference.at_tool)
       refuse(
-          "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
-          "another frame");
+          "the reference's origin is the frame itself, where the position is always zero; wanted "
+          "the world or another frame");
     const CompiledReference& seen = result.view.reference;
     result.is_in_world =
         seen.at_world && seen.axes_body < 0 && to_eigen(seen.fixed_in).isIdentity(0.0);
@@ -202,20 +199,20 @@ struct ResidualCompiler : TermBuilder {
     dense_block(3, columns(layout().column_q(), error.view.entries));
   }
 
-  /// Of a frame in axes that it turns against.
+  /// Returns the view of a frame in axes other than its own.
   FrameView turned(int frame, Reference reference) {
-    reference.origin = Anchor::Tool;  // it does not matter
+    reference.origin = Anchor::Tool;  // rotations do not depend on the origin
     const FrameView result = view(frame, reference);
     if (reference.axes == Anchor::Tool)
       refuse(
-          "the reference's axes are the frame's own, against which it never turns; wanted those of "
-          "the world or of another frame");
+          "the reference's axes are the frame's own, in which the rotation is constant; wanted "
+          "axes of the world or of another frame");
     return result;
   }
 
   void operator()(const residual::FrameInclination& r) {
     if (!r.axis.allFinite() || !(r.axis.norm() > 1e-9))
-      refuse("the axis is not finite or has no length; wanted a direction of the frame");
+      refuse("the axis is not finite or has length 0; wanted a direction in the frame's axes");
     term.rows = 2;
     zero_target(r.target, 2);
     const int f = frame(r.frame);
@@ -227,7 +224,7 @@ struct ResidualCompiler : TermBuilder {
 
   void operator()(const residual::FrameHeight& r) {
     if (!r.reference.quadric)
-      refuse("the reference follows no surface to be above; wanted one of Reference::on");
+      refuse("the reference has no curved surface; wanted a reference from Reference::on");
     term.rows = 1;
     zero_target(r.target, 1);
     const int f = frame(r.frame);
@@ -271,29 +268,29 @@ struct ResidualCompiler : TermBuilder {
 
   void operator()(const residual::ContactForceRate& r) {
     const int c = contact(r.contact);
-    if (stage.terminal) refuse("no step begins at the end, so forces have no rate there");
-    const auto remembered =
-        std::find_if(problem.remembered.begin(), problem.remembered.end(),
-                     [c](const RememberedForce& force) { return force.contact == c; });
+    if (stage.terminal) refuse("the terminal state has no step, so forces have no rate");
+    const auto force_states =
+        std::find_if(problem.force_states.begin(), problem.force_states.end(),
+                     [c](const ForceState& force) { return force.contact == c; });
     const auto rows = problem.contacts.contacts()[c].directions.size();
-    if (remembered == problem.remembered.end())
-      refuse("the force of the step before is not known; wanted " + in_quotes(r.contact) +
-             " in the problem's remembered_forces, which puts " + std::to_string(rows) +
-             (rows == 1 ? " more entry" : " more entries") + " into the state");
-    term.rows = remembered->rows;
-    term.residual = ForceRate{c, term.rows, remembered->first, 1.0 / stage.step};
+    if (force_states == problem.force_states.end())
+      refuse("the state does not contain the force of the previous step; wanted " +
+             in_quotes(r.contact) + " in the problem's force_states, which adds " +
+             std::to_string(rows) + (rows == 1 ? " entry" : " entries") + " to the state");
+    term.rows = force_states->rows;
+    term.residual = ForceRate{c, term.rows, force_states->first, 1.0 / stage.step};
     zero_target(r.target, term.rows);
     dense_block(term.rows, all_columns());
   }
 
-  /// Refuses a contact that does not hold its normal (0 to 2), or lacks more than one of `wanted`.
-  /// The force along the one is zero.
-  void needs_most(int c, Directions wanted, int normal) const {
+  /// Refuses a contact that does not hold its normal (0 to 2), or that lacks more than one of the
+  /// directions `wanted`. The force along a lacking direction is zero.
+  void require_directions(int c, Directions wanted, int normal) const {
     const Directions held = problem.contacts.contacts()[c].spec.directions;
     const Directions both{static_cast<std::uint8_t>(held.bits & wanted.bits)};
     if (!held.has(normal) || both.count() + 1 < wanted.count())
       refuse("contact " + in_quotes(problem.contacts.contacts()[c].spec.name) + " holds " +
-             held.text() + "; wanted " + wanted.text() + " among them");
+             held.text() + "; wanted directions that include " + wanted.text());
   }
 
   void operator()(const residual::FrictionCone& r) {
@@ -302,7 +299,7 @@ struct ResidualCompiler : TermBuilder {
       refuse("friction is " + number(r.friction) + "; wanted a number above 0");
     if (r.normal < 0 || r.normal > 2)
       refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
-    needs_most(c, Directions::linear(), r.normal);
+    require_directions(c, Directions::linear(), r.normal);
     try {
       check_sides(r.sides);
     } catch (const Error& error) {
@@ -313,24 +310,25 @@ struct ResidualCompiler : TermBuilder {
     if (r.sides == 0)
       term.residual = ConeMargin{view, r.normal};
     else
-      term.residual = PyramidMargin{view, r.normal, pyramid_reach(r.sides), pyramid_sides(r.sides)};
+      term.residual =
+          PyramidMargin{view, r.normal, pyramid_inradius(r.sides), pyramid_sides(r.sides)};
     target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
     dense_block(term.rows, all_columns());
   }
 
   void operator()(const residual::CenterOfPressure& r) {
     const int c = contact(r.contact);
-    needs_most(c, Directions::pad_z(), 2);
+    require_directions(c, Directions::pad_z(), 2);
     if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
       refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
              " m; wanted positive numbers");
     if (!(r.friction >= 0.0) || !std::isfinite(r.friction))
       refuse("friction is " + number(r.friction) + "; wanted a number of at least zero");
-    const bool rubs = r.friction > 0.0;
-    if (rubs) needs_most(c, Directions::all(), 2);
-    term.rows = rubs ? 12 : 4;
-    term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y, rubs};
-    if (rubs) target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
+    const bool has_friction = r.friction > 0.0;
+    if (has_friction) require_directions(c, Directions::all(), 2);
+    term.rows = has_friction ? 12 : 4;
+    term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y, has_friction};
+    if (has_friction) target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
     dense_block(term.rows, all_columns());
   }
 
@@ -339,7 +337,7 @@ struct ResidualCompiler : TermBuilder {
     target(r.target, 3, {});
     stage.has_momentum = true;
     term.residual = ComError{};
-    std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+    std::vector<int> columns(to_size(layout().nv));
     std::iota(columns.begin(), columns.end(), layout().column_q());
     dense_block(3, columns);
   }
@@ -354,7 +352,7 @@ struct ResidualCompiler : TermBuilder {
     term.rows = static_cast<int>(margin.edges.size());
     stage.has_momentum = true;
     term.residual = std::move(margin);
-    std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+    std::vector<int> columns(to_size(layout().nv));
     std::iota(columns.begin(), columns.end(), layout().column_q());
     dense_block(term.rows, columns);
   }
@@ -364,7 +362,7 @@ struct ResidualCompiler : TermBuilder {
     zero_target(r.target, 6);
     stage.has_momentum = true;
     term.residual = MomentumError{};
-    std::vector<int> columns(static_cast<std::size_t>(2 * layout().nv));
+    std::vector<int> columns(to_size(2 * layout().nv));
     std::iota(columns.begin(), columns.end(), layout().column_q());
     dense_block(6, columns);
   }

@@ -1,11 +1,12 @@
-// Costs and constraints compiled: penalty, limits and weights, beside the residual.
+// Compiles costs and constraints: penalties, limits and weights.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "ocp/residual_rows.hpp"
-#include "ocp/row_prices.hpp"
+#include "ocp/row_weights.hpp"
 #include "ocp/term_builder.hpp"
 
 namespace burnish::ocp {
@@ -18,7 +19,7 @@ bool TermBuilder::is_margin() const {
 
 void TermBuilder::finish_penalty(const CostTerm& cost) {
   const Penalty penalty =
-      cost.penalty.value_or(is_margin() ? Penalty::at_least(0.0) : Penalty::square());
+      cost.penalty.value_or(is_margin() ? Penalty::at_least(0.0) : Penalty::quadratic());
   term.penalty = penalty.kind;
   term.width = penalty.width;
   if (!(penalty.width > 0.0) || !std::isfinite(penalty.width))
@@ -28,7 +29,7 @@ void TermBuilder::finish_penalty(const CostTerm& cost) {
 
 void TermBuilder::finish_limits(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                                 const std::string& of) {
-  const auto rows = static_cast<std::size_t>(term.rows);
+  const auto rows = to_size(term.rows);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto limits = [&](const Eigen::VectorXd& given, double none, const char* name) {
     if (given.size() > 1 && given.size() != term.rows)
@@ -47,7 +48,9 @@ void TermBuilder::finish_limits(const Eigen::VectorXd& lower, const Eigen::Vecto
   term.upper = limits(upper, infinity, "upper");
   for (std::size_t i = 0; i < rows; ++i) {
     if (term.lower[i] == infinity || term.upper[i] == -infinity)
-      refuse(of + "limits of row " + row(i) + " leave nothing inside");
+      refuse(of + "limits of row " + row(i) +
+             " exclude every number; wanted a lower limit below infinity and an upper limit above "
+             "-infinity");
     if (term.lower[i] > term.upper[i])
       refuse(of + "lower limit " + number(term.lower[i]) + " is above the upper one " +
              number(term.upper[i]));
@@ -57,7 +60,7 @@ void TermBuilder::finish_limits(const Eigen::VectorXd& lower, const Eigen::Vecto
 void TermBuilder::finish_constraint(const Constraint& constraint) {
   Eigen::VectorXd lower = constraint.lower;
   if (lower.size() == 0 && constraint.upper.size() == 0) {
-    if (!is_margin()) refuse("has no limits; wanted a lower or an upper one, or both");
+    if (!is_margin()) refuse("has no limits; wanted a lower or an upper limit");
     lower = Eigen::VectorXd::Zero(1);
   }
   finish_limits(lower, constraint.upper, "the ");
@@ -65,22 +68,22 @@ void TermBuilder::finish_constraint(const Constraint& constraint) {
   stage.row_lower.insert(stage.row_lower.end(), term.lower.begin(), term.lower.end());
   stage.row_upper.insert(stage.row_upper.end(), term.upper.begin(), term.upper.end());
   find_entries();
-  find_bends();
-  add_row_prices(constraint, residual, term, problem, where, stage);
+  find_curvatures();
+  add_row_weights(constraint, residual, term, problem, where, stage);
 }
 
 void TermBuilder::find_entries() {
-  std::vector<int> entries(static_cast<std::size_t>(term.rows), -1);
+  std::vector<int> entries(to_size(term.rows), -1);
   const auto* selected = std::get_if<Selection>(&term.residual);
   const bool is_bounded = spec.control_lower.size() > 0 || spec.control_upper.size() > 0;
   bool alone = selected != nullptr && !(selected->source == Selection::Source::U && is_bounded);
   for (int i = 0; alone && i < term.rows; ++i) {
-    const int entry = term.blocks[0].columns[static_cast<std::size_t>(i)] - layout().nu + stage.nu;
+    const int entry = term.blocks[0].columns[to_size(i)] - layout().nu + stage.nu;
     const auto taken = [&](const std::vector<int>& all) {
       return std::find(all.begin(), all.end(), entry) != all.end();
     };
     alone = !taken(stage.row_entry) && !taken(entries);
-    entries[static_cast<std::size_t>(i)] = entry;
+    entries[to_size(i)] = entry;
   }
   if (!alone) std::fill(entries.begin(), entries.end(), -1);
   stage.row_entry.insert(stage.row_entry.end(), entries.begin(), entries.end());
@@ -88,17 +91,18 @@ void TermBuilder::find_entries() {
   if (!alone) stage.coefficient_rows += term.rows;
 }
 
-/// Where a limit can push against a bend: the other limit of such a row would push along with it.
-void TermBuilder::find_bends() {
+/// Adds the curvature if the row has the limit at which the curvature makes the Hessian larger: the
+/// upper limit for sign 1, the lower limit for sign -1.
+void TermBuilder::find_curvatures() {
   std::visit(
       [&](const auto& compiled) {
-        if constexpr (requires { compiled.bend_rows(); }) {
-          const int count = compiled.bend_rows();
-          const double sign = compiled.bend_sign;
+        if constexpr (requires { compiled.curvature_rows(); }) {
+          const int count = compiled.curvature_rows();
+          const double sign = compiled.curvature_sign;
           if (count == 0 || !std::isfinite(sign > 0.0 ? term.upper[0] : term.lower[0])) return;
-          term.first_bend = stage.bend_rows;
-          stage.bends.push_back({term.first_row, stage.bend_rows, count, sign});
-          stage.bend_rows += term.bend_rows = count;
+          term.first_curvature = stage.curvature_rows;
+          stage.curvatures.push_back({term.first_row, stage.curvature_rows, count, sign});
+          stage.curvature_rows += term.curvature_rows = count;
         }
       },
       term.residual);

@@ -1,4 +1,5 @@
-// A ProblemSpec compiled: names resolved, sizes fixed, lists made. Immutable but for the bias.
+// A compiled ProblemSpec: names are resolved and sizes are fixed. Only the torque bias and the
+// masses of the bodies change after construction.
 #pragma once
 
 #include <optional>
@@ -14,96 +15,103 @@
 
 namespace burnish::ocp {
 
-/// A cost, or a constraint: that has limits and neither weights nor a penalty.
+/// A cost or a constraint. A constraint has limits, but no weights and no penalty.
 struct CompiledTerm {
   std::string name;
   CompiledResidual residual;
-  Signal signal;  ///< the target as the user gave it, or its default
+  Signal signal;  ///< Target in the user's form, or the default target
   int rows = 0;
-  std::vector<std::string> row_names;  ///< none of a difference of states
-  int target = 0;                      ///< first entry in the stage's targets
-  int target_size = 0;                 ///< entries there
-  int signal_size = 0;                 ///< entries of the signal
-  enum class Load { Plain, Rotation, Placement } load = Load::Plain;  ///< signal -> target entries
-  double weight = 1.0;          ///< of a cost, per second while time passes
-  std::vector<double> weights;  ///< of a cost's rows
-  Penalty::Kind penalty = Penalty::Kind::Square;
-  std::vector<double> lower, upper;  ///< rows
-  double width = 1.0;
+  std::vector<std::string> row_names;  ///< Empty for a StateDifference
+  int target = 0;                      ///< First entry in the stage's targets
+  int target_size = 0;                 ///< Number of entries in the stage's targets
+  int signal_size = 0;                 ///< Number of entries of the signal
+  /// Conversion of the signal to target entries
+  enum class Load { Plain, Rotation, Placement } load = Load::Plain;
+  double weight = 1.0;          ///< Weight of a cost, per second in stages with a step
+  std::vector<double> weights;  ///< Weights of a cost's rows
+  Penalty::Kind penalty = Penalty::Kind::Quadratic;
+  std::vector<double> lower, upper;  ///< Limits of the rows, of a penalty or a constraint
+  double width = 1.0;                ///< Width of the penalty
   std::vector<JacobianBlock> blocks;
   int jacobian_size = 0;
-  int first_row = 0;  ///< of a constraint, in the stage's rows
-  /// Of a constraint, in those of the stage that are no entries of z; -1: all of its rows are.
+  int first_row = 0;  ///< First row of a constraint, among the stage's constraint rows
+  /// First row of a constraint among the stage's rows with coefficients. -1: every row of the
+  /// constraint is an entry of z, which needs no coefficients.
   int first_coefficients = 0;
-  int first_bend = -1;  ///< of a constraint, in the stage's bend rows; -1: it offers none
-  int bend_rows = 0;
+  /// First vector b of a constraint's curvature, among those of the stage; -1: no curvature
+  int first_curvature = -1;
+  int curvature_rows = 0;  ///< Number of vectors b
 };
 
-/// A reference whose rotation is data of each knot: nine of the stage's targets, by columns.
+/// A reference with its own rotation at each knot: nine entries of the stage's targets, by columns.
 struct CompiledTurning {
-  Signal rotation;   ///< quaternions
-  int target = 0;    ///< first entry in the stage's targets
-  int contact = -1;  ///< whose it is; -1: a term's own
-  std::string of;    ///< for messages, such as "contact 'pad'"
+  Signal rotation;   ///< Quaternions
+  int target = 0;    ///< First entry in the stage's targets
+  int contact = -1;  ///< Contact with this reference; -1: a term's reference
+  std::string of;    ///< Owner of the reference for messages, such as "contact 'pad'"
 };
 
-/// A surface that a reference follows, whose numbers are data of each knot: surface_size of the
-/// stage's targets.
+/// A surface that a reference follows, with its own numbers at each knot: surface_size entries of
+/// the stage's targets.
 struct CompiledSurface {
-  Quadric surface;   ///< where nothing else is said
-  int target = 0;    ///< first entry in the stage's targets
-  int contact = -1;  ///< whose it is; -1: a term's
-  int term = -1;     ///< of the stage; -1: a contact's
+  Quadric surface;   ///< Initial surface at every knot
+  int target = 0;    ///< First entry in the stage's targets
+  int contact = -1;  ///< Contact that follows the surface; -1: a term
+  int term = -1;     ///< Term of the stage that follows the surface; -1: a contact
 };
 
-/// A contact's coefficient of friction, likewise: one of the stage's targets.
+/// A contact's coefficient of friction, with its own value at each knot: one entry of the stage's
+/// targets.
 struct CompiledFriction {
   double coefficient = 0.0;
   int target = 0, contact = 0;
 };
 
+/// A stage: its contacts, costs, constraints and integrator.
 struct CompiledStage {
   std::string name;
-  std::vector<char> active;  ///< per contact of the problem
+  std::vector<char> active;  ///< Whether each contact of the problem is active
   std::vector<CompiledFrame> frames;
   std::vector<std::string> frame_names;
   std::vector<CompiledTurning> turnings;
   std::vector<CompiledSurface> surfaces;
   std::vector<CompiledFriction> frictions;
-  std::vector<CompiledTerm> terms;           ///< costs, then constraints
-  std::size_t costs = 0;                     ///< how many are costs
-  std::vector<double> row_lower, row_upper;  ///< of all constraints, one after the other
-  std::vector<double> row_scale, row_price, row_square;
+  std::vector<CompiledTerm> terms;           ///< Costs, then constraints
+  std::size_t costs = 0;                     ///< Number of costs
+  std::vector<double> row_lower, row_upper;  ///< Limits of all constraint rows
+  std::vector<double> row_scale, row_l1_weight, row_quadratic_weight;
   std::vector<int> row_entry;  ///< ShootingProblem::row_entry
   std::span<const CompiledTerm> cost_terms() const { return std::span(terms).first(costs); }
   std::span<const CompiledTerm> constraints() const { return std::span(terms).subspan(costs); }
   int rows() const { return static_cast<int>(row_lower.size()); }
-  std::vector<RowBend> bends;  ///< ShootingProblem::row_bends
-  int bend_rows = 0;           ///< their b
-  int coefficient_rows = 0;    ///< of all constraints, those that are no entries of z
-  int targets = 0;             ///< entries of all targets, turnings, surfaces and frictions
+  std::vector<RowCurvature> curvatures;  ///< ShootingProblem::row_curvatures
+  int curvature_rows = 0;                ///< Number of vectors b of all curvatures
+  int coefficient_rows = 0;              ///< Number of constraint rows that are not entries of z
+  int targets = 0;  ///< Number of entries of all targets, turnings, surfaces and frictions
   int nu = 0;
   bool terminal = false, impact = false;
-  bool solves_contacts = true;  ///< accelerations and forces are needed
+  bool solves_contacts = true;  ///< Whether accelerations and contact forces are computed
   bool has_momentum = false;
   Integrator integrator = Integrator::SemiImplicitEuler;
-  bool dense = false;  ///< its step is expanded as DynamicsForm::Dense
-  double step = 0.0;   ///< s, of knots that have none of their own
+  bool dense = false;  ///< Whether the dynamics are linearized as DynamicsForm::Dense
+  double step = 0.0;   ///< Step of knots without their own step [s]
   bool passes_time() const { return !terminal && !impact; }
 };
 
-/// The force of a contact in the state.
-struct RememberedForce {
+/// Force state of a contact: its force at the previous step, as part of the state.
+struct ForceState {
   int contact, rows;
-  int first;  ///< entry among all that are remembered
+  int first;  ///< First entry among all force states
 };
 
+/// The robot, the contacts and all stages of a problem.
 struct CompiledProblem {
+  /// Throws Error for an invalid specification.
   CompiledProblem(const ProblemSpec& spec);
 
-  /// Of a knot of a stage whose step is so long, s; without its time.
+  /// Returns the timing of a knot with this step [s], without KnotTime::times.
   KnotTime<double> timing(const CompiledStage& stage, double step) const;
-  /// Throws Error("<place>: ...") for a step that cannot be.
+  /// Throws Error("<place>: ...") for an invalid step [s].
   void check_step(const std::string& place, double step) const;
 
   Model model;
@@ -112,38 +120,42 @@ struct CompiledProblem {
   StateShape shape;
   std::vector<TangentBlock> blocks;
   ContactSet contacts;
-  std::vector<RememberedForce> remembered;
+  std::vector<ForceState> force_states;
   ContactSolver contact_solver;
   std::optional<TorqueModel> torque_model;
   std::optional<PassiveJoints> passive;
-  std::vector<double> torque_bias;     ///< nv, Nm (N): acts beside the actuators
-  std::vector<double> passing_torque;  ///< nv, Nm (N): likewise, of which KnotTime::passing is left
-  std::vector<CompiledStage> stages;   ///< the terminal one last
-  int largest_rows = 0;                ///< of a term
-  int largest_jacobian = 0;
-  int largest_targets = 0;  ///< of a stage
-  int largest_terms = 0;
-  int largest_limited_rows = 0;  ///< of all constraints of a stage
-  int largest_bends = 0;         ///< CompiledStage::bend_rows
+  std::vector<double> torque_bias;  ///< Constant torque beside the actuators, nv entries [Nm or N]
+  /// Torque beside the actuators, times KnotTime::decaying, nv entries [Nm or N]
+  std::vector<double> decaying_torque;
+  std::vector<CompiledStage> stages;  ///< The terminal stage is the last one
+  int largest_rows = 0;               ///< Largest number of rows of a term
+  int largest_jacobian = 0;           ///< Largest CompiledTerm::jacobian_size
+  int largest_targets = 0;            ///< Largest CompiledStage::targets
+  int largest_terms = 0;              ///< Largest number of terms of a stage
+  int largest_limited_rows = 0;       ///< Largest number of constraint rows of a stage
+  int largest_curvatures = 0;         ///< Largest CompiledStage::curvature_rows
   bool has_impacts = false;
-  bool has_dense_stages = false;  ///< CompiledStage::dense
-  bool has_custom = false;        ///< residuals
+  bool has_dense_stages = false;  ///< Whether any stage is CompiledStage::dense
+  bool has_custom = false;        ///< Whether any residual is a CustomResidual
 };
 
-/// A target as the user writes it -> target entries of the term.
+/// Converts a target in the user's form to the target entries of the term.
 void store_target(const CompiledTerm& term, const ConstVectorRef& value, double* out);
-/// Targets and rotations of a stage from their signals at a time; scratch: as many entries as the
-/// largest signal, at least 4. What is no rotation becomes NaN.
+/// Evaluates the signals of a stage at `time` and writes all target entries of the stage to `out`.
+/// A quaternion whose length is not 1 becomes a rotation of NaN. `scratch` has as many entries as
+/// the largest signal, and at least 4.
 void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scratch, double* out);
+/// Writes the surface_size numbers of a surface.
 void store_surface(const Quadric& surface, double* out);
-/// Makes room for the surface that a reference follows among the stage's targets; `followed` is
-/// whose. -1 for a reference that follows none.
+/// Adds the surface that a reference follows to the stage's targets and returns its first entry; -1
+/// if the reference follows no surface. `followed` names the contact or the term.
 int add_surface(const Reference& reference, CompiledSurface followed, CompiledStage& stage);
-/// Makes room for a rotation over time among the stage's targets; -1 for a reference that stays.
+/// Adds the rotation over time of a reference to the stage's targets and returns its first entry;
+/// -1 for a constant reference.
 int add_turning(const Reference& reference, int contact, const std::string& of,
                 CompiledStage& stage);
 
-/// Makes the terms of a stage. `place` says where for messages, such as "stage 'press'".
+/// Compiles the costs and constraints of a stage. `place` begins messages, such as "stage 'press'".
 void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,
                    const std::vector<CostTerm>& costs, const std::vector<Constraint>& constraints,
                    const std::string& place, CompiledStage& stage);

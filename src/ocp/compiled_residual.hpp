@@ -1,9 +1,10 @@
-// Residuals as the kernels read them. Each has
-//   evaluate(knot, target, r, J): r (rows) and, unless J is null, its derivative by z, block by
-//   block in the order of the term's blocks.
-// Those whose first row is a length, or less one, also have
-//   bend_rows(), bend_sign and evaluate(knot, target, r, J, bends): unless null, rows b as wide as
-//   J's with bend_sign sum b^T b the second derivative of that row (RowBend).
+// Compiled residuals, as the kernels read them. Each residual has
+//   evaluate(knot, target, r, J): writes the rows r and, unless J is null, the derivative by z,
+//   block by block in the order of the term's blocks.
+// FrameDistance and ConeMargin also offer the curvature of their first row (RowCurvature):
+//   curvature_rows(), curvature_sign and evaluate(knot, target, r, J, curvatures). Unless null,
+//   `curvatures` receives vectors b with as many columns as J. The second derivative of the row is
+//   about curvature_sign sum b^T b.
 #pragma once
 
 #include <optional>
@@ -18,8 +19,9 @@
 
 namespace burnish::ocp {
 
-/// Rows row to row + rows - 1 depend on these columns of z, ascending. Diagonal: row i on column i
-/// alone, kept as `rows` numbers; otherwise rows x columns, row-major.
+/// Block of a Jacobian: rows `row` to row + rows - 1, and the columns of z on which they depend, in
+/// ascending order. A diagonal block has one number per row: row i depends only on columns[i].
+/// Other blocks are rows x columns, row-major.
 struct JacobianBlock {
   int row, rows;
   std::vector<int> columns;
@@ -27,17 +29,19 @@ struct JacobianBlock {
   int size() const { return diagonal ? rows : rows * static_cast<int>(columns.size()); }
 };
 
-/// x (-) target. Diagonal first, then a dense block per joint of several entries.
+/// Difference x (-) target. The diagonal blocks come first, then a dense block for each joint with
+/// several entries.
 struct StateDifference {
   const Tree* tree;
-  int nq, beside;  ///< torques and forces in the state
+  int nq;
+  int beside;  ///< Number of torque and force entries in the state
   std::vector<int> diagonal_rows;
   std::vector<TangentBlock> tangent;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// Entries of one part of the state or of the control.
+/// Selected entries of q, of v, of the torque state or of the control.
 struct Selection {
   enum class Source { Q, V, TorqueState, U } source;
   std::vector<int> entries;
@@ -45,19 +49,19 @@ struct Selection {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// per_second (u - tau) of actuators: with a torque model.
+/// Torque rate per_second (u - tau) of actuators. Requires a torque model.
 struct TorqueRate {
-  double per_second;  ///< the cut-off, rad/s, or one over the stage's step of held torques
-  bool by_step;       ///< held torques: what counts is one over the knot's step
+  double per_second;  ///< Filter cut-off [rad/s], or 1 / stage step for held torques [1/s]
+  bool by_step;       ///< Held torques: evaluate() uses 1 / knot step instead of per_second
   std::vector<int> entries;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// A reference that may turn from knot to knot, or follow another surface on each.
+/// A reference whose rotation or surface may differ from knot to knot.
 struct TurningReference : CompiledReference {
-  int turning = -1;  ///< first entry of its rotation in the targets; -1: it has its own
-  int followed = 0;  ///< first entry of its surface there, if it is curved
+  int turning = -1;  ///< First target entry of the rotation; -1: constant rotation
+  int followed = 0;  ///< First target entry of the surface, if the reference is curved
   template <class S>
   ReferencePose<S> pose(const KnotState<S>& knot) const {
     const Kinematics<S>& kinematics = knot.dynamics->kinematics();
@@ -67,53 +71,62 @@ struct TurningReference : CompiledReference {
   }
 };
 
-/// A reference that a frame is seen in, and the entries of v that move it or the frame.
+/// Reference in which a frame is expressed, and the entries of v that move the reference or the
+/// frame.
 struct FrameView {
   TurningReference reference;
-  std::vector<MovingAxis> origin, axes;  ///< of other bodies than the frame's
-  std::vector<int> entries;              ///< of v, ascending
+  /// Joint axes that move the reference's origin, and those that move its axes. Empty for an origin
+  /// or axes on the frame's own body.
+  std::vector<MovingAxis> origin, axes;
+  std::vector<int> entries;  ///< Entries of v, ascending
   template <class S>
   FrameReference<S> at(const KnotState<S>& knot, int frame) const;
 };
 
-/// `frame` counts in KnotState::frames.
+/// Position of a frame minus its target. `frame` is an index of KnotState::frames, here and below.
 struct FramePositionError {
   int frame;
   FrameView view;
-  bool is_in_world = false;  ///< targets are in the world's own coordinates
+  bool is_in_world = false;  ///< Whether targets are in world coordinates
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
-/// Length of the entries of `position` along the directions.
+/// Length of the position error along the given directions.
 struct FrameDistance {
   FramePositionError position;
   Directions directions;
-  static constexpr double bend_sign = 1.0;
-  /// Across two directions there is one more, across three there are two, written as three.
-  int bend_rows() const;
+  static constexpr double curvature_sign = 1.0;
+  /// Returns the number of vectors b: 0, 1 or 3 for one, two or three directions. The three vectors
+  /// have rank two.
+  int curvature_rows() const;
   template <class S>
-  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J, S* bends = nullptr) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
+                S* curvatures = nullptr) const;
 };
-/// Targets are nine entries of a rotation by columns; with placement three of a position before.
+/// Rotation of a frame relative to its target. The target has nine entries, by columns.
 struct FrameRotationError {
   int frame;
   FrameView view;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// Angles by which `axis` is inclined to the reference's z axis.
 struct FrameInclinationError {
   int frame;
   FrameView view;
-  Vec3<double> axis;  ///< of unit length, in the frame
+  Vec3<double> axis;  ///< Unit vector in the frame's axes
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// Height of a frame above the surface that the reference follows.
 struct FrameHeightError {
   int frame;
   FrameView view;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// Placement of a frame relative to its target. The target has three entries of a position, then
+/// nine of a rotation by columns.
 struct FramePlacementError {
   int frame;
   template <class S>
@@ -126,59 +139,62 @@ struct FrameVelocityError {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// Rows of lambda.
+/// Force of a contact in its own reference: its rows of lambda.
 struct OwnForceError {
   int contact, rows;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
-/// (lambda - what the state remembers of it) / step of the knot.
+/// Force rate (lambda - force state) / knot step.
 struct ForceRate {
   int contact, rows;
-  int first;          ///< entry among what is remembered
-  double per_second;  ///< one over the stage's step, for scales
+  int first;          ///< First entry among the force states
+  double per_second;  ///< 1 / stage step, only for the scale of constraint rows [1/s]
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
-/// A reference that a contact's wrench is asked in; none: the contact's own.
+/// Wrench of a contact in `reference`, or in the contact's own reference if there is none.
 struct WrenchView {
   int contact;
   std::optional<TurningReference> reference;
   std::vector<WrenchEntry> entries;
-  /// Six rows w and, unless J is null, dw/dz (6 x nz).
+  /// Writes the wrench w (6) and, unless J is null, dw/dz (6 x nz).
   template <class S>
   void evaluate(const KnotState<S>& knot, S* w, S* J) const;
 };
-/// The six rows of a contact's wrench in any reference.
+/// Wrench of a contact in any reference, minus its target.
 struct WrenchError {
   WrenchView wrench;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
-/// Its target is the coefficient of friction; a pyramid's likewise.
+/// Margin of the friction cone, and the normal force. The target is the coefficient of friction.
 struct ConeMargin {
   WrenchView wrench;
   int normal;
-  static constexpr double bend_sign = -1.0;
-  static int bend_rows() { return 1; }
+  static constexpr double curvature_sign = -1.0;
+  static int curvature_rows() { return 1; }
   template <class S>
-  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J, S* bends = nullptr) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
+                S* curvatures = nullptr) const;
 };
-/// The sides of a pyramid in place of the cone.
+/// Margins of the sides of a pyramid inside the friction cone. The target is the coefficient of
+/// friction.
 struct PyramidMargin {
-  /// friction inner f_n - (c f_1 + s f_2) is the margin, N; (c, s) is of unit length and points
-  /// outwards.
+  /// Side with the margin friction inner f_n - (c f_1 + s f_2) [N]. The vector (c, s) has length 1
+  /// and points outwards.
   struct Side {
     double c, s;
   };
   WrenchView wrench;
   int normal;
-  double inner;  ///< of the cone's radius, that the sides are from its middle
+  double inner;  ///< Distance of the sides from the axis, as a fraction of the cone's radius
   std::vector<Side> sides;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
-/// Its target is the coefficient of friction, where that has its eight rows.
+/// Margins of the centre of pressure and, if has_friction, of the moment about the normal. The
+/// target is then the coefficient of friction, and there are 12 rows instead of 4.
 struct PressureMargin {
   WrenchView wrench;
   double half_x, half_y;
@@ -187,32 +203,36 @@ struct PressureMargin {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
+/// Centre of mass minus its target.
 struct ComError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// Distances of the centre of mass c from the edges of a support polygon, in the horizontal plane.
 struct SupportMargin {
-  /// x c_x + y c_y - offset is the margin, m; (x, y) is of unit length and points inwards.
+  /// Edge with the margin x c_x + y c_y - offset [m]. The vector (x, y) has length 1 and points
+  /// inwards.
   struct Edge {
     double x, y, offset;
-    double half_width;  ///< of the polygon, across the edge, m
+    double half_width;  ///< Half the width of the polygon perpendicular to the edge [m]
   };
   std::vector<Edge> edges;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// Centroidal momentum minus its target.
 struct MomentumError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// Evaluated by CustomLanes, one lane at a time.
+/// A user's own residual, which CustomLanes evaluates one lane at a time.
 struct CustomResidual {
   residual::Custom user;
   std::vector<int> frames, contacts;
 };
 
-inline int FrameDistance::bend_rows() const {
+inline int FrameDistance::curvature_rows() const {
   const int measured = directions.has(0) + directions.has(1) + directions.has(2);
   return measured == 3 ? 3 : measured - 1;
 }

@@ -1,9 +1,10 @@
-// What will not go well with a problem, in sentences.
+// Warnings about a valid problem that can probably not be solved well.
 #include <algorithm>
 #include <cmath>
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
@@ -20,7 +21,7 @@ namespace {
 using ocp::CompiledTerm;
 using ocp::ProblemInside;
 
-/// The first knot at which something is said of a term, and how many more there are.
+/// First knot with a warning about a term, and the number of further knots.
 struct Finding {
   int knot = -1;
   int more = 0;
@@ -35,6 +36,7 @@ struct Finding {
   }
 };
 
+/// Returns the frame whose position the residual specifies; null: none.
 const std::string* reaching_frame(const Residual& residual) {
   if (const auto* r = std::get_if<residual::FramePosition>(&residual)) return &r->frame;
   if (const auto* r = std::get_if<residual::FramePlacement>(&residual)) return &r->frame;
@@ -43,17 +45,17 @@ const std::string* reaching_frame(const Residual& residual) {
 
 std::string out_of_reach(const std::string& frame, const ocp::Reach& reach,
                          const Eigen::Vector3d& target) {
-  const double apart = (target - reach.origin).norm();
-  if (!(apart > reach.distance + 1e-6)) return "";
+  const double distance = (target - reach.origin).norm();
+  if (!(distance > reach.distance + 1e-6)) return "";
   if (reach.joint.empty())
-    return "nothing moves " + in_quotes(frame) + ", and the target is " + number(apart) +
+    return "frame " + in_quotes(frame) + " cannot move, and the target is " + number(distance) +
            " m from it";
-  return "the target is " + number(apart) + " m from joint " + in_quotes(reach.joint) +
-         "; the robot brings " + in_quotes(frame) + " at most " + number(reach.distance) +
-         " m from there";
+  return "the target is " + number(distance) + " m from joint " + in_quotes(reach.joint) +
+         "; wanted at most " + number(reach.distance) + " m, the reach of " + in_quotes(frame) +
+         " from this joint";
 }
 
-/// What is wrong with the target of a term at a knot; empty: nothing.
+/// Returns a warning about the target of a term at a knot; empty: none.
 std::string target_complaint(const Problem& problem, int knot, const CompiledTerm& term,
                              const std::string* frame) {
   const auto& impl = ProblemInside::of(problem);
@@ -118,13 +120,13 @@ void about_initial_state(const Problem& problem, std::vector<std::string>& sente
     compare("the velocity of " + in_quotes(model.v_name(k)), x[l.nq + k], -model.velocity_limit[k],
             model.velocity_limit[k]);
   for (int i = 0; i < l.filtered; ++i) {
-    const int k = l.actuated[static_cast<std::size_t>(i)];
+    const int k = l.actuated[to_size(i)];
     compare("the torque of " + in_quotes(model.v_name(k)), x[l.nq + l.nv + i],
             -model.effort_limit[k], model.effort_limit[k]);
   }
 }
 
-/// What contact forces cannot balance of S u = b, as M u = c: the null space of J maps both.
+/// Statics without contact forces: M u = c, which is S u = b projected onto the null space of J.
 struct Balance {
   Eigen::MatrixXd M;
   Eigen::VectorXd c;
@@ -137,26 +139,26 @@ Balance balance_of(const Problem& problem, std::size_t index, const Eigen::Vecto
   ContactDynamics dynamics(problem.model(), impl.contacts_of(static_cast<int>(index)),
                            {.mu = 1e-6});
   for (int c = 0; c < impl.compiled.contacts.size(); ++c)
-    dynamics.set_active(c, stage.active[static_cast<std::size_t>(c)] != 0);
+    dynamics.set_active(c, stage.active[to_size(c)] != 0);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nv);
   if (dynamics.acceleration(q, rest, rest) != Status::Ok)
-    return {Eigen::MatrixXd(0, l.nu), Eigen::VectorXd(0)};  // nothing can be said there
+    return {Eigen::MatrixXd(0, l.nu), Eigen::VectorXd(0)};  // no equations, hence no warning
   Eigen::MatrixXd N = Eigen::MatrixXd::Identity(l.nv, l.nv);
   if (dynamics.rows() > 0) N = null_space(dynamics.jacobian());
   const Eigen::VectorXd b = dynamics.bias() - ocp::torque_at_rest(impl.compiled, q);
   Balance balance{Eigen::MatrixXd(N.cols(), l.nu), N.transpose() * b};
-  for (int i = 0; i < l.nu; ++i)
-    balance.M.col(i) = N.row(l.actuated[static_cast<std::size_t>(i)]).transpose();
+  for (int i = 0; i < l.nu; ++i) balance.M.col(i) = N.row(l.actuated[to_size(i)]).transpose();
   return balance;
 }
 
-/// Largest entry of M u - c that no u within the bounds removes: coordinate descent.
+/// Minimizes |M u - c| for controls u within the bounds, by coordinate descent. Returns the largest
+/// entry of M u - c.
 double least_imbalance(const Balance& balance, const std::vector<double>& lower,
                        const std::vector<double>& upper, Eigen::VectorXd u) {
   const Eigen::MatrixXd G = balance.M.transpose() * balance.M;
   const Eigen::VectorXd g = balance.M.transpose() * balance.c;
   const auto clamped = [&](Eigen::Index i, double value) {
-    const auto place = static_cast<std::size_t>(i);
+    const auto place = to_size(i);
     return std::clamp(value, lower[place], upper[place]);
   };
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = clamped(i, u[i]);
@@ -185,30 +187,30 @@ void about_bounds(const Problem& problem, std::vector<std::string>& sentences) {
     const Balance balance = balance_of(problem, s, x.head(l.nq));
     const double scale =
         std::max(1.0, balance.c.size() == 0 ? 0.0 : balance.c.cwiseAbs().maxCoeff());
-    // Where even boundless controls leave something, the robot falls: not what bounds are for.
+    // If unbounded controls cannot balance the robot either, the bounds are not the cause.
     if (rest.residual > 1e-6 * scale) continue;
     if (least_imbalance(balance, impl.lower, impl.upper, rest.control) < 1e-4 * scale) continue;
     int worst = 0;
-    double most = 0.0;
+    double max_violation = 0.0;
     for (int i = 0; i < l.nu; ++i) {
-      const auto place = static_cast<std::size_t>(i);
-      const double over =
+      const auto place = to_size(i);
+      const double violation =
           std::max(impl.lower[place] - rest.control[i], rest.control[i] - impl.upper[place]);
-      if (over <= most) continue;
-      most = over;
+      if (violation <= max_violation) continue;
+      max_violation = violation;
       worst = i;
     }
     sentences.push_back("stage " + in_quotes(stage.name) +
-                        ": the control bounds cannot hold the initial posture at rest: " +
-                        in_quotes(problem.control_names()[static_cast<std::size_t>(worst)]) +
-                        " needs " + number(rest.control[worst]) + ", its bounds are " +
-                        number(impl.lower[static_cast<std::size_t>(worst)]) + " and " +
-                        number(impl.upper[static_cast<std::size_t>(worst)]));
+                        ": the control bounds do not allow rest in the initial posture: " +
+                        in_quotes(problem.control_names()[to_size(worst)]) + " needs " +
+                        number(rest.control[worst]) + ", its bounds are " +
+                        number(impl.lower[to_size(worst)]) + " and " +
+                        number(impl.upper[to_size(worst)]));
   }
 }
 
-/// Of a stage whose redundant contacts contradict each other at the initial state: torques have no
-/// part in that.
+/// Warns about redundant contacts of a stage that contradict each other at the initial state.
+/// Torques do not affect the contradiction.
 void about_contradictions(const Problem& problem, std::size_t index,
                           std::vector<std::string>& sentences) {
   const auto& impl = ProblemInside::of(problem);
@@ -220,20 +222,19 @@ void about_contradictions(const Problem& problem, std::size_t index,
   if (!iterates) solver.max_proximal_iterations = 1;
   ContactDynamics dynamics(problem.model(), impl.contacts_of(static_cast<int>(index)), solver);
   for (int c = 0; c < impl.compiled.contacts.size(); ++c)
-    dynamics.set_active(c, stage.active[static_cast<std::size_t>(c)] != 0);
+    dynamics.set_active(c, stage.active[to_size(c)] != 0);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(l.nv);
   if (dynamics.forward(x.head(l.nq), x.segment(l.nq, l.nv), none) != Status::NotConverged) return;
   const double unmet =
       dynamics.rows() == 0 ? 0.0 : Eigen::VectorXd(dynamics.unmet()).cwiseAbs().maxCoeff();
   if (unmet == 0.0) return;
   const Eigen::VectorXd rows = dynamics.unmet();
-  const std::string pushing =
+  const std::string opposing =
       contradicting(unmet_rows(dynamics.row_names(), {rows.data(), rows.data() + rows.size()})) +
-      " contradict each other, and without proximal iterations push against each other with up "
-      "to " +
+      " contradict each other; without proximal iterations, they exert opposing forces of up to " +
       number(unmet / solver.mu) + " N (Nm)";
   sentences.push_back("stage " + in_quotes(stage.name) +
-                      ", initial state: " + (iterates ? dynamics.explanation() : pushing));
+                      ", initial state: " + (iterates ? dynamics.explanation() : opposing));
 }
 
 void about_contacts(const Problem& problem, std::vector<std::string>& sentences) {
@@ -250,7 +251,7 @@ void about_contacts(const Problem& problem, std::vector<std::string>& sentences)
     if (stage.terminal) continue;
     std::vector<int> active;
     for (int c = 0; c < impl.compiled.contacts.size(); ++c)
-      if (stage.active[static_cast<std::size_t>(c)] != 0) active.push_back(c);
+      if (stage.active[to_size(c)] != 0) active.push_back(c);
     if (active.empty()) continue;
     const ContactSet contacts(problem.model(), impl.contacts_of(static_cast<int>(s)));
     for (const RedundantRow& row : diagnose(problem.model(), contacts, q, active).redundant)
@@ -259,18 +260,19 @@ void about_contacts(const Problem& problem, std::vector<std::string>& sentences)
   }
 }
 
-/// As residual::FrameHeight has it.
+/// Returns the height of x above a surface, as residual::FrameHeight defines it [m].
 double height_above(const Quadric& surface, const Eigen::Vector3d& x) {
   const Eigen::Vector3d g = surface.gradient(x);
   const double phi = surface.value(x), squared = g.squaredNorm();
-  const double bend = g.dot(surface.Q * g) / squared;
-  return 2.0 * phi / (g.norm() + std::sqrt(std::max(squared - 2.0 * phi * bend, 0.01 * squared)));
+  const double curvature = g.dot(surface.Q * g) / squared;
+  return 2.0 * phi /
+         (g.norm() + std::sqrt(std::max(squared - 2.0 * phi * curvature, 0.01 * squared)));
 }
 
-/// A contact holds the rate of the distance from its surface alone, so that a start away from it
-/// stays as far away.
+/// Warns about contacts that start away from their surface. A contact constrains only the rate of
+/// the distance, so the distance stays constant.
 void about_surfaces(const Problem& problem, std::vector<std::string>& sentences) {
-  constexpr double near = 1e-3;  // m
+  constexpr double max_height = 1e-3;  // m, chosen by hand
   const auto& impl = ProblemInside::of(problem);
   const ocp::CompiledStage& stage = impl.stage(0);
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
@@ -282,23 +284,24 @@ void about_surfaces(const Problem& problem, std::vector<std::string>& sentences)
     const Eigen::Vector3d tool = frame_placement(problem.model(), q, contact.base).inverse() *
                                  frame_placement(problem.model(), q, contact.tool).translation();
     const double height = height_above(*surface, tool);
-    if (!(std::abs(height) > near)) continue;
-    sentences.push_back("stage " + in_quotes(stage.name) +
-                        ", initial posture: " + in_quotes(contact.tool) + " is about " +
-                        number(std::abs(height)) + (height > 0.0 ? " m above" : " m below") +
-                        " the surface that contact " + in_quotes(contact.name) +
-                        " follows, and is held at that distance; wanted a start on it");
+    if (!(std::abs(height) > max_height)) continue;
+    sentences.push_back(
+        "stage " + in_quotes(stage.name) + ", initial posture: " + in_quotes(contact.tool) +
+        " is about " + number(std::abs(height)) + (height > 0.0 ? " m above" : " m below") +
+        " the surface of contact " + in_quotes(contact.name) +
+        ", and the contact holds it at that distance; wanted a start on the surface");
   }
 }
 
 void about_springs(const Problem& problem, std::vector<std::string>& sentences) {
   if (ProblemInside::of(problem).compiled.passive || Springs(problem.model()).empty()) return;
   sentences.push_back(
-      "the robot has springs or tendons, which do not act here; wanted passive_torques of the "
+      "the robot has springs or tendons, which the problem ignores; wanted passive_torques in the "
       "actuation");
 }
 
-/// False where joints move no mass, which leaves nothing to say of contacts.
+/// Warns about joints that move no mass. Returns false in this case, because the warnings about
+/// contacts need a regular mass matrix.
 bool about_mass(const Problem& problem, std::vector<std::string>& sentences) {
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(problem.layout().nv);

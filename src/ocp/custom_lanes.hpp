@@ -1,4 +1,4 @@
-// A user's own residual inside the kernels: one lane at a time, in double.
+// Evaluation of a user's own residual (residual::Custom) in the kernels, one lane at a time.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace burnish::ocp {
 
-/// One lane of a knot as the user sees it. Buffers are filled on load().
+/// NodeView of one lane of a knot. load() copies the lane's values.
 template <class S>
 class LaneView final : public NodeView {
  public:
@@ -41,22 +41,25 @@ class LaneView final : public NodeView {
   mutable RowMatrix jacobian_, force_derivative_;
 };
 
+/// Evaluates custom residuals and their derivatives. Without a user's jacobian function,
+/// derivatives are finite differences.
 template <class S>
 class CustomLanes {
  public:
   explicit CustomLanes(const CompiledProblem& problem);
-  /// r: rows, J: rows x nz or null.
+  /// Writes the residual r (rows) and, unless J is null, its derivative J (rows x nz).
   void evaluate(const CompiledStage& stage, const CustomResidual& residual,
                 const KnotState<S>& knot, const double* times, S* r, S* J);
 
  private:
   void differences(const CompiledStage& stage, const CustomResidual& residual, double time);
+  /// Evaluates the residual after a change of entry z by `by`.
   void moved_value(const CompiledStage& stage, const CustomResidual& residual, double time, int z,
                    double by, Eigen::VectorXd& out);
 
   const CompiledProblem* problem_;
   LaneView<S> view_;
-  StageDynamics<double> moved_;  ///< evaluates the states that differences ask for
+  StageDynamics<double> moved_;  ///< Dynamics at the states of finite differences
   LaneView<double> moved_view_;
   Eigen::VectorXd value_, plus_, minus_;
   RowMatrix jacobian_;

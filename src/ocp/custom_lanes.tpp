@@ -1,6 +1,7 @@
 // Definitions of custom_lanes.hpp.
 #pragma once
 
+#include "base/to_size.hpp"
 #include "ocp/custom_lanes.hpp"
 #include "ocp/stage_dynamics.tpp"
 
@@ -16,7 +17,7 @@ LaneView<S>::LaneView(const CompiledProblem& problem)
       tau_(problem.layout.nv),
       a_(problem.layout.nv),
       lambda_(problem.contacts.rows()),
-      columns_(static_cast<std::size_t>(6 * problem.layout.nv)),
+      columns_(to_size(6 * problem.layout.nv)),
       jacobian_(6, problem.layout.nv),
       force_derivative_(problem.contacts.rows(), problem.layout.nz()) {}
 
@@ -120,11 +121,11 @@ CustomLanes<S>::CustomLanes(const CompiledProblem& problem)
       plus_(problem.largest_rows),
       minus_(problem.largest_rows),
       jacobian_(problem.largest_rows, problem.layout.nz()),
-      x_(static_cast<std::size_t>(problem.layout.nx())),
+      x_(to_size(problem.layout.nx())),
       x_moved_(x_),
-      u_(static_cast<std::size_t>(problem.layout.nu)),
-      targets_(static_cast<std::size_t>(problem.largest_targets)),
-      dx_(static_cast<std::size_t>(problem.layout.ndx())) {}
+      u_(to_size(problem.layout.nu)),
+      targets_(to_size(problem.largest_targets)),
+      dx_(to_size(problem.layout.ndx())) {}
 
 template <class S>
 void CustomLanes<S>::evaluate(const CompiledStage& stage, const CustomResidual& residual,
@@ -144,15 +145,15 @@ void CustomLanes<S>::evaluate(const CompiledStage& stage, const CustomResidual& 
         for (std::size_t i = 0; i < count; ++i) to[at + i] = Lanes<S>::get(from[i], l);
       };
       const StateLayout& layout = problem_->layout;
-      const auto nq = static_cast<std::size_t>(layout.nq), nv = static_cast<std::size_t>(layout.nv);
+      const auto nq = to_size(layout.nq), nv = to_size(layout.nv);
       copy(knot.q, x_, 0, nq);
       copy(knot.v, x_, nq, nv);
       copy(knot.torque_state, x_, nq + nv, x_.size() - nq - nv);
       copy(knot.u, u_, 0, u_.size());
-      copy(knot.targets, targets_, 0, static_cast<std::size_t>(stage.targets));
+      copy(knot.targets, targets_, 0, to_size(stage.targets));
       moved_.turn(stage, targets_.data());
-      moved_.set_step(Lanes<S>::get(knot.per_second, l), Lanes<S>::get(knot.pace, l),
-                      Lanes<S>::get(knot.passing, l));
+      moved_.set_step(Lanes<S>::get(knot.per_second, l), Lanes<S>::get(knot.step_ratio, l),
+                      Lanes<S>::get(knot.decaying, l));
       differences(stage, residual, times[l]);
     }
     for (int i = 0; i < rows; ++i)
@@ -183,7 +184,7 @@ void CustomLanes<S>::moved_value(const CompiledStage& stage, const CustomResidua
 template <class S>
 void CustomLanes<S>::differences(const CompiledStage& stage, const CustomResidual& residual,
                                  double time) {
-  constexpr double h = 1e-5;
+  constexpr double h = 1e-5;  // step of central differences, in units of z; chosen by hand
   const int rows = residual.user.rows;
   for (int z = 0; z < problem_->layout.nz(); ++z) {
     moved_value(stage, residual, time, z, h, plus_);

@@ -16,8 +16,8 @@ const Description& description_of(const ProblemCheckOptions* /*of*/) {
           .field("seed", &S::seed,
                  "Seed of the random states; equal seeds give equal states on every machine")
           .field("tolerance", &S::tolerance,
-                 "Largest accepted error of a derivative, relative to the largest entry of its "
-                 "block")
+                 "Largest accepted error of a derivative, relative to the largest entry of the "
+                 "derivative block")
           .more("The error is |derivative - finite difference|")
           .field("x", &S::x,
                  "States around which random states are drawn; empty: the initial state at every "
@@ -26,7 +26,7 @@ const Description& description_of(const ProblemCheckOptions* /*of*/) {
           .field("u", &S::u,
                  "Controls around which random controls are drawn; empty: controls that hold the "
                  "robot at rest")
-          .more("N vectors of nu entries. Vectors of impacts are not read")
+          .more("N vectors of nu entries. Vectors for impacts are ignored")
           .field("position", &S::position,
                  "Largest random change of a position, uniformly distributed [rad, m]")
           .more("The number in m is for a robot of 1 m, and grows with the size of the robot")
@@ -56,8 +56,8 @@ const Description& description_of(const ProblemCheckRow* /*of*/) {
           .field("states", &S::states,
                  "Number of states at which the derivatives were compared")
           .field("worst_error", &S::worst_error,
-                 "Largest error, relative to the largest entry of its block; infinite if a NaN "
-                 "occurred")
+                 "Largest error, relative to the largest entry of the derivative block; infinite "
+                 "if a NaN occurred")
           .field("worst", &S::worst,
                  "Entry with the largest error; the block has a name such as \"dnext_dq\", "
                  "\"dr_du\" or \"dcost_dv\"")
@@ -91,11 +91,11 @@ const Description& description_of(const StateLayout* /*of*/) {
           .field("filtered", &S::filtered,
                  "Number of torques in the state: nu with a torque model, else 0")
           .field("holds_torque", &S::holds_torque,
-                 "True if the torques in the state are the previous control, and the current "
-                 "control acts on the robot")
-          .field("remembered", &S::remembered,
-                 "Number of contact forces in the state, from the previous step (N, Nm; see "
-                 "remembered_forces)")
+                 "True if the torques in the state are the control of the previous step; the "
+                 "current control then acts on the robot")
+          .field("force_states", &S::force_states,
+                 "Number of contact forces in the state; they are forces of the previous step (N,"
+                 " Nm)")
           .field("nu", &S::nu)
           .field("actuated", &S::actuated,
                  "For each control, the index in v of the entry that the control drives");
@@ -145,13 +145,13 @@ const Words& words_of(Penalty::Kind /*of*/) {
       "PenaltyKind",
       "Form of phi(r) for one residual entry r. All forms are convex, so that Gauss-Newton "
       "Hessians are positive semidefinite.",
-      {{"square", "r^2 / 2"},
+      {{"quadratic", "r^2 / 2"},
        {"barrier", "Half the squared distance of r from the interval [lower, upper]; zero inside"},
        {"smooth_absolute", "sqrt(r^2 + width^2) - width. Approximately |r| for large |r|, and r^2 / (2 width) for "
         "small |r|"},
-       {"log_barrier", "Sum over both limits, where s is the distance of r from the limit. For s > width: -log(s"
-        " / width). Else, also beyond the limit: the parabola ((s / width - 2)^2 - 1) / 2, a "
-        "smooth continuation"}}};
+       {"log_barrier", "Sum over both limits. Let s be the distance of r from a limit, negative beyond the "
+        "limit. For s > width, a limit costs -log(s / width). Otherwise, it costs ((s / width - "
+        "2)^2 - 1) / 2, a parabola that continues the logarithm smoothly"}}};
   return all;
 }
 
@@ -159,22 +159,21 @@ const Description& description_of(const CostTerm* /*of*/) {
   using S = CostTerm;
   static const Description all =
       Describe<S>("ocp", "CostTerm",
-                  "A cost term: weight * sum over rows i of weights_i phi(r_i). If time passes at"
-                  " a knot, the term is multiplied by the knot's step. The sum over all knots "
-                  "then approximates an integral over time.")
+                  "A cost term: weight * sum over rows i of weights_i phi(r_i), with the penalty "
+                  "phi of residual r. If the knot has a duration, the term is multiplied by the "
+                  "duration. The sum over all knots then approximates an integral over time.")
           .field("residual", &S::residual)
           .required()
           .field("weight", &S::weight,
                  "Weight of the term, not negative")
-          .more("The unit is 1 / (unit of phi); at a knot where time passes, 1 / (unit of phi) "
-                "per second")
+          .more("The unit is 1 / (unit of phi). If the knot has a duration, the unit is 1 / (unit"
+                " of phi) per second")
           .field("name", &S::name,
                  "Name of the term, unique in its stage; empty: the name of the residual")
           .field("weights", &S::weights,
                  "Weights of the rows, not negative; empty: 1 for every row")
           .field("penalty", &S::penalty,
-                 "Penalty of each row; empty: a square, or another default that the residual "
-                 "states");
+                 "Penalty of each row; empty: a square, or the default penalty of the residual");
   return all;
 }
 
@@ -193,8 +192,9 @@ const Description& description_of(const Constraint* /*of*/) {
           .field("lower", &S::lower,
                  "Lower limits in the residual's unit: one number, or one per row; empty: no "
                  "lower limit")
-          .more("A constraint needs a lower or an upper limit. Only margins (friction cone, "
-                "center of pressure, support) need neither: their rows must then be at least zero")
+          .more("A constraint needs a lower or an upper limit. Exceptions are margins (friction "
+                "cone, center of pressure, support), which need no limits. Their rows must then "
+                "be at least zero")
           .number_too()
           .field("upper", &S::upper,
                  "Upper limits in the residual's unit: one number, or one per row; empty: no "
@@ -203,18 +203,19 @@ const Description& description_of(const Constraint* /*of*/) {
           .field("scale", &S::scale,
                  "Characteristic size of each row, in its unit: one number, or one per row; "
                  "empty: automatic")
-          .more("If both limits exist, the automatic scale is half the distance between them. "
-                "Otherwise it is the robot's own limit of the quantity. Exceptions are forces "
-                "(the robot's weight), torque rates (torque limit times cut-off), distances (the "
-                "limit itself, if above zero), and support margins (half the width of the "
-                "polygon). If none of these exists, the scale must be stated")
+          .more("If both limits exist, the automatic size is half the distance between them. "
+                "Otherwise it is the robot's own limit of the quantity. For forces, it is the "
+                "robot's weight. For torque rates, it is torque limit times cut-off. For "
+                "distances, it is the limit itself, if above zero. For support margins, it is "
+                "half the width of the polygon. If none of these exists, the size must be stated")
           .number_too()
-          .field("price", &S::price,
+          .field("l1_weight", &S::l1_weight,
                  "L1 penalty weight of violations (infinite: hard), in cost per row unit",
                  {.least = 0, .infinite = true})
-          .more("A violation v at a knot costs price |v| + 1/2 square v^2. This cost is not "
-                "multiplied by the step, so that fewer and longer knots cost less")
-          .field("square", &S::square,
+          .more("A violation v at a knot costs l1_weight |v| + 1/2 quadratic_weight v^2. This "
+                "cost is not multiplied by the duration of the knot. Violations therefore cost "
+                "less if the horizon has fewer and longer knots")
+          .field("quadratic_weight", &S::quadratic_weight,
                  "Quadratic penalty weight of violations, in cost per squared row unit",
                  {.least = 0});
   return all;
@@ -250,7 +251,8 @@ const Words& words_of(TorqueModel::Discretization /*of*/) {
       "Discretization of the low-pass filter over one step.",
       {{"exact", "The torque error decays by exp(-cutoff step) over a step"},
        {"euler", "The torque error decays by 1 - cutoff step over a step"},
-       {"held", "No filter and no cut-off: tau is the control of the previous step, and does not act"}}};
+       {"held", "No filter: tau in the state is the control of the previous step, and the current control"
+        " acts"}}};
   return all;
 }
 
@@ -264,8 +266,8 @@ const Description& description_of(const ActuationSpec* /*of*/) {
           .more("Automatic: every joint except a free-flying base. For robots with loops: every "
                 "joint with a motor, which is a joint with an effort limit above zero")
           .field("passive_torques", &S::passive_torques,
-                 "True: damping, smoothed friction, springs and tendons of the model act on the "
-                 "joints")
+                 "Whether damping, smoothed friction, springs and tendons of the model act on the"
+                 " joints")
           .field("slip_velocity", &S::slip_velocity,
                  "Speed at which smoothed joint friction reaches 76 % of its full size [{rad/s}],"
                  " or in m/s");
@@ -276,8 +278,8 @@ const Description& description_of(const Stage* /*of*/) {
   using S = Stage;
   static const Description all =
       Describe<S>("ocp", "Stage",
-                  "A kind of knot, with active contacts, costs, constraints and the duration of a"
-                  " step.")
+                  "Settings that several knots can share: active contacts, costs, constraints and"
+                  " the duration of a step.")
           .field("name", &S::name)
           .field("contacts", &S::contacts,
                  "Names of the active contacts")
@@ -287,8 +289,10 @@ const Description& description_of(const Stage* /*of*/) {
                  "Duration of a knot, unless the knot has its own step [{s}]")
           .field("integrator", &S::integrator)
           .field("impact", &S::impact,
-                 "True: an inelastic impact, in which the contacts close and velocities jump")
-          .more("No time passes, and there is no control. Costs are not multiplied by a step");
+                 "Whether the knot is an inelastic impact, in which the contacts close and "
+                 "velocities jump")
+          .more("An impact takes no time and has no control. Its costs are not multiplied by a "
+                "duration");
   return all;
 }
 
@@ -299,17 +303,17 @@ const Description& description_of(const HorizonSegment* /*of*/) {
                   "Consecutive knots of one stage, with the stage's step or with steps of their "
                   "own. Own steps are equal, or change from knot to knot by a constant factor. "
                   "With growing steps, few knots cover a long time. Contact gains and friction "
-                  "speeds are set for the stage's step. For stability at a knot n times as long, "
-                  "gains are reduced to kd / n and kp / n^2, and the speeds below which friction "
-                  "fades are multiplied by n.")
+                  "speeds are set for the stage's step. A knot that is n times as long uses "
+                  "smaller gains for stability: kd / n and kp / n^2. The speeds below which "
+                  "friction fades are multiplied by n.")
           .field("stage", &S::stage)
           .field("knots", &S::knots)
           .field("step", &S::step,
                  "Duration of the segment's first knot (0: the stage's step) [{s}]")
           .field("duration", &S::duration,
                  "Duration of the whole segment (0: knots times the step) [{s}]")
-          .more("Steps change from knot to knot by a factor r, 1/2 to 2, for which step (1 + r + "
-                "... + r^(knots - 1)) = duration");
+          .more("Steps change from knot to knot by a factor r from 1/2 to 2. The factor solves "
+                "step (1 + r + ... + r^(knots - 1)) = duration");
   return all;
 }
 
@@ -327,11 +331,12 @@ const Description& description_of(const ProblemSpec* /*of*/) {
           .field("contact_solver", &S::contact_solver)
           .field("actuation", &S::actuation)
           .field("torque_model", &S::torque_model)
-          .field("remembered_forces", &S::remembered_forces,
-                 "Names of contacts whose force of the previous step is part of the state")
+          .field("force_states", &S::force_states,
+                 "Names of contacts; the forces of these contacts in the previous step become "
+                 "part of the state")
           .more("These forces are inputs of ContactForceRate, and do not act on the robot. There "
-                "is one entry per held direction, in the contact's own reference. The entry is "
-                "zero if the contact was not active")
+                "is one entry per constrained direction, in the contact's own reference. The "
+                "entry is zero if the contact was not active")
           .field("control_lower", &S::control_lower,
                  "Lower bounds of the control in Nm (N): nu entries, or one for all; empty: none")
           .number_too()
@@ -344,8 +349,7 @@ const Description& description_of(const ProblemSpec* /*of*/) {
                  "Costs of the last state")
           .field("terminal_constraints", &S::terminal_constraints)
           .field("initial_state", &S::initial_state,
-                 "Initial state: q and v, then tau with a torque model, then the remembered "
-                 "forces")
+                 "Initial state: q and v, then tau with a torque model, then the force states")
           .field("start_time", &S::start_time,
                  "Time of the first knot [{s}]");
   return all;
@@ -359,7 +363,7 @@ const Description& description_of(const StepError* /*of*/) {
                   "this step and the end of an integration with small steps.")
           .result()
           .field("knot", &S::knot,
-                 "Knot at which the step begins; -1: no time passes in the problem")
+                 "Knot at which the step begins; -1: no step was examined")
           .field("place", &S::place,
                  "Name of the knot, such as \"press, knot 3\"")
           .field("time", &S::time,
@@ -371,7 +375,7 @@ const Description& description_of(const StepError* /*of*/) {
           .field("unit", &S::unit,
                  "Unit of the error: \"rad\" or \"m\"; for velocities \"rad/s\" or \"m/s\"")
           .field("error", &S::error,
-                 "Size of the error, in the unit of the error")
+                 "Largest absolute error, in the unit of the entry")
           .field("limit", &S::limit,
                  "Limit of the error, in the unit of the error; a larger error causes a warning");
   return all;
@@ -382,7 +386,7 @@ const Description& description_of(const StepReport* /*of*/) {
   static const Description all =
       Describe<S>("ocp", "StepReport",
                   "Result of check_steps(): the worst position error and the worst velocity "
-                  "error. Errors above their limit are worse than errors within their limit. "
+                  "error. Any error above its limit is worse than any error within its limit. "
                   "Otherwise the larger error is worse.")
           .result()
           .field("status", &S::status,
@@ -392,13 +396,13 @@ const Description& description_of(const StepReport* /*of*/) {
           .field("knot", &S::knot,
                  "First knot whose errors cannot be computed; -1: none")
           .field("position", &S::position,
-                 "Worst position error, by the model's difference of configurations")
+                 "Worst position error, as a difference of configurations")
           .field("velocity", &S::velocity)
           .field("coarse", &S::coarse,
                  "True if an error exceeds its limit or cannot be computed")
-          .field("step_enough", &S::step_enough,
-                 "Step that is short enough at the worst knot (0: steps are fine, or none was "
-                 "found) [{s}]");
+          .field("sufficient_step", &S::sufficient_step,
+                 "Step that is short enough at the worst knot (0: the steps are short enough, or "
+                 "no step is) [{s}]");
   return all;
 }
 
@@ -437,7 +441,7 @@ const Description& description_of(const JointPosition* /*of*/) {
           .field("joints", &S::joints)
           .name_of("joint")
           .field("target", &S::target,
-                 "Target positions; None: zero, so that limits apply to the positions");
+                 "Target positions; None: zero, so the residual is the positions");
   return all;
 }
 
@@ -459,9 +463,9 @@ const Description& description_of(const JointTorque* /*of*/) {
   using S = JointTorque;
   static const Description all =
       Describe<S>("residual", "JointTorque",
-                  "Actuator torque of joints minus the target, Nm or N. The torque is the "
-                  "control; if the torque model has a cut-off, it is the torque in the state. If "
-                  "no joints are named, there are rows for all actuated joints.")
+                  "Actuator torque of joints minus the target, Nm or N. Usually, the torque is "
+                  "the control. With a torque model that has a cut-off, it is the torque in the "
+                  "state. If no joints are named, there are rows for all actuated joints.")
           .field("joints", &S::joints)
           .name_of("joint")
           .field("target", &S::target,
@@ -492,8 +496,8 @@ const Description& description_of(const FramePosition* /*of*/) {
                   "Position of a frame's origin minus the target, 3 rows, m, in the axes of the "
                   "reference. The base of the reference must be the world, and the reference's "
                   "origin must not be the frame itself. With Reference.on, the axes of the "
-                  "reference follow a surface at the frame. The reference's origin is then the "
-                  "origin of the frame in which the surface is fixed, and the first two rows are "
+                  "reference follow a surface at the frame. The position is then measured from "
+                  "the origin of the frame in which the surface is fixed. The first two rows are "
                   "along the surface's tangents.")
           .field("frame", &S::frame)
           .name_of("frame")
@@ -534,11 +538,11 @@ const Description& description_of(const FrameRotation* /*of*/) {
   using S = FrameRotation;
   static const Description all =
       Describe<S>("residual", "FrameRotation",
-                  "Rotation of a frame from the target, log(R_target^T A^T R), 3 rows, rad, in "
-                  "the target's axes. R is the rotation of the frame in the world, A is the "
-                  "rotation of the reference, and R_target is the target, a rotation relative to "
-                  "A. The base of the reference must be the world. The origin of the reference "
-                  "has no effect.")
+                  "Rotation of a frame relative to the target, log(R_target^T A^T R), 3 rows, "
+                  "rad, in the target's axes. R is the rotation of the frame in the world, and A "
+                  "is the rotation of the reference. R_target is the target, a rotation relative "
+                  "to A. The base of the reference must be the world. The origin of the reference"
+                  " has no effect.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
@@ -553,11 +557,11 @@ const Description& description_of(const FrameInclination* /*of*/) {
   static const Description all =
       Describe<S>("residual", "FrameInclination",
                   "Lead and tilt of an axis of a frame minus the target, 2 rows, rad. Lead is the"
-                  " inclination from the reference's z towards its x, atan2(e_x, e_z). Tilt is "
-                  "the inclination from z towards y, atan2(e_y, e_z). The vector e is the axis, "
-                  "written in the reference. The base of the reference must be the world. "
-                  "Rotation about the axis has no effect. With Reference.on, z is the normal of a"
-                  " surface.")
+                  " inclination from the reference's z axis towards its x axis, atan2(e_x, e_z). "
+                  "Tilt is the inclination from the z axis towards the y axis, atan2(e_y, e_z). "
+                  "The vector e is the frame's axis, written in the reference. The base of the "
+                  "reference must be the world. Rotation about the frame's axis has no effect. "
+                  "With Reference.on, z is the normal of a surface.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
@@ -577,8 +581,8 @@ const Description& description_of(const FrameHeight* /*of*/) {
                   "reference follows the surface (Reference.on). The height is the distance to "
                   "the surface along the normal at the frame, negative inside the material. It is"
                   " exact for planes, spheres and cylinders, and correct to first order for other"
-                  " surfaces. If the normal at the frame does not meet the surface, the height "
-                  "only increases with the distance.")
+                  " surfaces. If the normal at the frame does not meet the surface, the height is"
+                  " no distance, but still increases with the distance.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
@@ -624,8 +628,8 @@ const Description& description_of(const ContactForce* /*of*/) {
   static const Description all =
       Describe<S>("residual", "ContactForce",
                   "Force of an active contact minus the target, N and Nm. In the contact's own "
-                  "reference, there is one row per held direction. In another reference, there "
-                  "are six rows.")
+                  "reference, there is one row per constrained direction. In another reference, "
+                  "there are six rows.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
@@ -640,9 +644,9 @@ const Description& description_of(const ContactForceRate* /*of*/) {
   static const Description all =
       Describe<S>("residual", "ContactForceRate",
                   "Rate of change of an active contact's force minus the target, (f - f_before) /"
-                  " step, N/s and Nm/s. There is one row per held direction, in the contact's own"
-                  " reference. f_before is the force of the previous step: the contact must be "
-                  "one of the problem's remembered_forces.")
+                  " step, N/s and Nm/s. There is one row per constrained direction, in the "
+                  "contact's own reference. f_before is the force of the previous step. The "
+                  "contact must be in the problem's list force_states.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
@@ -657,11 +661,11 @@ const Description& description_of(const FrictionCone* /*of*/) {
       Describe<S>("residual", "FrictionCone",
                   "Margins of a contact force within its friction cone, 2 rows, N: friction * f_n"
                   " - |f_t| and f_n. Here f_n is the force along the axis `normal` of the "
-                  "reference (0, 1, 2: x, y, z), and f_t is the tangential force. |f_t| is "
-                  "smoothed over 1e-3 N. If `sides` is n > 0, there are n rows instead, N: the "
-                  "margins friction * cos(pi / n) * f_n - d_i . f_t within a pyramid inside the "
-                  "cone. The tangent d_0 is the axis of the reference after the normal; the other"
-                  " d_i follow every 360 / n degrees. Default penalty: a barrier at 0.")
+                  "reference (0, 1, 2: x, y, z). f_t is the tangential force, and |f_t| is "
+                  "smoothed over 1e-3 N. With `sides` = n > 0, a pyramid inside the cone replaces"
+                  " the cone. There are then n rows, N: friction * cos(pi / n) * f_n - d_i . f_t."
+                  " The tangents d_i are 360 / n degrees apart. The first tangent is the axis of "
+                  "the reference after the normal. Default penalty: a barrier at 0.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
@@ -684,13 +688,14 @@ const Description& description_of(const CenterOfPressure* /*of*/) {
   static const Description all =
       Describe<S>("residual", "CenterOfPressure",
                   "Margins of the centre of pressure within a rectangle in the tool's axes, times"
-                  " the normal force f_z, 4 rows, Nm: half_x f_z + m_y, half_x f_z - m_y, half_y "
-                  "f_z + m_x and half_y f_z - m_x. With the centre of pressure c = (-m_y, m_x) / "
-                  "f_z, these rows are zero if c is at the edge with the largest x, smallest x, "
-                  "smallest y and largest y, in this order. With friction there are 8 more rows, "
-                  "Nm: the margins of the moment about the normal before the corners slip. The "
-                  "first 4 of these rows limit negative moments, the last 4 positive moments. "
-                  "Each corner has the coefficient `friction`. Default penalty: a barrier at 0.")
+                  " the normal force f_z. There are 4 rows, Nm: half_x f_z + m_y, half_x f_z - "
+                  "m_y, half_y f_z + m_x and half_y f_z - m_x. The centre of pressure is c = "
+                  "(-m_y, m_x) / f_z. In the order of the rows, a row is zero if c is at the edge"
+                  " with the largest x, smallest x, smallest y or largest y. With friction there "
+                  "are 8 more rows, Nm: the margins of the moment about the normal before the "
+                  "corners slip. The first 4 of the 8 rows limit negative moments, the last 4 "
+                  "positive moments. Each corner has the coefficient `friction`. Default penalty:"
+                  " a barrier at 0.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()

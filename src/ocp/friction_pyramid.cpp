@@ -9,14 +9,14 @@
 namespace burnish::ocp {
 
 void check_sides(int sides) {
-  // 32 sides leave half a percent of the friction unused; more rows only cost time.
-  constexpr int most = 32;
-  if (sides != 0 && (sides < 3 || sides > most))
-    throw Error("sides is " + std::to_string(sides) + "; wanted 3 to " + std::to_string(most) +
+  // With 32 sides, half a percent of the friction is unused. More rows only cost time.
+  constexpr int max_sides = 32;
+  if (sides != 0 && (sides < 3 || sides > max_sides))
+    throw Error("sides is " + std::to_string(sides) + "; wanted 3 to " + std::to_string(max_sides) +
                 ", or 0 for the cone itself");
 }
 
-double pyramid_reach(int sides) { return std::cos(std::numbers::pi / sides); }
+double pyramid_inradius(int sides) { return std::cos(std::numbers::pi / sides); }
 
 std::vector<PyramidMargin::Side> pyramid_sides(int sides) {
   std::vector<PyramidMargin::Side> result;
@@ -36,8 +36,8 @@ std::vector<std::string> cone_row_names(int sides) {
 
 std::vector<std::string> turning_row_names() {
   std::vector<std::string> names;
-  for (const char* way : {"turn_right_", "turn_left_"})
-    for (int i = 1; i <= 4; ++i) names.push_back(way + std::to_string(i));
+  for (const char* prefix : {"turn_right_", "turn_left_"})
+    for (int i = 1; i <= 4; ++i) names.push_back(prefix + std::to_string(i));
   return names;
 }
 

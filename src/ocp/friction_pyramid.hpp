@@ -1,4 +1,4 @@
-// A friction cone's inscribed pyramid: how many sides it may have, and what they are called.
+// The pyramid inscribed in a friction cone: its sides and the names of its rows.
 #pragma once
 
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace burnish::ocp {
 
-/// Throws Error with one sentence unless `sides` are 0, for the cone itself, or 3 to 32.
+/// Throws Error unless `sides` is 3 to 32, or 0 for the cone itself.
 void check_sides(int sides);
 
-/// Of a pyramid of so many sides (3 or more) within the cone: how far they are from its middle, of
-/// the cone's radius.
-double pyramid_reach(int sides);
-/// Those sides, evenly spread; side 0 looks along the first axis after the normal.
+/// Returns the distance of a pyramid's sides from its axis, as a fraction of the cone's radius.
+/// `sides` must be at least 3.
+double pyramid_inradius(int sides);
+/// Returns the sides of the pyramid, evenly spread. Side 0 faces the first axis after the normal.
 std::vector<PyramidMargin::Side> pyramid_sides(int sides);
 
-/// Names of the rows of a cone of so many sides: where each side looks, such as "side_90deg", and
-/// of the cone itself (0) "cone" and "normal".
+/// Returns the row names of a pyramid: the direction of each side, such as "side_90deg". Without
+/// sides (0), the rows are those of the cone: "cone" and "normal".
 std::vector<std::string> cone_row_names(int sides);
 
-/// Of the moment about a sole's normal within what its corners bear: "turn_right_1" to
-/// "turn_right_4", then to the left.
+/// Returns the row names of the friction limits of a planar foot's moment about its normal:
+/// "turn_right_1" to "turn_right_4", then "turn_left_1" to "turn_left_4".
 std::vector<std::string> turning_row_names();
 
 }  // namespace burnish::ocp

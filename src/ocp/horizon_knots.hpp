@@ -1,4 +1,4 @@
-// The knots that the segments of a horizon make.
+// Expands the segments of a horizon into knots.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace burnish::ocp {
 
-/// Without the terminal one.
+/// Stages and steps of all knots except the terminal one.
 struct HorizonKnots {
-  std::vector<int> stages;        ///< index of each knot's stage
-  std::vector<double> own_steps;  ///< s, of the knot's own; 0: its stage's
+  std::vector<int> stages;        ///< Index of each knot's stage
+  std::vector<double> own_steps;  ///< Step of each knot [s]; 0: the step of its stage
 };
 
-/// Throws Error for an unknown stage, numbers of knots and steps that cannot be.
+/// Throws Error for an unknown stage, and for invalid numbers of knots and invalid steps.
 HorizonKnots knots_of(const ProblemSpec& spec);
 
 }  // namespace burnish::ocp

@@ -1,4 +1,4 @@
-// What is instantiated elsewhere.
+// Declares explicit instantiations of contact templates, to avoid compiling them again.
 #pragma once
 
 #include "math/pack.hpp"

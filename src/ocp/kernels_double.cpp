@@ -1,4 +1,4 @@
-// The kernels of one knot at a time.
+// Instantiates the kernels for one knot at a time.
 #include "ocp/kernels.hpp"
 #include "ocp/node_kernel.tpp"
 

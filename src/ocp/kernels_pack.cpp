@@ -1,4 +1,4 @@
-// The kernels of one knot per lane.
+// Instantiates the kernels for packs, with one knot per lane.
 #include "ocp/kernels.hpp"
 #include "ocp/node_kernel.tpp"
 

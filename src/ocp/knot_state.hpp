@@ -1,4 +1,4 @@
-// What the residuals of a knot share: one kinematics, one contact solve.
+// Quantities of a knot that all its residuals share: kinematics and contact solution.
 #pragma once
 
 #include "burnish/ocp/node_view.hpp"
@@ -8,7 +8,7 @@
 
 namespace burnish::ocp {
 
-/// Nine entries by columns, as targets hold a rotation.
+/// Returns the rotation in nine target entries, stored by columns.
 template <class S>
 Mat3<S> rotation_of(const S* entries) {
   return {{entries[0], entries[1], entries[2]},
@@ -16,37 +16,39 @@ Mat3<S> rotation_of(const S* entries) {
           {entries[6], entries[7], entries[8]}};
 }
 
-/// Ten entries, as targets hold a surface: Q, of which xx, xy, xz, yy, yz and zz, b and c.
+/// Number of target entries of a surface: xx, xy, xz, yy, yz and zz of Q, then b (3) and c.
 constexpr int surface_size = 10;
+/// Returns the surface in ten target entries, without c.
 template <class S>
 CurvedSurface<S> surface_of(const S* n) {
   return {{{n[0], n[1], n[2]}, {n[1], n[3], n[4]}, {n[2], n[4], n[5]}}, {n[6], n[7], n[8]}};
 }
 
-/// Filled by StageDynamics. Pointers that a stage has no use for are null.
+/// State, forces and derivatives at one knot, filled by StageDynamics. Pointers that the stage does
+/// not need are null.
 template <class S>
 struct KnotState {
   const StateLayout* layout = nullptr;
-  const S* q = nullptr;             ///< nq
-  const S* v = nullptr;             ///< nv
-  const S* torque_state = nullptr;  ///< filtered
-  const S* force_before = nullptr;  ///< remembered
-  const S* u = nullptr;             ///< nu
-  const S* tau = nullptr;           ///< nv, of the actuators
+  const S* q = nullptr;             ///< Configuration, nq entries
+  const S* v = nullptr;             ///< Velocity, nv entries
+  const S* torque_state = nullptr;  ///< Torques in the state, `filtered` entries
+  const S* force_before = nullptr;  ///< Force states: contact forces of the previous step
+  const S* u = nullptr;             ///< Control, nu entries
+  const S* tau = nullptr;           ///< Torques of the actuators, nv entries
   const ConstrainedDynamics<S>* dynamics = nullptr;
-  bool solved = false;                    ///< a and lambda of `dynamics` are those of this knot
-  const FrameState<S>* frames = nullptr;  ///< of the stage, in its order
+  bool solved = false;                    ///< Whether a and lambda of `dynamics` are valid
+  const FrameState<S>* frames = nullptr;  ///< Frames of the stage, in its order
   const CompiledFrame* compiled_frames = nullptr;
   const Momentum<S>* momentum = nullptr;
-  const S* targets = nullptr;  ///< of the stage
-  S per_second{0.0};           ///< one over the step; 0 where no time passes
-  S pace{1.0};                 ///< KnotTime::pace
-  S passing{0.0};              ///< KnotTime::passing
-  S* scratch = nullptr;        ///< 12 x nv, for a residual that needs room
+  const S* targets = nullptr;  ///< Target entries of the stage
+  S per_second{0.0};           ///< KnotTime::per_second
+  S step_ratio{1.0};           ///< KnotTime::step_ratio
+  S decaying{0.0};             ///< KnotTime::decaying
+  S* scratch = nullptr;        ///< Memory for residuals, 6 x nz
 
-  // While derivatives are asked for:
-  const S* da_dz = nullptr;       ///< nv x nz, row-major
-  const S* dlambda_dz = nullptr;  ///< active rows x nz, row-major
+  // Only after StageDynamics::derivatives():
+  const S* da_dz = nullptr;       ///< Derivative of a, nv x nz, row-major
+  const S* dlambda_dz = nullptr;  ///< Derivative of lambda, active rows x nz, row-major
   const MomentumDerivatives<S>* momentum_derivatives = nullptr;
 };
 

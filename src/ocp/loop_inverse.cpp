@@ -1,5 +1,6 @@
 #include "burnish/ocp/loop_inverse.hpp"
 
+#include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 
 namespace burnish {
@@ -7,23 +8,22 @@ namespace {
 
 using Decomposition = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
 
-/// Entries of v with a motor and without one, and the contact rows that hold the loops.
+/// Entries of v with and without a motor, and the contact rows of the loops.
 struct LoopParts {
   std::vector<int> driven, passive, rows;
-  std::vector<std::string> motors;  ///< names of driven joints
+  std::vector<std::string> motors;  ///< Names of driven joints
 };
 
 LoopParts parts_of(const Model& model, const ContactDynamics& dynamics,
                    const ActuationSpec& actuation) {
   LoopParts parts;
-  std::vector<bool> is_driven(static_cast<std::size_t>(model.nv), false);
+  std::vector<bool> is_driven(to_size(model.nv), false);
   for (const Joint* joint : driven_joints(model, actuation)) {
     parts.motors.push_back(joint->name);
-    for (int k = 0; k < joint->nv; ++k)
-      is_driven[static_cast<std::size_t>(joint->v_index + k)] = true;
+    for (int k = 0; k < joint->nv; ++k) is_driven[to_size(joint->v_index + k)] = true;
   }
   for (int k = 0; k < model.nv; ++k)
-    (is_driven[static_cast<std::size_t>(k)] ? parts.driven : parts.passive).push_back(k);
+    (is_driven[to_size(k)] ? parts.driven : parts.passive).push_back(k);
   int row = 0;
   for (const ContactSpec& contact : dynamics.contacts().specs())
     for (int i = 0; i < contact.directions.count(); ++i, ++row)
@@ -31,7 +31,8 @@ LoopParts parts_of(const Model& model, const ContactDynamics& dynamics,
   return parts;
 }
 
-/// Moves `a` until J a = wanted: passive entries first, and what these cannot do, all.
+/// Changes `a` so that J a = wanted. Changes the passive entries as far as possible, then all
+/// entries.
 void follow(const Eigen::MatrixXd& J, const std::vector<int>& passive,
             const Eigen::VectorXd& wanted, Eigen::VectorXd& a) {
   const Eigen::MatrixXd J_passive = J(Eigen::all, passive);
@@ -39,19 +40,19 @@ void follow(const Eigen::MatrixXd& J, const std::vector<int>& passive,
   a += Decomposition(J).solve(wanted - J * a);
 }
 
-/// Forces of the loops that leave no torque at passive joints and the least ones at motors.
+/// Returns loop forces that leave no torque at passive joints and minimal torques at the motors.
 Eigen::VectorXd loop_forces(const Eigen::MatrixXd& J, const LoopParts& parts,
                             const Eigen::VectorXd& tau) {
   const Eigen::MatrixXd passive = J(Eigen::all, parts.passive).transpose();
   const Eigen::MatrixXd driven = J(Eigen::all, parts.driven).transpose();
   const Decomposition balance(passive);
   Eigen::VectorXd forces = balance.solve(Eigen::VectorXd(tau(parts.passive)));
-  // What is left free acts on motors alone.
+  // Forces in the kernel act only on the motors.
   const Eigen::FullPivLU<Eigen::MatrixXd> kernel(passive);
   if (kernel.dimensionOfKernel() == 0) return forces;
   const Eigen::MatrixXd free = kernel.kernel();
-  const Eigen::VectorXd left = tau(parts.driven) - driven * forces;
-  forces += free * Decomposition(Eigen::MatrixXd(driven * free)).solve(left);
+  const Eigen::VectorXd motor_torque = tau(parts.driven) - driven * forces;
+  forces += free * Decomposition(Eigen::MatrixXd(driven * free)).solve(motor_torque);
   return forces;
 }
 
@@ -66,13 +67,13 @@ LoopInverse loop_inverse(const Model& model, ContactDynamics& dynamics, const Lo
   result.a = motion.a;
   result.lambda = motion.lambda;
   result.status = dynamics.acceleration(motion.q, result.v, result.a);
-  if (result.status > Status::NotConverged) return result;
+  if (!is_usable(result.status)) return result;
   const Eigen::MatrixXd J = Eigen::MatrixXd(dynamics.jacobian())(parts.rows, Eigen::all);
   const Eigen::VectorXd alpha = Eigen::VectorXd(dynamics.alpha())(parts.rows);
   follow(J, parts.passive, J * result.a - alpha, result.a);
   result.lambda(parts.rows).setZero();
   result.status = dynamics.inverse(motion.q, result.v, result.a, result.lambda);
-  if (result.status > Status::NotConverged) return result;
+  if (!is_usable(result.status)) return result;
   const Eigen::VectorXd tau = dynamics.tau();
   result.lambda(parts.rows) = loop_forces(J, parts, tau);
   result.tau = tau - J.transpose() * Eigen::VectorXd(result.lambda(parts.rows));

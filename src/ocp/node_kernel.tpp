@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/to_size.hpp"
 #include "math/gram.hpp"
 #include "ocp/custom_lanes.tpp"
 #include "ocp/node_kernel.hpp"
@@ -21,22 +22,22 @@ NodeKernel<S>::NodeKernel(const CompiledProblem& problem)
     : cost(0.0),
       problem_(&problem),
       dynamics_(problem),
-      status_(static_cast<std::size_t>(Lanes<S>::count), Status::Ok) {
+      status_(to_size(Lanes<S>::count), Status::Ok) {
   const StateLayout& layout = problem.layout;
-  const auto room = [](int count) { return static_cast<std::size_t>(std::max(count, 1)); };
+  const auto room = [](int count) { return to_size(std::max(count, 1)); };
   const int nz = layout.nz();
   next.assign(room(layout.nx()), S(0.0));
   term_costs.assign(room(problem.largest_terms), S(0.0));
   row_values.assign(room(problem.largest_limited_rows), S(0.0));
   rows.assign(room(problem.largest_limited_rows * nz), S(0.0));
-  bends.assign(room(problem.largest_bends * nz), S(0.0));
-  bends_ = bends;
+  curvatures.assign(room(problem.largest_curvatures * nz), S(0.0));
+  curvatures_ = curvatures;
   gradient.assign(room(nz), S(0.0));
   hessian.assign(room(nz * nz), S(0.0));
   dynamics_by_z.assign(room((problem.has_dense_stages ? layout.ndx() : layout.nv) * nz), S(0.0));
-  int lead_size = 0;
-  for (const TangentBlock& block : problem.blocks) lead_size += 2 * block.size * block.size;
-  lead.assign(room(lead_size), S(0.0));
+  int tangent_size = 0;
+  for (const TangentBlock& block : problem.blocks) tangent_size += 2 * block.size * block.size;
+  tangent_blocks.assign(room(tangent_size), S(0.0));
   step_.assign(room(layout.nv), S(0.0));
   for (auto* vector : {&r_, &slope_, &curvature_})
     vector->assign(room(problem.largest_rows), S(0.0));
@@ -57,14 +58,14 @@ NodeKernel<S>::NodeKernel(const CompiledProblem& problem)
 
 template <class S>
 void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
-                             const double* times, S* r, S* J, S* bends_of_row) {
+                             const double* times, S* r, S* J, S* curvatures_of_row) {
   const KnotState<S>& knot = dynamics_.knot();
   std::visit(
       [&](const auto& compiled) {
         if constexpr (std::is_same_v<std::decay_t<decltype(compiled)>, CustomResidual>) {
           custom_->evaluate(stage, compiled, knot, times, r, J);
-        } else if constexpr (requires { compiled.bend_rows(); }) {
-          compiled.evaluate(knot, targets + term.target, r, J, bends_of_row);
+        } else if constexpr (requires { compiled.curvature_rows(); }) {
+          compiled.evaluate(knot, targets + term.target, r, J, curvatures_of_row);
         } else {
           compiled.evaluate(knot, targets + term.target, r, J);
         }
@@ -84,7 +85,7 @@ void NodeKernel<S>::residual_at(const CompiledStage& stage, const CompiledTerm& 
 template <class S>
 void NodeKernel<S>::load(const CompiledStage& stage, const S* targets, const KnotTime<S>& when) {
   dynamics_.turn(stage, targets);
-  dynamics_.set_step(when.per_second, when.pace, when.passing);
+  dynamics_.set_step(when.per_second, when.step_ratio, when.decaying);
 }
 
 template <class S>
@@ -105,18 +106,18 @@ void NodeKernel<S>::add_block(const JacobianBlock& block, const S* J, const S* s
       gradient[block.columns[k]] += J[i * columns + k] * slope[i];
       weighted_[i * columns + k] = J[i * columns + k] * curvature[i];
     }
-  const std::span<const int> all(row_list_.data(), static_cast<std::size_t>(block.rows));
-  const Strided<const S> left{weighted_.data(), columns}, right{J, columns};
+  const std::span<const int> all(row_list_.data(), to_size(block.rows));
+  const StridedView<const S> left{weighted_.data(), columns}, right{J, columns};
   const int first = block.columns[0];
   const bool contiguous = block.columns[columns - 1] - first + 1 == columns;
-  // The lower triangle, in strips of rows.
+  // Lower triangle of J^T W J, in strips of four rows.
   for (int i = 0; i < columns; i += 4) {
     const int end = std::min(i + 4, columns);
     if (contiguous) {
       gram<Gram::Add>(left, right, all, i, end, 0, end,
-                      Strided<S>{hessian.data() + first * nz + first, nz});
+                      StridedView<S>{hessian.data() + first * nz + first, nz});
     } else {
-      gram<Gram::Set>(left, right, all, i, end, 0, end, Strided<S>{product_.data(), columns});
+      gram<Gram::Set>(left, right, all, i, end, 0, end, StridedView<S>{product_.data(), columns});
     }
   }
   if (contiguous) return;
@@ -145,7 +146,7 @@ void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets, cons
     }
     term_costs[t] = sum;
     cost += sum;
-    // Barriers are flat where no limit is near: nothing to add then.
+    // A barrier without a violated limit has zero slope and curvature.
     if (!expand || !any(less(S(0.0), largest))) continue;
     const S* J = jacobian_.data();
     for (const JacobianBlock& block : term.blocks) {
@@ -161,20 +162,20 @@ void NodeKernel<S>::add_constraints(const CompiledStage& stage, const S* targets
   const int nz = problem_->layout.nz();
   if (expand) {
     std::fill_n(rows.begin(), stage.coefficient_rows * nz, S(0.0));
-    std::fill_n(bends.begin(), stage.bend_rows * nz, S(0.0));
+    std::fill_n(curvatures.begin(), stage.curvature_rows * nz, S(0.0));
   }
   for (const CompiledTerm& term : stage.constraints()) {
     const bool differentiate = expand && term.first_coefficients >= 0;
     residual(stage, term, targets, times, row_values.data() + term.first_row,
              differentiate ? jacobian_.data() : nullptr,
-             differentiate && term.first_bend >= 0 ? bends_.data() : nullptr);
+             differentiate && term.first_curvature >= 0 ? curvatures_.data() : nullptr);
     if (!differentiate) continue;
     store_rows(term);
-    if (term.first_bend >= 0) store_bends(term);
+    if (term.first_curvature >= 0) store_curvatures(term);
   }
 }
 
-/// The Jacobian of a constraint, to all columns of z.
+/// Writes the Jacobian of a constraint to all columns of z.
 template <class S>
 void NodeKernel<S>::store_rows(const CompiledTerm& term) {
   const int nz = problem_->layout.nz();
@@ -193,15 +194,16 @@ void NodeKernel<S>::store_rows(const CompiledTerm& term) {
   }
 }
 
-/// And its bends; what offers any has one block.
+/// Writes the curvature vectors of a constraint to all columns of z. A constraint with curvature
+/// has one Jacobian block.
 template <class S>
-void NodeKernel<S>::store_bends(const CompiledTerm& term) {
+void NodeKernel<S>::store_curvatures(const CompiledTerm& term) {
   const int nz = problem_->layout.nz();
   const std::vector<int>& all = term.blocks[0].columns;
   const int columns = static_cast<int>(all.size());
-  for (int i = 0; i < term.bend_rows; ++i)
+  for (int i = 0; i < term.curvature_rows; ++i)
     for (int k = 0; k < columns; ++k)
-      bends[(term.first_bend + i) * nz + all[k]] = bends_[i * columns + k];
+      curvatures[(term.first_curvature + i) * nz + all[k]] = curvatures_[i * columns + k];
 }
 
 template <class S>
@@ -235,7 +237,7 @@ void NodeKernel<S>::euler_derivative(const S& h) {
   const S* const by_z = dynamics_.derivative();
   for (int i = 0; i < nv * nz; ++i) dynamics_by_z[i] = h * by_z[i];
   for (int k = 0; k < nv; ++k) dynamics_by_z[k * nz + layout.column_v() + k] += S(1.0);
-  S* out = lead.data();
+  S* out = tangent_blocks.data();
   for (const TangentBlock& block : problem_->blocks) {
     const int size = block.size * block.size;
     integrate_jacobians(block, step_.data() + block.first, out, out + size);
@@ -243,7 +245,7 @@ void NodeKernel<S>::euler_derivative(const S& h) {
   }
 }
 
-/// F, as close_point has it of Runge-Kutta steps: dv' = dv + h da, d(offset) = h dv'.
+/// Computes F of a semi-implicit Euler step from dv' = dv + h da and d(offset) = h dv'.
 template <class S>
 void NodeKernel<S>::euler_dense_derivative(const KnotTime<S>& when) {
   const StateLayout& layout = problem_->layout;
@@ -261,12 +263,12 @@ void NodeKernel<S>::euler_dense_derivative(const KnotTime<S>& when) {
 }
 
 template <class S>
-void NodeKernel<S>::remember_forces(const CompiledStage& stage) {
+void NodeKernel<S>::store_force_states(const CompiledStage& stage) {
   const StateLayout& layout = problem_->layout;
   const ConstrainedDynamics<S>& dynamics = dynamics_.contact_dynamics();
   S* const out = next.data() + layout.nq + layout.nv + layout.filtered;
-  for (const RememberedForce& force : problem_->remembered) {
-    if (stage.active[static_cast<std::size_t>(force.contact)] == 0) {
+  for (const ForceState& force : problem_->force_states) {
+    if (stage.active[to_size(force.contact)] == 0) {
       std::fill_n(out + force.first, force.rows, S(0.0));
     } else {
       const int row = dynamics.active().first_row[force.contact];
@@ -276,13 +278,13 @@ void NodeKernel<S>::remember_forces(const CompiledStage& stage) {
 }
 
 template <class S>
-void NodeKernel<S>::remember_derivatives(const CompiledStage& stage) {
+void NodeKernel<S>::store_force_state_derivatives(const CompiledStage& stage) {
   const StateLayout& layout = problem_->layout;
   const int nz = layout.nz();
   const S* const by_z = dynamics_.knot().dlambda_dz;
   S* const out = dynamics_by_z.data() + (2 * layout.nv + layout.filtered) * nz;
-  for (const RememberedForce& force : problem_->remembered) {
-    if (stage.active[static_cast<std::size_t>(force.contact)] == 0) {
+  for (const ForceState& force : problem_->force_states) {
+    if (stage.active[to_size(force.contact)] == 0) {
       std::fill_n(out + force.first * nz, force.rows * nz, S(0.0));
     } else {
       const int row = dynamics_.contact_dynamics().active().first_row[force.contact];
@@ -299,7 +301,7 @@ void NodeKernel<S>::jump(const CompiledStage& stage, const S* x, bool with_deriv
   std::copy_n(dynamics_.velocity_after(), layout.nv, next.data() + layout.nq);
   if (!with_derivatives) return;
   std::copy_n(dynamics_.derivative(), layout.nv * layout.nz(), dynamics_by_z.data());
-  S* out = lead.data();
+  S* out = tangent_blocks.data();
   for (const TangentBlock& block : problem_->blocks)
     for (int which = 0; which < 2; ++which)
       for (int i = 0; i < block.size; ++i)
@@ -322,7 +324,7 @@ void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, c
   if (stage.impact) {
     jump(stage, x, false);
   } else if (!stage.terminal) {
-    remember_forces(stage);
+    store_force_states(stage);
     if (stage.integrator == Integrator::RungeKutta4) {
       load_status();
       runge_kutta(stage, when, x, u, false);
@@ -351,8 +353,8 @@ void NodeKernel<S>::expand(const CompiledStage& stage, const S* x, const S* u, c
     jump(stage, x, true);
     load_status();
   } else if (!stage.terminal) {
-    remember_forces(stage);
-    remember_derivatives(stage);
+    store_force_states(stage);
+    store_force_state_derivatives(stage);
     if (stage.integrator == Integrator::RungeKutta4) {
       runge_kutta(stage, when, x, u, true);
     } else {

@@ -1,4 +1,5 @@
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/ocp/problem_spec.hpp"
 
@@ -18,18 +19,19 @@ Penalty Penalty::log_barrier(const Eigen::VectorXd& lower, const Eigen::VectorXd
 
 namespace {
 const std::vector<std::string>& names() {
-  static const std::vector<std::string> all{"square", "barrier", "smooth_absolute", "log_barrier"};
+  static const std::vector<std::string> all{"quadratic", "barrier", "smooth_absolute",
+                                            "log_barrier"};
   return all;
 }
 }  // namespace
 
-std::string name_of(Penalty::Kind kind) { return names()[static_cast<std::size_t>(kind)]; }
+std::string name_of(Penalty::Kind kind) { return names()[to_size(kind)]; }
 
 Penalty::Kind parse_penalty(const std::string& name) {
   for (std::size_t i = 0; i < names().size(); ++i)
     if (names()[i] == name) return static_cast<Penalty::Kind>(i);
   throw Error("unknown penalty " + in_quotes(name) +
-              "; wanted square, barrier, smooth_absolute or " + "log_barrier" +
+              "; wanted quadratic, barrier, smooth_absolute or log_barrier" +
               did_you_mean(name, names()));
 }
 

@@ -1,4 +1,4 @@
-// The penalty of one residual entry, its slope and its curvature, in packs too.
+// The penalty of one residual entry, with its slope and curvature, for doubles and packs.
 #pragma once
 
 #include "burnish/ocp/problem_spec.hpp"
@@ -6,22 +6,21 @@
 
 namespace burnish {
 
-/// phi and its derivatives at one residual entry.
+/// Value of the penalty phi and its derivatives at one residual entry.
 template <class S>
 struct PenaltyValue {
   S value, slope, curvature;
 };
 
-/// lower and upper are used by the barriers only.
+/// Evaluates a penalty at the residual r. Only barriers use `lower` and `upper`.
 template <class S>
 BURNISH_INLINE PenaltyValue<S> evaluate_penalty(Penalty::Kind kind, double lower, double upper,
                                                 double width, const S& r) {
   switch (kind) {
-    case Penalty::Kind::Square:
+    case Penalty::Kind::Quadratic:
       return {S(0.5) * r * r, r, S(1.0)};
     case Penalty::Kind::Barrier: {
-      // An infinite limit is never crossed: the comparison is false and the excess zero. A NaN
-      // crosses none either, and stays a NaN.
+      // An infinite limit is never violated. The excess of a NaN is a NaN.
       const auto below = less(r, S(lower)), above = less(S(upper), r);
       const S excess =
           select(below, S(r - S(lower)), select(above, S(r - S(upper)), S(r * S(0.0))));

@@ -1,4 +1,4 @@
-// Position limits as residual::JointPosition has its rows: of limited joints, not of entries of q.
+// Position limits of the joints in residual::JointPosition, one row for each limited joint.
 #pragma once
 
 #include <cmath>
@@ -8,14 +8,14 @@
 
 namespace burnish::ocp {
 
-/// Whether the joint is a row of residual::JointPosition{}: one coordinate with a limit.
+/// Returns whether the joint is a row of residual::JointPosition{}: it has one coordinate, and this
+/// coordinate has a limit.
 inline bool has_position_limit(const Model& model, const Joint& joint) {
   return joint.nq == 1 && (std::isfinite(model.q_lower[joint.q_index]) ||
                            std::isfinite(model.q_upper[joint.q_index]));
 }
 
-/// A lower and an upper limit per row of residual::JointPosition{}, rad (m); empty where no joint
-/// has any.
+/// Limits of the rows of residual::JointPosition{} [rad or m]. Empty if no joint has a limit.
 struct PositionLimits {
   Eigen::VectorXd lower, upper;
 };

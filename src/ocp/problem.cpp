@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "ocp/problem_impl.hpp"
 
@@ -24,11 +25,9 @@ std::vector<std::string> Problem::stage_names() const {
   for (const ocp::CompiledStage& stage : impl_->compiled.stages) names.push_back(stage.name);
   return names;
 }
-int Problem::stage_of(int knot) const { return impl_->stage_of.at(static_cast<std::size_t>(knot)); }
-double Problem::time_of(int knot) const { return impl_->times.at(static_cast<std::size_t>(knot)); }
-double Problem::step_of(int knot) const {
-  return impl_->timing.at(static_cast<std::size_t>(knot)).step;
-}
+int Problem::stage_of(int knot) const { return impl_->stage_of.at(to_size(knot)); }
+double Problem::time_of(int knot) const { return impl_->times.at(to_size(knot)); }
+double Problem::step_of(int knot) const { return impl_->timing.at(to_size(knot)).step; }
 
 int Problem::stage_index(const std::string& name) const {
   const std::vector<std::string> names = stage_names();
@@ -40,8 +39,7 @@ int Problem::stage_index(const std::string& name) const {
 
 int Problem::term_index(int stage, const std::string& name) const {
   std::vector<std::string> names;
-  for (const ocp::CompiledTerm& term :
-       impl_->compiled.stages.at(static_cast<std::size_t>(stage)).terms)
+  for (const ocp::CompiledTerm& term : impl_->compiled.stages.at(to_size(stage)).terms)
     names.push_back(term.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
@@ -55,16 +53,16 @@ Status Problem::set_initial_state(const ConstVectorRef& x) { return impl_->set_i
 
 namespace {
 void check_stage(const char* call, int stage, std::size_t stages) {
-  // The last one is the terminal stage, which no other knot can have.
+  // The last stage is the terminal stage, which only the terminal knot can have.
   if (stage < 0 || stage >= static_cast<int>(stages) - 1)
-    throw Error(std::string(call) + ": stage " + std::to_string(stage) + "; wanted 0 to " +
-                std::to_string(stages - 2));
+    throw Error(std::string(call) + ": stage " + std::to_string(stage) +
+                " does not exist; wanted 0 to " + std::to_string(stages - 2));
 }
 }  // namespace
 
 void Problem::set_knot(int knot, int stage, double time) {
   if (knot < 0 || knot > knots())
-    throw Error("set_knot: knot " + std::to_string(knot) + "; wanted 0 to " +
+    throw Error("set_knot: knot " + std::to_string(knot) + " does not exist; wanted 0 to " +
                 std::to_string(knots()));
   if (knot < knots()) check_stage("set_knot", stage, impl_->compiled.stages.size());
   impl_->set_knot(knot, stage, time);
@@ -72,14 +70,15 @@ void Problem::set_knot(int knot, int stage, double time) {
 
 void Problem::set_step(int knot, double step) {
   if (knot < 0 || knot >= knots())
-    throw Error("set_step: knot " + std::to_string(knot) + "; wanted 0 to " +
+    throw Error("set_step: knot " + std::to_string(knot) + " does not exist; wanted 0 to " +
                 std::to_string(knots() - 1));
-  if (step > 0.0 && impl_->own_steps[static_cast<std::size_t>(knot)] == step) return;
+  if (step > 0.0 && impl_->own_steps[to_size(knot)] == step) return;
   const ocp::CompiledStage& stage = impl_->stage(knot);
   if (stage.impact)
-    throw Error("set_step: knot " + std::to_string(knot) + " is an impact, where no time passes");
+    throw Error("set_step: knot " + std::to_string(knot) +
+                " is an impact, where no time passes; wanted a knot of another stage");
   impl_->compiled.check_step("set_step", step);
-  impl_->own_steps[static_cast<std::size_t>(knot)] = step;
+  impl_->own_steps[to_size(knot)] = step;
   impl_->set_timing(knot);
 }
 
@@ -99,7 +98,7 @@ Status Problem::set_surface(int knot, int contact, const Quadric& surface) {
   const CompiledContact& given = impl_->contact_at("set_surface", knot, contact);
   if (!given.reference.is_curved)
     throw Error("set_surface: the reference of contact " + in_quotes(given.spec.name) +
-                " follows no surface; wanted one of Reference::on");
+                " has no curved surface; wanted a reference from Reference::on");
   if (!surface.is_finite()) return Status::NotFinite;
   for (const ocp::CompiledSurface& followed : impl_->stage(knot).surfaces)
     if (followed.contact == contact)
@@ -108,7 +107,7 @@ Status Problem::set_surface(int knot, int contact, const Quadric& surface) {
 }
 
 Status Problem::set_friction(int knot, int contact, double coefficient) {
-  check_rubs("set_friction", impl_->contact_at("set_friction", knot, contact));
+  check_has_friction("set_friction", impl_->contact_at("set_friction", knot, contact));
   if (!std::isfinite(coefficient) || coefficient < 0.0) return Status::NotFinite;
   for (const ocp::CompiledFriction& friction : impl_->stage(knot).frictions)
     if (friction.contact == contact) impl_->targets_of(knot)[friction.target] = coefficient;
@@ -122,7 +121,7 @@ Status Problem::set_term_surface(int knot, int term, const Quadric& surface) {
                                   [&](const auto& of) { return of.term == term; });
   if (found == followed.end())
     throw Error("set_term_surface: the reference of term " + in_quotes(compiled.name) +
-                " follows no surface; wanted one of Reference::on");
+                " has no curved surface; wanted a reference from Reference::on");
   if (!surface.is_finite()) return Status::NotFinite;
   ocp::store_surface(surface, impl_->targets_of(knot) + found->target);
   return Status::Ok;
@@ -139,19 +138,19 @@ Status Problem::set_torque_bias(const ConstVectorRef& torque) {
   if (torque.size() != static_cast<Eigen::Index>(bias.size())) return Status::WrongSize;
   if (!torque.allFinite()) return Status::NotFinite;
   std::copy_n(torque.data(), bias.size(), bias.data());
-  impl_->fading = 0.0;
+  impl_->decay_time = 0.0;
   return Status::Ok;
 }
 
-Status Problem::set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& passing,
-                                double fading) {
-  std::vector<double>& kept = impl_->compiled.passing_torque;
-  if (passing.size() != static_cast<Eigen::Index>(kept.size())) return Status::WrongSize;
-  if (!passing.allFinite() || !(fading > 0.0)) return Status::NotFinite;
+Status Problem::set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& decaying,
+                                double decay_time) {
+  std::vector<double>& kept = impl_->compiled.decaying_torque;
+  if (decaying.size() != static_cast<Eigen::Index>(kept.size())) return Status::WrongSize;
+  if (!decaying.allFinite() || !(decay_time > 0.0)) return Status::NotFinite;
   const Status status = set_torque_bias(torque);
   if (status != Status::Ok) return status;
-  std::copy_n(passing.data(), kept.size(), kept.data());
-  impl_->fading = fading;
+  std::copy_n(decaying.data(), kept.size(), kept.data());
+  impl_->decay_time = decay_time;
   return Status::Ok;
 }
 
@@ -170,8 +169,8 @@ RowMatrix Problem::residual_derivative(int knot, int term, const ConstVectorRef&
   const ocp::CompiledTerm& compiled = impl_->term("residual_derivative", knot, term);
   const ocp::CompiledStage& stage = impl_->stage(knot);
   impl_->check_point(knot, x, u);
-  std::vector<double> r(static_cast<std::size_t>(compiled.rows));
-  std::vector<double> blocks(static_cast<std::size_t>(compiled.jacobian_size) + 1);
+  std::vector<double> r(to_size(compiled.rows));
+  std::vector<double> blocks(to_size(compiled.jacobian_size) + 1);
   impl_->worker(0).one.residual_at(stage, compiled, x.data(), u.data(), impl_->targets_of(knot),
                                    impl_->when(knot), r.data(), blocks.data());
   RowMatrix J = RowMatrix::Zero(compiled.rows, layout().nz());
@@ -205,8 +204,7 @@ Eigen::VectorXd Problem::acceleration(int knot, const ConstVectorRef& x, const C
 namespace {
 void add_force_names(const CompiledContact& contact, std::vector<std::string>& names) {
   for (const int d : contact.directions)
-    names.push_back(contact.spec.name + "/" +
-                    std::string(direction_names[static_cast<std::size_t>(d)]));
+    names.push_back(contact.spec.name + "/" + std::string(direction_names[to_size(d)]));
 }
 }  // namespace
 
@@ -214,16 +212,15 @@ std::vector<std::string> Problem::force_names(int knot) const {
   std::vector<std::string> names;
   const ocp::CompiledStage& stage = impl_->stage(knot);
   for (int c = 0; c < impl_->compiled.contacts.size(); ++c)
-    if (stage.active[static_cast<std::size_t>(c)] != 0)
-      add_force_names(impl_->compiled.contacts.contacts()[static_cast<std::size_t>(c)], names);
+    if (stage.active[to_size(c)] != 0)
+      add_force_names(impl_->compiled.contacts.contacts()[to_size(c)], names);
   return names;
 }
 
-std::vector<std::string> Problem::remembered_names() const {
+std::vector<std::string> Problem::force_state_names() const {
   std::vector<std::string> names;
-  for (const ocp::RememberedForce& force : impl_->compiled.remembered)
-    add_force_names(impl_->compiled.contacts.contacts()[static_cast<std::size_t>(force.contact)],
-                    names);
+  for (const ocp::ForceState& force : impl_->compiled.force_states)
+    add_force_names(impl_->compiled.contacts.contacts()[to_size(force.contact)], names);
   return names;
 }
 
@@ -255,8 +252,10 @@ const double* Problem::control_scale(int knot) const {
 }
 
 int Problem::rows(int knot) const { return impl_->stage(knot).rows(); }
-std::span<const RowBend> Problem::row_bends(int knot) const { return impl_->stage(knot).bends; }
-int Problem::max_bends() const { return impl_->compiled.largest_bends; }
+std::span<const RowCurvature> Problem::row_curvatures(int knot) const {
+  return impl_->stage(knot).curvatures;
+}
+int Problem::max_curvatures() const { return impl_->compiled.largest_curvatures; }
 int Problem::max_rows() const { return impl_->compiled.largest_limited_rows; }
 const double* Problem::row_lower(int knot) const {
   return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_lower.data();
@@ -270,11 +269,11 @@ const int* Problem::row_entry(int knot) const {
 const double* Problem::row_scale(int knot) const {
   return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_scale.data();
 }
-const double* Problem::row_price(int knot) const {
-  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_price.data();
+const double* Problem::row_l1_weight(int knot) const {
+  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_l1_weight.data();
 }
-const double* Problem::row_square(int knot) const {
-  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_square.data();
+const double* Problem::row_quadratic_weight(int knot) const {
+  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_quadratic_weight.data();
 }
 
 void Problem::prepare(int workers) { impl_->prepare(workers); }
@@ -299,7 +298,7 @@ std::vector<std::string> Problem::state_names() const {
   for (const char* part : {"q ", "v "})
     for (int k = 0; k < l.nv; ++k) names.push_back(part + model().v_name(k));
   for (int i = 0; i < l.filtered; ++i) names.push_back("tau " + model().v_name(l.actuated[i]));
-  for (const std::string& row : remembered_names()) names.push_back("force " + row);
+  for (const std::string& row : force_state_names()) names.push_back("force " + row);
   return names;
 }
 std::vector<std::string> Problem::control_names() const {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "model/joint_entries.hpp"
 #include "ocp/horizon_knots.hpp"
@@ -14,14 +15,14 @@ namespace ocp {
 Worker::Worker(const CompiledProblem& problem)
     : one(problem),
       pack(problem),
-      x(static_cast<std::size_t>(problem.layout.nx()), NativePack(0.0)),
-      u(static_cast<std::size_t>(problem.layout.nu), NativePack(0.0)),
-      targets(static_cast<std::size_t>(problem.largest_targets), NativePack(0.0)),
-      next(static_cast<std::size_t>(problem.layout.nx())) {}
+      x(to_size(problem.layout.nx()), NativePack(0.0)),
+      u(to_size(problem.layout.nu), NativePack(0.0)),
+      targets(to_size(problem.largest_targets), NativePack(0.0)),
+      next(to_size(problem.layout.nx())) {}
 
 namespace {
 
-/// What scatter_rows does, for a number of lanes that the compiler may know.
+/// Implements scatter_rows(). Inlined, so that `lanes` can be a compile-time constant.
 BURNISH_INLINE void scatter_lanes(const NativePack* from, int rows, int columns, int stride,
                                   int lanes, double* const* out, int out_stride) {
   for (int r = 0; r < rows; ++r) {
@@ -34,7 +35,7 @@ BURNISH_INLINE void scatter_lanes(const NativePack* from, int rows, int columns,
   }
 }
 
-/// Lane l of rows x columns packs (row-major, `stride` between rows) to rows of out[l].
+/// Copies lane l of rows x columns packs (row-major, `stride` between rows) to the rows of out[l].
 void scatter_rows(const NativePack* from, int rows, int columns, int stride, int lanes,
                   double* const* out, int out_stride) {
   if (lanes == native_lanes) {
@@ -49,21 +50,21 @@ std::vector<double> bounds(const Eigen::VectorXd& given, int nu, const char* nam
   if (given.size() != 1 && given.size() != nu)
     throw Error(std::string(name) + " has " + std::to_string(given.size()) +
                 " entries; wanted 1 or " + std::to_string(nu));
-  std::vector<double> result(static_cast<std::size_t>(nu), given[0]);
+  std::vector<double> result(to_size(nu), given[0]);
   if (given.size() == nu) result.assign(given.begin(), given.end());
   if (std::any_of(result.begin(), result.end(), [](double x) { return std::isnan(x); }))
     throw Error(std::string(name) + " holds a NaN");
   return result;
 }
 
-/// Every knot holds the targets of its terms: each may be few enough and the product too many.
+/// Limits the memory for targets: every knot stores the targets of its terms.
 void check_size(std::size_t knots, const CompiledProblem& problem) {
-  constexpr std::size_t most = 10'000'000;
-  const auto per_knot = static_cast<std::size_t>(problem.largest_terms + problem.largest_targets);
-  if (per_knot > most / knots)
+  constexpr std::size_t max_entries = 10'000'000;
+  const auto per_knot = to_size(problem.largest_terms + problem.largest_targets);
+  if (per_knot > max_entries / knots)
     throw Error("horizon: " + std::to_string(knots) + " knots with up to " +
-                std::to_string(per_knot) + " terms and numbers of their targets each; at most " +
-                std::to_string(most) + " in all are supported");
+                std::to_string(per_knot) + " terms and target entries each; wanted at most " +
+                std::to_string(max_entries) + " terms and entries in all");
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ Problem::Impl::Impl(const ProblemSpec& given)
     const double limit = compiled.model.effort_limit[k];
     control_scale.push_back(limit > 0.0 && std::isfinite(limit) ? limit : 1.0);
   }
-  int largest_signal = 4;  // of rotations
+  int largest_signal = 4;  // a quaternion
   for (const ocp::CompiledStage& stage : compiled.stages)
     for (const ocp::CompiledTerm& term : stage.terms)
       largest_signal = std::max(largest_signal, term.signal_size);
@@ -110,7 +111,7 @@ Problem::Impl::Impl(const ProblemSpec& given)
     times.push_back(time);
     time += timing[k].step;
   }
-  targets.assign(stage_of.size() * static_cast<std::size_t>(compiled.largest_targets), 0.0);
+  targets.assign(stage_of.size() * to_size(compiled.largest_targets), 0.0);
   for (std::size_t k = 0; k < stage_of.size(); ++k) {
     load_targets(static_cast<int>(k));
     check_rotations(static_cast<int>(k));
@@ -150,41 +151,39 @@ Status Problem::Impl::set_initial_state(const ConstVectorRef& x) {
 }
 
 void Problem::Impl::load_targets(int knot) {
-  ocp::load_targets(stage(knot), times[static_cast<std::size_t>(knot)], signal_scratch,
-                    targets_of(knot));
+  ocp::load_targets(stage(knot), times[to_size(knot)], signal_scratch, targets_of(knot));
 }
 
 void Problem::Impl::check_rotations(int knot) {
   for (const ocp::CompiledTurning& turning : stage(knot).turnings)
     if (!std::isfinite(targets_of(knot)[turning.target]))
       throw Error("stage " + in_quotes(stage(knot).name) + ", knot " + std::to_string(knot) + ": " +
-                  turning.of + ": its rotation at " +
-                  number(times[static_cast<std::size_t>(knot)]) +
-                  " s is no quaternion of length 1");
+                  turning.of + ": its rotation at " + number(times[to_size(knot)]) +
+                  " s is not a quaternion of length 1");
 }
 
 void Problem::Impl::set_timing(int knot) {
-  const auto k = static_cast<std::size_t>(knot);
+  const auto k = to_size(knot);
   const ocp::CompiledStage& at = stage(knot);
   timing[k] = compiled.timing(at, own_steps[k] != 0.0 ? own_steps[k] : at.step);
 }
 
 ocp::KnotTime<double> Problem::Impl::when(int knot) const {
-  const auto k = static_cast<std::size_t>(knot);
+  const auto k = to_size(knot);
   ocp::KnotTime<double> result = timing[k];
   result.times = &times[k];
-  result.passing = passing(knot);
+  result.decaying = decaying(knot);
   return result;
 }
 
 void Problem::Impl::set_knot(int knot, int stage_index, double time) {
-  int& stage_here = stage_of[static_cast<std::size_t>(knot)];
+  int& stage_here = stage_of[to_size(knot)];
   const bool other = knot < static_cast<int>(stage_of.size()) - 1 && stage_here != stage_index;
   if (other) {
     stage_here = stage_index;
     set_timing(knot);
   }
-  times[static_cast<std::size_t>(knot)] = time;
+  times[to_size(knot)] = time;
   load_targets(knot);
   if (other) cut_ranges();
 }
@@ -198,7 +197,7 @@ void Problem::Impl::advance(int stage_index) {
   const auto width = static_cast<std::ptrdiff_t>(compiled.largest_targets);
   std::copy(targets.begin() + width,
             targets.begin() + (static_cast<std::ptrdiff_t>(last) + 1) * width, targets.begin());
-  // The last one is as long as the one before it was, if that had a step of its own.
+  // The last knot keeps its own step, if it has one.
   std::copy(own_steps.begin() + 1, own_steps.begin() + static_cast<std::ptrdiff_t>(last) + 1,
             own_steps.begin());
   std::copy(timing.begin() + 1, timing.begin() + static_cast<std::ptrdiff_t>(last) + 1,
@@ -218,7 +217,7 @@ void Problem::Impl::cut_ranges() {
   for (int begin = 0; begin < count;) {
     int end = begin + 1;
     while (end < count && end - begin < native_lanes &&
-           stage_of[static_cast<std::size_t>(end)] == stage_of[static_cast<std::size_t>(begin)])
+           stage_of[to_size(end)] == stage_of[to_size(begin)])
       ++end;
     ranges.push_back({begin, end});
     begin = end;
@@ -228,29 +227,32 @@ void Problem::Impl::cut_ranges() {
 std::vector<ContactSpec> Problem::Impl::contacts_of(int stage) const {
   const auto first = std::find(stage_of.begin(), stage_of.end(), stage);
   const auto knot = first == stage_of.end() ? 0 : first - stage_of.begin();
-  return contacts_at(spec.contacts, times[static_cast<std::size_t>(knot)]);
+  return contacts_at(spec.contacts, times[to_size(knot)]);
 }
 
 const CompiledContact& Problem::Impl::contact_at(const char* call, int knot, int contact) const {
   if (knot < 0 || knot >= static_cast<int>(stage_of.size()))
-    throw Error(std::string(call) + ": knot " + std::to_string(knot) + "; wanted 0 to " +
-                std::to_string(stage_of.size() - 1));
+    throw Error(std::string(call) + ": knot " + std::to_string(knot) +
+                " does not exist; wanted 0 to " + std::to_string(stage_of.size() - 1));
   const ContactSet& contacts = compiled.contacts;
   if (contact < 0 || contact >= contacts.size())
-    throw Error(std::string(call) + ": contact " + std::to_string(contact) + " of " +
-                std::to_string(contacts.size()));
-  return contacts.contacts()[static_cast<std::size_t>(contact)];
+    throw Error(std::string(call) + ": contact " + std::to_string(contact) + " does not exist" +
+                (contacts.size() == 0 ? "; wanted a problem with contacts"
+                                      : "; wanted 0 to " + std::to_string(contacts.size() - 1)));
+  return contacts.contacts()[to_size(contact)];
 }
 
 const ocp::CompiledTerm& Problem::Impl::term(const char* call, int knot, int term) const {
   if (knot < 0 || knot >= static_cast<int>(stage_of.size()))
-    throw Error(std::string(call) + ": knot " + std::to_string(knot) + "; wanted 0 to " +
-                std::to_string(stage_of.size() - 1));
+    throw Error(std::string(call) + ": knot " + std::to_string(knot) +
+                " does not exist; wanted 0 to " + std::to_string(stage_of.size() - 1));
   const std::vector<ocp::CompiledTerm>& terms = stage(knot).terms;
   if (term < 0 || term >= static_cast<int>(terms.size()))
-    throw Error(std::string(call) + ": there is no term " + std::to_string(term) + " at knot " +
-                std::to_string(knot) + ", which has " + std::to_string(terms.size()));
-  return terms[static_cast<std::size_t>(term)];
+    throw Error(std::string(call) + ": term " + std::to_string(term) + " of knot " +
+                std::to_string(knot) + " does not exist" +
+                (terms.empty() ? "; wanted a knot with terms"
+                               : "; wanted 0 to " + std::to_string(terms.size() - 1)));
+  return terms[to_size(term)];
 }
 
 void Problem::Impl::check_point(int knot, const ConstVectorRef& x, const ConstVectorRef& u) const {
@@ -265,9 +267,9 @@ void Problem::Impl::check_point(int knot, const ConstVectorRef& x, const ConstVe
 const ocp::StageDynamics<double>& Problem::Impl::evaluate_one(int knot, const ConstVectorRef& x,
                                                               const ConstVectorRef& u) {
   check_point(knot, x, u);
-  // A residual-free look at the dynamics: Runge-Kutta steps would leave their last point behind.
+  // values() would leave the last point of a Runge-Kutta step in the dynamics.
   ocp::NodeKernel<double>& kernel = worker(0).one;
-  kernel.look(stage(knot), x.data(), u.data(), targets_of(knot), when(knot));
+  kernel.evaluate_dynamics(stage(knot), x.data(), u.data(), targets_of(knot), when(knot));
   return kernel.dynamics();
 }
 
@@ -288,22 +290,21 @@ void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView 
   for (int l = 0; l < native_lanes; ++l) {
     const auto knot = static_cast<std::ptrdiff_t>(std::min(range.begin + l, range.end - 1));
     const double* const x = at.x + knot * nx;
-    for (int i = 0; i < nx; ++i) worker.x[static_cast<std::size_t>(i)].v[l] = x[i];
+    for (int i = 0; i < nx; ++i) worker.x[to_size(i)].v[l] = x[i];
     if (stage(range.begin).nu > 0) {
       const double* const u = at.u + knot * nu;
-      for (int i = 0; i < nu; ++i) worker.u[static_cast<std::size_t>(i)].v[l] = u[i];
+      for (int i = 0; i < nu; ++i) worker.u[to_size(i)].v[l] = u[i];
     }
     const double* const target = targets_of(static_cast<int>(knot));
-    for (int i = 0; i < target_count; ++i)
-      worker.targets[static_cast<std::size_t>(i)].v[l] = target[i];
-    const ocp::KnotTime<double>& own = timing[static_cast<std::size_t>(knot)];
+    for (int i = 0; i < target_count; ++i) worker.targets[to_size(i)].v[l] = target[i];
+    const ocp::KnotTime<double>& own = timing[to_size(knot)];
     time.step.v[l] = own.step;
     time.weight.v[l] = own.weight;
     time.per_second.v[l] = own.per_second;
     time.decay.v[l] = own.decay;
     time.half_decay.v[l] = own.half_decay;
-    time.pace.v[l] = own.pace;
-    time.passing.v[l] = passing(static_cast<int>(knot));
+    time.step_ratio.v[l] = own.step_ratio;
+    time.decaying.v[l] = decaying(static_cast<int>(knot));
   }
 }
 
@@ -315,7 +316,7 @@ void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* n
   gather(w, range, at, time);
   double lane_times[native_lanes];
   for (int l = 0; l < native_lanes; ++l)
-    lane_times[l] = times[static_cast<std::size_t>(std::min(range.begin + l, range.end - 1))];
+    lane_times[l] = times[to_size(std::min(range.begin + l, range.end - 1))];
   time.times = lane_times;
   if (out != nullptr) {
     w.pack.expand(at_stage, w.x.data(), w.u.data(), w.targets.data(), time);
@@ -328,13 +329,11 @@ void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* n
     const int l = k - range.begin;
     if (!at_stage.terminal)
       for (int i = 0; i < nx; ++i)
-        next[static_cast<std::ptrdiff_t>(k) * nx + i] =
-            w.pack.next[static_cast<std::size_t>(i)].v[l];
+        next[static_cast<std::ptrdiff_t>(k) * nx + i] = w.pack.next[to_size(i)].v[l];
     values[k] = w.pack.outcome(at_stage, l);
     if (rows == nullptr) continue;
     for (int r = 0; r < at_stage.rows(); ++r)
-      rows[k * compiled.largest_limited_rows + r] =
-          w.pack.row_values[static_cast<std::size_t>(r)].v[l];
+      rows[k * compiled.largest_limited_rows + r] = w.pack.row_values[to_size(r)].v[l];
   }
 }
 
@@ -343,7 +342,7 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
   const StateLayout& layout = compiled.layout;
   const int lanes = range.end - range.begin;
   const int nz = layout.nz();
-  const int skip = at_stage.nu == 0 ? layout.nu : 0;  // z has no controls there
+  const int skip = at_stage.nu == 0 ? layout.nu : 0;  // such stages have no controls in z
   double* to[native_lanes];
   const auto collect = [&](auto member) {
     for (int l = 0; l < lanes; ++l) to[l] = out[range.begin + l].*member;
@@ -360,10 +359,10 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
     collect(&KnotExpansion::rows);
     ocp::scatter_rows(w.pack.rows.data() + skip, at_stage.coefficient_rows, nz - skip, nz, lanes,
                       to, stride);
-    if (at_stage.bend_rows > 0 && out[range.begin].bends != nullptr) {
-      collect(&KnotExpansion::bends);
-      ocp::scatter_rows(w.pack.bends.data() + skip, at_stage.bend_rows, nz - skip, nz, lanes, to,
-                        stride);
+    if (at_stage.curvature_rows > 0 && out[range.begin].curvatures != nullptr) {
+      collect(&KnotExpansion::curvatures);
+      ocp::scatter_rows(w.pack.curvatures.data() + skip, at_stage.curvature_rows, nz - skip, nz,
+                        lanes, to, stride);
     }
   }
   if (at_stage.terminal) return;
@@ -371,13 +370,16 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
   collect(&KnotExpansion::dynamics);
   ocp::scatter_rows(w.pack.dynamics_by_z.data() + skip, dense ? layout.ndx() : layout.nv, nz - skip,
                     nz, lanes, to, stride);
-  const int lead = compiled.blocks.empty() ? 0 : static_cast<int>(w.pack.lead.size());
-  collect(&KnotExpansion::lead);
-  if (lead > 0 && !dense) ocp::scatter_rows(w.pack.lead.data(), 1, lead, lead, lanes, to, lead);
+  const int tangent_blocks =
+      compiled.blocks.empty() ? 0 : static_cast<int>(w.pack.tangent_blocks.size());
+  collect(&KnotExpansion::tangent_blocks);
+  if (tangent_blocks > 0 && !dense)
+    ocp::scatter_rows(w.pack.tangent_blocks.data(), 1, tangent_blocks, tangent_blocks, lanes, to,
+                      tangent_blocks);
   for (int l = 0; l < lanes; ++l) {
     KnotExpansion& knot = out[range.begin + l];
     knot.form = dense ? DynamicsForm::Dense : DynamicsForm::SecondOrder;
-    const ocp::KnotTime<double>& own = timing[static_cast<std::size_t>(range.begin + l)];
+    const ocp::KnotTime<double>& own = timing[to_size(range.begin + l)];
     knot.step = own.step;
     std::fill_n(knot.decay, compiled.shape.filtered, own.decay);
   }

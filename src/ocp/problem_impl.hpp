@@ -1,9 +1,10 @@
-// What a Problem holds: the compiled specification, the knots, a workspace per worker.
+// Implementation of Problem: the compiled specification, the knots, and a workspace per thread.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "burnish/ocp/problem.hpp"
 #include "ocp/kernels.hpp"
 
@@ -14,6 +15,7 @@ extern template class StageDynamics<NativePack>;
 extern template class NodeKernel<double>;
 extern template class NodeKernel<NativePack>;
 
+/// Workspace of one thread.
 struct Worker {
   explicit Worker(const CompiledProblem& problem);
   NodeKernel<double> one;
@@ -22,7 +24,8 @@ struct Worker {
   std::vector<double> next;
 };
 
-/// What acts beside the actuators at rest: the torque bias, and springs where they act; nv, Nm (N).
+/// Returns the torques at rest other than the actuators': torque bias and springs, nv entries
+/// [Nm or N].
 Eigen::VectorXd torque_at_rest(const CompiledProblem& problem, const ConstVectorRef& q);
 
 }  // namespace burnish::ocp
@@ -33,7 +36,7 @@ struct Problem::Impl {
   explicit Impl(const ProblemSpec& given);
 
   const ocp::CompiledStage& stage(int knot) const {
-    return compiled.stages[static_cast<std::size_t>(stage_of.at(static_cast<std::size_t>(knot)))];
+    return compiled.stages[to_size(stage_of.at(to_size(knot)))];
   }
   double* targets_of(int knot) {
     return targets.data() + static_cast<std::ptrdiff_t>(knot) * compiled.largest_targets;
@@ -41,18 +44,17 @@ struct Problem::Impl {
   const double* targets_of(int knot) const {
     return targets.data() + static_cast<std::ptrdiff_t>(knot) * compiled.largest_targets;
   }
-  ocp::Worker& worker(int index) { return *workers[static_cast<std::size_t>(index)]; }
+  ocp::Worker& worker(int index) { return *workers[to_size(index)]; }
 
   Status set_initial_state(const ConstVectorRef& x);
-  /// Of the compiled model, and of what workers have made of it; those to come make it anew.
+  /// Sets the inertia of a body in the compiled model and in all workers.
   void set_body_inertia(int body, const InertiaSpec& inertia);
   void set_knot(int knot, int stage, double time);
   void set_timing(int knot);
   ocp::KnotTime<double> when(int knot) const;
-  /// KnotTime::passing.
-  double passing(int knot) const {
-    return fading > 0.0 ? std::exp((times[0] - times[static_cast<std::size_t>(knot)]) / fading)
-                        : 0.0;
+  /// Returns KnotTime::decaying of a knot.
+  double decaying(int knot) const {
+    return decay_time > 0.0 ? std::exp((times[0] - times[to_size(knot)]) / decay_time) : 0.0;
   }
   void advance(int stage);
   void load_targets(int knot);
@@ -60,11 +62,12 @@ struct Problem::Impl {
   void cut_ranges();
   void prepare(int count);
   void check_point(int knot, const ConstVectorRef& x, const ConstVectorRef& u) const;
-  /// Their references as they are at the first knot of a stage, or of the horizon.
+  /// Returns the contacts with their references at the time of the stage's first knot. If the
+  /// horizon does not contain the stage, the time is that of knot 0.
   std::vector<ContactSpec> contacts_of(int stage) const;
-  /// Throws Error("<call>: ...") for a knot or a term that there is not.
+  /// Throws Error("<call>: ...") for an invalid knot or term.
   const ocp::CompiledTerm& term(const char* call, int knot, int term) const;
-  /// Likewise for a knot or a contact that there is not.
+  /// Throws Error("<call>: ...") for an invalid knot or contact.
   const CompiledContact& contact_at(const char* call, int knot, int contact) const;
   const ocp::StageDynamics<double>& evaluate_one(int knot, const ConstVectorRef& x,
                                                  const ConstVectorRef& u);
@@ -78,21 +81,21 @@ struct Problem::Impl {
 
   ProblemSpec spec;
   ocp::CompiledProblem compiled;
-  std::vector<int> stage_of;                  ///< per knot, N + 1
-  std::vector<double> times;                  ///< per knot, s
-  std::vector<double> own_steps;              ///< per knot, s; 0: its stage's
-  double fading = 0.0;                        ///< s, of the torque that passes; 0: there is none
-  std::vector<ocp::KnotTime<double>> timing;  ///< per knot, without its time
-  std::vector<double> targets;                ///< per knot, largest_targets each
+  std::vector<int> stage_of;                  ///< Stage of each knot, N + 1 entries
+  std::vector<double> times;                  ///< Time of each knot [s]
+  std::vector<double> own_steps;              ///< Step of each knot [s]; 0: its stage's step
+  double decay_time = 0.0;                    ///< Time constant of the decaying torque [s]; 0: none
+  std::vector<ocp::KnotTime<double>> timing;  ///< Timing of each knot, without KnotTime::times
+  std::vector<double> targets;                ///< largest_targets entries for each knot
   std::vector<KnotRange> ranges;
   std::vector<double> initial_state, lower, upper;
-  std::vector<double> control_scale;  ///< the robot's effort limits, 1 where it has none
+  std::vector<double> control_scale;  ///< Effort limits of the robot; 1 for actuators without one
   Eigen::VectorXd signal_scratch;
   std::vector<std::unique_ptr<ocp::Worker>> workers;
 };
 
 namespace ocp {
-/// For the checker: what a Problem holds.
+/// Gives other files in this folder access to the implementation of a Problem.
 struct ProblemInside {
   static auto& of(Problem& problem) { return *problem.impl_; }
   static const auto& of(const Problem& problem) { return *problem.impl_; }

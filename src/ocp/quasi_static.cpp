@@ -1,4 +1,5 @@
 #include "base/decomposition.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -19,24 +20,24 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
                                            const Eigen::VectorXd& force) const {
   const ocp::CompiledProblem& compiled = impl_->compiled;
   const StateLayout& l = compiled.layout;
-  const ocp::CompiledStage& at = compiled.stages.at(static_cast<std::size_t>(stage));
+  const ocp::CompiledStage& at = compiled.stages.at(to_size(stage));
   if (x.size() < l.nq)
     throw Error("quasi_static: x has " + std::to_string(x.size()) + " entries; wanted at least " +
                 std::to_string(l.nq));
-  // Nothing is solved: contacts and the mass matrix may be singular here.
+  // The bias and the Jacobian are enough: contacts and the mass matrix may be singular.
   ContactDynamics dynamics(compiled.model, impl_->contacts_of(stage), {.mu = 1e-6});
   for (int c = 0; c < compiled.contacts.size(); ++c)
-    dynamics.set_active(c, at.active[static_cast<std::size_t>(c)] != 0);
+    dynamics.set_active(c, at.active[to_size(c)] != 0);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);
   const Status status = dynamics.acceleration(x.head(l.nq), zero, zero);
   if (status != Status::Ok) throw Error("quasi_static: " + std::string(describe(status)));
-  // Loops stand behind the other contacts, and what they carry is never prescribed unless stated.
+  // Loops follow the other contacts. Forces of the loops are unknown unless `force` contains them.
   int rows = dynamics.rows();
   int loops = 0;
   for (int c = 0; c < compiled.contacts.size(); ++c) {
-    const CompiledContact& contact = compiled.contacts.contacts()[static_cast<std::size_t>(c)];
-    const bool counts = dynamics.is_active(c) && is_loop(compiled.model, contact.spec);
-    loops = counts ? loops + static_cast<int>(contact.directions.size()) : 0;
+    const CompiledContact& contact = compiled.contacts.contacts()[to_size(c)];
+    const bool is_active_loop = dynamics.is_active(c) && is_loop(compiled.model, contact.spec);
+    loops = is_active_loop ? loops + static_cast<int>(contact.directions.size()) : 0;
   }
   const bool loops_are_free = force.size() != 0 && force.size() == rows - loops;
   if (loops_are_free) rows -= loops;
@@ -45,9 +46,9 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
                 std::to_string(rows));
   // S^T u + J^T lambda = b(q, 0) - bias - torque of springs.
   const int free = force.size() == 0 ? rows : loops_are_free ? loops : 0;
-  const int unknown = l.nu + free;
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(l.nv, unknown);
-  for (int i = 0; i < l.nu; ++i) A(l.actuated[static_cast<std::size_t>(i)], i) = 1.0;
+  const int unknowns = l.nu + free;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(l.nv, unknowns);
+  for (int i = 0; i < l.nu; ++i) A(l.actuated[to_size(i)], i) = 1.0;
   Eigen::VectorXd b = dynamics.bias() - ocp::torque_at_rest(compiled, x.head(l.nq));
   A.rightCols(free) = dynamics.jacobian().bottomRows(free).transpose();
   if (force.size() != 0) b -= dynamics.jacobian().topRows(rows).transpose() * force;

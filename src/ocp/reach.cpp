@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "model/followers.hpp"
 
 namespace burnish::ocp {
 
 Reach reach_of(const Model& model, const std::string& frame) {
-  const Frame& found = model.frames[static_cast<std::size_t>(model.frame_index(frame))];
+  const Frame& found = model.frames[to_size(model.frame_index(frame))];
   if (found.body < 0) return {found.placement.translation(), 0.0, ""};
   Reach reach{{}, found.placement.translation().norm(), ""};
   for (int j = found.body; j >= 0;) {
-    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+    const Joint& joint = model.joints[to_size(j)];
     if (joint.kind == JointKind::FreeFlyer || joint.kind == JointKind::Planar) return {};
     if (joint.kind == JointKind::Prismatic) {
       const auto [lower, upper] = position_range(model, joint);

@@ -1,4 +1,4 @@
-// How far from where it begins a frame can get, from above.
+// Upper bound of the distance that a frame can reach from the first joint.
 #pragma once
 
 #include <limits>
@@ -7,16 +7,17 @@
 
 namespace burnish::ocp {
 
+/// A sphere that contains the frame in every posture.
 struct Reach {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the first joint, in the world, m
-  double distance = std::numeric_limits<double>::infinity();  ///< m
-  std::string joint;                                          ///< the first one; empty: none
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< Centre of the sphere in the world [m]
+  double distance = std::numeric_limits<double>::infinity();  ///< Radius of the sphere [m]
+  std::string joint;  ///< Name of the first joint; empty: the frame cannot move
 };
 
-/// Sum of the distances between origins of consecutive joints from the frame back to the first
-/// joint, and of the ranges of prismatic joints: no posture brings the frame further from there.
-/// Infinite where a joint flies, drives in the plane or slides without limit. A frame that nothing
-/// moves is where it is.
+/// Returns the reach of a frame. The centre is the origin of the first joint. The radius is the sum
+/// of the distances between consecutive joint origins and of the ranges of prismatic joints. The
+/// radius is infinite after a free-flyer, a planar joint or a prismatic joint without limits. For a
+/// frame without a joint, the centre is the frame's position and the radius is 0.
 Reach reach_of(const Model& model, const std::string& frame);
 
 }  // namespace burnish::ocp

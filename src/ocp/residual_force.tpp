@@ -1,4 +1,4 @@
-// Residuals of contact forces. All columns of z are theirs.
+// Residuals of contact forces. Their Jacobians have all columns of z.
 #pragma once
 
 #include "contact/contact_kinematics.tpp"
@@ -7,8 +7,8 @@
 
 namespace burnish::ocp {
 
-/// A wrench of constant lambda moves with the contact's own reference and is seen from the one that
-/// is asked for: the transport term of the columns of q.
+/// The wrench of a constant lambda moves with the contact's own reference. Expressed in another
+/// reference, it changes with q: wrench_rate() is this transport term.
 template <class S>
 void WrenchView::evaluate(const KnotState<S>& knot, S* w, S* J) const {
   const ConstrainedDynamics<S>& dynamics = *knot.dynamics;
@@ -22,7 +22,7 @@ void WrenchView::evaluate(const KnotState<S>& knot, S* w, S* J) const {
   store_column(in_reference(pose, state.force_world), w, 1);
   if (J == nullptr) return;
 
-  S map[36];  // wrench of a unit of each held row
+  S map[36];  // wrench of a unit force of each contact row
   ContactState<S> unit = state;
   for (int r = 0; r < rows; ++r) {
     S lambda[6];
@@ -41,7 +41,7 @@ void WrenchView::evaluate(const KnotState<S>& knot, S* w, S* J) const {
   for (const WrenchEntry& entry : entries)
     add_column(wrench_rate(compiled, pose, entry, state, dynamics.kinematics(), Force<S>::zero()),
                J + layout.column_q() + entry.v, nz);
-  if (!compiled.rubs) return;
+  if (!compiled.has_friction) return;
   for (const ContactSupport& entry : compiled.support)
     add_column(
         wrench_rate_by_v(compiled, pose, entry, state, dynamics.kinematics(), Force<S>::zero()),
@@ -78,7 +78,8 @@ void WrenchError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J
 }
 
 template <class S>
-void ConeMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J, S* bends) const {
+void ConeMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
+                          S* curvatures) const {
   S w[6];
   S* const dw = J == nullptr ? nullptr : knot.scratch;
   wrench.evaluate(knot, w, dw);
@@ -95,16 +96,18 @@ void ConeMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
     J[c] = friction * dw[normal * nz + c] - c1 * dw[t1 * nz + c] - c2 * dw[t2 * nz + c];
     J[nz + c] = dw[normal * nz + c];
   }
-  if (bends == nullptr) return;
-  // Of the length, across the force; along it only the smoothing bends.
-  const S share = S(1.0) / square_root(length);
-  for (int c = 0; c < nz; ++c) bends[c] = share * (c1 * dw[t2 * nz + c] - c2 * dw[t1 * nz + c]);
+  if (curvatures == nullptr) return;
+  // The tangential length is curved across the force. Its curvature along the force comes only from
+  // the smoothing and is omitted.
+  const S scale = S(1.0) / square_root(length);
+  for (int c = 0; c < nz; ++c)
+    curvatures[c] = scale * (c1 * dw[t2 * nz + c] - c2 * dw[t1 * nz + c]);
 }
 
-/// The largest pyramid of n sides inside the cone: the polygon of its section has its corners on
-/// the circle of radius friction * f_n, and so its sides at cos(pi / n) of that. S. Caron, Q.-C.
-/// Pham and Y. Nakamura, "Stability of surface contacts for humanoid robots", ICRA 2015, section
-/// II, have it for four sides (friction / sqrt(2)).
+/// The largest pyramid of n sides inside the cone: its section is a polygon with corners on the
+/// circle of radius friction * f_n. The distance of its sides from the centre is cos(pi / n) times
+/// this radius. Source for four sides (friction / sqrt(2)): S. Caron, Q.-C. Pham and Y. Nakamura,
+/// "Stability of surface contacts for humanoid robots", ICRA 2015, section II.
 template <class S>
 void PyramidMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   S w[6];
@@ -143,7 +146,8 @@ void PressureMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S
       J[3 * nz + c] = hy * fz - mx;
     }
   if (!has_friction) return;
-  // Caron et al. 2015, equations 21 and 22, each absolute value as its two signs.
+  // Caron et al. 2015, equations 21 and 22. Each absolute value becomes two rows, one for each
+  // sign.
   const S friction = target[0], about_middle = friction * (hx + hy);
   r += 4;
   if (J != nullptr) J += 4 * nz;

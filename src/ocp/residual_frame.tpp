@@ -1,4 +1,5 @@
-// Residuals of a frame's placement and velocity. Columns are the entries of its support.
+// Residuals of a frame's placement and velocity. The columns of their Jacobians are the entries of
+// v that move the frame or the reference.
 #pragma once
 
 #include <type_traits>
@@ -22,12 +23,12 @@ void store(const Motion<S>& m, S* out) {
   store(m.angular, out + 3);
 }
 
-/// The columns of some entries of v, of a matrix with nv columns, into one that has only those;
-/// `first` is the place of the first one.
+/// Copies the columns of some entries of v from a matrix with nv columns to J with `columns`
+/// columns, starting at column `first`.
 template <class S, class Entry>
 void keep_columns(const S* full, int rows, int nv, const std::vector<Entry>& entries, S* J,
                   int columns, int first) {
-  const auto number = [](const auto& entry) {
+  const auto index = [](const auto& entry) {
     if constexpr (std::is_same_v<Entry, int>)
       return entry;
     else
@@ -35,11 +36,11 @@ void keep_columns(const S* full, int rows, int nv, const std::vector<Entry>& ent
   };
   for (int i = 0; i < rows; ++i)
     for (std::size_t k = 0; k < entries.size(); ++k)
-      J[i * columns + first + static_cast<int>(k)] = full[i * nv + number(entries[k])];
+      J[i * columns + first + static_cast<int>(k)] = full[i * nv + index(entries[k])];
 }
 
-/// Calls visit(turn) for every entry of v that moves a frame or the reference that it is seen in:
-/// the angle by which the frame turns against the reference, world axes, rad.
+/// Calls visit(turn) for every entry of v that moves a frame or its reference. `turn` is the
+/// angular velocity of the frame relative to the reference per unit of this entry, in world axes.
 template <class S>
 void for_each_turn(const KnotState<S>& knot, int frame, const FrameReference<S>& seen,
                    const auto& visit) {
@@ -77,8 +78,9 @@ void FramePositionError::evaluate(const KnotState<S>& knot, const S* target, S* 
                           p_target;
   frame_detail::store(transpose_times(at.R, state.p - p_target), r);
   if (J == nullptr) return;
-  // In the reference a point that moves with m in the world moves with m - V_k. The target stands
-  // still in what the axes are fixed in, about which those that follow a surface turn.
+  // A point with the twist m in the world has the twist m - V_k in the reference. The target is at
+  // rest in the frame in which the axes are fixed. Axes that follow a surface turn relative to this
+  // frame.
   const int columns = static_cast<int>(view.entries.size());
   S* out = J;
   for_each_entry(knot.compiled_frames[frame], seen.support,
@@ -93,11 +95,11 @@ void FramePositionError::evaluate(const KnotState<S>& knot, const S* target, S* 
 
 template <class S>
 void FrameDistance::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
-                             S* bends) const {
+                             S* curvatures) const {
   S e[3];
   S* const by_q = J == nullptr ? nullptr : knot.scratch;
   position.evaluate(knot, target, e, by_q);
-  S squared(1e-12);  // (1e-6 m)^2: at a distance of zero there is a derivative too
+  S squared(1e-12);  // (1e-6 m)^2, makes the length differentiable at zero
   for (int i = 0; i < 3; ++i)
     if (directions.has(i)) squared += e[i] * e[i];
   r[0] = square_root(squared);
@@ -109,17 +111,17 @@ void FrameDistance::evaluate(const KnotState<S>& knot, const S* target, S* r, S*
       if (directions.has(i)) sum += e[i] * by_q[i * columns + k];
     J[k] = sum / r[0];
   }
-  if (bends == nullptr) return;
-  // (1 - n n^T) / r, n = e / r, is the square of n x / sqrt(r). In a plane two of the three rows of
-  // n x meet what is not measured.
-  const S share = S(1.0) / (r[0] * square_root(r[0]));
+  if (curvatures == nullptr) return;
+  // The second derivative (1 - n n^T) / r with n = e / r is B^T B with B = S(n) / sqrt(r), and S(n)
+  // the matrix of the cross product n x. With two directions, only one row of B is used.
+  const S scale = S(1.0) / (r[0] * square_root(r[0]));
   for (int i = 0; i < 3; ++i) {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     if (!directions.has(a) || !directions.has(b)) continue;
-    const S ea = share * e[a], eb = share * e[b];
+    const S ea = scale * e[a], eb = scale * e[b];
     for (int k = 0; k < columns; ++k)
-      bends[k] = ea * by_q[b * columns + k] - eb * by_q[a * columns + k];
-    bends += columns;
+      curvatures[k] = ea * by_q[b * columns + k] - eb * by_q[a * columns + k];
+    curvatures += columns;
   }
 }
 
@@ -148,7 +150,7 @@ void FrameInclinationError::evaluate(const KnotState<S>& knot, const S* target, 
   r[0] = arc_tangent2(e.x, e.z) - target[0];
   r[1] = arc_tangent2(e.y, e.z) - target[1];
   if (J == nullptr) return;
-  // Along an axis of the reference an angle is none: it changes by nothing there.
+  // An angle is undefined if both of its arguments are 0. `tiny` makes its derivative 0 there.
   const S tiny(1e-30);
   const S by_lead = S(1.0) / (e.x * e.x + e.z * e.z + tiny);
   const S by_tilt = S(1.0) / (e.y * e.y + e.z * e.z + tiny);
@@ -161,9 +163,10 @@ void FrameInclinationError::evaluate(const KnotState<S>& knot, const S* target, 
   });
 }
 
-/// Along the normal n from the point, phi is phi - d |g| + d^2 k / 2, k = n . H n, of which d is
-/// the lesser root 2 phi / (|g| + s), s^2 = |g|^2 - 2 phi k. Where there is none, or hardly one, s
-/// is a tenth of |g|.
+/// Height of a point above a surface phi = 0 with gradient g, normal n and Hessian H. At a distance
+/// d below the point along n, phi is phi - d |g| + d^2 k / 2 with k = n . H n. The height is the
+/// smaller root d = 2 phi / (|g| + s) with s^2 = |g|^2 - 2 phi k. If s^2 is below 0.01 |g|^2, s is
+/// 0.1 |g| instead, so that the height is always defined.
 template <class S>
 void FrameHeightError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   const Kinematics<S>& kinematics = knot.dynamics->kinematics();
@@ -177,18 +180,19 @@ void FrameHeightError::evaluate(const KnotState<S>& knot, const S* target, S* r,
   const S phi = dot(x, surface.Q * x) * S(0.5) + dot(surface.b, x) + numbers[surface_size - 1];
   const S length = S(1.0) / curved.per_gradient;
   const Vec3<S> Hn = curved.H * curved.n;
-  const S bend = dot(curved.n, Hn);
-  const S squared = length * length - phi * bend * S(2.0), least = length * length * S(0.01);
-  const auto meets = less(least, squared);
-  const S root = square_root(select(meets, squared, least));
+  const S curvature = dot(curved.n, Hn);
+  const S squared = length * length - phi * curvature * S(2.0);
+  const S min_squared = length * length * S(0.01);
+  const auto has_root = less(min_squared, squared);
+  const S root = square_root(select(has_root, squared, min_squared));
   const S height = phi * S(2.0) / (length + root);
   r[0] = height - target[0];
   if (J == nullptr) return;
-  const Vec3<S> bend_by_x = (curved.H * Hn - Hn * bend) * (curved.per_gradient * S(2.0));
-  const Vec3<S> met =
-      (Hn * length - curved.n * (length * bend) - bend_by_x * phi) * (S(1.0) / root);
-  const auto chosen = [&](const S& a, const S& b) { return select(meets, a, b * S(0.1)); };
-  const Vec3<S> root_by_x{chosen(met.x, Hn.x), chosen(met.y, Hn.y), chosen(met.z, Hn.z)};
+  const Vec3<S> curvature_by_x = (curved.H * Hn - Hn * curvature) * (curved.per_gradient * S(2.0));
+  const Vec3<S> exact =
+      (Hn * length - curved.n * (length * curvature) - curvature_by_x * phi) * (S(1.0) / root);
+  const auto chosen = [&](const S& a, const S& b) { return select(has_root, a, b * S(0.1)); };
+  const Vec3<S> root_by_x{chosen(exact.x, Hn.x), chosen(exact.y, Hn.y), chosen(exact.z, Hn.z)};
   const Vec3<S> by_x =
       (curved.n * (length * S(2.0)) - (Hn + root_by_x) * height) * (S(1.0) / (length + root));
   for_each_entry(knot.compiled_frames[frame], seen.support, [&](int, int, const ReferenceAxes& by) {

@@ -1,6 +1,7 @@
 #include "ocp/residual_rows.hpp"
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "model/followers.hpp"
 #include "ocp/friction_pyramid.hpp"
 #include "ocp/position_limits.hpp"
@@ -21,7 +22,7 @@ struct RowsOf {
   std::vector<const Joint*> joints(const std::vector<std::string>& names) const {
     std::vector<const Joint*> result;
     for (const std::string& name : names)
-      result.push_back(&model().joints[static_cast<std::size_t>(model().joint_index(name))]);
+      result.push_back(&model().joints[to_size(model().joint_index(name))]);
     return result;
   }
   std::vector<const Joint*> driven(const std::vector<std::string>& names) const {
@@ -32,7 +33,7 @@ struct RowsOf {
     for (const Joint* joint : joints) rows.push_back({joint->name, joint->nv});
     return rows;
   }
-  /// Their entries of v, with the limits of these, which are the same on both sides.
+  /// Returns the entries of v of these joints, with symmetric limits.
   static ResidualRows limited(const std::vector<const Joint*>& joints,
                               const Eigen::VectorXd& largest) {
     std::vector<double> upper;
@@ -115,7 +116,7 @@ struct RowsOf {
     for (int i = 0; i < r.rows; ++i) rows.push_back({"row " + std::to_string(i)});
     return {rows};
   }
-  /// Six rows.
+  /// Returns the six directions as rows, for all other residuals.
   ResidualRows operator()(const auto& /*of*/) const { return {direction_rows(Directions::all())}; }
 };
 
@@ -130,7 +131,7 @@ std::vector<std::string> row_names(const Model& model, const std::vector<RowGrou
   for (const RowGroup& group : groups) {
     if (group.size == 1) names.push_back(group.name);
     if (group.size <= 1) continue;
-    const Joint& joint = model.joints[static_cast<std::size_t>(model.joint_index(group.name))];
+    const Joint& joint = model.joints[to_size(model.joint_index(group.name))];
     for (int k = 0; k < group.size; ++k) names.push_back(model.v_name(joint.v_index + k));
   }
   return names;
@@ -139,8 +140,7 @@ std::vector<std::string> row_names(const Model& model, const std::vector<RowGrou
 std::vector<RowGroup> direction_rows(Directions directions) {
   std::vector<RowGroup> rows;
   for (int d = 0; d < 6; ++d)
-    if (directions.has(d))
-      rows.push_back({std::string(direction_names[static_cast<std::size_t>(d)])});
+    if (directions.has(d)) rows.push_back({std::string(direction_names[to_size(d)])});
   return rows;
 }
 
@@ -150,7 +150,7 @@ const ContactSpec& contact_named(const ProblemSpec& spec, const std::string& nam
     known.push_back(contact.name.empty() ? contact.tool : contact.name);
     if (known.back() == name) return contact;
   }
-  throw Error("contact " + in_quotes(name) + " is not known" +
+  throw Error("unknown contact " + in_quotes(name) +
               (known.empty() ? "; the problem has no contacts" : did_you_mean(name, known)));
 }
 

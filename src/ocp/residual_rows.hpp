@@ -17,8 +17,8 @@ struct RowGroup {
 /// Rows of a residual, in the order in which the residual writes them.
 struct ResidualRows {
   std::vector<RowGroup> groups = {};
-  /// Limits of the robot per row, in the residual's unit (infinite: none for this row). Both are
-  /// empty for residuals that no limit of a robot belongs to.
+  /// Limits of the robot for each row, in the residual's unit; infinite for a row without a limit.
+  /// Both are empty for residuals to which no limit of a robot applies.
   Eigen::VectorXd lower = {}, upper = {};
 };
 
@@ -33,8 +33,8 @@ std::vector<std::string> row_names(const Model& model, const std::vector<RowGrou
 /// Returns one group for each direction that is set: "x", "y", "z", "rx", "ry", "rz".
 std::vector<RowGroup> direction_rows(Directions directions);
 
-/// Returns the contact with this name; a contact without a name has that of its tool. Throws Error
-/// with the nearest known name.
+/// Returns the contact with this name. A contact without a name has the name of its tool. Throws
+/// Error with the nearest known name.
 const ContactSpec& contact_named(const ProblemSpec& spec, const std::string& name);
 
 }  // namespace burnish::ocp

@@ -1,4 +1,4 @@
-// Residuals of the state and the control themselves.
+// Residuals of entries of the state and the control.
 #pragma once
 
 #include <algorithm>

@@ -1,9 +1,12 @@
-// Runge-Kutta steps of fourth order on the state's manifold: with y = (q, v, tau) and rates
-// k = (v, a), the points y_i = y (+) c_i h k_(i-1), c = (0, 1/2, 1/2, 1), and the step
-// h (k_1 + 2 k_2 + 2 k_3 + k_4) / 6. Torques between follow their filter exactly as the stage has
-// it. Rates of joints of several entries do not add up as they are: the offset theta of q0 (+)
-// theta changes with J_r^-1(theta) v, of which order four needs two brackets (H. Munthe-Kaas, "High
-// order Runge-Kutta methods on manifolds", 1999),
+// Runge-Kutta steps of fourth order on the manifold of states y = (q, v, tau). The rates are
+// k = (v, a). With c = (0, 1/2, 1/2, 1), the points and the step are
+//   y_i = y (+) c_i h k_(i-1),
+//   h (k_1 + 2 k_2 + 2 k_3 + k_4) / 6.
+// Torques at the points follow the torque filter.
+//
+// Rates of joints with several entries cannot be added directly. The offset theta of q0 (+) theta
+// changes with J_r^-1(theta) v. Order four needs two brackets of this series (H. Munthe-Kaas, "High
+// order Runge-Kutta methods on manifolds", 1999):
 //   k = v + [theta, v] / 2 + [theta, [theta, v]] / 12.
 #pragma once
 
@@ -13,7 +16,7 @@
 namespace burnish::ocp {
 namespace runge_kutta_detail {
 
-/// The rate of the offset theta, and its change with dtheta and dv.
+/// Return the rate of the offset theta, and the change of this rate with dtheta and dv.
 template <class S>
 Motion<S> offset_rate(const Motion<S>& theta, const Motion<S>& v) {
   const Motion<S> once = cross(theta, v);
@@ -85,7 +88,7 @@ template <class S>
 void NodeKernel<S>::close_point(const S& decay, const S* offset, S* by_z) {
   const StateLayout& layout = problem_->layout;
   const int nv = layout.nv, nz = layout.nz();
-  // Multi-entry joints: d(q (+) dq) = A dq0 + B d(dq).
+  // Joints with several entries: d(q (+) dq) = A dq0 + B d(dq).
   for (const TangentBlock& block : problem_->blocks) {
     S A[36], B[36], column[6];
     integrate_jacobians(block, offset + block.first, A, B);
@@ -152,7 +155,7 @@ void NodeKernel<S>::runge_kutta_derivative(const KnotTime<S>& when, int i) {
       }
     }
   }
-  // da/dz = (da/du held state) + da/dx dX/dz; with a torque model da/du is zero.
+  // da/dz = da/du at a constant state + da/dx dX/dz. With a torque model, da/du is zero.
   const S* const D = dynamics_.derivative();
   for (int r = 0; r < nv; ++r)
     for (int c = 0; c < nz; ++c) {

@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-/// The sum over knots of what is differentiated, up to a constant, at the solver's motion.
+/// Lagrangian of the problem at the solver's trajectory and multipliers, up to a constant.
 class Lagrangian {
  public:
   Lagrangian(Problem& problem, const DdpSolver& solver)
@@ -24,7 +24,7 @@ class Lagrangian {
     for (int k = 0; k <= problem_.knots(); ++k) {
       const double* const u = us.row(std::min<Eigen::Index>(k, us.rows() - 1)).data();
       const KnotValue at = problem_.roll(0, k, xs.row(k).data(), u, next_.data(), rows_.data());
-      if (at.status > Status::NotConverged || !std::isfinite(at.cost))
+      if (!is_usable(at.status) || !std::isfinite(at.cost))
         throw Error("cost_by_payload: " + problem_.knot_name(k) +
                     " cannot be evaluated: " + std::string(describe(at.status)));
       sum += at.cost;
@@ -43,7 +43,7 @@ class Lagrangian {
   Eigen::VectorXd next_, change_, rows_;
 };
 
-/// A body of a problem with other parameters, and at last as it was.
+/// Changes the inertia of a body of a problem. The destructor restores the inertia.
 class ChangedBody {
  public:
   ChangedBody(Problem& problem, int body)
@@ -71,7 +71,7 @@ Vector10 cost_by_payload(Problem& problem, const DdpSolver& solver, std::string_
   const double mass = body.before().mass;
   if (!(mass > 0.0))
     throw Error("cost_by_payload: the body of frame " + in_quotes(frame) +
-                " has no mass; wanted one that has");
+                " has no mass; wanted a frame on a body with mass");
   if (solver.summary().reason != StopReason::Converged)
     throw Error("cost_by_payload: the problem is not solved: " + solver.text());
   const Vector10 theta = inertia_parameters(body.before());
@@ -79,8 +79,9 @@ Vector10 cost_by_payload(Problem& problem, const DdpSolver& solver, std::string_
   Lagrangian lagrangian(problem, solver);
   Vector10 result;
   for (int k = 0; k < 10; ++k) {
-    constexpr double share = 1e-4;  // of the body's mass, with a decimetre as the length
-    const double h = share * mass * (k == 0 ? 1.0 : k < 4 ? 0.1 : 0.01);
+    // Step of the finite differences, as a fraction of the body's mass (lengths in decimetres).
+    constexpr double fraction = 1e-4;
+    const double h = fraction * mass * (k == 0 ? 1.0 : k < 4 ? 0.1 : 0.01);
     const auto value_at = [&](double step) {
       body.set(inertia_of(theta + step * to_body.col(k)));
       return lagrangian.value();

@@ -1,4 +1,4 @@
-// Friction of a sliding tool against the explicit step of a stage.
+// Effect of friction on a sliding tool in one explicit step of a stage.
 #pragma once
 
 #include <optional>
@@ -7,24 +7,26 @@
 
 namespace burnish::ocp {
 
-/// What friction does to the tool of a contact in one step.
+/// Friction on the tool of a contact in one step.
 struct SlidingStep {
   double coefficient = 0.0;
-  double force = 0.0;  ///< N, along the normal
-  double mass = 0.0;   ///< kg, the least that the tool moves with across the normal
-  double step = 0.0;   ///< s
+  double force = 0.0;  ///< Force along the normal [N]
+  double mass = 0.0;   ///< Smallest apparent mass of the tool across the normal [kg]
+  double step = 0.0;   ///< Step [s]
 
-  /// Speed that friction takes from the tool, m/s. Friction that fades below less overshoots rest
-  /// within the step; below half of it semi-implicit steps swing ever further.
+  /// Returns the speed that friction removes from the tool in one step [m/s]. If friction fades
+  /// below a smaller speed, the tool overshoots rest within a step. If it fades below half this
+  /// speed, semi-implicit steps make the tool oscillate with growing amplitude.
   double speed() const { return coefficient * force * step / mass; }
 };
 
-/// The longest explicit step of a stage, s: of its knots, where those that are longer than the
-/// stage's count as that, since numerical gains are slowed down there; zero for impacts.
+/// Returns the longest explicit step of a stage's knots [s]; 0 for impacts. Knots longer than the
+/// stage's step count as the stage's step, because KnotTime::step_ratio slows their gains down.
 double explicit_step(const ProblemSpec& spec, const Stage& stage);
 
-/// Of a contact with friction in a stage that holds it; empty where the contacts cannot be
-/// evaluated at the initial state. Throws Error as ContactDynamics does.
+/// Returns the effect of a contact's friction in a stage with this contact, at the initial posture.
+/// Returns nothing if the contacts cannot be evaluated there, or if no joint moves the tool across
+/// the normal. Throws Error like ContactDynamics.
 std::optional<SlidingStep> sliding_step(const ProblemSpec& spec, const Stage& stage,
                                         const ContactSpec& contact);
 

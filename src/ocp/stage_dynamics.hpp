@@ -1,39 +1,41 @@
-// The dynamics of one knot (or one per lane): kinematics, contact solve, what the residuals share.
+// Dynamics of one knot, or of one knot per lane: kinematics and contact solution.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "ocp/compiled_problem.hpp"
 
 namespace burnish::ocp {
 
-/// Workspace of one worker. Allocates when made, never afterwards.
+/// Computes the KnotState of knots. Workspace of one thread; only the constructor allocates.
 template <class S>
 class StageDynamics {
  public:
   explicit StageDynamics(const CompiledProblem& problem);
 
-  /// Loads what a knot's targets (stage.targets entries) turn; they must outlive what follows.
+  /// Sets rotations, surfaces and friction coefficients from a knot's targets (stage.targets
+  /// entries). The targets must stay valid until the next call.
   void turn(const CompiledStage& stage, const S* targets);
-  /// KnotTime::per_second, pace and passing; they hold until the next call.
-  void set_step(const S& per_second, const S& pace, const S& passing) {
+  /// Sets KnotTime::per_second, step_ratio and decaying, until the next call.
+  void set_step(const S& per_second, const S& step_ratio, const S& decaying) {
     knot_.per_second = per_second;
-    knot_.pace = pace;
-    knot_.passing = passing;
-    dynamics_.set_pace(pace);
+    knot_.step_ratio = step_ratio;
+    knot_.decaying = decaying;
+    dynamics_.set_step_ratio(step_ratio);
   }
-  /// Evaluates a stage at x (nx) and u (nu): frames, momentum, a and lambda. Needs turn().
+  /// Evaluates a stage at x (nx) and u (nu): frames, momentum, a and lambda. Call turn() first.
   void values(const CompiledStage& stage, const S* x, const S* u);
-  /// Their derivatives by z, at the last values().
+  /// Computes derivatives by z at the last values().
   void derivatives(const CompiledStage& stage);
-  /// The jump of an impact stage at the last values(): velocity_after, and with derivatives its
-  /// derivative, nv x nz (q and v columns).
+  /// Computes velocity_after() of an impact stage at the last values() and, with derivatives,
+  /// derivative() (nv x nz, nonzero in the columns of q and v).
   void impact(const CompiledStage& stage, bool with_derivatives);
 
-  /// Another mass distribution of a body, which the problem's tree has already; for what is
-  /// evaluated from then on.
+  /// Sets the mass distribution of a body for the next evaluations. The problem's tree must have it
+  /// already.
   void set_body_inertia(int body, const BodyInertia& inertia) {
     momentum_.set_mass(problem_->tree);
     dynamics_.set_body_inertia(body, inertia);
@@ -44,10 +46,10 @@ class StageDynamics {
   const S* acceleration() const { return dynamics_.a.data(); }
   const S* velocity_after() const { return impact_->dynamics.velocity_after.data(); }
   const S* impulse() const { return impact_->dynamics.lambda.data(); }
-  /// nv x nz: d(a)/dz by derivatives(), d(velocity_after)/dz by impact().
+  /// Returns d(a)/dz after derivatives(), or d(velocity_after)/dz after impact(), nv x nz.
   const S* derivative() const { return stacked_.data(); }
   const ConstrainedDynamics<S>& contact_dynamics() const { return dynamics_; }
-  Status status(int lane) const { return status_[static_cast<std::size_t>(lane)]; }
+  Status status(int lane) const { return status_[to_size(lane)]; }
 
  private:
   struct Impact {
@@ -69,7 +71,7 @@ class StageDynamics {
   Momentum<S> momentum_;
   MomentumDerivatives<S> momentum_derivatives_;
   std::vector<S> x_, u_, tau_, total_, passive_, dpassive_, slopes_, scratch_;
-  std::vector<S> stacked_;  ///< (nv + rows) x nz: d(a, lambda)/dz
+  std::vector<S> stacked_;  ///< d(a, lambda)/dz, (nv + rows) x nz
   std::vector<Status> status_;
   KnotState<S> knot_;
 };

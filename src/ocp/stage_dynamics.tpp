@@ -1,8 +1,9 @@
-// Definitions of stage_dynamics.hpp, for any scalar.
+// Definitions of stage_dynamics.hpp.
 #pragma once
 
 #include <algorithm>
 
+#include "base/to_size.hpp"
 #include "ocp/stage_dynamics.hpp"
 
 namespace burnish::ocp {
@@ -16,13 +17,13 @@ StageDynamics<S>::StageDynamics(const CompiledProblem& problem)
     : problem_(&problem),
       dynamics_(problem.model, problem.contacts, problem.contact_solver),
       derivatives_(dynamics_),
-      active_(static_cast<std::size_t>(problem.contacts.size()), 1),
+      active_(to_size(problem.contacts.size()), 1),
       impact_active_(active_),
       momentum_(problem.tree),
       momentum_derivatives_(problem.tree),
-      status_(static_cast<std::size_t>(Lanes<S>::count), Status::Ok) {
+      status_(to_size(Lanes<S>::count), Status::Ok) {
   const StateLayout& layout = problem.layout;
-  const auto room = [](int count) { return static_cast<std::size_t>(count); };
+  const auto room = [](int count) { return to_size(count); };
   if (problem.has_impacts) impact_.emplace(problem);
   std::size_t frames = 0;
   for (const CompiledStage& stage : problem.stages) frames = std::max(frames, stage.frames.size());
@@ -66,12 +67,13 @@ void StageDynamics<S>::apply_torques(const CompiledStage& stage) {
   if (driven)
     for (int i = 0; i < layout.nu; ++i) tau_[layout.actuated[i]] = driving[i];
   if (problem_->passive) {
-    passive_torque(*problem_->passive, knot_.v, passive_.data(), dpassive_.data(), knot_.pace);
+    passive_torque(*problem_->passive, knot_.v, passive_.data(), dpassive_.data(),
+                   knot_.step_ratio);
     add_spring_torque(problem_->passive->springs, knot_.q, knot_.v, passive_.data());
   }
   for (int k = 0; k < layout.nv; ++k)
     total_[k] = tau_[k] + passive_[k] + S(problem_->torque_bias[k]) +
-                knot_.passing * S(problem_->passing_torque[k]);
+                knot_.decaying * S(problem_->decaying_torque[k]);
 }
 
 template <class S>
@@ -124,7 +126,7 @@ void StageDynamics<S>::stack_by_z(const CompiledStage& stage) {
   const int rows = nv + dynamics_.rows();
   const bool from_state = layout.acts_from_state();
   const int torque_column = from_state ? layout.column_tau() : 0;
-  const int idle = from_state ? layout.column_force() : layout.column_tau();  // of the step before
+  const int idle = from_state ? layout.column_force() : layout.column_tau();  // first idle column
   const bool driven = from_state || stage.nu > 0;
   if (problem_->passive) spring_slopes(problem_->passive->springs, knot_.q, slopes_.data());
   for (int i = 0; i < rows; ++i) {

@@ -1,4 +1,4 @@
-// A plan's steps against small ones.
+// Checks the discretisation error of a plan's steps by comparison with small steps.
 #include "burnish/ocp/step_check.hpp"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "model/joint_entries.hpp"
 #include "ocp/problem_impl.hpp"
@@ -14,22 +15,27 @@
 namespace burnish {
 namespace {
 
-constexpr double smallest_position = 0.01;  // rad, m: see check_steps()
-constexpr double smallest_velocity = 0.1;   // rad/s, m/s
-constexpr double longest_delay = 0.025;     // s at the largest speed, of positions
-constexpr double largest_fraction = 0.1;    // of the largest speed, of velocities
-constexpr double agreement = 0.02;          // of an error or its limit, between n and 2 n steps
-constexpr int most_small_steps = 256;       // of a knot
+// Error limits, see check_steps().
+constexpr double min_position_limit = 0.01;  // rad, m
+constexpr double min_velocity_limit = 0.1;   // rad/s, m/s
+constexpr double max_delay = 0.025;          // limit of a position error / largest speed, s
+constexpr double max_speed_fraction = 0.1;   // limit of a velocity error / largest speed
 
-/// Three digits.
+/// Largest difference between the results of n and of 2 n small steps, as a fraction of the error
+/// or of its limit; chosen by hand.
+constexpr double convergence = 0.02;
+/// Largest number of small steps of a knot; chosen by hand.
+constexpr int max_small_steps = 256;
+
+/// Returns the value with three digits.
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
 }
 
-/// The stage without what has no part in its motion.
-ocp::CompiledStage bare(ocp::CompiledStage stage) {
+/// Returns the stage without costs, constraints and frames, which do not affect the motion.
+ocp::CompiledStage dynamics_only(ocp::CompiledStage stage) {
   stage.terms.clear();
   stage.costs = 0;
   stage.row_lower.clear();
@@ -38,14 +44,14 @@ ocp::CompiledStage bare(ocp::CompiledStage stage) {
   return stage;
 }
 
-/// With room for Runge-Kutta steps.
-ocp::CompiledProblem roomy(ocp::CompiledProblem compiled) {
+/// Returns the problem with memory for Runge-Kutta steps.
+ocp::CompiledProblem with_dense_stages(ocp::CompiledProblem compiled) {
   compiled.has_dense_stages = true;
   compiled.has_custom = false;
   return compiled;
 }
 
-using States = std::vector<NativePack>;  // nx
+using States = std::vector<NativePack>;  // states of all lanes, nx entries
 using Inside =
     std::remove_reference_t<decltype(ocp::ProblemInside::of(std::declval<const Problem&>()))>;
 
@@ -54,7 +60,7 @@ class StepCheck {
   StepCheck(const Problem& problem, const MatrixView& xs, const MatrixView& us)
       : problem_(problem),
         impl_(ocp::ProblemInside::of(problem)),
-        compiled_(roomy(impl_.compiled)),
+        compiled_(with_dense_stages(impl_.compiled)),
         worker_(compiled_),
         xs_(xs),
         us_(us) {
@@ -70,7 +76,7 @@ class StepCheck {
         report_.coarse = true;
         return report_;
       }
-    for (const KnotRange& range : problem_.ranges()) look(range);
+    for (const KnotRange& range : problem_.ranges()) check_range(range);
     report_.coarse = report_.coarse || report_.position.error > report_.position.limit ||
                      report_.velocity.error > report_.velocity.limit;
     if (report_.coarse && report_.status == Status::Ok) find_step();
@@ -87,21 +93,21 @@ class StepCheck {
       largest_speed_ =
           largest_speed_.cwiseMax(xs_.row(k).segment(l.nq, l.nv).transpose().cwiseAbs());
   }
-  /// Of an entry of dx.
+  /// Returns the error limit of an entry of dx.
   double limit(int entry) const {
     return entry < nv()
-               ? std::max(smallest_position, longest_delay * largest_speed_[entry])
-               : std::max(smallest_velocity, largest_fraction * largest_speed_[entry - nv()]);
+               ? std::max(min_position_limit, max_delay * largest_speed_[entry])
+               : std::max(min_velocity_limit, max_speed_fraction * largest_speed_[entry - nv()]);
   }
 
-  /// The states x after so many equal steps of a stage's knots, over `part` of their time.
-  void integrate(const ocp::CompiledStage& stage, KnotRange range, int steps, double part,
+  /// Integrates the states x of a range over a fraction of the knots' steps, in equal steps.
+  void integrate(const ocp::CompiledStage& stage, KnotRange range, int steps, double fraction,
                  States& x) {
     ocp::KnotTime<NativePack> time = times_;
     for (int l = 0; l < native_lanes; ++l) {
       const int knot = std::min(range.begin + l, range.end - 1);
       const ocp::KnotTime<double> small =
-          compiled_.timing(stage, part * problem_.step_of(knot) / steps);
+          compiled_.timing(stage, fraction * problem_.step_of(knot) / steps);
       time.step.v[l] = small.step;
       time.per_second.v[l] = small.per_second;
       time.decay.v[l] = small.decay;
@@ -117,7 +123,7 @@ class StepCheck {
     }
   }
 
-  /// Size of each entry of q and v of the difference of two lanes, 2 nv.
+  /// Returns the absolute differences in q and v between two states of a lane, 2 nv entries.
   Eigen::VectorXd difference(const States& a, const States& b, int lane) const {
     const StateLayout& l = problem_.layout();
     std::vector<double> from(a.size()), to(a.size());
@@ -130,54 +136,56 @@ class StepCheck {
     return dx.head(2 * l.nv).cwiseAbs();
   }
 
-  /// What a knot's motion leads to by small steps, in `small_`; false where they do not agree.
-  bool refine(const ocp::CompiledStage& stage, KnotRange range, double part, const States& coarse) {
+  /// Integrates over a fraction of the knots' steps with smaller and smaller Runge-Kutta steps,
+  /// into `small_`. Returns false if the results do not converge.
+  bool refine(const ocp::CompiledStage& stage, KnotRange range, double fraction,
+              const States& coarse) {
     ocp::CompiledStage exact = stage;
     exact.integrator = Integrator::RungeKutta4;
     exact.dense = true;
     States before = start_;
-    integrate(exact, range, 1, part, before);
-    for (int n = 2; n <= most_small_steps; n *= 2) {
+    integrate(exact, range, 1, fraction, before);
+    for (int n = 2; n <= max_small_steps; n *= 2) {
       small_ = start_;
-      integrate(exact, range, n, part, small_);
-      if (agree(before, coarse, range)) return true;
+      integrate(exact, range, n, fraction, small_);
+      if (has_converged(before, coarse, range)) return true;
       before = small_;
     }
     return false;
   }
-  bool agree(const States& before, const States& coarse, KnotRange range) const {
+  bool has_converged(const States& before, const States& coarse, KnotRange range) const {
     for (int l = 0; l < range.end - range.begin; ++l) {
-      if (statuses_[l] > Status::NotConverged) return false;
+      if (!is_usable(statuses_[l])) return false;
       const Eigen::VectorXd change = difference(before, small_, l);
       const Eigen::VectorXd error = difference(coarse, small_, l);
       for (int i = 0; i < 2 * nv(); ++i)
-        if (!(change[i] <= agreement * std::max(limit(i), error[i]))) return false;
+        if (!(change[i] <= convergence * std::max(limit(i), error[i]))) return false;
     }
     return true;
   }
 
-  /// Loads the knots of a range: start_, and the worker's controls and targets.
+  /// Loads the knots of a range: start_, and the controls and targets of the worker.
   void load(KnotRange range) {
     impl_.gather(worker_, range, {xs_.data(), us_.data()}, times_);
     for (int l = 0; l < native_lanes; ++l)
-      lane_times_[l] =
-          impl_.times[static_cast<std::size_t>(std::min(range.begin + l, range.end - 1))];
+      lane_times_[l] = impl_.times[to_size(std::min(range.begin + l, range.end - 1))];
     start_ = worker_.x;
   }
 
-  void look(KnotRange range) {
-    const ocp::CompiledStage stage = bare(impl_.stage(range.begin));
+  /// Checks the knots of a range.
+  void check_range(KnotRange range) {
+    const ocp::CompiledStage stage = dynamics_only(impl_.stage(range.begin));
     if (!stage.passes_time()) return;
     load(range);
     States coarse = start_;
     integrate(stage, range, 1, 1.0, coarse);
     const std::vector<Status> own(statuses_, statuses_ + native_lanes);
-    const bool agreed = refine(stage, range, 1.0, coarse);
+    const bool has_result = refine(stage, range, 1.0, coarse);
     for (int l = 0; l < range.end - range.begin; ++l) {
-      Status status = worst(own[static_cast<std::size_t>(l)], statuses_[l]);
-      if (status <= Status::NotConverged) status = agreed ? Status::Ok : Status::NotConverged;
+      Status status = worst(own[to_size(l)], statuses_[l]);
+      if (is_usable(status)) status = has_result ? Status::Ok : Status::NotConverged;
       if (status == Status::Ok) {
-        note(range.begin + l, difference(coarse, small_, l));
+        record(range.begin + l, difference(coarse, small_, l));
       } else if (report_.knot < 0) {
         report_.status = status;
         report_.knot = range.begin + l;
@@ -186,20 +194,20 @@ class StepCheck {
     }
   }
 
-  /// What is above its limit is worse than what is not; else the larger error is.
+  /// Returns whether an error is worse than another one. An error above its limit is worse than an
+  /// error below its limit. Otherwise the larger error is worse.
   static bool is_worse(double error, double limit, const StepError& than) {
     const bool above = error > limit, was_above = than.error > than.limit;
     return above != was_above ? above : error > than.error;
   }
 
-  void note(int knot, const Eigen::VectorXd& error) {
+  void record(int knot, const Eigen::VectorXd& error) {
     for (int i = 0; i < 2 * nv(); ++i) {
       StepError& worst_yet = i < nv() ? report_.position : report_.velocity;
       if (worst_yet.knot >= 0 && !is_worse(error[i], limit(i), worst_yet)) continue;
       const int k = i < nv() ? i : i - nv();
       const Model& model = problem_.model();
-      const Joint& joint =
-          model.joints[static_cast<std::size_t>(model.joint_of_v[static_cast<std::size_t>(k)])];
+      const Joint& joint = model.joints[to_size(model.joint_of_v[to_size(k)])];
       const bool slides = k - joint.v_index < sliding_entries(joint.kind);
       worst_yet = {.knot = knot,
                    .place = problem_.knot_name(knot),
@@ -212,27 +220,27 @@ class StepCheck {
     }
   }
 
-  /// The longest of 1/2, 1/4, ... of the worst knot's step whose own error is within half of the
-  /// limits, rounded down to a figure.
+  /// Sets sufficient_step: the longest of 1/2, 1/4, ... of the worst knot's step whose error is at
+  /// most half the limits, rounded down to one digit.
   void find_step() {
     const auto ratio = [](const StepError& e) { return e.knot < 0 ? 0.0 : e.error / e.limit; };
-    const StepError& most =
+    const StepError& worst_error =
         ratio(report_.position) > ratio(report_.velocity) ? report_.position : report_.velocity;
-    const KnotRange knot{most.knot, most.knot + 1};
-    const ocp::CompiledStage stage = bare(impl_.stage(most.knot));
+    const KnotRange knot{worst_error.knot, worst_error.knot + 1};
+    const ocp::CompiledStage stage = dynamics_only(impl_.stage(worst_error.knot));
     load(knot);
-    constexpr double shortest = 1.0 / 1024;
-    for (double part = 0.5; part >= shortest; part *= 0.5) {
+    constexpr double min_fraction = 1.0 / 1024;  // chosen by hand
+    for (double fraction = 0.5; fraction >= min_fraction; fraction *= 0.5) {
       States coarse = start_;
-      integrate(stage, knot, 1, part, coarse);
-      if (!refine(stage, knot, part, coarse)) continue;
+      integrate(stage, knot, 1, fraction, coarse);
+      if (!refine(stage, knot, fraction, coarse)) continue;
       const Eigen::VectorXd error = difference(coarse, small_, 0);
-      bool enough = true;
-      for (int i = 0; i < 2 * nv(); ++i) enough = enough && error[i] <= 0.5 * limit(i);
-      if (!enough) continue;
-      const double step = part * most.step;
+      bool is_accurate = true;
+      for (int i = 0; i < 2 * nv(); ++i) is_accurate = is_accurate && error[i] <= 0.5 * limit(i);
+      if (!is_accurate) continue;
+      const double step = fraction * worst_error.step;
       const double digit = std::pow(10.0, std::floor(std::log10(step)));
-      report_.step_enough = std::floor(step / digit * (1.0 + 1e-9)) * digit;
+      report_.sufficient_step = std::floor(step / digit * (1.0 + 1e-9)) * digit;
       return;
     }
   }
@@ -243,10 +251,10 @@ class StepCheck {
   ocp::Worker worker_;
   const MatrixView& xs_;
   const MatrixView& us_;
-  Eigen::VectorXd largest_speed_;  // nv
+  Eigen::VectorXd largest_speed_;  // of each entry of v over the plan, rad/s or m/s
   ocp::KnotTime<NativePack> times_;
   double lane_times_[native_lanes] = {};  // s
-  Status statuses_[native_lanes] = {};    // of the last integration
+  Status statuses_[native_lanes] = {};    // of the last integrate()
   States start_, small_;
   StepReport report_;
 };
@@ -260,24 +268,26 @@ std::string error_text(const StepError& error) {
 
 std::string StepReport::text() const {
   if (status != Status::Ok)
-    return "discretisation: cannot be judged from knot " + std::to_string(knot) + " on: " +
-           (status == Status::NotConverged ? "small steps do not agree with each other"
+    return "discretisation: the error is unknown at knot " + std::to_string(knot) + " and later: " +
+           (status == Status::NotConverged ? "small steps do not converge"
                                            : std::string(describe(status)));
   if (position.knot < 0) return "discretisation: no time passes";
-  return "discretisation: a step ends at most " + error_text(position) + " and " +
-         error_text(velocity) + " off what small steps lead to";
+  return "discretisation: largest error of a step " + error_text(position) + " and " +
+         error_text(velocity);
 }
 
 std::string StepReport::warning() const {
   if (!coarse) return "";
   if (status != Status::Ok) return text();
   const auto ratio = [](const StepError& e) { return e.error / e.limit; };
-  const StepError& most = ratio(position) > ratio(velocity) ? position : velocity;
-  return "the steps are too coarse: the one of " + rounded(most.step) + " s from " + most.place +
-         " (at " + rounded(most.time) + " s) ends " + rounded(most.error) + " " + most.unit +
-         " off in " + in_quotes(most.entry) + " from where small steps lead; wanted at most " +
-         rounded(most.limit) + " " + most.unit +
-         (step_enough > 0.0 ? ", for which steps of " + number(step_enough) + " s would do" : "");
+  const StepError& worst_error = ratio(position) > ratio(velocity) ? position : velocity;
+  return "the steps are too coarse: the step of " + rounded(worst_error.step) + " s from " +
+         worst_error.place + " (at " + rounded(worst_error.time) + " s) has an error of " +
+         rounded(worst_error.error) + " " + worst_error.unit + " in " +
+         in_quotes(worst_error.entry) + "; wanted at most " + rounded(worst_error.limit) + " " +
+         worst_error.unit +
+         (sufficient_step > 0.0 ? " (steps of " + number(sufficient_step) + " s are short enough)"
+                                : "");
 }
 
 StepReport check_steps(const Problem& problem, const MatrixView& xs, const MatrixView& us) {

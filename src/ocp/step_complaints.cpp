@@ -1,10 +1,12 @@
-// What explicit steps of a stage do not tolerate.
+// Warnings about stages whose explicit steps are unstable: contact gains, friction, damping and
+// springs.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/ocp/step_check.hpp"
 #include "ocp/problem_impl.hpp"
@@ -13,13 +15,13 @@
 namespace burnish {
 namespace {
 
-/// e'' + rate e' + stiffness e = 0.
+/// Linear error dynamics e'' + rate e' + stiffness e = 0.
 struct Mode {
-  double stiffness = 0.0;  ///< 1/s^2
-  double rate = 0.0;       ///< 1/s
+  double stiffness = 0.0;  ///< Stiffness per mass [1/s^2]
+  double rate = 0.0;       ///< Damping per mass [1/s]
 };
 
-/// By how much one step of an integrator makes an error of the mode larger, at most.
+/// Returns the largest amplification of an error of the mode by one step of an integrator.
 double growth(const Mode& mode, double step, Integrator integrator) {
   using Complex = std::complex<double>;
   const auto roots = [](double trace, double determinant) {
@@ -46,7 +48,7 @@ bool grows(const Mode& mode, double step, Integrator integrator) {
   return growth(mode, step, integrator) > 1.0 + rounding;
 }
 
-/// The longest step, below one with which the mode grows, with which it does not, s.
+/// Returns the longest stable step [s], by bisection below an unstable one.
 double longest_step(const Mode& mode, double step, Integrator integrator) {
   double low = 0.0;
   for (int i = 0; i < 40; ++i) {
@@ -56,7 +58,7 @@ double longest_step(const Mode& mode, double step, Integrator integrator) {
   return low;
 }
 
-/// A number rounded down to two digits, or up.
+/// Returns the value rounded to two digits, up or down.
 double two_digits(double value, bool up) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   const double count = value / unit;
@@ -69,7 +71,7 @@ class StageSteps {
  public:
   StageSteps(const Problem& problem, int index)
       : problem_(problem),
-        stage_(problem.spec().stages[static_cast<std::size_t>(index)]),
+        stage_(problem.spec().stages[to_size(index)]),
         step_(ocp::explicit_step(problem.spec(), stage_)) {}
 
   void complain(std::vector<std::string>& sentences) {
@@ -108,20 +110,19 @@ class StageSteps {
     const auto sliding = ocp::sliding_step(problem_.spec(), stage_, contact);
     const double speed = contact.friction->fade_speed();
     if (!sliding || speed >= sliding->speed()) return;
-    sentences.push_back(begin("contact ") + in_quotes(contact.name) +
-                        ": its friction fades below " + number(speed) + " m/s, and takes " +
-                        number(two_digits(sliding->speed(), true)) +
-                        " m/s from the tool in one of the " + steps() + " (" +
-                        number(two_digits(sliding->coefficient * sliding->force, true)) + " N on " +
-                        number(two_digits(sliding->mass, false)) +
-                        " kg): it overshoots rest; wanted a friction speed of at least " +
-                        number(two_digits(4.0 * sliding->speed(), true)) +
-                        " m/s, none for that one, or a step of at most " +
-                        number(two_digits(step_ * speed / sliding->speed(), false)) + " s");
+    sentences.push_back(
+        begin("contact ") + in_quotes(contact.name) + ": in one of the " + steps() +
+        ", its friction of " + number(two_digits(sliding->coefficient * sliding->force, true)) +
+        " N slows the tool (" + number(two_digits(sliding->mass, false)) + " kg) by " +
+        number(two_digits(sliding->speed(), true)) + " m/s, more than the friction speed of " +
+        number(speed) + " m/s, so the tool overshoots rest; wanted a friction speed of at least " +
+        number(two_digits(4.0 * sliding->speed(), true)) +
+        " m/s or none (chosen automatically), or a step of at most " +
+        number(two_digits(step_ * speed / sliding->speed(), false)) + " s");
   }
 
-  /// Damping, friction and springs of each joint against the mass that it moves, the others being
-  /// free: a lower bound of how fast they act.
+  /// Warns about damping, friction and springs of the joints. The inertia of each joint is computed
+  /// with the other joints free. The rates are then lower bounds.
   void about_joints(std::vector<std::string>& sentences) const {
     const ocp::CompiledProblem& compiled = ocp::ProblemInside::of(problem_).compiled;
     if (!compiled.passive) return;
@@ -139,29 +140,28 @@ class StageSteps {
       damping[place.row] -= place.by_v;
     }
     ContactDynamics dynamics = contact_dynamics();
-    if (dynamics.forward(q, zero, zero) > Status::NotConverged) return;
+    if (!is_usable(dynamics.forward(q, zero, zero))) return;
     const Eigen::VectorXd at_rest = dynamics.a();
-    double largest_loss = 0.0;  // rad/s or m/s, that friction takes in a step
+    double largest_loss = 0.0;  // speed that friction removes in a step, rad/s or m/s
     for (int k = 0; k < nv; ++k) {
-      const double friction = passive.friction[static_cast<std::size_t>(k)];
-      damping[k] += passive.damping[static_cast<std::size_t>(k)];
+      const double friction = passive.friction[to_size(k)];
+      damping[k] += passive.damping[to_size(k)];
       if (damping[k] <= 0.0 && stiffness[k] <= 0.0 && friction <= 0.0) continue;
-      if (dynamics.forward(q, zero, Eigen::VectorXd::Unit(nv, k)) > Status::NotConverged) return;
+      if (!is_usable(dynamics.forward(q, zero, Eigen::VectorXd::Unit(nv, k)))) return;
       const double mobility = dynamics.a()[k] - at_rest[k];  // 1/(kg m^2) or 1/kg
       largest_loss = std::max(largest_loss, mobility * friction * step_);
       about_mode(k, {mobility * std::max(stiffness[k], 0.0), mobility * damping[k]}, sentences);
     }
     if (largest_loss > passive.slip)
-      sentences.push_back(begin("friction of joints: it fades below a slip_velocity of ") +
-                          number(passive.slip) + ", and takes up to " +
-                          number(two_digits(largest_loss, true)) +
-                          " rad/s (m/s) from a joint in one of the " + steps() +
-                          ": it overshoots rest; wanted a slip_velocity of at least " +
+      sentences.push_back(begin("friction of joints: in one of the ") + steps() +
+                          ", it slows a joint by up to " + number(two_digits(largest_loss, true)) +
+                          " rad/s (m/s), more than the slip_velocity of " + number(passive.slip) +
+                          ", so the joint overshoots rest; wanted a slip_velocity of at least " +
                           number(two_digits(2.0 * largest_loss, true)) + ", or a step of at most " +
                           number(two_digits(step_ * passive.slip / largest_loss, false)) + " s");
   }
 
-  /// Damping and springs of a joint.
+  /// Warns about damping and springs of a joint.
   void about_mode(int entry, const Mode& mode, std::vector<std::string>& sentences) const {
     if (!grows(mode, step_, stage_.integrator)) return;
     sentences.push_back(
@@ -182,7 +182,7 @@ class StageSteps {
 
   const Problem& problem_;
   const Stage& stage_;
-  double step_;  ///< s
+  double step_;  ///< Longest explicit step of the stage [s]
 };
 
 }  // namespace

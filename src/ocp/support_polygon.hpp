@@ -1,4 +1,4 @@
-// A support polygon as the kernels read it.
+// Edges of a support polygon, as the kernels read them.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,12 @@
 
 namespace burnish::ocp {
 
-/// Edge i leads from point i to the next one, the last back to the first. Throws Error with one
-/// sentence for fewer than three points, a point that is not finite, and points that are not the
-/// corners of a convex polygon, counter-clockwise as seen from above: each has to be more than
-/// 1e-6 m to the left of every edge that it is no end of.
+/// Returns the edges of a support polygon. Edge i leads from point i to the next point; the last
+/// edge leads back to point 0. Throws Error
+///  - for fewer than three points,
+///  - for a point that is not finite,
+///  - if the points are not the corners of a convex polygon, counter-clockwise as seen from above.
+///    Every point must be more than 1e-6 m to the left of every edge that does not end in it.
 std::vector<SupportMargin::Edge> support_edges(const std::vector<Eigen::Vector2d>& points);
 
 }  // namespace burnish::ocp

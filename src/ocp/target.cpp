@@ -1,4 +1,4 @@
-// Targets and rotations as users write them, as the kernels read them.
+// Converts targets and rotations from the user's form to target entries for the kernels.
 #include <algorithm>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// What residuals of several kinds have: targets, columns, frames, references and contacts.
+// Parts that several kinds of residuals share: targets, columns, frames, references and contacts.
 #include "ocp/term_builder.hpp"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/model/state.hpp"
 #include "dynamics/reference.hpp"
 
@@ -49,7 +50,7 @@ void TermBuilder::dense_block(int rows, std::vector<int> columns) {
 }
 
 std::vector<int> TermBuilder::all_columns() const {
-  std::vector<int> columns(static_cast<std::size_t>(layout().nz()));
+  std::vector<int> columns(to_size(layout().nz()));
   std::iota(columns.begin(), columns.end(), 0);
   return columns;
 }
@@ -68,8 +69,8 @@ std::vector<int> TermBuilder::support_columns(int frame) const {
 }
 
 int TermBuilder::frame(const std::string& name) {
-  const auto known = std::find(stage.frame_names.begin(), stage.frame_names.end(), name);
-  if (known != stage.frame_names.end()) return static_cast<int>(known - stage.frame_names.begin());
+  const auto found = std::find(stage.frame_names.begin(), stage.frame_names.end(), name);
+  if (found != stage.frame_names.end()) return static_cast<int>(found - stage.frame_names.begin());
   try {
     stage.frames.push_back(compile_frame(problem.model, name));
   } catch (const Error& error) {
@@ -129,14 +130,13 @@ int TermBuilder::contact(const std::string& name) {
   } catch (const Error& error) {
     refuse(error.what());
   }
-  if (stage.impact) refuse("an impact stage has no contact forces, only impulses");
+  if (stage.impact) refuse("an impact stage has impulses, but no contact forces");
   if (stage.terminal && !layout().acts_from_state())
     refuse(
-        "the terminal state has no control, so contact forces are unknown there; they are "
-        "known with a torque model that has a cut-off, which puts the torques that act into the "
-        "state");
-  if (stage.active[static_cast<std::size_t>(index)] == 0)
-    refuse("contact " + in_quotes(name) + " does not hold in this stage, so it has no force");
+        "the terminal state has no control, so contact forces are unknown there; wanted a torque "
+        "model with a cut-off, which adds the acting torques to the state");
+  if (stage.active[to_size(index)] == 0)
+    refuse("contact " + in_quotes(name) + " is not active in this stage, so it has no force");
   stage.solves_contacts = true;
   return index;
 }

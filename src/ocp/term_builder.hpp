@@ -1,4 +1,4 @@
-// A cost or a constraint on its way from what the user states to what the kernels read.
+// Compiler of one cost or constraint: from the user's specification to a CompiledTerm.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace burnish::ocp {
 
-/// Knows where it stands for messages.
+/// State of the compilation of one term. `where` begins messages.
 struct TermBuilder {
   const ProblemSpec& spec;
   const CompiledProblem& problem;
@@ -23,7 +23,7 @@ struct TermBuilder {
 
   const StateLayout& layout() const { return problem.layout; }
 
-  // term_builder.cpp: what residuals of several kinds have.
+  // In term_builder.cpp: parts that several kinds of residuals share.
 
   void target(const Signal& signal, int size, const Eigen::VectorXd& fallback,
               CompiledTerm::Load load = CompiledTerm::Load::Plain);
@@ -35,31 +35,32 @@ struct TermBuilder {
   static std::vector<int> columns(int first, const std::vector<int>& entries);
   std::vector<int> support_columns(int frame) const;
   int frame(const std::string& name);
-  /// As compile_reference makes it of the reference at the start, and where the stage's targets
-  /// have the rotation of one that turns.
+  /// Compiles a reference at the start time. Adds its rotation over time and its surface to the
+  /// stage's targets, if it has them.
   TurningReference turning(const Reference& reference, const CompiledFrame& tool,
                            const CompiledFrame& base);
-  /// Of a reference whose tool is the frame and whose base is the world.
+  /// Compiles a reference whose tool is the frame and whose base is the world.
   FrameView view(int frame, const Reference& reference);
   WrenchView wrench(int contact, const std::optional<Reference>& reference);
   int contact(const std::string& name);
 
-  // compile_terms.cpp: what a cost or a constraint has beside its residual.
+  // In compile_terms.cpp: parts of a cost or a constraint other than the residual.
 
   bool is_margin() const;
   void finish_penalty(const CostTerm& cost);
   void finish_weights(const CostTerm& cost);
   void finish_constraint(const Constraint& constraint);
-  /// Lower and upper per row; `of` whose they are, for messages.
+  /// Sets the lower and upper limit of each row. `of` begins messages, such as "the penalty's ".
   void finish_limits(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                      const std::string& of);
-  /// Rows that are entries of z each, another than those before: they need no coefficients.
+  /// Finds out whether every row is an entry of z that no other row uses. Such rows need no
+  /// coefficients.
   void find_entries();
-  /// Room for the second derivatives that a constraint's residual offers.
-  void find_bends();
+  /// Adds the curvature of a constraint's residual to the stage, if the residual has one.
+  void find_curvatures();
 };
 
-/// Fills in the rows, the target and the columns that the builder's residual has.
+/// Sets the rows, the target and the Jacobian blocks of the builder's residual.
 void compile_residual(TermBuilder& builder);
 
 }  // namespace burnish::ocp

@@ -1,4 +1,4 @@
-// Figures of a run as JSON, under their keys: see report/figures.hpp.
+// Figures of a run as JSON, under their keys (report/figures.hpp).
 #pragma once
 
 #include "record/json_text.hpp"
@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// Null where it is not finite or not there.
+/// Returns a figure as JSON; null if it is missing or not finite.
 template <class Value>
 Json figure_json(const Value& value) {
   if constexpr (std::integral<Value> || std::same_as<Value, std::string>)

@@ -1,4 +1,4 @@
-// Vectors, matrices and placements as JSON, and JSON as text that people can read.
+// Vectors, matrices and placements as JSON, and JSON as readable text.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,20 +10,20 @@
 
 namespace burnish {
 
-/// What the program writes: entries stay in the order in which they were put in.
+/// JSON whose entries keep the order in which they were added.
 using Json = nlohmann::ordered_json;
 
-/// Null where it is not finite or not there: JSON knows no infinity.
+/// Returns a number; null if it is missing or not finite, because JSON does not have infinity.
 Json number_json(double value);
 Json number_json(const std::optional<double>& value);
-/// A list. Infinite entries become null.
+/// Returns a list. Entries that are not finite become null.
 Json numbers_json(const Eigen::Ref<const Eigen::VectorXd>& values);
-/// A list of rows.
+/// Returns a list of rows.
 Json matrix_json(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
-/// {"xyz": [m], "quaternion": [x, y, z, w]}, w not negative.
+/// Returns {"xyz": [x, y, z] [m], "quaternion": [x, y, z, w]} with w >= 0.
 Json placement_json(const Eigen::Isometry3d& placement);
 
-/// Indented, with lists of plain values on one line. Numbers read back as they were.
+/// Returns indented text, with lists of plain values on one line. Numbers are written without loss.
 std::string json_text(const Json& value);
 
 }  // namespace burnish

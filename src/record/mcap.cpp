@@ -11,7 +11,7 @@ namespace burnish {
 namespace {
 
 constexpr std::string_view magic = "\x89MCAP0\r\n";
-constexpr std::size_t chunk_size = std::size_t{1} << 20U;  // bytes
+constexpr std::size_t chunk_size = std::size_t{1} << 20U;  // Chosen by hand [bytes]
 
 enum class Op : std::uint8_t {
   Header = 0x01,
@@ -48,7 +48,7 @@ class Bytes {
       bytes_ += static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
     return *this;
   }
-  /// With its length before it.
+  /// Appends a text, preceded by its length.
   Bytes& put(std::string_view text) {
     put(static_cast<std::uint32_t>(text.size()));
     return raw(text);
@@ -64,7 +64,7 @@ class Bytes {
     return put(std::string_view(inside.bytes_));
   }
   Bytes& put(const std::string& text) { return put(std::string_view(text)); }
-  /// As a record: kind and length, then the fields.
+  /// Returns the fields as a record: kind and length, then the fields.
   std::string record(Op op) const {
     Bytes head;
     head.put(static_cast<std::uint8_t>(op)).put(static_cast<std::uint64_t>(bytes_.size()));
@@ -83,7 +83,7 @@ std::uint16_t number_after(const std::vector<std::string>& records) {
 void check_known(const char* what, std::uint16_t number, std::size_t count) {
   if (number < 1 || number > count)
     throw Error("mcap: " + std::string(what) + " " + std::to_string(number) +
-                " is not known; wanted 1 to " + std::to_string(count));
+                " does not exist; wanted 1 to " + std::to_string(count));
 }
 
 }  // namespace
@@ -234,7 +234,7 @@ void McapWriter::write_summary() {
   const std::uint64_t offset_start = summary_start + summary.size();
   Bytes footer;
   footer.put(summary_start).put(offset_start);
-  // The checksum is of the summary and of the footer up to the checksum itself.
+  // The checksum covers the summary and the footer up to the checksum itself.
   Bytes head;
   head.put(static_cast<std::uint8_t>(Op::Footer)).put(std::uint64_t{20});
   const std::uint32_t crc = crc32(summary + offsets + head.bytes() + footer.bytes());

@@ -1,5 +1,5 @@
-// Recordings in MCAP, the container for time-stamped messages that robotics tools such as Foxglove
-// open (https://mcap.dev/spec).
+// Recordings in MCAP, a container format for time-stamped messages that robotics tools such as
+// Foxglove open (https://mcap.dev/spec).
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,25 @@ namespace burnish {
 
 class WholeFile;
 
-/// Writes one file: schemas, channels, then messages in the order of their times. Messages are
-/// gathered in uncompressed chunks with their checksums and indexes, so that readers can jump.
+/// Writer of one MCAP file: schemas, channels, then messages in the order of their times. Messages
+/// are stored in uncompressed chunks with checksums and indexes, so that readers can jump.
 class McapWriter {
  public:
-  /// `library`: what wrote it. Throws Error if the file cannot be written.
+  /// `library` names the program that writes the file. Throws Error if the file cannot be written.
   McapWriter(const std::filesystem::path& file, std::string_view library);
-  /// Without finish() there is no file.
+  /// Discards the file unless finish() was called.
   ~McapWriter();
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  /// A schema in JSON Schema; its number.
+  /// Adds a schema in JSON Schema and returns its number.
   std::uint16_t add_schema(std::string_view name, std::string_view json_schema);
-  /// A topic of messages in JSON; its number. Throws Error for a schema that there is not.
+  /// Adds a topic of JSON messages and returns its number. Throws Error if `schema` does not exist.
   std::uint16_t add_channel(std::uint16_t schema, std::string_view topic);
-  /// time: ns since 1970. Throws Error for a channel that there is not.
+  /// Writes a message. `time` counts from 1970 [ns]. Throws Error if `channel` does not exist.
   void write(std::uint16_t channel, std::uint64_t time, std::string_view json);
   void add_metadata(std::string_view name, const std::map<std::string, std::string>& values);
-  /// Writes what is at the end. Throws Error if anything could not be written.
+  /// Writes the end of the file. Throws Error if anything could not be written.
   void finish();
 
  private:
@@ -51,20 +51,20 @@ class McapWriter {
   void write_summary();
 
   std::unique_ptr<WholeFile> file_;
-  std::uint64_t position_ = 0;  ///< bytes written
+  std::uint64_t position_ = 0;  ///< Number of bytes written
   std::uint32_t data_crc_ = 0;
-  std::string chunk_;                              ///< records of the chunk that is being filled
-  std::uint64_t chunk_start_ = 0, chunk_end_ = 0;  ///< ns
+  std::string chunk_;                              ///< Records of the current chunk
+  std::uint64_t chunk_start_ = 0, chunk_end_ = 0;  ///< First and last time in the chunk [ns]
   std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> chunk_index_;
-  std::vector<std::string> schemas_, channels_;  ///< their records
+  std::vector<std::string> schemas_, channels_;  ///< Records of the schemas and channels
   std::map<std::uint16_t, std::uint64_t> counts_;
   std::vector<ChunkIndex> chunks_;
   std::vector<MetadataIndex> metadata_;
-  std::uint64_t start_ = 0, end_ = 0;  ///< ns, of all messages
+  std::uint64_t start_ = 0, end_ = 0;  ///< First and last time of all messages [ns]
   std::uint32_t messages_ = 0;
 };
 
-/// CRC-32 as of zip and PNG files; `before`: of what came before.
+/// CRC-32 as in zip and PNG files. `before` is the CRC of the preceding bytes.
 std::uint32_t crc32(std::string_view bytes, std::uint32_t before = 0);
 
 }  // namespace burnish

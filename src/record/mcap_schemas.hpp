@@ -1,4 +1,4 @@
-// The shapes of the messages in a recording, as JSON Schema.
+// Structure of the messages in a recording, as JSON Schema.
 #pragma once
 
 #include <string>
@@ -30,11 +30,11 @@ inline const std::string pose = object({{"position", vector}, {"orientation", qu
 inline const std::string color =
     object({{"r", number}, {"g", number}, {"b", number}, {"a", number}});
 
-/// foxglove.PoseInFrame
+/// Schema foxglove.PoseInFrame.
 inline std::string pose_in_frame() {
   return object({{"timestamp", moment}, {"frame_id", word}, {"pose", pose}});
 }
-/// foxglove.FrameTransforms
+/// Schema foxglove.FrameTransforms.
 inline std::string frame_transforms() {
   return object({{"transforms", list(object({{"timestamp", moment},
                                              {"parent_frame_id", word},
@@ -42,7 +42,7 @@ inline std::string frame_transforms() {
                                              {"translation", vector},
                                              {"rotation", quaternion}}))}});
 }
-/// foxglove.SceneUpdate, the part of it that is used.
+/// Schema foxglove.SceneUpdate, reduced to the fields in use.
 inline std::string scene_update() {
   const auto solid = [](Members members) {
     members.insert(members.begin(), {"pose", pose});
@@ -60,7 +60,7 @@ inline std::string scene_update() {
                                                                 {"bottom_scale", number},
                                                                 {"top_scale", number}})}}))}});
 }
-/// A moment and numbers by name.
+/// Schema of a message with a time stamp and named numbers.
 inline std::string numbers(const std::vector<std::string>& names) {
   Members members{{"timestamp", moment}};
   for (const std::string& name : names) members.emplace_back(name, number);

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a robot all in all: 18 MB of page.
-constexpr std::size_t most_triangles = 400'000;
+/// Maximum number of triangles of a robot's meshes; 400,000 triangles make a page of 18 MB.
+constexpr std::size_t max_triangles = 400'000;
 
 std::vector<fs::path> folders_in(const char* variable, const char* below) {
   std::vector<fs::path> folders;
@@ -35,7 +35,7 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, ignored);
 }
 
-/// A package is a folder that is named like it, or one of that name inside.
+/// Returns a file of a package. A package is a folder with the package's name, or contains one.
 fs::path file_in_package(const fs::path& folder, const std::string& package, const fs::path& rest) {
   if (is_file(folder / package / rest)) return folder / package / rest;
   if (folder.filename() == package && is_file(folder / rest)) return folder / rest;
@@ -45,7 +45,7 @@ fs::path file_in_package(const fs::path& folder, const std::string& package, con
 #ifdef BURNISH_HAS_ASSIMP
 Mesh read_mesh(const fs::path& file) {
   Assimp::Importer importer;
-  // Descriptions of robots count on z being up in Collada files, whatever these say.
+  // Robot descriptions assume z up in Collada files, whatever axis the files state.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -56,14 +56,15 @@ Mesh read_mesh(const fs::path& file) {
   Mesh mesh;
   if (scene == nullptr) return mesh;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
-    const aiMesh& part = *scene->mMeshes[m];
+    const aiMesh& submesh = *scene->mMeshes[m];
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 3);
-    for (unsigned v = 0; v < part.mNumVertices; ++v)
-      for (const float x : {part.mVertices[v].x, part.mVertices[v].y, part.mVertices[v].z})
+    for (unsigned v = 0; v < submesh.mNumVertices; ++v)
+      for (const float x : {submesh.mVertices[v].x, submesh.mVertices[v].y, submesh.mVertices[v].z})
         mesh.vertices.push_back(x);
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      if (part.mFaces[f].mNumIndices != 3) continue;
-      for (unsigned k = 0; k < 3; ++k) mesh.triangles.push_back(first + part.mFaces[f].mIndices[k]);
+    for (unsigned f = 0; f < submesh.mNumFaces; ++f) {
+      if (submesh.mFaces[f].mNumIndices != 3) continue;
+      for (unsigned k = 0; k < 3; ++k)
+        mesh.triangles.push_back(first + submesh.mFaces[f].mIndices[k]);
     }
   }
   return mesh;
@@ -96,7 +97,7 @@ fs::path mesh_file(const std::string& uri, const fs::path& folder) {
     return is_file(file) ? file : fs::path();
   }
   if (!uri.starts_with(in_package)) {
-    const fs::path file = folder / uri;  // an absolute one stays what it is
+    const fs::path file = folder / uri;  // An absolute path replaces `folder`
     return is_file(file) ? file : fs::path();
   }
   const std::string name = uri.substr(in_package.size());
@@ -114,7 +115,7 @@ fs::path mesh_file(const std::string& uri, const fs::path& folder) {
     folders.push_back(std::move(each));
   for (const fs::path& each : folders)
     if (fs::path file = file_in_package(each, package, rest); !file.empty()) return file;
-  // Files that left their package often keep its folders.
+  // Descriptions that were copied out of a package often keep the package's folders.
   constexpr int levels = 3;
   fs::path above = fs::absolute(folder, ignored);
   for (int level = 0; level < levels; ++level, above = above.parent_path())
@@ -134,7 +135,7 @@ std::map<std::string, Mesh> load_meshes(const Model& model, const std::vector<fs
     if (file.empty()) continue;
     Mesh mesh = read_mesh(file);
     const std::size_t count = mesh.triangles.size() / 3;
-    if (count == 0 || triangles + count > most_triangles) continue;
+    if (count == 0 || triangles + count > max_triangles) continue;
     triangles += count;
     meshes[shape->uri] = std::move(mesh);
   }

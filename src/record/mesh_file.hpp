@@ -1,4 +1,4 @@
-// Meshes that a robot's description names, as triangles.
+// Files and triangles of the meshes in a robot's description.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,21 @@
 
 namespace burnish {
 
-/// Folders that meshes of a robot that load_robot() knows by this name are sought from: that of its
-/// description, then that of its settings. Empty if it is unknown.
+/// Returns the folders in which to search the meshes of a robot, by its name for load_robot(): the
+/// folder of the robot's description, then the folder of its settings. Empty if the robot is
+/// unknown.
 std::vector<std::filesystem::path> mesh_folders(const std::string& robot);
 
-/// The file that a uri of a description means: beside the description; for package:// in a folder
-/// of that name above it, in $ROS_PACKAGE_PATH or in a share folder of $AMENT_PREFIX_PATH, or else
-/// without the package's name in the folder or one of the two above. Empty if there is none.
+/// Returns the file of a mesh uri; empty if there is none. `folder` is the folder of the
+/// description, and a plain uri is relative to it.
+/// A package:// uri is searched in folders named like the package: above `folder`, in
+/// $ROS_PACKAGE_PATH, and in the share folders of $AMENT_PREFIX_PATH. If none is found, the path
+/// without the package's name is searched in `folder` and the two folders above.
 std::filesystem::path mesh_file(const std::string& uri, const std::filesystem::path& folder);
 
-/// The meshes of a model by their uri, each from the first folder that has it. Those that are not
-/// found, cannot be read (STL, OBJ, Collada and more where assimp was there when this was built,
-/// none otherwise) or have too many triangles are left out.
+/// Loads the meshes of a model, by uri, each from the first folder that contains it. Omits meshes
+/// that are not found, cannot be read, or exceed the maximum number of triangles. Reading needs
+/// assimp at build time (STL, OBJ, Collada and more); without assimp, no mesh can be read.
 std::map<std::string, Mesh> load_meshes(const Model& model,
                                         const std::vector<std::filesystem::path>& folders);
 

@@ -16,8 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* no_page =
-    "this program was built without the page of runs (Node or its packages were not there)";
-/// Bytes: browsers open what is larger, but slowly.
+    "this program was built without the web page of runs, because Node or its packages were "
+    "missing";
+/// Maximum size of a comparison [bytes]. Browsers open larger pages only slowly. Chosen by hand.
 constexpr std::size_t largest_comparison = 100'000'000;
 
 std::int64_t now() {
@@ -34,7 +35,7 @@ void check_page() {
 std::vector<std::string> PageWriter::write(const fs::path& folder,
                                            const std::function<RunPage()>& make) {
   std::vector<std::string> written;
-  std::error_code ignored;  // of a run before in the same folder
+  std::error_code ignored;  // Files of an earlier run in this folder
   for (const char* name : {"run.json", "run.html", "run.mcap"}) fs::remove(folder / name, ignored);
   if ((!pages_ && !recordings_) || !make) return written;
   RunPage page = make();
@@ -67,8 +68,8 @@ std::vector<std::string> PageWriter::write(const fs::path& folder,
 std::string PageWriter::missing_meshes() const {
   if (missing_meshes_.empty()) return "";
   return fmt::format(
-      "the robot is drawn without {} of its meshes, which were not found or could not be read: {}; "
-      "docs/run_page.md says where they are sought",
+      "the page shows the robot without {} of its meshes, which were not found or could not be "
+      "read: {}; docs/run_page.md lists the search folders",
       missing_meshes_.size(), joined_names({missing_meshes_.begin(), missing_meshes_.end()}));
 }
 
@@ -82,8 +83,8 @@ std::string PageWriter::finish(const fs::path& folder) const {
   if (page_template().empty()) return std::string("no run.html: ") + no_page;
   if (runs_.size() < 2) return "";
   if (size_ > largest_comparison)
-    return "no comparison.html: the runs are too many for one page; burnish report makes one of "
-           "some of them";
+    return "no comparison.html: the runs take more than 100 MB, too much for one page; burnish "
+           "report makes a page of selected runs";
   write_runs_page(names_, runs_, file);
   return "all runs on one page: " + file.string();
 }
@@ -102,11 +103,11 @@ void write_robot_page(const RobotDrawing& robot, const fs::path& file) {
 }
 
 std::string joined_names(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t max_names = 3;
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_names, names.size()); ++i)
     text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  if (names.size() > max_names) text += fmt::format(" and {} more", names.size() - max_names);
   return text;
 }
 

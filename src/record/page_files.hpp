@@ -1,4 +1,4 @@
-// Pages and recordings of runs as files: of each run, and of several beside each other.
+// Pages and recordings of runs as files, of single runs and of several runs side by side.
 #pragma once
 
 #include <filesystem>
@@ -11,38 +11,38 @@
 
 namespace burnish {
 
-/// Writes what the runs of one call leave beside their tables.
+/// Writer of the pages and recordings of all runs of one command.
 class PageWriter {
  public:
   PageWriter(bool pages, bool recordings) : pages_(pages), recordings_(recordings) {}
-  /// run.json, run.html and run.mcap as far as they are wanted and can be made; their names. `make`
-  /// is asked for the page, which is dated here, where one is wanted; empty: there is nothing to
-  /// show.
+  /// Writes run.json, run.html and run.mcap, as far as requested and possible, and returns their
+  /// names. Calls `make` for the page only if a file needs it. An empty `make` means that there is
+  /// nothing to show.
   std::vector<std::string> write(const std::filesystem::path& folder,
                                  const std::function<RunPage()>& make);
-  /// Whether runs have a page, so that nobody needs their plots as files.
+  /// Returns whether runs have a page, which makes plots as separate files unnecessary.
   bool makes_pages() const;
-  /// Behind the last run: comparison.html in the folder of all runs, if there are several.
-  /// Returns what is to be told about pages, one line, or nothing.
+  /// Finishes after the last run: writes comparison.html to the folder of all runs if there are
+  /// several. Returns a line for the user about the pages; empty: none.
   std::string finish(const std::filesystem::path& folder) const;
-  /// One sentence about meshes that robots of these runs are drawn without; empty: all are there.
+  /// Returns a sentence about meshes that are missing in the pages of these runs; empty: none.
   std::string missing_meshes() const;
 
  private:
   bool pages_, recordings_;
-  std::set<std::string> missing_meshes_;   ///< by their file names
-  std::vector<std::string> names_, runs_;  ///< of each run: name, and JSON as it is in a page
-  std::size_t size_ = 0;                   ///< bytes of runs_
+  std::set<std::string> missing_meshes_;   ///< File names of missing meshes
+  std::vector<std::string> names_, runs_;  ///< Name of each run, and its JSON
+  std::size_t size_ = 0;                   ///< Total size of runs_ [bytes]
 };
 
-/// The page of these runs (JSON of each) with a title of their names. Throws Error if the file
-/// cannot be written, or if this program has no page.
+/// Writes a page with these runs (JSON of each), titled with their names. Throws Error if the file
+/// cannot be written or this build does not contain the page.
 void write_runs_page(const std::vector<std::string>& names, const std::vector<std::string>& runs,
                      const std::filesystem::path& file);
-/// The page of a robot. Throws Error as write_runs_page() does.
+/// Writes the page of a robot. Throws Error as write_runs_page() does.
 void write_robot_page(const RobotDrawing& robot, const std::filesystem::path& file);
 
-/// Such as "table_mpc, table_baseline and 3 more".
+/// Returns a list for people, such as "table_mpc, table_baseline and 3 more".
 std::string joined_names(const std::vector<std::string>& names);
 
 }  // namespace burnish

@@ -5,12 +5,13 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish {
 namespace {
 
-/// Bytes in base64 (RFC 4648, section 4).
+/// Returns bytes in base64 (RFC 4648, section 4).
 std::string base64(const std::string& bytes) {
   constexpr std::string_view letters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -27,7 +28,7 @@ std::string base64(const std::string& bytes) {
   return result;
 }
 
-/// Words of 32 bits, little-endian.
+/// Packs words of 32 bits, little-endian.
 template <class Word>
 Json packed(const char* kind, std::span<const Word> words) {
   std::string bytes;
@@ -40,13 +41,13 @@ Json packed(const char* kind, std::span<const Word> words) {
 
 Json floats_json(const ConstVectorRef& numbers) {
   const Eigen::VectorXf rounded = numbers.cast<float>();
-  return packed_json({rounded.data(), static_cast<std::size_t>(rounded.size())});
+  return packed_json({rounded.data(), to_size(rounded.size())});
 }
 Json floats_json(const std::vector<double>& numbers) {
   return floats_json(VectorView(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
 }
 
-/// A list of what `json_of` makes of each.
+/// Returns the list of json_of(entry) for every entry.
 template <class List, class JsonOf>
 Json list_json(const List& list, JsonOf&& json_of) {
   Json json = Json::array();
@@ -108,7 +109,7 @@ void add_scene(Json& json, const RunPage& run) {
   json["path_origin"] = numbers_json(run.path_origin_world);
 }
 
-/// What a robot stands on and what pushes it, where there is any.
+/// Adds the supports of a robot and the pushes on it, if there are any.
 void add_supports(Json& json, const RunPage& run) {
   if (!run.supports.empty())
     json["supports"] = list_json(run.supports, [](const SupportSpec& support) {
@@ -129,7 +130,7 @@ void add_supports(Json& json, const RunPage& run) {
     });
 }
 
-/// Of a planned motion: what it follows, and its rows with limits.
+/// Adds the frames, forces and constraint rows of a planned motion.
 void add_planned(Json& json, const RunPage& run) {
   if (!run.plan) return;
   json["plan"] = {{"frames", run.plan->frames},
@@ -155,7 +156,7 @@ void add_series(Json& json, const RunPage& run) {
   json["envelopes"] = {{"columns", list_json(run.envelopes, envelope_json)}};
 }
 
-/// [lower, upper] per joint; joints of several entries have none.
+/// Returns [lower, upper] per joint; infinite for joints with several entries.
 Json limits_json(const Model& model) {
   const double none = std::numeric_limits<double>::infinity();
   const auto list = [&](const auto& limit_of) {
@@ -205,7 +206,8 @@ void add_plans(Json& json, const std::optional<PlanRecord>& plans) {
                      {"q", packed_json(plans->q)}};
 }
 
-/// The data of a page; runs and robot as they were written, null where there is no robot.
+/// Returns the data of a page. `runs` and `robot` are JSON texts; `robot` is "null" without a
+/// robot.
 std::string page_text(const PageHead& head, const char* kind, const std::vector<std::string>& runs,
                       const std::string& robot) {
   std::string text = compact_text({{"format", page_format},
@@ -267,13 +269,13 @@ std::string page_html(std::string_view page_template, std::string_view data) {
   const std::string place = std::string(before) + std::string(after);
   const std::size_t at = page_template.find(place);
   if (at == std::string_view::npos || page_template.find(place, at + 1) != std::string_view::npos)
-    throw Error("the page's template has " +
+    throw Error("the page template has " +
                 std::string(at == std::string_view::npos ? "no place" : "several places") +
                 " for its data; wanted one script element burnish-data that holds null");
   std::string html;
   html.reserve(page_template.size() + data.size());
   html += page_template.substr(0, at + before.size());
-  // Texts in the data could end the script element, or begin a comment in it.
+  // Texts in the data could end the script element or begin a comment in it.
   for (const char letter : data) letter == '<' ? html += "\\u003c" : html += letter;
   html += page_template.substr(at + before.size() + std::string_view("null").size());
   return html;

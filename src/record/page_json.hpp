@@ -1,4 +1,4 @@
-// The page of a run as text: its data in JSON, and the HTML that holds them.
+// Page of a run as text: its data in JSON, and the HTML that contains them.
 #pragma once
 
 #include <cstdint>
@@ -13,46 +13,46 @@
 
 namespace burnish {
 
-/// The format of the data within a page, and of a run's run.json.
+/// Format of the data in a page and in run.json.
 inline constexpr std::string_view page_format = "burnish-page/1";
 
-/// Without blanks; bytes that are no UTF-8 become U+FFFD.
+/// Returns JSON without blanks. Bytes that are not UTF-8 become U+FFFD.
 std::string compact_text(const Json& json);
-/// {"n": count, "f32": base64 of little-endian float32}; NaN stays NaN.
+/// Returns {"n": count, "f32": base64 of little-endian float32}. NaN stays NaN.
 Json packed_json(std::span<const float> numbers);
-/// {"n": count, "u32": base64 of little-endian uint32}.
+/// Returns {"n": count, "u32": base64 of little-endian uint32}.
 Json packed_json(std::span<const std::uint32_t> numbers);
-/// [px, py, pz, qx, qy, qz, qw], w not negative.
+/// Returns [px, py, pz, qx, qy, qz, qw] with qw >= 0.
 Json pose_json(const Eigen::Isometry3d& placement);
 
-/// A robot and a run, as the page reads them.
+/// JSON of a robot and of a run, in the format of the page.
 Json robot_json(const RobotDrawing& robot);
 std::string run_page_json(const RunPage& run);
 
-/// Meshes that the robot's description names and that are not there, by their file names.
+/// Returns the file names of meshes in the robot's description that could not be loaded.
 std::vector<std::string> missing_meshes(const RobotDrawing& robot);
 
 struct PageHead {
   std::string title;
-  std::string version = {};  ///< of the program
-  std::int64_t created = 0;  ///< s since 1970, UTC
+  std::string version = {};  ///< Version of the program
+  std::int64_t created = 0;  ///< Time since 1970, UTC [s]
 };
-/// The data of a page with these runs, each as run_page_json() gives it.
+/// Returns the data of a page with these runs, each in the format of run_page_json().
 std::string page_json(const PageHead& head, const std::vector<std::string>& runs);
-/// The data of a page with a robot alone.
+/// Returns the data of a page with only a robot.
 std::string robot_page_json(const PageHead& head, const RobotDrawing& robot);
 
-/// The page: its template with the data (JSON) in place, whatever texts that holds. Throws Error
-/// for a template that has no place or several.
+/// Returns the page: the template with the data (JSON) inserted. The data may contain any text.
+/// Throws Error unless the template has exactly one place for the data.
 std::string page_html(std::string_view page_template, std::string_view data);
 
-/// The run's rows as a recording: /joint_states, /force, /task, /tool_pose, /target_pose, /tf and
-/// /tf_static (every link), /scene (the robot's solids and the surface), /solver, /costs; facts and
-/// figures as metadata. Frames and poses have the names and fields of Foxglove's schemas. Throws
-/// Error if the file cannot be written.
+/// Writes the run's rows as a recording with the topics /joint_states, /force, /task, /tool_pose,
+/// /target_pose, /tf and /tf_static (every link), /scene (the robot's solids and the surface),
+/// /solver, /costs. Facts and figures are metadata. Frames and poses use the names and fields of
+/// Foxglove's schemas. Throws Error if the file cannot be written.
 void write_run_mcap(const RunPage& run, const std::filesystem::path& file);
 
-/// Such as 2026-11-21T14:00:00Z.
+/// Returns a time such as 2026-11-21T14:00:00Z.
 std::string utc_text(std::int64_t seconds);
 
 }  // namespace burnish

@@ -9,7 +9,7 @@ std::string file_name(const std::string& uri) {
   return uri.substr(uri.find_last_of("/\\") + 1);  // npos + 1 is 0
 }
 
-/// Limits of joints of one entry; null where there is none.
+/// Returns a joint with its limits; limits of joints with several entries are null.
 Json joint_json(const Model& model, const Joint& joint) {
   const bool single = joint.nv == 1, bounded = joint.nq == 1;
   Json json{{"name", joint.name},

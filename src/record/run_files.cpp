@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every `every`th row, and the last.
+/// Returns every `every`th row and the last row.
 Trace thinned(const Trace& trace, int every) {
   if (every <= 1) return trace;
   Trace result(trace.columns(), trace.rows() / every + 2);
@@ -26,7 +26,7 @@ Trace thinned(const Trace& trace, int every) {
   return result;
 }
 
-/// Their names. Those of a run before in the same folder go.
+/// Writes the plots and returns their names. Removes plots of an earlier run in this folder.
 std::vector<std::string> write_plots(const RunFiles& run, bool wanted, const fs::path& folder) {
   std::vector<std::string> names;
   for (const auto& [name, make] : run.plots) {
@@ -46,8 +46,8 @@ std::vector<std::string> write_plots(const RunFiles& run, bool wanted, const fs:
 std::vector<std::string> write_run_files(const RunFiles& run, const RunFilesOptions& options,
                                          const fs::path& folder, PageWriter& pages) {
   if (options.record_every < 1)
-    throw Error(fmt::format("record_every is {}; wanted is a positive number of plant steps",
-                            options.record_every));
+    throw Error(
+        fmt::format("record_every is {}; wanted at least 1 plant step", options.record_every));
   make_folder(folder);
   std::vector<std::string> names{"trace.csv", "metrics.json", "task.yaml"};
   thinned(run.trace, options.record_every).write_csv(folder / "trace.csv");

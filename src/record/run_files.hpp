@@ -1,5 +1,5 @@
-// What a run leaves in its folder, whatever its task: tables, figures, the task, its plots, page
-// and recording, and what is known of a fault.
+// Files in the folder of a run, common to all tasks: tables, figures, the task, plots, page,
+// recording and the fault report.
 #pragma once
 
 #include <filesystem>
@@ -17,36 +17,38 @@
 
 namespace burnish {
 
-/// How much of a run is written.
+/// Options for the files of a run.
 struct RunFilesOptions {
-  int record_every = 10;  ///< plant steps between two rows of trace.csv
-  bool plots = false;     ///< as SVG files too, where the page has them
+  int record_every = 10;  ///< Plant steps between two rows of trace.csv
+  bool plots = false;     ///< Write plots as SVG files even if there is a page
 };
 
-/// An SVG file: its name and what makes it, without panels where there is nothing to show.
+/// Name of an SVG file and the function that makes its plot. A plot without panels is not written.
 using PlotFile = std::pair<std::string, std::function<PlotSpec()>>;
 
-/// What there is to write. Functions are called where their part is wanted.
+/// Data for the files of a run. The functions are called only if a file needs them.
 struct RunFiles {
   const Trace& trace;
   const FaultReport& fault;
-  nlohmann::ordered_json figures;  ///< metrics.json
-  std::string task_file;           ///< the text of task.yaml
+  nlohmann::ordered_json figures;  ///< Content of metrics.json
+  std::string task_file;           ///< Content of task.yaml
   std::vector<PlotFile> plots;
   std::function<RunPage()> page;
 };
 
-/// Writes trace.csv, metrics.json, task.yaml, the plots where they are asked for or there is no
-/// page, after a fault fault.txt and last_second.csv, and what `pages` writes; their names. Throws
-/// Error if a file cannot be written, and for a `record_every` that is not positive.
+/// Writes trace.csv, metrics.json, task.yaml, and the files of `pages`. Writes the plots if
+/// requested or if there is no page. After a fault, writes fault.txt and last_second.csv. Returns
+/// the names of the files. Throws Error if a file cannot be written or if `record_every` is below
+/// 1.
 std::vector<std::string> write_run_files(const RunFiles& run, const RunFilesOptions& options,
                                          const std::filesystem::path& folder, PageWriter& pages);
 
-/// A fault in figures; null without one.
+/// Returns the figures of a fault; null without a fault.
 nlohmann::ordered_json fault_json(const FaultReport& fault);
-/// As the page shows it.
+/// Returns the fault for the page; empty without a fault.
 std::optional<PageFault> page_fault(const FaultReport& fault);
-/// A robot at q with its postures and meshes, which lie where `name` (load_robot()) leads to.
+/// Returns a robot at q with its postures and meshes. The meshes are searched by `name`
+/// (load_robot()).
 RobotDrawing drawing_of(const Robot& robot, const std::string& name, const Eigen::VectorXd& q);
 
 }  // namespace burnish

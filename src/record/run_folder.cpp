@@ -22,12 +22,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* mark_name = ".burnish";
 constexpr const char* running = "running";
-constexpr const char* stopped = "stopped";  // as long as `running`, which it is written over
+constexpr const char* stopped = "stopped";  // Must be as long as `running`, which it overwrites
 constexpr const char* failed = "failed";
 constexpr const char* finished = "finished";
-constexpr int most_numbers = 100'000;
+constexpr int max_numbered_folders = 100'000;
 
-/// What a folder's mark says: whether its run came to an end, and what of the folder is its own.
+/// Content of a folder's marker file: whether the run has finished, and the names of its files.
 struct Mark {
   bool finished = false;
   std::set<std::string> names;
@@ -48,10 +48,10 @@ std::optional<Mark> read_mark(const fs::path& folder) {
   return mark;
 }
 
-/// The mark of the run that goes on, for a signal's handler.
+/// Path of the marker file of the current run, for the signal handler.
 char running_mark[4096] = "";
 
-/// Whether a run is there that another version left, which marked nothing.
+/// Returns whether the folder contains a run of an older version, which wrote no marker file.
 bool looks_like_a_run(const fs::path& folder) {
   std::error_code ignored;
   const auto has = [&](const fs::path& where, std::initializer_list<const char*> names) {
@@ -64,14 +64,13 @@ bool looks_like_a_run(const fs::path& folder) {
   return false;
 }
 
-/// Throws Error unless everything in the folder is of the run that its mark is about.
+/// Throws Error unless everything in the folder belongs to the run of its marker file.
 void check_replaceable(const fs::path& folder) {
   const std::optional<Mark> mark = read_mark(folder);
   if (!mark)
     throw Error(
-        fmt::format("'{}' holds a run that does not say which files are its own, as an older "
-                    "version left it; wanted one that --force can replace: remove it, or "
-                    "take another folder",
+        fmt::format("'{}' holds a run of an older version, without a list of its files, so --force "
+                    "cannot replace it; remove it, or choose another folder",
                     folder.string()));
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -80,13 +79,13 @@ void check_replaceable(const fs::path& folder) {
         mark->names.contains(name + '/'))
       continue;
     throw Error(
-        fmt::format("'{}' holds '{}', which no run left; wanted a folder that --force may "
-                    "replace: move that away, or take another folder",
+        fmt::format("'{}' holds '{}', which is not part of a run, so --force cannot replace the "
+                    "folder; move the file away, or choose another folder",
                     folder.string(), name));
   }
 }
 
-/// Whether a path still leads to what was opened.
+/// Returns whether a path still refers to the file that was opened.
 bool leads_to(const fs::path& path, int descriptor) {
   struct stat by_path {
   }, by_descriptor{};
@@ -143,12 +142,12 @@ RunFolder::~RunFolder() {
       fs::remove(path_ / mark_name, ignored);
     else
       mark_as_failed();
-    if (made_) fs::remove(path_, ignored);  // unless there is something in it
+    if (made_) fs::remove(path_, ignored);  // Fails if the folder is not empty
   }
   if (lock_ >= 0) close(lock_);
 }
 
-/// On a full disk the mark may be written over and not written anew.
+/// Falls back to overwriting the state in place, because a full disk can prevent a new file.
 void RunFolder::mark_as_failed() noexcept {
   try {
     write_mark(path_, failed, claimed_);
@@ -166,7 +165,7 @@ void RunFolder::claim(const std::vector<std::string>& names) {
     std::error_code ignored;
     if (!resumed_ && name.ends_with('/') && fs::exists(path_ / name, ignored) &&
         !fs::is_empty(path_ / name, ignored))
-      throw Error(fmt::format("'{}' holds files that no run left; wanted another folder",
+      throw Error(fmt::format("'{}' holds files that are not part of a run; wanted another folder",
                               (path_ / name).string()));
     claimed_.insert(name);
   }
@@ -177,14 +176,15 @@ void RunFolder::claim(const std::vector<std::string>& names) {
 
 void RunFolder::make_new(const std::string& name) {
   numbered_ = made_ = true;
-  for (int number = 1; number <= most_numbers; ++number) {
+  for (int number = 1; number <= max_numbered_folders; ++number) {
     path_ = number == 1 ? name : fmt::format("{}_{}", name, number);
     std::error_code error;
     if (fs::create_directory(path_, error)) return lock();
     if (error && error != std::errc::file_exists)
       throw Error(fmt::format("cannot make the folder '{}': {}", path_.string(), error.message()));
   }
-  throw Error(fmt::format("there are {} folders '{}' and so on; wanted --out", most_numbers, name));
+  throw Error(fmt::format("{} folders '{}', '{}_2', ... exist; wanted --out with another folder",
+                          max_numbered_folders, name, name));
 }
 
 void RunFolder::take(const FolderChoice& choice) {
@@ -201,12 +201,12 @@ void RunFolder::take(const FolderChoice& choice) {
   if (!choice.force)
     throw Error(fmt::format("'{}' holds a run{}; wanted another folder, or --force to replace it",
                             folder.string(),
-                            mark && !mark->finished ? " that did not come to its end" : ""));
+                            mark && !mark->finished ? " that did not finish" : ""));
   check_replaceable(folder);
   replace();
 }
 
-/// The old folder goes aside in one step, and then from the disk.
+/// Moves the old folder aside in one step and then deletes it.
 void RunFolder::replace() {
   const fs::path whole = fs::absolute(path_).lexically_normal();
   const fs::path plain = whole.has_filename() ? whole : whole.parent_path();
@@ -224,21 +224,22 @@ void RunFolder::replace() {
   made_ = true;
 }
 
-/// Two programs that come at the same time: one of them has it, and it is the one that is there.
+/// Locks the folder. If two programs start at the same time, only the one whose folder is still at
+/// the path gets the lock.
 void RunFolder::lock() {
   lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0)
     throw Error(
         fmt::format("cannot open the folder '{}': {}", path_.string(), std::strerror(errno)));
-  // Where files cannot be locked, as on some networks, there is no guard.
+  // File systems without locks, such as some network file systems, are not protected.
   const bool taken = flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   if (!taken && leads_to(path_, lock_)) return;
   close(lock_);
   lock_ = -1;
   made_ = false;
   throw Error(
-      fmt::format("another run writes into '{}'; wanted another folder, or to wait for its "
-                  "end",
+      fmt::format("another run writes into '{}'; wanted another folder, or to wait for the end "
+                  "of that run",
                   path_.string()));
 }
 

@@ -1,4 +1,4 @@
-// Where a command leaves what it makes: one folder for one run of the program.
+// Output folder of one run of the program.
 #pragma once
 
 #include <filesystem>
@@ -8,45 +8,43 @@
 
 namespace burnish {
 
-/// Creates the folder. Throws Error if that cannot be done.
+/// Creates the folder. Throws Error on failure.
 void make_folder(const std::filesystem::path& folder);
-/// Writes a file as a whole or not at all, with a line's end behind the text. Throws Error if that
-/// cannot be done.
+/// Writes a file completely or not at all, and appends a newline. Throws Error on failure.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
-/// What a command line says of its folder.
+/// Choice of the output folder on the command line.
 struct FolderChoice {
-  std::filesystem::path out = {};  ///< as --out names it; empty: a new one, called `name`
-  std::string name;                ///< of new folders: NAME, NAME_2, NAME_3, ...
-  bool force = false;              ///< replaces the run that `out` holds
-  bool resume = false;             ///< goes on with the run that `out` holds
+  std::filesystem::path out = {};  ///< Folder given by --out; empty: a new folder called `name`
+  std::string name;                ///< Name of new folders: NAME, NAME_2, NAME_3, ...
+  bool force = false;              ///< Replace the run in `out`
+  bool resume = false;             ///< Continue the run in `out`
 };
 
-/// Writes "stopped" over "running" in the mark of the folder that this process writes into; nothing
-/// where there is none. A signal's handler may call it.
+/// Changes the state "running" to "stopped" in the marker file of the current folder, if there is
+/// one. Safe in a signal handler.
 void mark_running_as_stopped() noexcept;
 
-/// A folder that is made, marked as running, held against all others, and finished. Its mark, the
-/// file `.burnish`, says what became of the run (running, finished, failed, or stopped by a signal)
-/// and what in the folder is of it. It
-/// is held by a lock that ends with the process. Where nothing was written the folder goes again; a
-/// run that was broken off stays marked as not finished.
+/// Output folder that is created, marked as running, locked against other processes, and finished.
+/// The marker file `.burnish` contains the state of the run (running, finished, failed or stopped)
+/// and the names of its files. The lock ends with the process. The destructor removes the folder if
+/// nothing was written. An interrupted run stays marked as not finished.
 class RunFolder {
  public:
-  /// Throws Error where the folder cannot be made, holds a run (unless `force` or `resume`), holds
-  /// what no run left (with `force`), or is another run's that is not over yet. With `force` the
-  /// old run goes out of the way in one step, before anything is written.
+  /// Throws Error if the folder cannot be created, contains a run (unless `force` or `resume`),
+  /// contains files that are not part of a run (with `force`), or belongs to a run in progress.
+  /// With `force`, the old run is moved away in one step before anything is written.
   explicit RunFolder(const FolderChoice& choice);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Files, and folders with '/' behind, that are going to be written into it. Throws Error for a
-  /// folder that others have filled.
+  /// Announces files to write; names of folders end with '/'. Throws Error if an announced folder
+  /// already contains other files.
   void claim(const std::vector<std::string>& names);
-  /// The run is over and all of it written: marks the folder as finished, and where its name was
-  /// not chosen leads the link `latest` beside it there.
+  /// Marks the folder as finished, after all files are written. If the folder has a default name,
+  /// the link `latest` beside it is updated.
   void finish();
 
  private:
@@ -58,10 +56,10 @@ class RunFolder {
 
   std::filesystem::path path_;
   std::set<std::string> claimed_;
-  int lock_ = -1;          ///< file descriptor
-  bool numbered_ = false;  ///< the name was not chosen
-  bool made_ = false;      ///< it was not there before
-  bool resumed_ = false;   ///< what it holds is the run's own
+  int lock_ = -1;          ///< File descriptor
+  bool numbered_ = false;  ///< The folder has a default name
+  bool made_ = false;      ///< The folder did not exist before
+  bool resumed_ = false;   ///< The folder contains earlier files of this run
   bool finished_ = false;
 };
 

@@ -1,9 +1,10 @@
-// A run's rows as a recording in MCAP.
+// Recording of a run's rows in MCAP format.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "record/mcap.hpp"
 #include "record/mcap_schemas.hpp"
@@ -12,33 +13,33 @@
 namespace burnish {
 namespace {
 
-constexpr double transform_period = 0.01;  // s, between two messages of /tf
+constexpr double transform_period = 0.01;  // Time between two messages of /tf, chosen by hand [s]
 
-/// Links by the body that carries them: the first one stands for the body.
+/// Links by body. The first link of a body is its main link and represents the body.
 class LinkTree {
  public:
   explicit LinkTree(const Model& model) : model_(model), main_(model.joints.size(), -1) {
     for (std::size_t i = 0; i < model.frames.size(); ++i) {
       const Frame& frame = model.frames[i];
       if (frame.kind != FrameKind::Link || frame.body < 0) continue;
-      int& main = main_[static_cast<std::size_t>(frame.body)];
+      int& main = main_[to_size(frame.body)];
       if (main < 0) main = static_cast<int>(i);
     }
   }
   const std::vector<int>& main() const { return main_; }
-  /// Of the main link of a body; "world" for -1.
+  /// Returns the name of a body's main link; "world" for body -1.
   std::string name(int body) const {
     return body < 0 || at(body) < 0 ? "world" : model_.frames[index(body)].name;
   }
-  /// Of the body in its main link.
+  /// Returns the placement of a body in its main link.
   Eigen::Isometry3d body_in_link(int body) const {
     if (body < 0 || at(body) < 0) return Eigen::Isometry3d::Identity();
     return model_.frames[index(body)].placement.inverse();
   }
 
  private:
-  int at(int body) const { return main_[static_cast<std::size_t>(body)]; }
-  std::size_t index(int body) const { return static_cast<std::size_t>(at(body)); }
+  int at(int body) const { return main_[to_size(body)]; }
+  std::size_t index(int body) const { return to_size(at(body)); }
   const Model& model_;
   std::vector<int> main_;
 };
@@ -47,13 +48,13 @@ Json moment_json(std::uint64_t time) {
   constexpr std::uint64_t second = 1'000'000'000;
   return {{"sec", time / second}, {"nsec", time % second}};
 }
-/// Of each letter a number.
+/// Returns an object with one number per letter of `letters`.
 Json named_json(const char* letters, const double* values) {
   Json json;
   for (; *letters != '\0'; ++letters) json[std::string(1, *letters)] = *values++;
   return json;
 }
-/// Adds a placement under two names.
+/// Adds the position and the rotation of a placement under two names.
 void add_placement(Json& json, const char* where, const char* how,
                    const Eigen::Isometry3d& placement) {
   const Eigen::Vector3d p = placement.translation();
@@ -74,9 +75,9 @@ Json transform_json(std::uint64_t time, const std::string& parent, const std::st
   return json;
 }
 
-/// Size and kind of what a scene can show; meshes it cannot.
+/// Kind and size of a shape in foxglove.SceneEntity, which does not support meshes here.
 struct Solid {
-  const char* kind;  ///< of foxglove.SceneEntity; null: nothing
+  const char* kind;  ///< Field of foxglove.SceneEntity; null: shape not supported
   Eigen::Vector3d size;
 };
 Solid solid_of(const Shape& shape) {
@@ -107,7 +108,7 @@ Json entity_json(std::uint64_t time, const std::string& frame, const std::string
           {solid.kind, Json::array({std::move(shape)})}};
 }
 
-/// Writes the messages of a run.
+/// Writer of a run's messages.
 class Recorder {
  public:
   Recorder(const RunPage& run, const std::filesystem::path& file)
@@ -172,7 +173,7 @@ class Recorder {
   const Eigen::VectorXd* column(const std::string& name) const {
     for (const PageColumn& column : run_.columns)
       if (column.name == name) return &column.values;
-    throw Error("the recording needs the column '" + name + "', which the run does not have");
+    throw Error("the run has no column '" + name + "', which the recording needs");
   }
   Table table(const char* topic, const char* name, std::vector<std::string> names) {
     Table result{channel(topic, name, mcap::numbers(names)), std::move(names), {}};
@@ -192,9 +193,9 @@ class Recorder {
   void write_joints(Eigen::Index row, std::uint64_t time) {
     Json names = Json::array(), position = names, velocity = names, effort = names;
     const auto at = [row](const auto& columns, int index) {
-      return (*columns[static_cast<std::size_t>(index)])[row];
+      return (*columns[to_size(index)])[row];
     };
-    // A follower moves with its leader, whose motor drives it.
+    // A follower moves with its leader; the motor of the leader drives it, so its effort is 0.
     for (const Joint& joint : model_.joints) {
       const Following following = joint.follows.value_or(Following());
       names.push_back(joint.name);
@@ -213,42 +214,42 @@ class Recorder {
     write(channel, time,
           {{"timestamp", moment_json(time)}, {"frame_id", "world"}, {"pose", pose_of(placement)}});
   }
-  /// Tool, target and, where they are due, the main links.
+  /// Writes the poses of tool and target, and the transforms of the main links.
   void write_placements(Eigen::Index row, std::uint64_t time, bool with_links) {
     if (!with_links) return;
     Eigen::VectorXd q(model_.nq);
-    for (int k = 0; k < model_.nq; ++k) q[k] = (*q_[static_cast<std::size_t>(k)])[row];
+    for (int k = 0; k < model_.nq; ++k) q[k] = (*q_[to_size(k)])[row];
     const std::vector<Eigen::Isometry3d> frames = frame_placements(model_, q);
-    write_pose(tool_, time, frames[static_cast<std::size_t>(model_.frame_index(run_.tool_frame))]);
+    write_pose(tool_, time, frames[to_size(model_.frame_index(run_.tool_frame))]);
     write_pose(target_, time,
                moved(frames) * target_at({(*task_.columns[3])[row], (*task_.columns[4])[row]}));
     Json transforms = Json::array();
     for (const int main : links_.main())
       if (main >= 0)
-        transforms.push_back(transform_json(time, "world",
-                                            model_.frames[static_cast<std::size_t>(main)].name,
-                                            frames[static_cast<std::size_t>(main)]));
+        transforms.push_back(transform_json(time, "world", model_.frames[to_size(main)].name,
+                                            frames[to_size(main)]));
     write(transforms_, time, {{"transforms", std::move(transforms)}});
   }
-  /// The tip's centre for a place of the path, as the surface stands at the start.
+  /// Returns the pose of the tip's centre for a point of the path, with the surface as at the
+  /// start.
   Eigen::Isometry3d target_at(const Eigen::Vector2d& place) const {
     Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
     target.linear() = run_.surface.axes;
     target.translation() = run_.path_origin_world + run_.surface.axes.leftCols<2>() * place;
-    if (const auto& surface = run_.surface.known) {
+    if (const auto& surface = run_.surface.nominal) {
       const Eigen::Vector3d n = run_.surface.axes.col(2);
       const Eigen::Vector3d on = surface->along_normal(target.translation() - run_.tip_radius * n);
       target.translation() = on + run_.tip_radius * surface->at(on).normal;
     }
     return target;
   }
-  /// What a surface that the robot carries has moved by since the start.
+  /// Returns the motion since the start of a surface that the robot carries.
   Eigen::Isometry3d moved(const std::vector<Eigen::Isometry3d>& frames) const {
     if (run_.surface.frame.empty()) return Eigen::Isometry3d::Identity();
-    const auto carrier = static_cast<std::size_t>(model_.frame_index(run_.surface.frame));
+    const auto carrier = to_size(model_.frame_index(run_.surface.frame));
     return frames[carrier] * frame_placements(model_, run_.robot.q)[carrier].inverse();
   }
-  /// Links that do not move against the main one of their body, or against the world.
+  /// Writes the links that are fixed relative to the main link of their body or to the world.
   void write_fixed(std::uint64_t time) {
     Json transforms = Json::array();
     for (const Frame& frame : model_.frames) {
@@ -270,7 +271,7 @@ class Recorder {
                                      links_.body_in_link(visual.body) * visual.placement,
                                      visual.rgba));
     }
-    constexpr double side = 0.6, thickness = 0.005;  // m, of the surface as it is drawn
+    constexpr double side = 0.6, thickness = 0.005;  // Size of the surface in the drawing [m]
     Eigen::Isometry3d plate = Eigen::Isometry3d::Identity();
     plate.linear() = run_.surface.true_axes;
     const Eigen::Vector3d n = run_.surface.true_axes.col(2);
@@ -281,7 +282,7 @@ class Recorder {
                                    plate, {0.6, 0.7, 0.8, 0.5}));
     write(scene_, time, {{"deletions", Json::array()}, {"entities", std::move(entities)}});
   }
-  /// Plans up to a time, so that messages come in the order of their times.
+  /// Writes the plans up to a time, so that the messages are in the order of their times.
   void write_until(double now) {
     while (run_.solver && next_solve_ < run_.solver->time.size() &&
            run_.solver->time[next_solve_] <= now) {

@@ -1,4 +1,4 @@
-// A solved problem as a record of named columns, as JSON, and as plots.
+// Solution of a problem as named columns, as JSON and as plots.
 #pragma once
 
 #include <filesystem>
@@ -15,13 +15,13 @@
 
 namespace burnish {
 
-/// Signals of a problem that plots show.
-struct Followed {
-  /// frames with a cost on their position, and behind them those with a constraint on it alone
+/// Signals of a problem that the plots show.
+struct PlotSignals {
+  /// Frames with a cost on their position, then frames with only a constraint on it.
   std::vector<std::string> frames;
-  std::vector<std::string> forces;  ///< rows such as "table_force_z_centered" of all contacts
+  std::vector<std::string> forces;  ///< Columns such as "table_force_z_centered", of all contacts
 };
-Followed followed(const ProblemSpec& spec);
+PlotSignals followed(const ProblemSpec& spec);
 
 /// Returns one row per state: time, stage, q, v, tau, u, contact forces and positions of frames,
 /// both with their targets. Forces are in the reference of their contact. Values that do not exist

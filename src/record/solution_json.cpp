@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "base/descriptions.gen.hpp"
+#include "base/to_size.hpp"
 #include "base/whole_file.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -48,7 +49,8 @@ Json knots_json(const Problem& problem, const DdpSolver& policy, const MatrixVie
   return knots;
 }
 
-/// Rows with limits, each where it is worst, and when it pushes where it does.
+/// Returns the constraint rows, each at its largest violation, with the times at which it is
+/// active.
 Json rows_json(const Problem& problem, const CostReport& report) {
   const auto times = active_times(problem, report);
   Json rows = Json::array();
@@ -58,7 +60,7 @@ Json rows_json(const Problem& problem, const CostReport& report) {
                     {"value", number_json(row.value)},
                     {"lower", number_json(row.lower)},
                     {"upper", number_json(row.upper)},
-                    {"outside", number_json(row.outside)},
+                    {"violation", number_json(row.violation)},
                     {"scale", number_json(row.scale)},
                     {"multiplier", number_json(row.multiplier)},
                     {"multiplier_at", row.pushed},
@@ -69,13 +71,13 @@ Json rows_json(const Problem& problem, const CostReport& report) {
   return rows;
 }
 
-/// Rows that the initial state alone puts outside their limits.
+/// Returns the rows that the initial state violates whatever the control.
 Json start_json(const Problem& problem, const DdpSummary& summary) {
   Json rows = Json::array();
-  if (summary.start_outside.empty()) return rows;
+  if (summary.start_violations.empty()) return rows;
   const std::vector<std::string> names = problem.row_names(0);
-  for (const StartRow& row : summary.start_outside)
-    rows.push_back({{"row", names.at(static_cast<std::size_t>(row.row))},
+  for (const StartRow& row : summary.start_violations)
+    rows.push_back({{"row", names.at(to_size(row.row))},
                     {"value", number_json(row.value)},
                     {"lower", number_json(row.lower)},
                     {"upper", number_json(row.upper)}});
@@ -93,12 +95,12 @@ Json step_error_json(const StepError& error) {
 }
 
 Json steps_json(const StepReport& steps) {
-  Json json{{"status", words_of(Status()).list()[static_cast<std::size_t>(steps.status)]},
+  Json json{{"status", words_of(Status()).list()[to_size(steps.status)]},
             {"coarse", steps.coarse},
             {"position", step_error_json(steps.position)},
             {"velocity", step_error_json(steps.velocity)},
             {"sentence", steps.coarse ? steps.warning() : steps.text()}};
-  if (steps.step_enough > 0.0) json["step_enough"] = number_json(steps.step_enough);
+  if (steps.sufficient_step > 0.0) json["sufficient_step"] = number_json(steps.sufficient_step);
   return json;
 }
 
@@ -111,9 +113,8 @@ Json gains_json(Problem& problem, DdpSolver& solver) {
   for (int i = 0; i < layout.nq; ++i) x_names.push_back("q " + problem.model().q_name(i));
   for (int i = 0; i < layout.nv; ++i) x_names.push_back("v " + problem.model().v_name(i));
   for (int i = 0; i < layout.filtered; ++i)
-    x_names.push_back("tau " +
-                      problem.model().v_name(layout.actuated[static_cast<std::size_t>(i)]));
-  for (const std::string& row : problem.remembered_names()) x_names.push_back("force " + row);
+    x_names.push_back("tau " + problem.model().v_name(layout.actuated[to_size(i)]));
+  for (const std::string& row : problem.force_state_names()) x_names.push_back("force " + row);
   Json json{{"policy", "u = u_k + feedforward + gain * (x (-) x_k)"},
             {"rows", problem.control_names()},
             {"columns", problem.state_names()},
@@ -126,7 +127,7 @@ Json gains_json(Problem& problem, DdpSolver& solver) {
     json["knots"] = knots_json(problem, solver, x_view, u_view);
     return json;
   }
-  // One direction from here; where it leads to is not used.
+  // Solves for one direction from this trajectory; the resulting step is not used.
   DdpOptions options = solver.options();
   options.max_iterations = 1;
   options.time_budget = std::numeric_limits<double>::infinity();
@@ -151,8 +152,8 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
                    {"cost", number_json(p.cost)},
                    {"expected_improvement", number_json(p.expected_improvement)},
                    {"largest_gap", number_json(p.largest_gap)},
-                   {"outside", number_json(p.outside)},
-                   {"recursions", p.factors},
+                   {"violation", number_json(p.violation)},
+                   {"factorizations", p.factorizations},
                    {"step_length", p.step_length},
                    {"regularization", p.regularization},
                    {"seconds", p.seconds}});
@@ -167,9 +168,9 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
           {"cost", number_json(s.cost)},
           {"feasible", s.feasible},
           {"largest_gap", number_json(s.largest_gap)},
-          {"outside", number_json(s.outside)},
-          {"start_outside", start_json(problem, s)},
-          {"pushing", s.pushing},
+          {"violation", number_json(s.violation)},
+          {"start_violations", start_json(problem, s)},
+          {"active_constraints", s.active_constraints},
           {"expected_improvement", number_json(s.expected_improvement)},
           {"stop_tolerance", s.options.stop_tolerance},
           {"gap_tolerance", s.options.gap_tolerance},

@@ -22,7 +22,7 @@ std::string limits_csv(const Problem& problem, const CostReport& report) {
 
 std::map<std::string, Json> active_times(const Problem& problem, const CostReport& report) {
   std::map<std::string, Json> times;
-  std::map<std::string, int> last;  // knot at which the row pushed
+  std::map<std::string, int> last;  // Last knot at which the row was active
   for (const CostReport::ActiveLimit& limit : report.limits) {
     if (limit.multiplier == 0.0) continue;
     const double time = problem.time_of(limit.knot);

@@ -1,4 +1,5 @@
-// The page of a planned motion: its replay, what it follows, its limits and their multipliers.
+// Page of a planned motion: its replay, the followed signals, the constraint rows and their
+// multipliers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,14 +7,16 @@
 #include <limits>
 
 #include "base/text_file.hpp"
+#include "base/to_size.hpp"
 #include "record/run_files.hpp"
 #include "record/solution.hpp"
 
 namespace burnish {
 namespace {
 
-/// Rows with limits that a page has, those that push hardest first.
-constexpr std::size_t most_rows = 40;
+/// Maximum number of constraint rows on a page; rows with the largest multipliers first. Chosen by
+/// hand.
+constexpr std::size_t max_rows = 40;
 
 void add_columns(RunPage& page, const Trace& trace) {
   for (const TraceColumn& column : trace.columns())
@@ -28,7 +31,7 @@ void add_stages(RunPage& page, const Problem& problem) {
   const std::vector<std::string> names = problem.stage_names();
   const double start = problem.time_of(0);
   for (int k = 0; k < problem.knots(); ++k) {
-    const std::string& name = names.at(static_cast<std::size_t>(problem.stage_of(k)));
+    const std::string& name = names.at(to_size(problem.stage_of(k)));
     const double from = problem.time_of(k) - start, to = problem.time_of(k + 1) - start;
     if (!page.phases.empty() && page.phases.back().name == name)
       page.phases.back().end = to;
@@ -37,17 +40,17 @@ void add_stages(RunPage& page, const Problem& problem) {
   }
 }
 
-/// Rows by their names, with the hardest first.
+/// Adds the constraint rows by name, rows with the largest multipliers first.
 void add_limits(RunPage& page, Problem& problem, const DdpSolver& solver,
                 const CostReport& report) {
-  std::vector<CostReport::Row> order = report.pushing();
+  std::vector<CostReport::Row> order = report.active_constraints();
   const auto has = [&](const std::string& name) {
     return std::any_of(order.begin(), order.end(),
                        [&](const auto& row) { return row.name == name; });
   };
   for (const CostReport::Row& row : report.rows)
     if (!has(row.name)) order.push_back(row);
-  if (order.size() > most_rows) order.resize(most_rows);
+  if (order.size() > max_rows) order.resize(max_rows);
   const int knots = problem.knots();
   const Eigen::VectorXd none =
       Eigen::VectorXd::Constant(knots + 1, std::numeric_limits<double>::quiet_NaN());
@@ -85,21 +88,22 @@ void add_figures(RunPage& page, const Problem& problem, const DdpSolver& solver,
   };
   add("cost", "cost", summary.cost, "1", "Sum of all costs over the horizon");
   add("iterations", "iterations", summary.iterations, "1", "Iterations of the solver");
-  add("seconds", "time to solve", summary.seconds.total, "s", "Time that the solver took");
-  add("outside", "outside limits", summary.outside, "1",
-      "Largest constraint violation by the scale of its row");
+  add("seconds", "time to solve", summary.seconds.total, "s", "Computing time of the solver");
+  add("violation", "constraint violation", summary.violation, "1",
+      "Largest constraint violation, divided by the scale of its row");
   add("largest_gap", "largest gap", summary.largest_gap, "1",
       "Largest difference between the end of a step and the next state");
   for (const auto& [name, label, error] :
        {std::tuple{"step_position", "error of a step, position", steps.position},
         std::tuple{"step_velocity", "error of a step, velocity", steps.velocity}})
-    add(name, label, error.error, error.unit, "Difference from an integration in small steps");
+    add(name, label, error.error, error.unit, "Difference from an integration with small steps");
   for (const std::string& frame : followed(problem.spec()).frames) {
     const Eigen::VectorXd distance = trace.column(frame + "_distance_from_target");
     const double last = distance.size() > 0 ? distance[distance.size() - 1] : 0.0;
     if (std::isfinite(last))
-      page.metrics.push_back({frame + "_distance", frame + ", at the end", last, "m",
-                              "Distance from its target along the axes that have a weight"});
+      page.metrics.push_back(
+          {frame + "_distance", frame + ", at the end", last, "m",
+           "Distance of the frame from its target, along the axes with a weight"});
   }
 }
 
@@ -120,7 +124,7 @@ RunPage solution_page(const SolvedFile& solved, Problem& problem, const DdpSolve
                .task_file = read_text(file, "problem file"),
                .robot = drawing_of(solved.problem.robot, solved.problem.robot_name,
                                    problem.spec().initial_state.head(problem.model().nq))};
-  const Followed follows = followed(problem.spec());
+  const PlotSignals follows = followed(problem.spec());
   page.plan = PagePlan{.frames = follows.frames, .forces = follows.forces};
   if (!follows.frames.empty()) {
     page.tool_frame = follows.frames.front();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/report/svg_plot.hpp"
 #include "record/solution.hpp"
 
@@ -21,16 +22,17 @@ bool has_values(const Eigen::VectorXd& values) {
   return std::any_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// Columns that begin with `prefix`, at most seven to a panel, as many as a palette tells apart.
+/// Groups the columns that begin with `prefix` into panels of at most seven curves, the number of
+/// colors that a palette distinguishes.
 std::vector<Panel> grouped(const Trace& trace, const std::string& prefix, const std::string& unit,
                            const std::string& title, const std::string& label) {
-  constexpr std::size_t most = 7;
+  constexpr std::size_t max_curves = 7;
   std::vector<std::string> columns;
   for (const TraceColumn& column : trace.columns())
     if (column.name.rfind(prefix, 0) == 0 && column.unit == unit) columns.push_back(column.name);
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (i % most == 0)
+    if (i % max_curves == 0)
       panels.push_back({.title = i == 0 ? title : "", .x_label = time_axis, .y_label = label});
     panels.back().curves.push_back(curve(trace, columns[i], columns[i].substr(prefix.size())));
   }
@@ -51,7 +53,7 @@ PlotSpec states(const Trace& trace) {
   return plot;
 }
 
-/// One panel per joint; limits are drawn where the torque comes near them.
+/// One panel per joint. Limits are drawn if the torque exceeds half of them.
 PlotSpec torques(const Problem& problem, const Trace& trace) {
   PlotSpec plot{.title = "Torques (dashed: control, where it differs)", .columns = 2};
   plot.panel_width = 460;
@@ -62,8 +64,7 @@ PlotSpec torques(const Problem& problem, const Trace& trace) {
   for (const int k : problem.layout().actuated) {
     ++control;
     const std::string name = model.v_name(k);
-    const TraceColumn& column =
-        trace.columns()[static_cast<std::size_t>(trace.index("tau_" + name))];
+    const TraceColumn& column = trace.columns()[to_size(trace.index("tau_" + name))];
     Panel panel{.x_label = time_axis, .y_label = fmt::format("[{}]", column.unit)};
     panel.curves.push_back(curve(trace, "tau_" + name, ""));
     double largest = 0.0;
@@ -94,7 +95,7 @@ PlotSpec torques(const Problem& problem, const Trace& trace) {
 
 PlotSpec forces(const Problem& problem, const Trace& trace) {
   PlotSpec plot{.title = "Contact forces on the robot (dashed: targets)"};
-  const Followed wanted = followed(problem.spec());
+  const PlotSignals wanted = followed(problem.spec());
   for (const ContactSpec& contact : problem.spec().contacts) {
     const std::string name = contact.name.empty() ? contact.tool : contact.name;
     for (const bool moment : {false, true}) {
@@ -157,26 +158,28 @@ PlotSpec paths(const Problem& problem, const Trace& trace) {
   return plot;
 }
 
-/// What pushes hardest over time. By their scales rows of all units are costs.
+/// Plots the rows with the largest multipliers over time. Multiplied by its scale, the multiplier
+/// of any row has the unit of cost.
 PlotSpec limits(const Problem& problem, const CostReport& report) {
   constexpr std::size_t most = 7;
-  std::vector<CostReport::Row> rows = report.pushing();
+  std::vector<CostReport::Row> rows = report.active_constraints();
   if (rows.empty()) return {};
   Panel panel{.x_label = time_axis, .y_label = "cost"};
   if (rows.size() > most) {
-    panel.title = fmt::format("the hardest of {} rows", rows.size());
+    panel.title =
+        fmt::format("{} rows; the rows with the largest multipliers are shown", rows.size());
     rows.resize(most);
   }
   const int knots = problem.knots();
   for (const CostReport::Row& row : rows) {
-    Curve push{
+    Curve row_curve{
         .name = row.name, .x = Eigen::VectorXd(knots + 1), .y = Eigen::VectorXd::Zero(knots + 1)};
-    for (int k = 0; k <= knots; ++k) push.x[k] = problem.time_of(k);
+    for (int k = 0; k <= knots; ++k) row_curve.x[k] = problem.time_of(k);
     for (const CostReport::ActiveLimit& limit : report.limits)
-      if (limit.row == row.name) push.y[limit.knot] = limit.multiplier * row.scale;
-    panel.curves.push_back(std::move(push));
+      if (limit.row == row.name) row_curve.y[limit.knot] = limit.multiplier * row.scale;
+    panel.curves.push_back(std::move(row_curve));
   }
-  return {.title = "Limits that push (multiplier of the row, by its scale)", .panels = {panel}};
+  return {.title = "Active constraints (multiplier of the row times its scale)", .panels = {panel}};
 }
 
 PlotSpec costs(const DdpSummary& summary) {
@@ -189,7 +192,7 @@ PlotSpec costs(const DdpSummary& summary) {
   }
   bool positive = true;
   for (Eigen::Index i = 0; i < size; ++i) {
-    const DdpProgress& at = summary.log[static_cast<std::size_t>(i)];
+    const DdpProgress& at = summary.log[to_size(i)];
     cost.y[i] = at.cost;
     expected.y[i] = at.expected_improvement;
     gap.y[i] = at.largest_gap;

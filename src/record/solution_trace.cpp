@@ -2,6 +2,7 @@
 #include <limits>
 #include <map>
 
+#include "base/to_size.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "contact/force_column.hpp"
 #include "files/here.hpp"
@@ -11,7 +12,7 @@
 namespace burnish {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
 
 std::string contact_name(const ContactSpec& contact) {
   return contact.name.empty() ? contact.tool : contact.name;
@@ -32,8 +33,7 @@ void add_state_columns(const Problem& problem, std::vector<TraceColumn>& columns
       columns.push_back({"q_" + model.q_name(joint.q_index + i), unit_of_q(joint.kind, i)});
   const auto per_entry = [&](const std::string& prefix, int k, const char* linear,
                              const char* angular) {
-    const Joint& joint =
-        model.joints[static_cast<std::size_t>(model.joint_of_v[static_cast<std::size_t>(k)])];
+    const Joint& joint = model.joints[to_size(model.joint_of_v[to_size(k)])];
     const int entry = k - joint.v_index;
     const bool is_linear = entry < sliding_entries(joint.kind);
     columns.push_back({prefix + model.v_name(k), is_linear ? linear : angular});
@@ -61,7 +61,7 @@ std::vector<TraceColumn> columns_of(const Problem& problem) {
   return columns;
 }
 
-/// Fills one row of a trace.
+/// Writer of one row of a trace.
 struct RowWriter {
   Problem& problem;
   Trace& trace;
@@ -71,7 +71,7 @@ struct RowWriter {
 
   double& at(const std::string& column) const { return row[trace.index(column)]; }
   const std::vector<CostTerm>& terms() const {
-    const auto stage = static_cast<std::size_t>(problem.stage_of(knot));
+    const auto stage = to_size(problem.stage_of(knot));
     const ProblemSpec& spec = problem.spec();
     return stage < spec.stages.size() ? spec.stages[stage].costs : spec.terminal;
   }
@@ -90,27 +90,28 @@ struct RowWriter {
     int column = 2;
     for (int i = 0; i < layout.nq + layout.nv; ++i) row[column++] = x[i];
     for (int i = 0; i < layout.nu; ++i)
-      row[column++] = layout.filtered > 0 ? x[layout.nq + layout.nv + i] : last ? nothing : u[i];
-    for (int i = 0; i < layout.nu; ++i) row[column++] = last ? nothing : u[i];
+      row[column++] = layout.filtered > 0 ? x[layout.nq + layout.nv + i]
+                      : last              ? not_available
+                                          : u[i];
+    for (int i = 0; i < layout.nu; ++i) row[column++] = last ? not_available : u[i];
   }
 
   void forces() {
     const std::vector<std::string> names = problem.force_names(knot);
     const Eigen::VectorXd forces = problem.forces(knot, x, u);
     std::map<std::string, double> by_name;
-    for (Eigen::Index i = 0; i < forces.size(); ++i)
-      by_name[names[static_cast<std::size_t>(i)]] = forces[i];
-    const bool known = knot < problem.knots() || forces.size() > 0;
+    for (Eigen::Index i = 0; i < forces.size(); ++i) by_name[names[to_size(i)]] = forces[i];
+    const bool has_forces = knot < problem.knots() || forces.size() > 0;
     for (const ContactSpec& contact : problem.spec().contacts)
       for (const int d : held(contact)) {
         const std::string name =
-            contact_name(contact) + "/" + std::string(direction_names[static_cast<std::size_t>(d)]);
+            contact_name(contact) + "/" + std::string(direction_names[to_size(d)]);
         const auto found = by_name.find(name);
-        // A contact that is open has no force; at the end forces are not known.
+        // An open contact has no force. At the last knot, forces are not available.
         at(force_column(contact, d)) = found != by_name.end() ? found->second
-                                       : known                ? 0.0
-                                                              : nothing;
-        at(force_column(contact, d) + "_target") = nothing;
+                                       : has_forces           ? 0.0
+                                                              : not_available;
+        at(force_column(contact, d) + "_target") = not_available;
       }
     for (const CostTerm& term : terms()) {
       const auto* wanted = std::get_if<residual::ContactForce>(&term.residual);
@@ -124,10 +125,10 @@ struct RowWriter {
     }
   }
 
-  /// Where a frame shall be, and how far from there it is along the rows that have a weight.
+  /// Target position of a frame, and the frame's distance from it along the weighted rows.
   struct Aim {
-    Eigen::Vector3d target = Eigen::Vector3d::Constant(nothing);  // world [m]
-    double distance = nothing;                                    // [m]
+    Eigen::Vector3d target = Eigen::Vector3d::Constant(not_available);  // In world axes [m]
+    double distance = not_available;                                    // [m]
   };
   Aim aim_of(const std::string& frame, const Eigen::Vector3d& p) const {
     Aim aim;
@@ -167,8 +168,8 @@ struct RowWriter {
 
 }  // namespace
 
-Followed followed(const ProblemSpec& spec) {
-  Followed result;
+PlotSignals followed(const ProblemSpec& spec) {
+  PlotSignals result;
   const auto add = [&](const std::string& frame) {
     if (std::find(result.frames.begin(), result.frames.end(), frame) == result.frames.end())
       result.frames.push_back(frame);

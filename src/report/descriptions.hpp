@@ -1,4 +1,4 @@
-// Figures, described by their table: report/figures.hpp.
+// Descriptions of the figures of a run, generated from the table in report/figures.hpp.
 #pragma once
 
 #include "burnish/report/standing_figures.hpp"

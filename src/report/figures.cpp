@@ -13,7 +13,7 @@ std::string formatted(const char* format, double value) {
   return buffer;
 }
 
-/// A value in the unit that it is shown in.
+/// Returns the value of a figure in the unit for tables, as text.
 std::string shown(const ShownFigure& figure) {
   if (!std::isfinite(figure.value)) return "-";
   const double value = figure.entry.unit.factor * figure.value, size = std::abs(value);
@@ -22,7 +22,7 @@ std::string shown(const ShownFigure& figure) {
   return formatted(extreme ? "%.2e" : size < 10.0 ? "%.3f" : "%.2f", size == 0.0 ? 0.0 : value);
 }
 
-/// What a force's errors are of.
+/// Returns the text for "{mean}" in meanings: the width of the mean, or nothing without a mean.
 std::string mean_of(const std::optional<Metrics>& metrics) {
   if (!metrics || metrics->average <= 0.0) return "";
   return formatted("'s mean over %.4g ms", 1e3 * metrics->average);
@@ -39,7 +39,8 @@ std::size_t widest(const std::vector<std::string>& words) {
   return width;
 }
 
-/// Lines of columns that stand side by side; `left` of them begin at their left.
+/// Returns lines with the columns side by side. The first `left` columns are aligned left, the
+/// others right.
 std::string side_by_side(const std::vector<std::vector<std::string>>& columns, std::size_t left) {
   std::string text;
   for (std::size_t line = 0; line < columns.front().size(); ++line) {
@@ -124,8 +125,8 @@ std::string metrics_text(const Metrics& metrics) {
 }
 
 PageMetric page_metric(const ShownFigure& figure) {
-  // The page finds how large its millimetres are by itself; shares are percent to it, and angles
-  // degrees.
+  // The page chooses prefixes for lengths and times itself. It expects fractions in percent and
+  // angles in degrees.
   const FigureUnit& unit = figure.entry.unit;
   const bool is_shown = (!*unit.unit && *unit.shown) || std::string_view(unit.shown) == "deg";
   std::optional<double> value;

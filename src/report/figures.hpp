@@ -1,5 +1,5 @@
-// The one table of a run's figures: names, units and meanings, from which come the keys of files,
-// columns, printed tables, the page, Python's attributes and the table of the docs.
+// Table of the figures of a run: names, units and meanings. Keys of files, columns, printed tables,
+// pages, Python attributes and the table in the docs are derived from it.
 #pragma once
 
 #include <concepts>
@@ -15,11 +15,11 @@
 
 namespace burnish {
 
-/// What a value is in, and what people are shown it in.
+/// Unit of a value, and unit in printed tables and pages.
 struct FigureUnit {
-  const char* unit;        ///< of the value; "": a number, a share or a word
-  const char* shown = "";  ///< to people
-  double factor = 1.0;     ///< from the one to the other
+  const char* unit;        ///< Unit of the value; "": a number, a fraction or a word
+  const char* shown = "";  ///< Unit in printed tables and pages
+  double factor = 1.0;     ///< Factor from `unit` to `shown`
 };
 namespace figure_units {
 inline constexpr FigureUnit none{""}, newton{"N", "N"}, metre{"m", "mm", 1e3},
@@ -27,21 +27,22 @@ inline constexpr FigureUnit none{""}, newton{"N", "N"}, metre{"m", "mm", 1e3},
     computing{"s", "ms", 1e3}, share{"", "%", 100.0};
 }  // namespace figure_units
 
-/// A row. Its name is one everywhere: the member, in C++ and Python, the column, and with the unit
-/// behind it the key in files (`force_rmse`, `force_rmse_N`).
+/// Row of the table. The name is the member in C++ and Python and the column in tables. The key in
+/// files is the name followed by the unit, for example `force_rmse_N` for `force_rmse`.
 struct FigureEntry {
   const char* name;
   FigureUnit unit;
-  /// "{mean}" where it is of the force's moving average.
+  /// Meaning; "{mean}" after "force" stands for the moving mean of the force.
   const char* meaning;
-  /// On the page; "": in files alone.
+  /// Label on the page; "": only in files
   const char* label = "";
-  int digits = 3;  ///< behind the point, of what is shown
+  int digits = 3;  ///< Digits after the decimal point in tables and pages
 
+  /// Key in files.
   std::string key() const { return *unit.unit ? std::string(name) + "_" + unit.unit : name; }
 };
 
-/// As descriptions have it: the unit in braces, and what it means of any run.
+/// Returns the text of a figure for descriptions: unit in braces, and meaning.
 std::string described_as(const FigureEntry& entry);
 
 /// Calls see(entry, member) for each figure of Metrics, in the order of files.
@@ -49,11 +50,11 @@ template <class See>
 void each_metric(const See& see) {  // NOLINT(readability-function-size): a table
   using M = Metrics;
   using namespace figure_units;
-  see(FigureEntry{"start", second, "of the first row within the window"}, &M::start);
-  see(FigureEntry{"end", second, "of the last row within the window"}, &M::end);
-  see(FigureEntry{"rows", none, "of the trace within the window"}, &M::rows);
+  see(FigureEntry{"start", second, "time of the first row in the window"}, &M::start);
+  see(FigureEntry{"end", second, "time of the last row in the window"}, &M::end);
+  see(FigureEntry{"rows", none, "number of rows of the trace in the window"}, &M::rows);
   see(FigureEntry{"average", second,
-                  "that averaged forces are means over, by whole rows; 0: of one row each"},
+                  "width of the force's moving mean, rounded to whole rows; 0: no mean"},
       &M::average);
   see(FigureEntry{"force_mean", newton, "mean normal force", "mean force"}, &M::force_mean);
   see(FigureEntry{"force_mae", newton, "mean absolute error of the force{mean}",
@@ -65,138 +66,149 @@ void each_metric(const See& see) {  // NOLINT(readability-function-size): a tabl
   see(FigureEntry{"force_peak", newton, "largest absolute error of the force{mean}",
                   "force error, peak", 2},
       &M::force_peak);
-  see(FigureEntry{"force_rmse_raw", newton, "root mean square error of the force in every row",
+  see(FigureEntry{"force_rmse_raw", newton, "root mean square error of the force, without a mean",
                   "force error, rms, raw"},
       &M::force_rmse_raw);
-  see(FigureEntry{"force_peak_raw", newton, "largest absolute error of the force in any row",
+  see(FigureEntry{"force_peak_raw", newton, "largest absolute error of the force, without a mean",
                   "force error, peak, raw", 2},
       &M::force_peak_raw);
   see(FigureEntry{"estimate_rmse", newton,
-                  "root mean square error of what the controller believes the normal force to be",
+                  "root mean square error of the controller's estimate of the normal force",
                   "estimate error, rms"},
       &M::estimate_rmse);
-  see(FigureEntry{"without_contact", share, "share of the time without contact", "without contact",
-                  2},
+  see(FigureEntry{"without_contact", share, "fraction of the time without contact",
+                  "without contact", 2},
       &M::without_contact);
   see(FigureEntry{"impact_peak", newton,
-                  "largest normal force in the 50 ms from the first contact of the run on",
-                  "impact", 1},
+                  "largest normal force in the first 50 ms of contact in the run", "impact", 1},
       &M::impact_peak);
   see(FigureEntry{"overshoot", newton,
-                  "largest excess of the force{mean} over the target, from the end of the ramp to "
-                  "the window; at least 0",
+                  "largest excess of the force{mean} over the target, between the end of the ramp "
+                  "and the window; at least 0",
                   "overshoot", 2},
       &M::overshoot);
-  see(FigureEntry{"position_mean", metre, "mean distance to the target across the normal",
-                  "path error, mean"},
+  see(FigureEntry{"position_mean", metre,
+                  "mean distance to the target, perpendicular to the normal", "path error, mean"},
       &M::position_mean);
   see(FigureEntry{"position_rmse", metre,
-                  "root mean square distance to the target across the normal", "path error, rms"},
+                  "root mean square distance to the target, perpendicular to the normal",
+                  "path error, rms"},
       &M::position_rmse);
   see(FigureEntry{"position_p95", metre,
-                  "distance to the target across the normal that is not exceeded 95 % of the time",
+                  "95th percentile of the distance to the target, perpendicular to the normal",
                   "path error, 95 %"},
       &M::position_p95);
   see(FigureEntry{"normal_error", angle,
-                  "root mean square angle between the surface's normal at the tool and what the "
-                  "controller believes it to be",
+                  "root mean square angle between the true normal at the tool and the controller's "
+                  "estimate of the normal",
                   "normal error, rms", 2},
       &M::normal_error);
   see(FigureEntry{"orientation_drift", angle,
-                  "largest rotation of the tool since the window began, about any axis",
-                  "tool turned", 1},
+                  "largest rotation of the tool since the start of the window, about any axis",
+                  "tool rotation", 1},
       &M::orientation_drift);
   see(FigureEntry{"tool_to_normal", angle,
-                  "largest angle between the axis that the tool presses along and the surface's "
-                  "normal, reversed",
-                  "tool leans", 1},
+                  "largest angle between the direction in which the tool presses and the reversed "
+                  "normal",
+                  "tool inclination", 1},
       &M::tool_to_normal);
   see(FigureEntry{"joint_margin", joint,
-                  "smallest distance of a joint to its limit (m where it slides)", "joint margin",
-                  2},
+                  "smallest distance of a joint to its limit (m if prismatic)", "joint margin", 2},
       &M::joint_margin);
-  see(FigureEntry{"tightest_joint", none, "whose margin that is; empty without limits"},
+  see(FigureEntry{"tightest_joint", none,
+                  "joint with the smallest distance to its limit; empty without limits"},
       &M::tightest_joint);
-  see(FigureEntry{"torque_margin", share,
-                  "share of a joint's effort limit that was never used, smallest", "torque margin",
-                  1},
+  see(FigureEntry{"torque_margin", share, "smallest unused fraction of a joint's effort limit",
+                  "torque margin", 1},
       &M::torque_margin);
-  see(FigureEntry{"tightest_torque", none, "whose margin that is; empty without limits"},
+  see(
+      FigureEntry{
+          "tightest_torque", none,
+          "joint with the smallest unused fraction of its effort limit; empty without limits"},
       &M::tightest_torque);
-  see(FigureEntry{"limited_torque", share, "share of the time with a joint at its effort limit",
-                  "torque limited", 2},
+  see(FigureEntry{"limited_torque", share, "fraction of the time with a joint at its effort limit",
+                  "time at torque limits", 2},
       &M::limited_torque);
 }
 
-/// The same of what Metrics::solver holds; their full names have "solver." in front.
+/// Calls see(entry, member) for each figure of Metrics::solver. Full names begin with "solver.".
 template <class See>
 void each_solver_figure(const See& see) {
   using S = SolverFigures;
   using namespace figure_units;
-  see(FigureEntry{"updates", none, "plans that were made", "plans", 0}, &S::updates);
+  see(FigureEntry{"updates", none, "number of plans", "plans", 0}, &S::updates);
   see(FigureEntry{"median", computing, "median computing time of a plan", "plan, median"},
       &S::median);
-  see(FigureEntry{"p99", computing, "computing time that 99 % of the plans stay below",
+  see(FigureEntry{"p99", computing, "99th percentile of the computing time of a plan",
                   "plan, 99 %"},
       &S::p99);
   see(FigureEntry{"maximum", computing, "longest computing time of a plan", "plan, longest"},
       &S::maximum);
-  see(FigureEntry{"mean_iterations", none, "solver iterations per plan, mean", "iterations"},
+  see(FigureEntry{"mean_iterations", none, "mean number of solver iterations per plan",
+                  "iterations"},
       &S::mean_iterations);
-  see(FigureEntry{"missed_deadlines", none, "plans that came later than they were due",
-                  "deadlines missed", 0},
+  see(FigureEntry{"missed_deadlines", none, "number of plans that missed their deadline",
+                  "missed deadlines", 0},
       &S::missed_deadlines);
-  see(FigureEntry{"at_limits", none, "plans with limits that push", "plans at limits", 0},
+  see(FigureEntry{"at_limits", none, "number of plans with active limits",
+                  "plans with active limits", 0},
       &S::at_limits);
-  see(FigureEntry{"infeasible", none, "plans that cannot keep all limits", "plans infeasible", 0},
+  see(FigureEntry{"infeasible", none, "number of plans that cannot satisfy all limits",
+                  "infeasible plans", 0},
       &S::infeasible);
-  see(FigureEntry{"limits_p99", share,
-                  "largest violation of a hard limit along a plan, of its scale, that 99 % of the "
-                  "plans stay below"},
-      &S::limits_p99);
-  see(FigureEntry{"limits_outside", share,
-                  "largest violation of a hard limit along any plan, of its scale",
-                  "limits broken in plans"},
-      &S::limits_outside);
-  see(FigureEntry{"clipped", none, "ticks with a torque that was cut to what may be sent",
-                  "torques cut", 0},
+  see(
+      FigureEntry{
+          "violation_p99", share,
+          "largest violation of a hard limit in a plan, as a fraction of the limit's scale: "
+          "99th percentile over all plans"},
+      &S::violation_p99);
+  see(
+      FigureEntry{
+          "constraint_violation", share,
+          "largest violation of a hard limit in any plan, as a fraction of the limit's scale",
+          "limit violation of plans"},
+      &S::constraint_violation);
+  see(FigureEntry{"clipped", none,
+                  "number of control ticks with a torque clipped to its permitted range",
+                  "clipped torques", 0},
       &S::clipped);
 }
 
-/// The same of how a robot stood; their full names have "standing." in front.
+/// Calls see(entry, member) for each figure of StandingFigures. Full names begin with "standing.".
 template <class See>
 void each_standing_figure(const See& see) {
   using S = StandingFigures;
   using namespace figure_units;
-  see(FigureEntry{"friction_used", share,
-                  "largest share of its friction cone that a foot used while it bore 20 N",
-                  "friction of the feet used", 1},
+  see(
+      FigureEntry{
+          "friction_used", share,
+          "largest ratio of a foot's tangential force to its friction limit, while the foot "
+          "carries 20 N or more",
+          "used friction of the feet", 1},
       &S::friction_used);
   see(
       FigureEntry{
           "pressure_margin", metre,
-          "least distance of a foot's centre of pressure from the edge of its sole while it "
-          "bore 20 N",
-          "pressure to the sole's edge", 1},
+          "smallest distance from a foot's centre of pressure to the edge of its sole, while the "
+          "foot carries 20 N or more",
+          "distance of the pressure from the edge", 1},
       &S::pressure_margin);
-  see(FigureEntry{"least_load", newton, "least normal force on a foot", "least load of a foot", 1},
-      &S::least_load);
+  see(FigureEntry{"min_load", newton, "smallest normal force on a foot", "smallest load of a foot",
+                  1},
+      &S::min_load);
   see(FigureEntry{"slip", metre,
-                  "farthest that a foot, with a sole a corner of it, came along the ground from "
-                  "where it was at first",
+                  "largest displacement of a foot along the ground since the start; for a sole, of "
+                  "its corners",
                   "slip of a foot", 2},
       &S::slip);
-  see(FigureEntry{"base_tilt", angle,
-                  "largest angle between the vertical and what was vertical in the base at first",
-                  "base tilted", 2},
+  see(FigureEntry{"base_tilt", angle, "largest tilt of the base since the start", "base tilt", 2},
       &S::base_tilt);
-  see(FigureEntry{"com_moved", metre,
-                  "farthest that the centre of mass came from where it was at first",
-                  "centre of mass moved", 1},
+  see(FigureEntry{"com_moved", metre, "largest displacement of the centre of mass since the start",
+                  "centre of mass displacement", 1},
       &S::com_moved);
 }
 
-/// A figure as a number: NaN where there is none.
+/// Returns a figure as a number; NaN if it does not have a value.
 template <class Value>
 double figure_value(const Value& value) {
   if constexpr (std::convertible_to<Value, double>)
@@ -205,26 +217,27 @@ double figure_value(const Value& value) {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// A figure of one run, for people.
+/// Figure of one run, for tables and pages.
 struct ShownFigure {
   FigureEntry entry;
-  std::string name;     ///< in full
-  std::string meaning;  ///< with what the mean is over, and whose the margin is
-  double value;         ///< in the entry's unit; NaN: none
+  std::string name;     ///< Full name
+  std::string meaning;  ///< Meaning, with the width of the mean and the joint with the margin
+  double value;         ///< Value in the unit of the entry; NaN: none
 
   bool of_solver() const { return name.starts_with("solver."); }
 };
-/// Those that have a label; all of them, with no values, without metrics.
+/// Returns the figures that have a label. Without metrics, their values are NaN.
 std::vector<ShownFigure> shown_figures(const std::optional<Metrics>& metrics);
-/// How a robot stood, as the page has it: those that have a label.
+/// Returns the figures of a standing robot for the page.
 std::vector<PageMetric> page_metrics(const StandingFigures& figures);
+/// Figures of a standing robot, with the name of the run.
 struct NamedStanding {
   std::string name;
   StandingFigures figures;
 };
-/// A line per figure and a column per run, as metrics_table() has them; empty without runs.
+/// Returns a text table with a line per figure and a column per run; empty without runs.
 std::string standing_table(const std::vector<NamedStanding>& runs);
-/// As the page has it.
+/// Returns a figure for the page.
 PageMetric page_metric(const ShownFigure& figure);
 
 }  // namespace burnish

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish {
@@ -15,10 +16,8 @@ StateRows::StateRows(const Trace& trace, const Model& model)
 }
 
 Status StateRows::look(int row) {
-  for (Eigen::Index k = 0; k < q_.size(); ++k)
-    q_[k] = trace_->at(row, q_columns_[static_cast<std::size_t>(k)]);
-  for (Eigen::Index k = 0; k < v_.size(); ++k)
-    v_[k] = trace_->at(row, v_columns_[static_cast<std::size_t>(k)]);
+  for (Eigen::Index k = 0; k < q_.size(); ++k) q_[k] = trace_->at(row, q_columns_[to_size(k)]);
+  for (Eigen::Index k = 0; k < v_.size(); ++k) v_[k] = trace_->at(row, v_columns_[to_size(k)]);
   return body_.update(q_, v_);
 }
 
@@ -26,7 +25,7 @@ FootRows::FootRows(const Trace& trace, const RigidBody& body, const SupportSpec&
     : trace_(&trace), support_(support), frame_(body.frame(support.frame)), columns_{} {
   if (!(support.normal.allFinite() && support.normal.norm() > 1e-9))
     throw Error("the normal under " + in_quotes(support.frame) +
-                " has no direction; wanted one out of the ground");
+                " has no direction; wanted a direction out of the ground");
   support_.normal.normalize();
   const char* const axes[] = {"fx", "fy", "fz", "mx", "my", "mz"};
   for (std::size_t i = 0; i < 6; ++i)
@@ -40,7 +39,7 @@ FootLoad FootRows::load(int row, const Eigen::Isometry3d& foot) const {
   FootLoad load;
   load.normal = normal_foot.dot(force);
   load.tangential = (force - load.normal * normal_foot).norm();
-  // In the plane z = 0 of the frame: m = p x f there, of which x and y are p's alone.
+  // In the plane z = 0 of the frame, m = p x f. Its x and y components depend on p and f_z only.
   if (support_.is_sole() && std::abs(force.z()) > 1e-9)
     load.pressure = {-entry(4) / force.z(), entry(3) / force.z()};
   return load;
@@ -56,7 +55,7 @@ std::vector<Eigen::Vector3d> FootRows::points(const Eigen::Isometry3d& foot) con
 }
 
 double FootRows::friction_used(const FootLoad& load) const {
-  // On ice, anything is more than there is.
+  // Without friction, any tangential force gives an infinite ratio.
   return load.tangential > 0.0 ? load.tangential / (support_.friction * load.normal) : 0.0;
 }
 

@@ -1,4 +1,4 @@
-// Feet and whole-body quantities in the rows of a trace.
+// Forces on feet and states of the robot in the rows of a trace.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace burnish {
 
-/// q and v in the rows of a trace of ClosedLoop.
+/// States of the robot in the rows of a trace of ClosedLoop.
 class StateRows {
  public:
   /// Throws Error for a missing column.
   StateRows(const Trace& trace, const Model& model);
-  /// Puts the body into the state of a row. Whatever RigidBody::update() says of it.
+  /// Sets body() to the state of a row. Returns the status of RigidBody::update().
   [[nodiscard]] Status look(int row);
   const RigidBody& body() const { return body_; }
 
@@ -27,33 +27,35 @@ class StateRows {
   RigidBody body_;
 };
 
-/// N, below which a share of friction and a centre of pressure say nothing.
-constexpr double least_bearing = 20.0;
+/// Minimum normal force for a friction ratio and a centre of pressure [N]. Chosen by hand: below,
+/// both are ill-defined.
+constexpr double min_pressure_load = 20.0;
 
-/// What a foot bears, of the wrench that a trace has.
+/// Load of a foot, from the wrench in a trace.
 struct FootLoad {
-  double normal = 0.0;      ///< N, along the normal of its ground
-  double tangential = 0.0;  ///< N, across it
-  /// m, where the force acts in the plane of the sole, frame's x and y; zero of a ball and without
-  /// a force
+  double normal = 0.0;      ///< Force along the ground's normal [N]
+  double tangential = 0.0;  ///< Force perpendicular to the ground's normal [N]
+  /// Centre of pressure in the plane of the sole: x and y in the foot's frame [m]. Zero for point
+  /// feet, and without a force.
   Eigen::Vector2d pressure = Eigen::Vector2d::Zero();
 };
 
-/// A support in the rows of a trace.
+/// Loads of one support in the rows of a trace.
 class FootRows {
  public:
-  /// Throws Error for a missing column, an unknown frame and a normal without direction.
+  /// Throws Error for a missing column, an unknown frame or a normal of length zero.
   FootRows(const Trace& trace, const RigidBody& body, const SupportSpec& support);
   const SupportSpec& support() const { return support_; }
-  const Eigen::Vector3d& normal() const { return support_.normal; }  ///< of length one
-  /// The wrench is in the frame's axes, the normal in the world's.
+  const Eigen::Vector3d& normal() const { return support_.normal; }  ///< Unit normal, world axes
+  /// Returns the load in a row, for the placement `foot` of the foot's frame in the world.
   FootLoad load(int row, const Eigen::Isometry3d& foot) const;
   Eigen::Isometry3d placement(const RigidBody& body) const { return body.placement(frame_); }
-  /// The corners of a sole or a ball's centre, world, m.
+  /// Returns the corners of a sole, or the centre of a point foot, in the world [m].
   std::vector<Eigen::Vector3d> points(const Eigen::Isometry3d& foot) const;
-  /// Share of the friction cone, |f_t| / (mu f_n), of a foot that bears something.
+  /// Returns the friction ratio |f_t| / (mu f_n) of a foot with a normal force.
   double friction_used(const FootLoad& load) const;
-  /// m from the edge of the sole, negative outside.
+  /// Returns the distance of the centre of pressure from the edge of the sole [m]; negative:
+  /// outside the sole.
   double margin(const FootLoad& load) const;
 
  private:

@@ -5,22 +5,24 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/mpc/controller.hpp"
 #include "report/moving_mean.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr double impact_time = 0.05;  // s
+/// Duration of the impact after the first contact, as documented for impact_peak [s].
+constexpr double impact_time = 0.05;
 
-/// Rows of a trace by their time.
+/// Rows of a trace in a time window.
 struct Window {
-  int first, last;  ///< last is behind the window
+  int first, last;  ///< First row, and row after the last row
   int size() const { return last - first; }
 };
 
 Window window_of(const Trace::Column& time, double start, double end) {
-  // Half a nanosecond of rounding, so that a window from 3 s holds the row at 3 s.
+  // Rounding error of times [s]: a window from 3 s must include the row at 3 s.
   constexpr double slack = 5e-10;
   Window result{0, static_cast<int>(time.size())};
   while (result.first < result.last && time[result.first] < start - slack) ++result.first;
@@ -28,7 +30,7 @@ Window window_of(const Trace::Column& time, double start, double end) {
   return result;
 }
 
-/// Three columns as a vector per row.
+/// Three columns of a trace as one vector per row.
 class Vectors {
  public:
   Vectors(const Trace& trace, const std::string& what, const std::string& frame)
@@ -45,15 +47,15 @@ double rms(const Eigen::VectorXd& x) {
   return std::sqrt(x.squaredNorm() / static_cast<double>(x.size()));
 }
 
-/// The smallest entry that a share of all entries does not exceed.
-double percentile(std::vector<double> x, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(x.size())));
+/// Returns the smallest entry that at least `fraction` of all entries do not exceed.
+double percentile(std::vector<double> x, double fraction) {
+  const auto rank = to_size(std::ceil(fraction * static_cast<double>(x.size())));
   const std::size_t at = std::min(std::max<std::size_t>(rank, 1), x.size()) - 1;
   std::nth_element(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(at), x.end());
   return x[at];
 }
-double percentile(const Eigen::VectorXd& x, double share) {
-  return percentile(std::vector<double>(x.data(), x.data() + x.size()), share);
+double percentile(const Eigen::VectorXd& x, double fraction) {
+  return percentile(std::vector<double>(x.data(), x.data() + x.size()), fraction);
 }
 
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& turned) {
@@ -62,7 +64,7 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& turned) {
   return Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
 }
 
-/// The surface's normal in every row: one for all, or what the trace has.
+/// Surface normal in every row: either one normal for all rows, or the columns of the trace.
 class Normals {
  public:
   Normals(const Trace& trace, const std::optional<Eigen::Vector3d>& given) {
@@ -79,7 +81,7 @@ class Normals {
   std::optional<Vectors> rows_;
 };
 
-/// Along the normal, in every row.
+/// Returns the component of the vector `what` along the normal in every row.
 Eigen::VectorXd along(const Trace& trace, const std::string& what, const Normals& normals) {
   const Vectors force(trace, what, "world");
   Eigen::VectorXd result(trace.rows());
@@ -129,14 +131,14 @@ void measure_motion(const Trace& trace, const MetricsSpec& spec, const Window& w
   const Vectors tool(trace, "tool", "world"), target(trace, "target", "world");
   const Vectors turned(trace, "tool_rx_start", "tool_ry_start", "tool_rz_start");
   const Eigen::Matrix3d start = rotation_of(turned[window.first]);
-  const Vectors believed(trace, "believed_normal", "world");
+  const Vectors estimated(trace, "estimated_normal", "world");
   Eigen::VectorXd error(window.size());
   double squares = 0.0;
   for (int row = window.first; row < window.last; ++row) {
     const Eigen::Vector3d off = tool[row] - target[row];
     const Eigen::Vector3d n = normals[row];
     error[row - window.first] = (off - n.dot(off) * n).norm();
-    const double angle = angle_between(n, believed[row]);
+    const double angle = angle_between(n, estimated[row]);
     squares += angle * angle;
     const Eigen::Matrix3d since_start = rotation_of(turned[row]);
     const Eigen::Matrix3d since = start.transpose() * since_start;
@@ -182,11 +184,11 @@ void measure_solver(const Trace& trace, const Window& window, Metrics& metrics) 
   const Trace::Column tick = trace.column("tick"), solve_time = trace.column("solve_time");
   const Trace::Column iterations = trace.column("iterations");
   const Trace::Column missed = trace.column("missed_deadline");
-  const Trace::Column pushing = trace.column("limits_pushing");
-  const Trace::Column outside = trace.column("limits_outside");
-  const Trace::Column infeasible = trace.column("limits_infeasible");
+  const Trace::Column active = trace.column("active_constraints");
+  const Trace::Column violation = trace.column("constraint_violation");
+  const Trace::Column infeasible = trace.column("constraints_infeasible");
   const Trace::Column clipped = trace.column("clipped_torques");
-  std::vector<double> times, broken;
+  std::vector<double> times, violations;
   SolverFigures figures;
   for (int row = window.first; row < window.last; ++row) {
     figures.clipped += tick[row] != 0.0 && clipped[row] != 0.0 ? 1 : 0;
@@ -194,17 +196,17 @@ void measure_solver(const Trace& trace, const Window& window, Metrics& metrics) 
     times.push_back(solve_time[row]);
     figures.mean_iterations += iterations[row];
     figures.missed_deadlines += missed[row] != 0.0 ? 1 : 0;
-    figures.at_limits += pushing[row] != 0.0 ? 1 : 0;
+    figures.at_limits += active[row] != 0.0 ? 1 : 0;
     figures.infeasible += infeasible[row] != 0.0 ? 1 : 0;
-    broken.push_back(outside[row]);
+    violations.push_back(violation[row]);
   }
   if (times.empty()) return;
   figures.updates = static_cast<int>(times.size());
   figures.mean_iterations /= static_cast<double>(times.size());
   figures.median = percentile(times, 0.5);
   figures.p99 = percentile(times, 0.99);
-  figures.limits_p99 = percentile(broken, 0.99);
-  figures.limits_outside = *std::max_element(broken.begin(), broken.end());
+  figures.violation_p99 = percentile(violations, 0.99);
+  figures.constraint_violation = *std::max_element(violations.begin(), violations.end());
   figures.maximum = *std::max_element(times.begin(), times.end());
   metrics.solver = figures;
 }
@@ -213,9 +215,9 @@ void measure_solver(const Trace& trace, const Window& window, Metrics& metrics) 
 
 Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec) {
   if (spec.normal_world && !(spec.normal_world->allFinite() && spec.normal_world->norm() > 1e-9))
-    throw Error("the surface's normal has no direction; wanted one to measure along");
+    throw Error("the surface's normal has no direction; wanted a vector that is not zero");
   if (spec.tool_axis && !(spec.tool_axis->allFinite() && spec.tool_axis->norm() > 1e-9))
-    throw Error("the tool's axis has no direction; wanted the one that it presses along");
+    throw Error("the tool's axis has no direction; wanted the direction in which it presses");
   const Trace::Column time = trace.column("time");
   const Window window = window_of(time, spec.start, spec.end);
   if (window.size() == 0)

@@ -1,4 +1,4 @@
-// The mean of a signal about each of its samples.
+// Moving mean of a signal.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,13 +9,13 @@
 
 namespace burnish {
 
-/// Over the samples within half of `width` on either side, fewer at the ends. Takes time as the
-/// signal's length, whatever the width.
+/// Returns the mean of `width` samples around each sample of x, or of fewer at the ends. The time
+/// is proportional to the length of x, for any width.
 inline Eigen::VectorXd moving_mean(const Eigen::VectorXd& x, int width) {
   const Eigen::Index n = x.size(), w = std::max(1, width), before = w / 2;
-  // Sums from each sample to both ends of its block of w samples. A window reaches into two blocks
-  // at most, so that it is a sum of two of them: differences of running sums would lose the digits
-  // of long signals.
+  // Sums from each sample to both ends of its block of w samples. A window covers at most two
+  // blocks, so its sum is the sum of two numbers. Differences of running sums would lose digits in
+  // long signals.
   Eigen::VectorXd from_start(n), to_end(n), result(n);
   for (Eigen::Index begin = 0; begin < n; begin += w) {
     const Eigen::Index end = std::min(n, begin + w);
@@ -27,7 +27,7 @@ inline Eigen::VectorXd moving_mean(const Eigen::VectorXd& x, int width) {
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index from = std::max<Eigen::Index>(0, i - before);
     const Eigen::Index last = std::min(n, i - before + w) - 1;
-    const bool starts_block = from % w == 0;  // its end may lie beyond the window's
+    const bool starts_block = from % w == 0;  // the block may end after the window
     const bool in_one = from / w == last / w;
     const double sum = !in_one        ? to_end[from] + from_start[last]
                        : starts_block ? from_start[last]
@@ -37,7 +37,8 @@ inline Eigen::VectorXd moving_mean(const Eigen::VectorXd& x, int width) {
   return result;
 }
 
-/// Samples that a mean over `time` (s) is of, where they are `step` (s) apart; one at least.
+/// Number of samples, at least 1, in a mean over `time` [s] with samples at intervals of `step`
+/// [s].
 inline int samples_in(double time, double step) {
   return static_cast<int>(std::clamp(std::round(time / step), 1.0, 1e9));
 }

@@ -1,9 +1,10 @@
-// From the trace of a run to the columns of its page.
+// Fills the columns of a page from the trace of a run.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/to_size.hpp"
 #include "burnish/mpc/controller.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "report/foot_rows.hpp"
@@ -14,13 +15,14 @@
 namespace burnish {
 namespace {
 
-/// Columns beside those of joints, and signals with envelopes beside torques.
+/// Number of columns except those of joints, and of signals with envelopes except torques.
 constexpr int plain_columns = 30, plain_envelopes = 7;
-/// Of a robot that stands, beside the columns of its supports.
+/// Number of columns of a standing robot, except those of its supports.
 constexpr int standing_columns = 9;
-constexpr double mean_over = 0.010;  // s, of the force's mean
+/// Width of the moving mean of the force [s].
+constexpr double mean_over = 0.010;
 
-/// Every `stride`th row and the last.
+/// Returns every `stride`th row and the last row.
 std::vector<int> rows_of(const Trace& trace, int stride) {
   std::vector<int> rows;
   for (int row = 0; row < trace.rows(); row += stride) rows.push_back(row);
@@ -28,7 +30,7 @@ std::vector<int> rows_of(const Trace& trace, int stride) {
   return rows;
 }
 
-/// Puts signals of all rows into the page's.
+/// Adds signals of a trace to the columns of a page.
 class PageFiller {
  public:
   PageFiller(RunPage& page, const Trace& trace, std::vector<int> rows)
@@ -38,32 +40,32 @@ class PageFiller {
   void add(const std::string& name, const char* unit, const Eigen::VectorXd& all) {
     add_chosen(name, unit, chosen(all));
   }
-  /// Of the page's rows alone.
+  /// Adds a column with values at the rows of the page.
   void add_chosen(const std::string& name, const char* unit, const Eigen::VectorXd& values) {
     page_.columns.push_back({name, unit, values});
   }
   const std::vector<int>& rows() const { return rows_; }
-  /// With its extremes between the rows.
+  /// Adds a column with its minimum and maximum between the rows.
   void add_with_envelope(const std::string& name, const char* unit, const Eigen::VectorXd& all) {
     add(name, unit, all);
     PageEnvelope envelope{name, chosen(all), chosen(all)};
     for (std::size_t i = 1; i < rows_.size(); ++i) {
-      const auto part = all.segment(rows_[i - 1] + 1, rows_[i] - rows_[i - 1]);
-      envelope.lower[static_cast<Eigen::Index>(i)] = part.minCoeff();
-      envelope.upper[static_cast<Eigen::Index>(i)] = part.maxCoeff();
+      const auto samples = all.segment(rows_[i - 1] + 1, rows_[i] - rows_[i - 1]);
+      envelope.lower[static_cast<Eigen::Index>(i)] = samples.minCoeff();
+      envelope.upper[static_cast<Eigen::Index>(i)] = samples.maxCoeff();
     }
     page_.envelopes.push_back(std::move(envelope));
   }
-  /// A column of the trace under its name in the page.
+  /// Copies the column `from` of the trace to the column `name` of the page.
   void copy(const std::string& name, const std::string& from) {
     const int index = trace_.index(from);
-    add(name, trace_.columns()[static_cast<std::size_t>(index)].unit.c_str(), trace_.column(index));
+    add(name, trace_.columns()[to_size(index)].unit.c_str(), trace_.column(index));
   }
-  /// The component of a vector in world axes.
+  /// Returns the component of the vector `what` along a direction in world axes.
   Eigen::VectorXd along(const std::string& what, const Eigen::Vector3d& direction) const {
     return burnish::along(trace_, what, direction);
   }
-  /// Along another vector, of length one, which is `of` in every row.
+  /// Returns the component of the vector `what` along the unit vector `of`, in every row.
   Eigen::VectorXd along_rows(const std::string& what, const std::string& of) const {
     Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(trace_.rows());
     for (const char* axis : {"_x_world", "_y_world", "_z_world"})
@@ -93,8 +95,8 @@ void add_forces(PageFiller& fill, const RunPage& page, const Trace& trace) {
   fill.add("force_t2", "N", fill.along("tool_force", axes.col(1)));
 }
 
-/// Where a surface that the robot carries is in the first row; the world's axes for one that
-/// stands.
+/// Returns the placement, in the first row, of a surface that the robot carries. Returns the
+/// identity for other surfaces.
 Eigen::Isometry3d surface_at_start(const Trace& trace) {
   Eigen::Isometry3d start = Eigen::Isometry3d::Identity();
   if (!trace.has("surface_rx_world") || trace.rows() == 0) return start;
@@ -106,9 +108,9 @@ Eigen::Isometry3d surface_at_start(const Trace& trace) {
   return start;
 }
 
-/// Places in the plane of the path, of the page's rows: of the tip's centre or, on a curved
-/// surface, of the point where the tip touches. A surface that the robot carries is seen where it
-/// starts.
+/// Positions in the plane of the path at the rows of the page. They are positions of the tip's
+/// centre or, on a curved surface, of the contact point. For a surface that the robot carries,
+/// positions are relative to the surface, which is drawn at its initial placement.
 class Places {
  public:
   Places(const RunPage& page, const Trace& trace)
@@ -119,7 +121,7 @@ class Places {
     const std::vector<int>& rows = fill.rows();
     Eigen::MatrixXd places(rows.size(), 2);
     for (Eigen::Index i = 0; i < places.rows(); ++i) {
-      const int row = rows[static_cast<std::size_t>(i)];
+      const int row = rows[to_size(i)];
       places.row(i) = in_plane({seen_.at(row, at), seen_.at(row, at + 1), seen_.at(row, at + 2)});
     }
     fill.add_chosen(name + "_u", "m", places.col(0));
@@ -129,7 +131,7 @@ class Places {
  private:
   Eigen::Vector2d in_plane(const Eigen::Vector3d& p_seen) const {
     Eigen::Vector3d p = start_ * p_seen;
-    if (page_.surface.known) p -= page_.tip_radius * page_.surface.known->at(p).normal;
+    if (page_.surface.nominal) p -= page_.tip_radius * page_.surface.nominal->at(p).normal;
     return page_.surface.axes.leftCols<2>().transpose() * (p - page_.path_origin_world);
   }
 
@@ -148,26 +150,28 @@ void add_motion(PageFiller& fill, const RunPage& page, const Trace& trace) {
   fill.add_with_envelope("path_error", "m", off_target(trace));
   fill.add_with_envelope(
       "normal_error", "rad",
-      fill.along_rows("believed_normal", "surface_normal").array().min(1.0).max(-1.0).acos());
+      fill.along_rows("estimated_normal", "surface_normal").array().min(1.0).max(-1.0).acos());
   const auto turned = [&](const char* name) { return trace.column(name).array().square(); };
   fill.add_with_envelope(
       "tool_turned", "rad",
       (turned("tool_rx_start") + turned("tool_ry_start") + turned("tool_rz_start")).sqrt());
 }
 
-/// The true and the believed normal where they are not those of the surface's axes all the time.
+/// Adds the true and the estimated normal, unless they always equal the normal of the surface's
+/// axes.
 void add_normals(PageFiller& fill, const RunPage& page, const Trace& trace) {
   const auto add = [&](const std::string& name, const Eigen::Vector3d& usual) {
     const char* const axes[] = {"_x", "_y", "_z"};
     const auto column = [&](int i) { return trace.column(name + axes[i] + "_world"); };
-    double most = 0.0;
+    double max_change = 0.0;
     for (int i = 0; i < 3; ++i)
-      if (trace.rows() > 0) most = std::max(most, (column(i).array() - usual[i]).abs().maxCoeff());
-    if (!(most > 1e-6)) return;
+      if (trace.rows() > 0)
+        max_change = std::max(max_change, (column(i).array() - usual[i]).abs().maxCoeff());
+    if (!(max_change > 1e-6)) return;
     for (int i = 0; i < 3; ++i) fill.add(name + axes[i], "-", column(i));
   };
   add("surface_normal", page.surface.true_axes.col(2));
-  add("believed_normal", page.surface.axes.col(2));
+  add("estimated_normal", page.surface.axes.col(2));
 }
 
 void add_joints(PageFiller& fill, const Model& model, const Trace& trace) {
@@ -175,15 +179,14 @@ void add_joints(PageFiller& fill, const Model& model, const Trace& trace) {
   for (int k = 0; k < model.nv; ++k) fill.copy("v_" + model.v_name(k), "v_" + model.v_name(k));
   for (int k = 0; k < model.nv; ++k) {
     const int from = trace.index("tau_applied_" + model.v_name(k));
-    fill.add_with_envelope("tau_" + model.v_name(k),
-                           trace.columns()[static_cast<std::size_t>(from)].unit.c_str(),
+    fill.add_with_envelope("tau_" + model.v_name(k), trace.columns()[to_size(from)].unit.c_str(),
                            trace.column(from));
   }
   for (int k = 0; k < model.nv; ++k)
     fill.copy("tau_command_" + model.v_name(k), "tau_command_" + model.v_name(k));
 }
 
-/// What carries a robot that stands, and how its mass moves.
+/// Adds the loads of the supports, the centre of mass and the momentum of a standing robot.
 void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
   if (page.supports.empty()) return;
   StateRows states(trace, page.plant_model.value_or(page.robot.model));
@@ -192,20 +195,20 @@ void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
   for (const SupportSpec& support : page.supports) feet.emplace_back(trace, body, support);
   const std::vector<int>& rows = fill.rows();
   const auto count = static_cast<Eigen::Index>(rows.size());
-  // What there is no state for, and what says nothing of a foot that bears nothing, is NaN.
+  // NaN marks rows without a valid state, and friction and pressure of feet without a load.
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Eigen::Index columns = standing_columns + 3 * static_cast<Eigen::Index>(feet.size());
   Eigen::MatrixXd values = Eigen::MatrixXd::Constant(count, columns, none);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const int row = rows[static_cast<std::size_t>(i)];
-    if (states.look(row) > Status::NotConverged) break;
+    const int row = rows[to_size(i)];
+    if (!is_usable(states.look(row))) break;
     values.row(i).head<standing_columns>() << body.com().transpose(),
         body.centroidal_momentum().transpose();
     Eigen::Index column = standing_columns;
     for (const FootRows& foot : feet) {
       const FootLoad load = foot.load(row, foot.placement(body));
       values(i, column) = load.normal;
-      if (load.normal >= least_bearing) {
+      if (load.normal >= min_pressure_load) {
         values(i, column + 1) = foot.friction_used(load);
         if (foot.support().is_sole()) values(i, column + 2) = foot.margin(load);
       }
@@ -236,21 +239,21 @@ void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
   }
 }
 
-/// What became of limits, where plans came to any.
+/// Adds the columns of limits, unless all of them are zero.
 void add_limits(PageFiller& fill, const Trace& trace) {
-  const char* const names[] = {"limits_pushing", "limits_outside", "limits_infeasible",
-                               "clipped_torques"};
+  const char* const names[] = {"active_constraints", "constraint_violation",
+                               "constraints_infeasible", "clipped_torques"};
   if (std::all_of(std::begin(names), std::end(names),
                   [&](const char* name) { return (trace.column(name).array() == 0.0).all(); }))
     return;
-  fill.add_with_envelope("limits_pushing", "-", trace.column("limits_pushing"));
-  for (const char* name : {"limits_outside", "limits_infeasible", "clipped_torques"})
+  fill.add_with_envelope("active_constraints", "-", trace.column("active_constraints"));
+  for (const char* name : {"constraint_violation", "constraints_infeasible", "clipped_torques"})
     fill.copy(name, name);
 }
 
 std::vector<PagePhase> phases_of(const Trace& trace, const std::vector<std::string>& names) {
   const auto name_of = [&](double phase) {
-    const auto place = static_cast<std::size_t>(std::max(0.0, phase));
+    const auto place = to_size(std::max(0.0, phase));
     return place < names.size() ? names[place] : std::to_string(place);
   };
   const auto time = trace.column("time"), phase = trace.column("phase");
@@ -264,8 +267,9 @@ std::vector<PagePhase> phases_of(const Trace& trace, const std::vector<std::stri
   return phases;
 }
 
-/// Plans by row, or of every few that follow each other the fastest and the slowest.
-void add_solver(PageSolver& solver, const Trace& trace, int most) {
+/// Adds all plans, or the fastest and the slowest plan of each group of consecutive plans, such
+/// that there are about `max_plans` entries.
+void add_solver(PageSolver& solver, const Trace& trace, int max_plans) {
   const auto tick = trace.column("tick"), seconds = trace.column("solve_time");
   std::vector<int> plans;
   for (int row = 0; row < trace.rows(); ++row)
@@ -274,18 +278,18 @@ void add_solver(PageSolver& solver, const Trace& trace, int most) {
   std::vector<int> kept;
   std::vector<double> late;
   const std::size_t group =
-      plans.size() <= static_cast<std::size_t>(most) ? 1 : 2 * plans.size() / most + 1;
+      plans.size() <= to_size(max_plans) ? 1 : 2 * plans.size() / max_plans + 1;
   for (std::size_t begin = 0; begin < plans.size(); begin += group) {
     const auto first = plans.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last =
         plans.begin() + static_cast<std::ptrdiff_t>(std::min(begin + group, plans.size()));
     const auto faster = [&](int a, int b) { return seconds[a] < seconds[b]; };
     const auto [low, high] = std::minmax_element(first, last, faster);
-    const bool any = std::any_of(first, last, [&](int row) { return missed[row] != 0.0; });
+    const bool is_late = std::any_of(first, last, [&](int row) { return missed[row] != 0.0; });
     for (const int row : {std::min(*low, *high), std::max(*low, *high)}) {
       if (!kept.empty() && kept.back() == row) continue;
       kept.push_back(row);
-      late.push_back(any && row == *high ? 1.0 : 0.0);
+      late.push_back(is_late && row == *high ? 1.0 : 0.0);
     }
   }
   const Eigen::VectorXd time = trace.column("time"), iterations = trace.column("iterations");
@@ -305,8 +309,8 @@ int page_stride(const Trace& trace, const Model& model, int record_every, const 
                     [](const TraceColumn& column) { return column.name.starts_with("support_"); });
   if (of_supports > 0) columns += standing_columns + static_cast<int>(3 * of_supports / 2);
   constexpr double bytes_per_entry = 4.0 * 4.0 / 3.0;
-  const double rows = std::clamp(size.most_megabytes * 1e6 / (columns * bytes_per_entry), 100.0,
-                                 static_cast<double>(std::max(100, size.most_rows)));
+  const double rows = std::clamp(size.max_megabytes * 1e6 / (columns * bytes_per_entry), 100.0,
+                                 static_cast<double>(std::max(100, size.max_rows)));
   const int every = std::max(1, record_every);
   const double multiple = std::ceil(trace.rows() / (rows * every));
   return every * std::max(1, static_cast<int>(multiple));
@@ -330,7 +334,7 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
   add_limits(fill, trace);
   page.phases = phases_of(trace, page.phase_names);
   PageSolver solver = page.solver.value_or(PageSolver{});
-  add_solver(solver, trace, size.most_plans);
+  add_solver(solver, trace, size.max_plans);
   if (solver.time.size() > 0) {
     page.solver = std::move(solver);
   } else {

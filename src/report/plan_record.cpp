@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr double kept_every = 0.05;  // s between knots that are kept, about
+/// Approximate time between the knots of a plan that are recorded, chosen by hand [s].
+constexpr double kept_every = 0.05;
 
 }  // namespace
 
@@ -34,7 +36,7 @@ PlanRecorder::PlanRecorder(MpcController& controller, double step, double solver
 }
 
 void PlanRecorder::look(double time, const Command& command) {
-  constexpr double slack = 1e-9;  // s: times are sums
+  constexpr double slack = 1e-9;  // rounding error of times, which are sums [s]
   if (period_ == 0.0 || time == last_) return;
   last_ = time;
   if (command.solve_time <= 0.0 || time < next_ - slack) return;
@@ -52,7 +54,7 @@ void PlanRecorder::add_states() {
   const Problem& problem = controller_.problem();
   const MatrixView plan = controller_.plan();
   Eigen::VectorXd x(plan.cols()), dx(problem.layout().ndx());
-  int before = 0;  // knot
+  int before = 0;  // last knot before the recorded time
   for (int kept = 0; kept < record_.knots; ++kept) {
     if (stride_ > 0) {
       x = plan.row(kept * stride_);
@@ -90,7 +92,7 @@ void PlanRecorder::add_costs() {
   const Problem& problem = controller_.problem();
   const std::size_t plans = record_.time.size();
   for (int knot = 0; knot <= problem.knots(); ++knot) {
-    const auto stage = static_cast<std::size_t>(problem.stage_of(knot));
+    const auto stage = to_size(problem.stage_of(knot));
     if (term_of_[stage].empty()) find_terms(stage, knot);
     for (std::vector<double>& costs : record_.costs) costs.resize(plans, 0.0);
     const std::vector<double> costs = controller_.plan_costs(knot);
@@ -102,7 +104,7 @@ void PlanRecorder::add_costs() {
 void PlanRecorder::find_terms(std::size_t stage, int knot) {
   for (const std::string& name : controller_.problem().term_names(knot)) {
     const auto found = std::find(record_.terms.begin(), record_.terms.end(), name);
-    term_of_[stage].push_back(static_cast<std::size_t>(found - record_.terms.begin()));
+    term_of_[stage].push_back(to_size(found - record_.terms.begin()));
     if (found != record_.terms.end()) continue;
     record_.terms.push_back(name);
     record_.costs.emplace_back();

@@ -1,5 +1,5 @@
-// The page of a run: one HTML file with a 3D replay, plots and figures, that any browser shows
-// without a network. Here are the values that the page shows, as plain structs.
+// Content of the page of a run, as plain structs. The page is one HTML file with a 3D replay, plots
+// and figures, which browsers show without a network.
 #pragma once
 
 #include <cstdint>
@@ -21,161 +21,174 @@
 
 namespace burnish {
 
-/// Triangles to draw, in the axes of the file that they come from, unscaled.
+/// Triangle mesh to draw, unscaled and in the axes of its file.
 struct Mesh {
-  std::vector<float> vertices;           ///< x, y, z of each, m
-  std::vector<std::uint32_t> triangles;  ///< three vertices of each
+  std::vector<float> vertices;           ///< x, y, z of each vertex [m]
+  std::vector<std::uint32_t> triangles;  ///< Indices of the three vertices of each triangle
 };
 
-/// A robot to draw.
+/// Robot to draw.
 struct RobotDrawing {
   Model model;
-  Eigen::VectorXd q = {};  ///< nq, posture at the start; empty: neutral
+  Eigen::VectorXd q = {};  ///< Initial posture, nq; empty: neutral
   std::map<std::string, Eigen::VectorXd> postures = {};
-  /// By the uri of MeshShape. Meshes that are not here are drawn as nothing, and named.
+  /// Meshes by the uri of MeshShape. The page lists missing meshes and does not draw them.
   std::map<std::string, Mesh> meshes = {};
 };
 
-/// Samples over the rows of a page.
+/// Samples of a signal at the rows of a page.
 struct PageColumn {
   std::string name, unit;
   Eigen::VectorXd values;
 };
-/// Smallest and largest of all samples since the row before, over the rows of a page.
+/// Minimum and maximum of a signal since the previous row, at the rows of a page.
 struct PageEnvelope {
   std::string name;
   Eigen::VectorXd lower, upper;
 };
 
+/// Figure of a run.
 struct PageMetric {
-  std::string name;             ///< such as force_rmse
-  std::string label;            ///< such as "force error, rms"
-  std::optional<double> value;  ///< none: not available
+  std::string name;             ///< Name, such as force_rmse
+  std::string label;            ///< Label, such as "force error, rms"
+  std::optional<double> value;  ///< Value; none: not available
   std::string unit;
-  std::string text;  ///< what it means
+  std::string text;  ///< Meaning
 };
 
+/// Phase of a run.
 struct PagePhase {
   std::string name;
-  double start = 0.0, end = 0.0;  ///< s
+  double start = 0.0, end = 0.0;  ///< Times [s]
 };
 
-/// A piece of a curved surface as points to draw: `side` rows of as many, m, world.
+/// Part of a curved surface to draw: a grid of side x side points, in world axes.
 struct PagePatch {
   int side = 0;
-  std::vector<float> points;  ///< x, y, z of each, row by row
+  std::vector<float> points;  ///< x, y, z of each point, row by row [m]
 };
 
-/// The surface that is polished. Columns of axes: two tangents and the normal, towards the robot,
-/// of a curved one at its point.
+/// Surface of the workpiece. The columns of axes are two tangents and the normal towards the robot;
+/// for a curved surface, at its point.
 struct PageSurface {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d true_point = Eigen::Vector3d::Zero();  ///< as the plant has it
-  Eigen::Matrix3d true_axes = Eigen::Matrix3d::Identity();
-  double friction = 0.0;  ///< in the plant
-  /// m, half its side about the path's origin; infinite: it has no end.
+  Eigen::Vector3d true_point = Eigen::Vector3d::Zero();     ///< Point in the plant
+  Eigen::Matrix3d true_axes = Eigen::Matrix3d::Identity();  ///< Axes in the plant
+  double friction = 0.0;  ///< Coefficient of friction in the plant
+  /// Half the side of the surface, about the origin of the path; infinite: no edges [m]
   double extent = std::numeric_limits<double>::infinity();
-  std::optional<PagePatch> patch = {};  ///< of a curved one as the plant has it
-  /// A curved one as the controller knows it. The tip touches at its radius along the normal there.
-  std::optional<Surface> known = {};
-  std::string frame = {};  ///< of the robot, that carries it; empty: the world
+  std::optional<PagePatch> patch = {};  ///< Part of a curved surface in the plant
+  /// Curved surface of the controller's model. The contact point is at the tip's radius from the
+  /// tip's centre, along the normal.
+  std::optional<Surface> nominal = {};
+  std::string frame = {};  ///< Frame of the robot that carries the surface; empty: the world
 };
 
-/// One entry per plan, or the fastest and slowest of a few that follow each other.
+/// Solver statistics: one entry per plan, or the fastest and the slowest plan of each group of
+/// consecutive plans.
 struct PageSolver {
-  Eigen::VectorXd time = {};      ///< s
-  Eigen::VectorXd solve_ms = {};  ///< ms
+  Eigen::VectorXd time = {};      ///< Times of the plans [s]
+  Eigen::VectorXd solve_ms = {};  ///< Computing times [ms]
   Eigen::VectorXd iterations = {}, missed = {};
-  double period_ms = 0.0;                  ///< between two plans
-  std::optional<double> deadline_ms = {};  ///< none: no deadline
+  double period_ms = 0.0;                  ///< Time between two plans [ms]
+  std::optional<double> deadline_ms = {};  ///< Deadline; none: no deadline [ms]
 };
 
+/// Fault that ended a run.
 struct PageFault {
-  std::string kind;  ///< such as "contact lost"
+  std::string kind;  ///< Kind, such as "contact lost"
   double time = 0.0;
-  std::string text;  ///< one sentence
+  std::string text;  ///< Description in one sentence
 };
 
-/// A constraint row along a planned motion, one entry per row of the page; NaN where it is absent.
+/// Constraint row along a planned motion, with one entry per row of the page; NaN: row absent.
 struct PageLimit {
   std::string name;
-  Eigen::VectorXd margin;      ///< distance to the nearest limit over the row's scale [-]
-  Eigen::VectorXd multiplier;  ///< cost per scale of the row
+  Eigen::VectorXd margin;      ///< Distance to the nearest limit, divided by the row's scale [-]
+  Eigen::VectorXd multiplier;  ///< Multiplier: cost per scale of the row
 };
 
-/// What a page shows of a motion that was planned and not run. Columns are those of trajectory.csv.
+/// Content of the page of a planned motion that was not run. Columns are those of trajectory.csv.
 struct PagePlan {
-  std::vector<std::string> frames = {};  ///< whose paths are drawn, with those of their targets
-  std::vector<std::string> forces = {};  ///< columns of contact forces
+  std::vector<std::string> frames = {};  ///< Frames whose paths and target paths are drawn
+  std::vector<std::string> forces = {};  ///< Columns of contact forces
   std::vector<PageLimit> limits = {};
 };
 
-/// All that a page shows of a run. SI units, angles in rad.
+/// Content of the page of a run. SI units, angles in rad.
 struct RunPage {
   std::string name;
-  std::int64_t created = 0;                                     ///< s since 1970, UTC
-  std::string version = {};                                     ///< of the program that made it
-  std::vector<std::pair<std::string, std::string>> facts = {};  ///< name and value, as they appear
-  std::string command = {};                                     ///< reproduces the run
+  std::int64_t created = 0;                                     ///< Time since 1970, UTC [s]
+  std::string version = {};                                     ///< Version of the program
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< Names and values to show
+  std::string command = {};                                     ///< Command that repeats the run
   std::string outcome = {};
-  bool polished = false;
+  bool polished = false;  ///< True for success; for a planned motion: the solver converged
   std::optional<PageFault> fault = {};
   std::vector<PageMetric> metrics = {};
-  std::optional<std::pair<double, double>> window = {};  ///< s, over which metrics are taken
-  std::string task_file = {};                            ///< its text
-  double duration = 0.0;                                 ///< s
+  std::optional<std::pair<double, double>> window = {};  ///< Time window of the metrics [s]
+  std::string task_file = {};                            ///< Text of the task file
+  double duration = 0.0;                                 ///< Duration of the run [s]
   RobotDrawing robot;
   std::string tool_frame = {};
-  double tip_radius = 0.0;  ///< m
+  double tip_radius = 0.0;  ///< Radius of the tip [m]
   PageSurface surface = {};
-  Eigen::VectorXd path_u = {}, path_w = {};  ///< m, the path asked for, about path_origin
-  Eigen::VectorXd path_h = {};  ///< m, of a curved surface over the tangents there; else empty
+  /// Commanded path along the two tangents, from its origin [m]
+  Eigen::VectorXd path_u = {}, path_w = {};
+  Eigen::VectorXd path_h = {};  ///< Height of a curved surface along the path; else empty [m]
   Eigen::Vector3d path_origin_world = Eigen::Vector3d::Zero();
-  Eigen::VectorXd time = {};  ///< s, of the rows
+  Eigen::VectorXd time = {};  ///< Times of the rows [s]
   std::vector<PageColumn> columns = {};
   std::vector<PageEnvelope> envelopes = {};
   std::vector<PagePhase> phases = {};
-  std::vector<std::string> phase_names = {};  ///< of the numbers in a trace; none: the numbers
+  /// Names of the phase numbers in a trace. Phases without a name are shown as numbers.
+  std::vector<std::string> phase_names = {};
   std::optional<PageSolver> solver = {};
   std::optional<PlanRecord> plans = {};
-  /// whose momenta are shown, as the plant has it; none: the robot's
+  /// Model of the robot in the plant, for its momenta; none: `robot`
   std::optional<Model> plant_model = {};
-  std::vector<SupportSpec> supports = {};  ///< that it stands on, as the plant has them
-  std::vector<Push> pushes = {};           ///< of which each has its frame
-  std::optional<PagePlan> plan = {};       ///< of a planned motion, whose `polished` is convergence
+  std::vector<SupportSpec> supports = {};  ///< Supports of a standing robot in the plant
+  std::vector<Push> pushes = {};           ///< Pushes; each names its frame
+  std::optional<PagePlan> plan = {};       ///< Set for a planned motion that was not run
 };
 
-/// How large a page may become.
+/// Maximum size of a page.
 struct PageSize {
-  int most_rows = 8000;         ///< rows
-  double most_megabytes = 6.0;  ///< of columns and envelopes, as text
-  int most_plans = 4000;        ///< entries of PageSolver
+  int max_rows = 8000;         ///< Number of rows
+  double max_megabytes = 6.0;  ///< Columns and envelopes, as text [MB]
+  int max_plans = 4000;        ///< Entries of PageSolver
 };
 
-/// The piece of a surface about the place of it that is nearest to `middle`, m: what stands over a
-/// square in its tangent plane there, half a side long, or where that has no end, as much along the
-/// surface, at most two radii of its strongest bend there.
+/// Returns the part of a surface around the surface point nearest to `middle` [m]. The part is the
+/// projection of a square with sides 2 `half` in the tangent plane onto the surface. If the square
+/// cannot be projected, it is a square measured along the surface, with a half side of at most two
+/// radii of curvature at that point.
 PagePatch surface_patch(const Surface& surface, const Eigen::Vector3d& middle, double half);
-/// Puts the curved surface of a plant into a page that has the path already: the piece about it,
-/// and how high the path is.
+/// Adds the curved surface of a plant to a page with a path: the part around the path, and the
+/// heights of the path.
 void add_curved_surface(RunPage& page, const Surface& surface);
 
-/// Every how many rows of a trace the page has one: a multiple of `record_every`, so that its times
-/// are among those of a table that has every `record_every`th row, as large as the size asks for.
+/// Returns n such that the page has every nth row of a trace and does not exceed `size`. n is a
+/// multiple of `record_every`, so that the rows of the page are among those of a table with every
+/// `record_every`th row.
 int page_stride(const Trace& trace, const Model& model, int record_every,
                 const PageSize& size = {});
 
-/// Fills time, columns, envelopes, phases, duration and the solver's entries from a trace of
-/// ClosedLoop. Forces are taken along the surface's true axes, the path along its axes as the
-/// controller knows them: of the place where the tip touches, seen from the surface, as if one that
-/// the robot carries stood where it starts. Robot, surface and path_origin_world have to be there.
-/// Throws Error for a column that is missing. Of a robot that stands the supports have to be there
-/// too, and columns of their wrenches, of its centre of mass and of its momentum about that come
-/// along; where the plant failed and left no state, they are NaN.
+/// Fills time, columns, envelopes, phases, duration and solver of a page from a trace of
+/// ClosedLoop. Robot, surface and path_origin_world must be set before; for a standing robot, also
+/// supports.
+///  - Forces are along the true axes of the surface.
+///  - The path is that of the contact point, along the surface axes of the controller's model. For
+///  a
+///    surface that the robot carries, it is relative to the surface.
+///  - For a standing robot, columns of the supports' wrenches, the centre of mass and the
+///  centroidal
+///    momentum are added. They are NaN in rows without a valid state of the plant.
+/// Throws Error if a column is missing.
 void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSize& size = {});
 
-/// The figures of a run with what they mean; all of them, with no value, without metrics.
+/// Returns the figures of a run with their meanings. Without metrics, they have no values.
 std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics);
 
 }  // namespace burnish

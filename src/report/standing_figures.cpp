@@ -10,10 +10,11 @@
 namespace burnish {
 namespace {
 
-/// s, in which the ground, which gives way, takes a robot that is put on it.
+/// Time at the start of a run in which the compliant ground takes up the robot's load, chosen by
+/// hand [s].
 constexpr double settling = 0.05;
 
-/// A foot along the run.
+/// Evaluation of one foot over the rows of a run.
 class FootWatch {
  public:
   FootWatch(const FootRows& rows, const RigidBody& first)
@@ -30,8 +31,8 @@ class FootWatch {
   }
   void look_at_load(int row, const RigidBody& body, StandingFigures& figures) const {
     const FootLoad load = rows_.load(row, rows_.placement(body));
-    figures.least_load = std::min(figures.least_load, load.normal);
-    if (!(load.normal >= least_bearing)) return;
+    figures.min_load = std::min(figures.min_load, load.normal);
+    if (!(load.normal >= min_pressure_load)) return;
     figures.friction_used = std::max(figures.friction_used, rows_.friction_used(load));
     if (rows_.support().is_sole())
       figures.pressure_margin =
@@ -44,7 +45,7 @@ class FootWatch {
   std::vector<Eigen::Vector3d> start_;
 };
 
-/// The body that the floating base carries, or the first one.
+/// Returns a frame on the body of the floating base, or the world without a floating base.
 int base_frame(const Model& model, const RigidBody& body) {
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     if (model.joints[i].kind != JointKind::FreeFlyer) continue;
@@ -60,12 +61,13 @@ StandingFigures measure_standing(const Trace& trace, const Model& model,
                                  const std::vector<SupportSpec>& supports) {
   if (trace.rows() == 0) throw Error("the trace has no rows; wanted a run");
   if (supports.empty())
-    throw Error("there are no supports; wanted what the robot stands on, one at least");
+    throw Error("there are no supports; wanted at least one, on which the robot stands");
   const Trace::Column time = trace.column("time");
   StateRows states(trace, model);
   const RigidBody& body = states.body();
-  if (const Status status = states.look(0); status > Status::NotConverged)
-    throw Error("the trace begins in no state: " + std::string(describe(status)));
+  if (const Status status = states.look(0); !is_usable(status))
+    throw Error("the first row of the trace is not a valid state: " +
+                std::string(describe(status)));
   std::vector<FootRows> feet;
   for (const SupportSpec& support : supports) feet.emplace_back(trace, body, support);
   std::vector<FootWatch> watches;
@@ -75,9 +77,9 @@ StandingFigures measure_standing(const Trace& trace, const Model& model,
       body.placement(base).linear().transpose() * Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d com_start = body.com();
   StandingFigures figures;
-  figures.least_load = std::numeric_limits<double>::infinity();
+  figures.min_load = std::numeric_limits<double>::infinity();
   for (int row = 0; row < trace.rows(); ++row) {
-    if (states.look(row) > Status::NotConverged) break;
+    if (!is_usable(states.look(row))) break;
     for (const FootWatch& watch : watches) {
       watch.look_at_place(body, figures);
       if (time[row] >= time[0] + settling) watch.look_at_load(row, body, figures);
@@ -86,13 +88,13 @@ StandingFigures measure_standing(const Trace& trace, const Model& model,
     figures.base_tilt = std::max(figures.base_tilt, std::atan2(up.head<2>().norm(), up.z()));
     figures.com_moved = std::max(figures.com_moved, (body.com() - com_start).norm());
   }
-  if (!std::isfinite(figures.least_load)) figures.least_load = 0.0;  // of a run that is too short
+  if (!std::isfinite(figures.min_load)) figures.min_load = 0.0;  // run shorter than `settling`
   return figures;
 }
 
 bool fell(const StandingFigures& figures) {
-  constexpr double leaning = std::numbers::pi / 6.0, far = 0.25;  // rad, m
-  return !(figures.base_tilt <= leaning && figures.com_moved <= far);
+  constexpr double max_tilt = std::numbers::pi / 6.0, max_displacement = 0.25;  // [rad], [m]
+  return !(figures.base_tilt <= max_tilt && figures.com_moved <= max_displacement);
 }
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// A piece of any surface as a grid of points, so that a page draws all shapes alike.
+// Part of a surface as a grid of points, so that a page draws all shapes in the same way.
 #include <algorithm>
 #include <cmath>
 
@@ -8,11 +8,15 @@
 namespace burnish {
 namespace {
 
+// Points along a side of the grid, chosen by hand.
 constexpr int patch_side = 33;
-constexpr double most_turned = 2.0;  // rad, from the middle to the rim
-constexpr double steepest = 0.3;     // cosine between normals up to which a square shows a surface
+// Maximum angle between the normals in the middle and at the rim, chosen by hand [rad].
+constexpr double max_turn = 2.0;
+// Minimum cosine between the normals in the middle and at any point for which the projection of a
+// square shows the surface, chosen by hand.
+constexpr double min_cosine = 0.3;
 
-/// A place on a surface, with two tangents that are carried along without spin.
+/// Point on a surface, with two tangents that are transported along the surface without spin.
 struct Walker {
   Eigen::Vector3d x, ahead, aside;
 
@@ -39,7 +43,7 @@ struct Walker {
   Walker turned() const { return {x, aside, ahead}; }
 };
 
-/// `side` places, evenly spaced along the surface, in whose middle the walker is.
+/// Returns patch_side points at equal distances along the surface, with `middle` in their middle.
 std::vector<Walker> row_through(const Surface& surface, const Walker& middle, double half) {
   std::vector<Walker> row(patch_side, middle);
   const int centre = patch_side / 2;
@@ -51,10 +55,10 @@ std::vector<Walker> row_through(const Surface& surface, const Walker& middle, do
   return row;
 }
 
-/// Where the surface is over or under a point along a direction.
+/// Returns the intersection of the surface with the line through p along `direction`.
 Eigen::Vector3d along(const Surface& surface, Eigen::Vector3d p, const Eigen::Vector3d& direction) {
-  constexpr int most = 50;
-  for (int i = 0; i < most; ++i) {
+  constexpr int max_iterations = 50;  // chosen by hand
+  for (int i = 0; i < max_iterations; ++i) {
     const SurfaceDistance here = surface.at(p);
     if (std::abs(here.distance) < 1e-12) break;
     p -= here.distance / std::max(here.normal.dot(direction), 0.1) * direction;
@@ -81,24 +85,24 @@ PagePatch surface_patch(const Surface& surface, const Eigen::Vector3d& middle, d
           along(surface, here.x + place(i) * here.ahead + place(k) * here.aside, n);
       const SurfaceDistance at = surface.at(p);
       is_over_the_square =
-          is_over_the_square && std::abs(at.distance) < 1e-9 && at.normal.dot(n) > steepest;
+          is_over_the_square && std::abs(at.distance) < 1e-9 && at.normal.dot(n) > min_cosine;
       add(p);
     }
   if (is_over_the_square) return patch;
   patch.points.clear();
-  const double bend = surface.at(here.x).bend.norm();
-  const double reach = std::min(half, most_turned / std::max(bend, 1e-9));
+  const double curvature = surface.at(here.x).hessian.norm();
+  const double reach = std::min(half, max_turn / std::max(curvature, 1e-9));
   for (const Walker& start : row_through(surface, here, reach))
     for (const Walker& place : row_through(surface, start.turned(), reach)) add(place.x);
   return patch;
 }
 
 void add_curved_surface(RunPage& page, const Surface& surface) {
-  double reach = 0.05;
+  double reach = 0.05;  // minimum, chosen by hand [m]
   for (const Eigen::VectorXd* path : {&page.path_u, &page.path_w})
     for (const double x : *path)
       if (std::isfinite(x)) reach = std::max(reach, std::abs(x));
-  constexpr double rim = 0.11;  // m, beyond the path
+  constexpr double rim = 0.11;  // width of the drawn rim around the path, chosen by hand [m]
   const double half = std::isfinite(page.surface.extent) ? page.surface.extent : reach + rim;
   page.surface.patch = surface_patch(surface, page.path_origin_world, half);
   const Eigen::Vector3d n = page.surface.axes.col(2);

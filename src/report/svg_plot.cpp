@@ -5,14 +5,16 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/to_size.hpp"
 #include "base/whole_file.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr double font = 11.0;           // px
-constexpr double letter = 0.58 * font;  // px, mean width
+// Layout of a plot, chosen by hand [px].
+constexpr double font = 11.0;           // size of the font
+constexpr double letter = 0.58 * font;  // mean width of a letter
 constexpr double left = 64.0, top = 28.0, bottom = 40.0, panel_gap = 12.0;
 
 std::string px(double value) {
@@ -38,7 +40,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Lower and upper end of an axis, in plotted units (logarithms where the axis is logarithmic).
+/// Lower and upper end of an axis in plotted units, which are logarithms for a logarithmic axis.
 struct AxisRange {
   double lower = std::numeric_limits<double>::infinity();
   double upper = -std::numeric_limits<double>::infinity();
@@ -51,38 +53,40 @@ struct AxisRange {
   double span() const { return upper - lower; }
   void settle() {
     if (!(lower <= upper)) lower = 0.0, upper = 1.0;
-    // A constant must not fill the axis with its rounding.
-    const double least = 1e-6 * std::max({std::abs(lower), std::abs(upper), 1e-3});
-    if (span() < least) {
-      const double middle = 0.5 * (lower + upper), half = std::max(0.05 * std::abs(middle), least);
+    // The span has a minimum, so that rounding errors of a constant do not fill the axis.
+    const double min_span = 1e-6 * std::max({std::abs(lower), std::abs(upper), 1e-3});
+    if (span() < min_span) {
+      const double middle = 0.5 * (lower + upper);
+      const double half = std::max(0.05 * std::abs(middle), min_span);
       lower = middle - half;
       upper = middle + half;
     }
   }
-  void widen_to(double least) {
-    const double by = 0.5 * (least - span());
+  void widen_to(double min_span) {
+    const double by = 0.5 * (min_span - span());
     if (!(by > 0.0)) return;
     lower -= by;
     upper += by;
   }
-  void widen(double share) {
-    const double by = share * span();
+  void widen(double fraction) {
+    const double by = fraction * span();
     lower -= by;
     upper += by;
   }
 };
 
-/// Span that a vertical axis has at least, by the unit in brackets of its label: less is rounding.
-double least_span(const std::string& label) {
-  static const std::pair<const char*, double> known[] = {
+/// Returns the minimum span of a vertical axis, by the unit in its label. Smaller spans would show
+/// rounding errors. The spans are chosen by hand.
+double min_span_of(const std::string& label) {
+  static const std::pair<const char*, double> spans[] = {
       {"[N]", 0.01},   {"[Nm]", 0.01},  {"[mm]", 1e-3},    {"[deg]", 1e-3}, {"[m]", 1e-6},
       {"[rad]", 1e-5}, {"[m/s]", 1e-5}, {"[rad/s]", 1e-4}, {"[ms]", 1e-3}};
-  for (const auto& [unit, span] : known)
+  for (const auto& [unit, span] : spans)
     if (label.find(unit) != std::string::npos) return span;
   return 0.0;
 }
 
-/// 1, 2 or 5 times a power of ten, so that about `wanted` of them fit.
+/// Returns 1, 2 or 5 times a power of ten, such that `span` has about `wanted` steps.
 double tick_step(double span, double wanted) {
   const double rough = span / wanted, power = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0})
@@ -121,10 +125,10 @@ std::vector<Tick> ticks_of(const AxisRange& range, double wanted, bool logarithm
   return ticks;
 }
 
-/// A panel on its way into the text.
+/// Writer of one panel.
 struct PanelWriter {
   const Panel& panel;
-  double x0, y0, width, height;  // of the axes, px
+  double x0, y0, width, height;  // upper left corner and size of the axes [px]
   AxisRange x = {}, y = {};
   std::string& out;
 
@@ -148,7 +152,7 @@ struct PanelWriter {
     x.settle();
     y.settle();
     y.widen(0.06);
-    if (!panel.log_y) y.widen_to(least_span(panel.y_label));
+    if (!panel.log_y) y.widen_to(min_span_of(panel.y_label));
     if (!panel.equal_aspect) return;
     x.widen(0.06);
     const double per_px = std::max(x.span() / width, y.span() / height);
@@ -210,8 +214,8 @@ struct PanelWriter {
     const auto& palette = plot_palette();
     for (const Curve& given : panel.curves) {
       const int number = given.color >= 0 ? given.color : next++;
-      const std::string& color = palette[static_cast<std::size_t>(number) % palette.size()];
-      // A second round of the palette is dashed.
+      const std::string& color = palette[to_size(number) % palette.size()];
+      // When the palette repeats, curves are dashed.
       Curve drawn = given;
       drawn.dashed = given.dashed || number >= static_cast<int>(palette.size());
       curve(drawn, color);
@@ -264,7 +268,7 @@ std::string svg_plot(const PlotSpec& spec) {
   if (!spec.title.empty())
     out += "<text x='" + px(left) + "' y='20' font-size='15'>" + escaped(spec.title) + "</text>\n";
   for (int i = 0; i < count; ++i) {
-    const Panel& panel = spec.panels[static_cast<std::size_t>(i)];
+    const Panel& panel = spec.panels[to_size(i)];
     const double legend = legend_size(panel).first;
     const int column = i % columns, line = i / columns;
     PanelWriter writer{panel,

@@ -1,4 +1,4 @@
-// Signals of a trace as curves of a figure.
+// Signals of a trace for the curves of a plot.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace burnish {
 
-/// Columns `what`_x_world and so on along a direction of the world.
+/// Returns the component of the vector in columns `what`_x_world, `what`_y_world and `what`_z_world
+/// along `direction`, in world axes.
 inline Eigen::VectorXd along(const Trace& trace, const std::string& what,
                              const Eigen::Vector3d& direction) {
   return trace.column(what + "_x_world") * direction.x() +
@@ -18,7 +19,8 @@ inline Eigen::VectorXd along(const Trace& trace, const std::string& what,
          trace.column(what + "_z_world") * direction.z();
 }
 
-/// The same columns along the surface's true normal, as it is in each row.
+/// Returns the component of the vector in columns `what`_x_world, `what`_y_world and `what`_z_world
+/// along the surface's true normal in each row.
 inline Eigen::VectorXd along_normal(const Trace& trace, const std::string& what) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(trace.rows());
   for (const char* axis : {"_x_world", "_y_world", "_z_world"})
@@ -27,7 +29,8 @@ inline Eigen::VectorXd along_normal(const Trace& trace, const std::string& what)
   return sum;
 }
 
-/// Distance of the tool from its target across the surface's true normal, as it is in each row [m].
+/// Distance of the tool from its target, perpendicular to the surface's true normal in each row
+/// [m].
 inline Eigen::VectorXd off_target(const Trace& trace) {
   Eigen::ArrayXd off = Eigen::ArrayXd::Zero(trace.rows());
   for (const char* axis : {"_x_world", "_y_world", "_z_world"})
@@ -39,7 +42,8 @@ inline Eigen::VectorXd off_target(const Trace& trace) {
   return (off - above.square()).max(0.0).sqrt();
 }
 
-/// First row of a phase and the one behind its last; equal if there is none.
+/// Returns the first row of a phase and the row after its last row. Both are equal if the trace
+/// does not have this phase.
 inline std::pair<Eigen::Index, Eigen::Index> rows_of_phase(const Trace& trace, double phase) {
   const Eigen::VectorXd phases = trace.column("phase");
   Eigen::Index first = 0, last = phases.size();
@@ -48,17 +52,17 @@ inline std::pair<Eigen::Index, Eigen::Index> rows_of_phase(const Trace& trace, d
   return {first, last};
 }
 
-/// A curve of about `count` pieces of equal length: of each its smallest and its largest value, in
-/// the order in which they come, so that no peak is lost.
+/// Reduces a curve to about `count` pieces of equal length. For each piece, the result has the
+/// smallest and the largest value in their order, so that peaks are kept.
 inline Curve extremes(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index count) {
   const Eigen::Index n = x.size(), piece = std::max<Eigen::Index>(1, n / count);
   const Eigen::Index pieces = (n + piece - 1) / piece;
   Curve curve{.x = Eigen::VectorXd(2 * pieces), .y = Eigen::VectorXd(2 * pieces)};
   for (Eigen::Index i = 0; i < pieces; ++i) {
-    const auto part = y.segment(i * piece, std::min(piece, n - i * piece));
+    const auto values = y.segment(i * piece, std::min(piece, n - i * piece));
     Eigen::Index low = 0, high = 0;
-    part.minCoeff(&low);
-    part.maxCoeff(&high);
+    values.minCoeff(&low);
+    values.maxCoeff(&high);
     for (const Eigen::Index side : {Eigen::Index{0}, Eigen::Index{1}}) {
       const Eigen::Index at = i * piece + (side == 0 ? std::min(low, high) : std::max(low, high));
       curve.x[2 * i + side] = x[at];

@@ -9,8 +9,8 @@
 namespace burnish {
 namespace {
 
-/// Names of the joints that move what is called `name`, a link, a joint or a frame, and of those
-/// that joints on the way mimic; empty if there is no such thing.
+/// Returns the names of the joints that move the link, joint or frame `name`. A mimic joint counts
+/// as its leader. Empty if `name` does not exist.
 std::vector<std::string> carrying_joints(const TreeSpec& tree, std::string name) {
   const auto frame = std::find_if(tree.frames.begin(), tree.frames.end(),
                                   [&](const FrameSpec& spec) { return spec.name == name; });
@@ -28,7 +28,7 @@ std::vector<std::string> carrying_joints(const TreeSpec& tree, std::string name)
                                    [&](const LinkSpec& link) { return link.name == name; });
   std::set<std::string> names;
   const JointSpec* joint = among(is_link ? by_child : by_name, name);
-  // What hangs on itself, or mimics itself, is refused later.
+  // The limits end cycles, which build_model() rejects later.
   for (std::size_t i = 0; joint != nullptr && i < tree.joints.size(); ++i) {
     const JointSpec* moving = joint;
     for (std::size_t k = 0; moving != nullptr && moving->mimic && k < tree.joints.size(); ++k)

@@ -8,10 +8,11 @@
 
 namespace burnish {
 
-/// Names of the joints that move `name`, a link, a joint or a frame, and of those that joints on
-/// the way mimic; empty if there is no such thing. Fingers are left out and added to `held`:
-/// nothing says that they hold still while they press. Where nothing but fingers carries it, they
-/// are taken.
+/// Returns the names of the joints that move the link, joint or frame `name`. A mimic joint counts
+/// as its leader. Empty if `name` does not exist.
+///
+/// Finger joints are added to `held` instead, because a gripper may move under load. If only
+/// fingers move `name`, the function returns the fingers.
 std::vector<std::string> arm_joints(const TreeSpec& tree, const std::string& name,
                                     std::vector<std::string>& held);
 

@@ -8,8 +8,8 @@
 namespace burnish {
 namespace {
 
-/// Name of the first element of an XML text; empty where there is none. What is no XML the reader
-/// of URDF refuses.
+/// Returns the name of the first element of an XML text, empty without elements. Does not check the
+/// text; the reader of URDF rejects texts that are not XML.
 std::string_view outermost_element(std::string_view text) {
   std::size_t at = text.find('<');
   while (at != std::string_view::npos) {
@@ -34,16 +34,16 @@ RobotDescription read_robot_description(const std::filesystem::path& file) {
   const std::string text = read_text(file, "URDF or MJCF file");
   const std::string name = file.string();
   if (text.starts_with("#usda") || text.starts_with("PXR-USDC"))
-    refuse(name, "it is USD, which is not read; wanted URDF or MJCF");
+    refuse(name, "the file is in USD, which is not supported; wanted URDF or MJCF");
   const std::string_view outermost = outermost_element(text);
   if (outermost == "sdf")
     refuse(name,
-           "its outermost element is <sdf>: SDF is not read; wanted <robot> (URDF) or <mujoco> "
-           "(MJCF)");
+           "its outermost element is <sdf>, which is not supported; wanted <robot> (URDF) or "
+           "<mujoco> (MJCF)");
   if (outermost == "mujocoinclude")
     refuse(name,
-           "its outermost element is <mujocoinclude>: it is a part of a model; wanted the file "
-           "that includes it");
+           "its outermost element is <mujocoinclude>, which contains only a part of a model; "
+           "wanted the file that includes it");
   if (outermost == "mujoco") return {mjcf::read_model(text, name, file.parent_path())};
   return {parse_urdf(text, name), parse_collisions(text, name)};
 }

@@ -1,4 +1,4 @@
-// Files that describe a robot, told apart by what is in them.
+// Files that describe a robot: URDF and MJCF, distinguished by their contents.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +9,20 @@
 
 namespace burnish {
 
-/// Reads URDF or MJCF, once, whatever the file's name: <robot> or <mujoco> is outermost. Throws
-/// Error as read_urdf and read_mjcf do, and for SDF and USD by their names.
+/// Reads a URDF or MJCF file. The outermost element decides, <robot> or <mujoco>, not the file's
+/// name. Throws Error for files that read_urdf() or read_mjcf() rejects, and for SDF and USD files.
 TreeSpec read_description(const std::filesystem::path& file);
 
-/// What such a file describes, and the collision geometry of a URDF file.
+/// Contents of a file, and the collision geometry of a URDF file.
 struct RobotDescription {
   TreeSpec tree;
   std::vector<LinkSolid> collisions = {};
 };
-/// Reads the file once. Throws Error as read_description() does.
+/// Reads a URDF or MJCF file once. Throws Error for files that read_description() rejects.
 RobotDescription read_robot_description(const std::filesystem::path& file);
 
-/// The key of settings that such a file stands under: "urdf" or "mjcf". Throws Error where it
-/// cannot be read.
+/// Returns the key of the settings that names such a file: "urdf" or "mjcf". Throws Error if the
+/// file cannot be read.
 std::string description_key(const std::filesystem::path& file);
 
 }  // namespace burnish

@@ -4,34 +4,36 @@
 #include <map>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "base/words_in.hpp"
 
 namespace burnish {
 namespace {
 
-/// Joints of an arm that at least carry a hand: fewer carry a head, legs or other arms.
-constexpr int least_carrying = 2;
-/// Joints in a row of a finger at most: thumbs of anthropomorphic hands have five.
-constexpr int longest_finger = 5;
-/// Length of a finger at most, as a share of the way from the root to the hand: arms beside each
-/// other on a torso are longer.
-constexpr double shortest_arm = 0.5;
+/// Smallest number of joints that carry a hand. Fewer joints carry a head, legs or other arms.
+constexpr int min_carrying = 2;
+/// Largest number of joints of a finger in series: thumbs of anthropomorphic hands have five.
+constexpr int max_finger_joints = 5;
+/// Largest length of a finger, as a fraction of the path length from the root to the hand. Arms on
+/// a torso are longer. Chosen by hand.
+constexpr double max_finger_ratio = 0.5;
 
 bool moves(const JointSpec& joint) { return joint.type != JointType::Fixed; }
 
-/// A moving joint among the others.
+/// Moving joint in the tree of moving joints.
 struct Node {
   const JointSpec* joint = nullptr;
-  int parent = -1;            ///< node that carries it, -1: none
-  int depth = 1;              ///< moving joints from the root to it, itself included
-  int height = 1;             ///< joints in a row from it outwards, itself included
-  double carried_length = 0;  ///< from the root to its link [m]
-  double reach = 0;           ///< from the root to what is furthest on or beyond it [m]
-  double mass = 0;            ///< that it moves up to the next joints [kg]
+  int parent = -1;            ///< Node that carries this joint, -1 if none
+  int depth = 1;              ///< Number of moving joints from the root to this joint, inclusive
+  int height = 1;             ///< Largest number of moving joints from it to a tip, inclusive
+  double carried_length = 0;  ///< Path length from the root to the joint's link [m]
+  double reach = 0;           ///< Largest path length from the root to a link that it carries [m]
+  double mass = 0;            ///< Mass between this joint and the next moving joints [kg]
   std::vector<int> children = {};
 };
 
-/// A wrist may be named after the gripper that it turns.
+/// Returns true if the names of joint or link suggest a finger. Excludes wrists, which may be named
+/// after the gripper that they turn.
 bool is_named_finger(const JointSpec& joint) {
   const std::string name = lower_case(joint.name), link = lower_case(joint.child_link);
   if (has_one_of(name, {"roll", "rot", "wrist", "yaw", "pitch"})) return false;
@@ -39,7 +41,7 @@ bool is_named_finger(const JointSpec& joint) {
          has_one_of(link, {"finger", "jaw", "knuckle", "thumb"});
 }
 
-/// The moving joints of a description, each with those that it carries.
+/// Tree of the moving joints of a description.
 class Branches {
  public:
   explicit Branches(const TreeSpec& tree) {
@@ -52,7 +54,7 @@ class Branches {
     for (std::size_t i = nodes_.size(); i-- > 0;) {
       const Node& node = nodes_[i];
       if (node.parent < 0) continue;
-      Node& parent = nodes_[static_cast<std::size_t>(node.parent)];
+      Node& parent = nodes_[to_size(node.parent)];
       parent.height = std::max(parent.height, node.height + 1);
       parent.reach = std::max(parent.reach, node.reach);
     }
@@ -64,9 +66,9 @@ class Branches {
       if (is_hand(hand))
         for (const int branch : hand.children) add(branch, names);
     for (const Node& node : nodes_)
-      if (node.children.empty() && node.depth > least_carrying && is_named_finger(*node.joint))
+      if (node.children.empty() && node.depth > min_carrying && is_named_finger(*node.joint))
         names.insert(node.joint->name);
-    // What follows a joint of the arm moves with it and cannot be held.
+    // A follower of an arm joint moves with the arm and cannot be held.
     std::erase_if(names, [&, all = names](const std::string& name) {
       const auto node = std::find_if(nodes_.begin(), nodes_.end(),
                                      [&](const Node& of) { return of.joint->name == name; });
@@ -78,11 +80,12 @@ class Branches {
  private:
   struct Link {
     std::string name;
-    int carrier;    ///< node that moves it, -1: none
-    double length;  ///< from the root [m]
+    int carrier;    ///< Node that moves the link, -1 if none
+    double length;  ///< Path length from the root [m]
   };
 
-  /// Each link once, after those that carry it: descriptions with loops are refused elsewhere.
+  /// Visits each link below `root` once, after the links that carry it. Visiting once ends cycles,
+  /// which build_model() rejects.
   void descend(const std::string& root) {
     std::vector<Link> open{{root, -1, 0.0}};
     while (!open.empty()) {
@@ -90,7 +93,7 @@ class Branches {
       open.pop_back();
       if (!seen_.insert(link.name).second) continue;
       if (link.carrier >= 0) {
-        Node& node = nodes_[static_cast<std::size_t>(link.carrier)];
+        Node& node = nodes_[to_size(link.carrier)];
         node.reach = std::max(node.reach, link.length);
         node.mass += masses_[link.name];
       }
@@ -109,7 +112,7 @@ class Branches {
     const int index = static_cast<int>(nodes_.size());
     Node node{.joint = &joint, .parent = carrier, .carried_length = length, .reach = length};
     if (carrier >= 0) {
-      Node& parent = nodes_[static_cast<std::size_t>(carrier)];
+      Node& parent = nodes_[to_size(carrier)];
       node.depth = parent.depth + 1;
       parent.children.push_back(index);
     }
@@ -117,39 +120,38 @@ class Branches {
     return index;
   }
 
-  /// The rotor of a motor beside the link that it drives: by its name, or without mass beside a
-  /// branch that has some.
+  /// Returns true for the rotor of a motor next to the link that it drives: a tip that is named a
+  /// rotor, or a tip without mass next to a branch with mass.
   bool is_rotor(int child, const Node& carrier) const {
-    const Node& node = nodes_[static_cast<std::size_t>(child)];
+    const Node& node = nodes_[to_size(child)];
     if (!node.children.empty()) return false;
     if (has_one_of(node.joint->child_link, {"rotor"})) return true;
     return node.mass == 0.0 &&
-           std::any_of(carrier.children.begin(), carrier.children.end(), [&](int other) {
-             return nodes_[static_cast<std::size_t>(other)].mass > 0.0;
-           });
+           std::any_of(carrier.children.begin(), carrier.children.end(),
+                       [&](int other) { return nodes_[to_size(other)].mass > 0.0; });
   }
 
   bool is_hand(const Node& node) const {
     const auto branches = std::count_if(node.children.begin(), node.children.end(),
                                         [&](int child) { return !is_rotor(child, node); });
-    if (node.depth < least_carrying || branches < 2) return false;
+    if (node.depth < min_carrying || branches < 2) return false;
     return std::all_of(node.children.begin(), node.children.end(), [&](int child) {
-      const Node& finger = nodes_[static_cast<std::size_t>(child)];
-      return finger.height <= longest_finger &&
-             finger.reach - node.carried_length <= shortest_arm * node.carried_length;
+      const Node& finger = nodes_[to_size(child)];
+      return finger.height <= max_finger_joints &&
+             finger.reach - node.carried_length <= max_finger_ratio * node.carried_length;
     });
   }
 
   void add(int branch, std::set<std::string>& names) const {
-    const Node& node = nodes_[static_cast<std::size_t>(branch)];
+    const Node& node = nodes_[to_size(branch)];
     names.insert(node.joint->name);
     for (const int child : node.children) add(child, names);
   }
 
   std::map<std::string, std::vector<const JointSpec*>> by_parent_;
-  std::map<std::string, double> masses_;  ///< of links [kg]
+  std::map<std::string, double> masses_;  ///< Masses of links [kg]
   std::set<std::string> seen_;
-  std::vector<Node> nodes_;  ///< each behind the one that carries it
+  std::vector<Node> nodes_;  ///< Parents before children
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Fingers of grippers and hands, told from the joints of an arm.
+// Detection of the finger joints of grippers and hands.
 #pragma once
 
 #include <set>
@@ -8,11 +8,12 @@
 
 namespace burnish {
 
-/// Names of the moving joints that are fingers: they hold things and place no tool. Below a link
-/// that at least two joints carry, these are all joints of two or more branches, each of at most
-/// five joints in a row and at most half as long as the way from the root to that link. Where there
-/// is one branch, it is its last joint if it or its link is named like a finger or a jaw, or the
-/// joint like a gripper.
+/// Returns the names of moving joints that are fingers. A hand is a link that at least two joints
+/// carry, with two or more branches. Each branch has at most five joints in series, and at most
+/// half the path length from the root to the hand. All joints of its branches are fingers.
+///
+/// A joint at the tip of any other branch is a finger if its name or the name of its link suggests
+/// a finger or a jaw. A joint's name may also suggest a gripper.
 std::set<std::string> finger_joints(const TreeSpec& tree);
 
 }  // namespace burnish

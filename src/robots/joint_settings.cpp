@@ -12,25 +12,25 @@
 namespace burnish {
 namespace {
 
-/// The moving joint that a key of the settings is about.
+/// Returns the moving joint `name`. Error messages use `key`, the key of the settings.
 JointSpec& moving_joint(TreeSpec& tree, const std::string& name, const std::string& key,
                         const std::string& origin) {
   const auto joint = std::find_if(tree.joints.begin(), tree.joints.end(),
                                   [&](const JointSpec& spec) { return spec.name == name; });
   if (joint == tree.joints.end()) {
-    std::vector<std::string> known;
-    for (const JointSpec& spec : tree.joints) known.push_back(spec.name);
-    refuse(origin, key + " does not exist" + did_you_mean(name, known));
+    std::vector<std::string> existing;
+    for (const JointSpec& spec : tree.joints) existing.push_back(spec.name);
+    refuse(origin, key + " does not exist" + did_you_mean(name, existing));
   }
-  if (joint->type == JointType::Fixed) refuse(origin, key + " is fixed and has none");
+  if (joint->type == JointType::Fixed) refuse(origin, key + " is fixed; wanted a moving joint");
   return *joint;
 }
 
-/// Takes back what a file's limit of 0 was taken for: the settings state the limit.
-void drop_assumption(TreeSpec& tree, const std::string& joint, const char* limit) {
-  const std::string said = "joint " + in_quotes(joint) + ": <limit> has '" + limit + "' = 0";
+/// Removes the warning about a file's limit of 0, which the limit of the settings replaces.
+void drop_warning(TreeSpec& tree, const std::string& joint, const char* limit) {
+  const std::string words = "joint " + in_quotes(joint) + ": <limit> has '" + limit + "' = 0";
   std::erase_if(tree.warnings, [&](const std::string& warning) {
-    return warning.find(said) != std::string::npos;
+    return warning.find(words) != std::string::npos;
   });
 }
 
@@ -42,7 +42,7 @@ void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limi
   JointSpec& joint = moving_joint(tree, name, key, origin);
   const bool has_range = joint.type == JointType::Revolute || joint.type == JointType::Prismatic;
   if ((limits.lower || limits.upper) && !has_range) {
-    refuse(origin, key + " has no 'lower' and 'upper'; only revolute and prismatic joints have");
+    refuse(origin, key + " cannot have 'lower' or 'upper'; wanted a revolute or prismatic joint");
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (limits.lower == infinity || limits.upper == -infinity)
@@ -52,8 +52,8 @@ void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limi
   joint.upper = limits.upper.value_or(joint.upper);
   joint.velocity_limit = limits.velocity.value_or(joint.velocity_limit);
   joint.effort_limit = limits.effort.value_or(joint.effort_limit);
-  if (limits.velocity) drop_assumption(tree, name, "velocity");
-  if (limits.effort) drop_assumption(tree, name, "effort");
+  if (limits.velocity) drop_warning(tree, name, "velocity");
+  if (limits.effort) drop_warning(tree, name, "effort");
 }
 
 void set_figures(TreeSpec& tree, const std::string& name, const JointFigures& figures,

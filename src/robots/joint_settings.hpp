@@ -1,4 +1,4 @@
-// What a robot's settings say of single joints, written over its description.
+// Settings of single joints, which replace values of a robot's description.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace burnish {
 
-/// Writes the limits over those of the joint `name`. Throws Error, with `origin` in front, for a
-/// joint that does not exist or is fixed, and for a range of one that has none.
+/// Replaces limits of the joint `name`. Throws Error for joints that do not exist or are fixed, and
+/// for position limits of joints that cannot have any. Messages begin with `origin`.
 void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limits,
                 const std::string& origin);
-/// Writes armature, damping, friction and spring over those of the joint `name`. Throws Error, with
-/// `origin` in front, for a joint that does not exist or is fixed.
+/// Replaces armature, damping, friction and spring of the joint `name`. Throws Error for joints
+/// that do not exist or are fixed. Messages begin with `origin`.
 void set_figures(TreeSpec& tree, const std::string& name, const JointFigures& figures,
                  const std::string& origin);
 

@@ -1,4 +1,4 @@
-// The robots that are known by name.
+// Robots that can be loaded by name.
 #pragma once
 
 #include <filesystem>
@@ -8,21 +8,21 @@
 
 namespace burnish {
 
-/// The settings files of the robots in the folders of robot_search_path(), by the name of their own
-/// folder; the first of a name counts.
+/// Returns the settings files of the robots in the folders of robot_search_path(), by the name of
+/// the robot's folder. The first folder with a name takes precedence.
 std::map<std::string, std::filesystem::path> known_robots();
 
-/// Whether load_robot takes the name for a path whatever lies there: it has a slash in it, or ends
-/// in .urdf, .xml, .mjcf, .yaml or .yml, in capitals or not, with no variant behind.
+/// Returns true if load_robot() treats `name` as a path, even if no file exists there. A path
+/// contains a slash, or ends in .urdf, .xml, .mjcf, .yaml or .yml (in upper or lower case).
 bool is_robot_path(const std::string& name);
 
-/// File of a robot without a variant: a path means what lies there; a bare name means a robot of
-/// robot_search_path(), and only then a file or folder of the working folder. Nothing where neither
-/// exists.
+/// Returns the file of a robot without a variant, or nothing if no file exists. A path is used as
+/// it is. For any other name, a robot in robot_search_path() takes precedence over a file or folder
+/// in the working folder.
 std::optional<std::filesystem::path> robot_file(const std::string& name);
 
-/// The URDF or MJCF file that load_robot() reads for this name, whatever settings lead there. Empty
-/// where the name or its settings are refused.
+/// Returns the URDF or MJCF file that load_robot() reads for `name`, directly or through a settings
+/// file. Empty if the name or its settings are invalid.
 std::filesystem::path description_file(const std::string& name);
 
 }  // namespace burnish

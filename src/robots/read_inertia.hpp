@@ -1,4 +1,4 @@
-// Mass distributions as texts state them.
+// Readers of inertias and payloads from settings.
 #pragma once
 
 #include "burnish/model/inertia.hpp"
@@ -6,10 +6,12 @@
 
 namespace burnish {
 
-/// {mass: kg, com: [m], inertia: [xx, xy, xz, yy, yz, zz], kg m^2 about com}; inertia may be three
-/// numbers, along the axes. `also`: further keys that the map may have. Refuses what no solid has.
+/// Reads {mass, com, inertia} [kg, m, kg m^2]. The inertia is about com: [xx, xy, xz, yy, yz, zz],
+/// or three moments along the axes. The map may also have the keys `also`. Throws Error for an
+/// inertia that no solid has.
 InertiaSpec read_inertia(const document::Reader& reader, const std::vector<std::string>& also = {});
-/// The same with the frame that it is fixed to and written in: {frame: tool, mass: ...}.
+/// Reads {frame, mass, com, inertia}. The payload is fixed to the frame, and its values are in the
+/// axes of the frame.
 Payload read_payload(const document::Reader& reader);
 
 }  // namespace burnish

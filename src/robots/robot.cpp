@@ -32,10 +32,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* settings_name = "robot.yaml";
 
-/// Where a robot's name leads.
+/// File and variant that a robot's name refers to.
 struct Place {
-  fs::path file;        // a description or a settings file
-  std::string variant;  // empty for none
+  fs::path file;        ///< Description or settings file
+  std::string variant;  ///< Name of the variant, empty for none
 };
 
 std::string lower_extension(const fs::path& file) { return lower_case(file.extension().string()); }
@@ -44,9 +44,9 @@ bool is_settings(const fs::path& file) {
   return extension == ".yaml" || extension == ".yml";
 }
 
-/// The file that a path means, if there is one.
+/// Returns the file at a path, or the robot.yaml in a folder. Returns nothing if it does not exist.
 std::optional<fs::path> file_at(const fs::path& path) {
-  std::error_code ignored;  // what cannot be looked at does not exist here
+  std::error_code ignored;  // an inaccessible file counts as missing
   if (fs::is_directory(path, ignored)) {
     const fs::path settings = path / settings_name;
     return fs::exists(settings, ignored) ? std::optional(settings) : std::nullopt;
@@ -65,19 +65,18 @@ std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
   if (is_robot_path(name)) {
     std::error_code ignored;
     const std::string hint =
-        fs::is_directory(name, ignored) ? " holds no robot.yaml" : " does not exist";
-    // No path is as long as text can be.
-    constexpr std::size_t longest = 300;
-    const std::string path = name.size() > longest ? name.substr(0, longest) + "..." : name;
+        fs::is_directory(name, ignored) ? " has no robot.yaml" : " does not exist";
+    constexpr std::size_t max_length = 300;  // longer names are shortened, chosen by hand
+    const std::string path = name.size() > max_length ? name.substr(0, max_length) + "..." : name;
     refuse(path, "it" + hint + "; wanted a .urdf file, a .yaml file or a folder with robot.yaml");
   }
-  const std::vector<std::string> known = keys_of(known_robots());
-  std::string nearest = did_you_mean(name, known);
+  const std::vector<std::string> existing = keys_of(known_robots());
+  std::string nearest = did_you_mean(name, existing);
   if (nearest.empty()) {
-    for (const std::string& robot : known) nearest += (nearest.empty() ? "" : ", ") + robot;
-    nearest = "; known are: " + (nearest.empty() ? "none" : nearest);
+    for (const std::string& robot : existing) nearest += (nearest.empty() ? "" : ", ") + robot;
+    nearest = "; available robots: " + (nearest.empty() ? "none" : nearest);
   }
-  throw Error("robot " + in_quotes(name) + " is not known" + nearest);
+  throw Error("robot " + in_quotes(name) + " does not exist" + nearest);
 }
 
 Place find_robot(const std::string& name) {
@@ -89,11 +88,12 @@ Place find_robot(const std::string& name) {
   const auto file = robot_file(robot);
   if (!file) refuse_name(robot);
   if (variant.empty()) {
-    throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant behind it");
+    throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant after it");
   }
   if (!is_settings(*file)) {
     throw Error("robot " + in_quotes(name) +
-                " asks for a variant of a description; only settings " + "files have variants");
+                " names a variant of a description; wanted a settings file, which can have "
+                "variants");
   }
   return {*file, variant};
 }
@@ -110,7 +110,7 @@ RobotSettings settings_at(const Place& place) {
   return with_variant(std::move(file.common), variant->second);
 }
 
-/// The posture of that name; `key` says who asked for it.
+/// Returns the posture `name`. Error messages use `key`, the source of the name.
 const Posture& find_posture(const RobotSettings& settings, const std::string& name,
                             const std::string& origin, const std::string& key) {
   const auto found = settings.postures.find(name);
@@ -119,11 +119,11 @@ const Posture& find_posture(const RobotSettings& settings, const std::string& na
                      did_you_mean(name, keys_of(settings.postures)));
 }
 
-/// Where locked joints are held.
+/// Returns the posture at which joints are locked.
 Posture locking_posture(const RobotSettings& settings, const RobotOverrides& overrides,
                         const std::string& origin) {
   if (!overrides.posture.empty()) {
-    return find_posture(settings, overrides.posture, origin, "posture asked for");
+    return find_posture(settings, overrides.posture, origin, "requested posture");
   }
   if (settings.posture) return find_posture(settings, *settings.posture, origin, "key 'posture'");
   if (!settings.default_posture) return {};
@@ -152,12 +152,13 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
   }
   if (options.free.empty()) {
     // An empty list would free every joint.
-    refuse(origin, "every joint that the settings leave free is to be locked; leave one free");
+    refuse(origin, "all joints that the settings leave free are locked; wanted at least one free");
   }
   return options;
 }
 
-/// Frames and postures that a description has itself stand behind those of the settings.
+/// Adds frames and postures of the description to those of the settings. Settings take precedence
+/// over a frame or posture of the same name.
 void take_over(TreeSpec& tree, RobotSettings& settings) {
   const auto is_stated = [&](const FrameSpec& frame) {
     return std::any_of(settings.frames.begin(), settings.frames.end(),
@@ -174,7 +175,7 @@ void take_over(TreeSpec& tree, RobotSettings& settings) {
   }
 }
 
-/// Loops of the settings, in the place of those of the description that have their names.
+/// Adds the loops of the settings. They replace loops of the description with the same names.
 void put_loops(const std::vector<LoopSpec>& loops, TreeSpec& tree) {
   for (const LoopSpec& loop : loops) {
     std::erase_if(tree.loops, [&](const LoopSpec& other) { return other.name == loop.name; });
@@ -187,15 +188,15 @@ void set_inertia(TreeSpec& tree, const std::string& name, const InertiaSpec& ine
   const auto link = std::find_if(tree.links.begin(), tree.links.end(),
                                  [&](const LinkSpec& spec) { return spec.name == name; });
   if (link == tree.links.end()) {
-    std::vector<std::string> known;
-    for (const LinkSpec& spec : tree.links) known.push_back(spec.name);
+    std::vector<std::string> existing;
+    for (const LinkSpec& spec : tree.links) existing.push_back(spec.name);
     refuse(origin,
-           "inertias: link " + in_quotes(name) + " does not exist" + did_you_mean(name, known));
+           "inertias: link " + in_quotes(name) + " does not exist" + did_you_mean(name, existing));
   }
   link->inertia = inertia;
 }
 
-/// The model with what the settings say that it carries.
+/// Returns the model with the payload of the settings.
 Model loaded(Model model, const std::optional<Payload>& payload, const std::string& origin) {
   if (!payload) return model;
   try {
@@ -205,7 +206,7 @@ Model loaded(Model model, const std::optional<Payload>& payload, const std::stri
   }
 }
 
-/// Adds the SRDF file's postures, behind those of the settings; gives the names of the new ones.
+/// Adds the postures of the SRDF file whose names the settings do not have. Returns their names.
 std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
                                   RobotSettings& settings, Findings& findings) {
   std::map<std::string, Posture> postures;
@@ -213,7 +214,7 @@ std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
   if (srdf.asked_for) {
     read();
   } else {
-    findings.attempt_or_warn(read, "; the file is passed over");
+    findings.attempt_or_warn(read, "; the file is ignored");
   }
   std::vector<std::string> names;
   for (auto& [name, posture] : postures) {
@@ -222,20 +223,20 @@ std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
   return names;
 }
 
-/// Of an SRDF file's postures those that are no configuration of the robot go, with a warning.
+/// Removes the postures of an SRDF file that are not valid for the robot, with a warning.
 void drop_bad_postures(const std::vector<std::string>& names, Robot& robot, Findings& findings) {
   for (const std::string& name : names) {
     try {
       closed_configuration(robot.model, robot.postures.at(name));
     } catch (const Error& error) {
       findings.warn("posture " + in_quotes(name) + ": " + error.what() +
-                    "; this posture is left out");
+                    "; this posture is ignored");
       robot.postures.erase(name);
     }
   }
 }
 
-/// A posture is used long after loading: what is wrong with it is said now.
+/// Throws Error for an invalid posture. This reports errors on loading, before a posture is used.
 void check_postures(const Robot& robot, const std::string& origin) {
   for (const auto& [name, posture] : robot.postures) {
     try {
@@ -246,8 +247,8 @@ void check_postures(const Robot& robot, const std::string& origin) {
   }
 }
 
-/// A posture that puts a joint beyond its limits ends runs and solves at their first step. Joints
-/// that it does not state are moved by the loops, or stay at their neutral position.
+/// Warns of postures with joints beyond their limits, which would end runs and solves at the first
+/// step. Checks only joints with a value in the posture; loops may move the others.
 void warn_beyond_limits(const Robot& robot, Findings& findings) {
   for (const auto& [name, posture] : robot.postures) {
     Eigen::VectorXd q = configuration(robot.model, posture);
@@ -259,15 +260,15 @@ void warn_beyond_limits(const Robot& robot, Findings& findings) {
   }
 }
 
-/// Whether the posture has a value for every joint that moves.
+/// Returns true if the posture has a value for every moving joint.
 bool names_every_joint(const Model& model, const Posture& posture) {
   return std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
     return joint.follows || joint.kind == JointKind::FreeFlyer || posture.contains(joint.name);
   });
 }
 
-/// Postures that leave loops open: those that cannot be closed are refused, those of values for all
-/// joints that miss are odd.
+/// Checks that the postures close the loops. Reports postures that cannot be closed as problems.
+/// Warns of postures with values for all joints that leave a loop open.
 void check_loops_closed(const Robot& robot, Findings& findings) {
   if (robot.model.loops.empty()) return;
   if (robot.default_posture.empty()) {
@@ -275,7 +276,7 @@ void check_loops_closed(const Robot& robot, Findings& findings) {
       closed_configuration(robot.model, {});
     } catch (const Error& error) {
       findings.problem("neutral posture: " + std::string(error.what()) +
-                       "; state a default_posture that is near to one which closes it");
+                       "; wanted a default_posture near a posture that closes the loop");
     }
   }
   for (const auto& [name, posture] : robot.postures) {
@@ -291,7 +292,7 @@ void check_loops_closed(const Robot& robot, Findings& findings) {
       const LoopDistance distance{miss.translation, miss.rotation};
       if (!distance.closes())
         findings.warn(what + "its values leave loop " + in_quotes(miss.loop) + " open by " +
-                      distance.text() + "; joints are moved so that it closes");
+                      distance.text() + "; the joints move until it closes");
     }
   }
 }
@@ -301,7 +302,7 @@ RobotDescription read_urdf_file(const fs::path& file) {
   return {parse_urdf(text, file.string()), parse_collisions(text, file.string())};
 }
 
-/// Solids of links on the bodies that carry them.
+/// Returns the solids of links, placed on the bodies that carry the links.
 std::vector<Visual> on_bodies(const std::vector<LinkSolid>& solids, const Model& model) {
   std::map<std::string, const Frame*> links;
   for (const Frame& frame : model.frames)
@@ -316,15 +317,15 @@ std::vector<Visual> on_bodies(const std::vector<LinkSolid>& solids, const Model&
   return placed;
 }
 
-/// share/burnish/robots in the folder of the program or library that this code is part of, or in
-/// one of the folders around it: where an installation has it, wherever it was moved to.
+/// Returns share/burnish/robots in the folder of this program or library, or in a folder above it.
+/// This finds the robots of an installation that was moved.
 std::optional<fs::path> robots_beside_the_library() {
 #if __has_include(<dlfcn.h>)
   Dl_info info;
   if (dladdr(reinterpret_cast<const void*>(&robot_search_path), &info) == 0) return std::nullopt;
   std::error_code ignored;
   fs::path folder = fs::canonical(info.dli_fname, ignored).parent_path();
-  // lib/python3.11/site-packages/burnish is the deepest that an installation puts it.
+  // The deepest place in an installation is lib/python3.11/site-packages/burnish.
   constexpr int levels = 5;
   for (int level = 0; level < levels && folder.has_relative_path(); ++level) {
     const fs::path robots = folder / "share/burnish/robots";
@@ -358,7 +359,7 @@ std::optional<fs::path> robot_file(const std::string& name) {
   if (name.empty()) return std::nullopt;
   std::error_code ignored;
   if (is_robot_path(name)) return file_at(name);
-  // A file or folder of the working folder that has a known robot's name is not that robot.
+  // Robots of the search path take precedence over the working folder.
   for (const fs::path& folder : robot_search_path()) {
     if (!fs::is_directory(folder / name, ignored)) continue;
     if (auto file = file_at(folder / name)) return file;
@@ -439,8 +440,8 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   robot.notes = robot.model.notes;
   for (const std::string& joint : fingers)
     robot.notes.push_back("joint " + in_quotes(joint) +
-                          " is taken for a finger of a gripper and "
-                          "held at zero, though it carries " +
+                          " is treated as a finger of a gripper and held at zero, although it "
+                          "carries " +
                           in_quotes(overrides.carrying));
   robot.warnings = robot.model.warnings;
   robot.warnings.insert(robot.warnings.end(), of_srdf.warnings().begin(), of_srdf.warnings().end());

@@ -13,7 +13,7 @@ namespace {
 using document::Reader;
 
 FrameSpec read_frame(const std::string& name, const Reader& reader) {
-  if (name == "world") reader.refuse("'world' is the frame of the world; wanted another name");
+  if (name == "world") reader.refuse("the name 'world' is reserved; wanted another name");
   FrameSpec frame;
   frame.name = name;
   frame.placement = document::read_placement(reader, {"parent"});
@@ -23,7 +23,7 @@ FrameSpec read_frame(const std::string& name, const Reader& reader) {
   return frame;
 }
 
-/// {between: [link, link], first: placement, second: placement, directions: [x, y, z]}.
+/// Reads {between: [link, link], first: placement, second: placement, directions: [x, y, z]}.
 LoopSpec read_loop(const std::string& name, const Reader& reader) {
   reader.allow_only({"between", "first", "second", "directions"});
   LoopSpec loop;
@@ -44,15 +44,15 @@ LoopSpec read_loop(const std::string& name, const Reader& reader) {
   return loop;
 }
 
-/// Reads a posture. `known` are the postures above it in the file; key `from` copies one of them.
-Posture read_posture(const Reader& reader, const std::map<std::string, Posture>& known) {
+/// Reads a posture. `earlier` are the postures above it in the file; key `from` copies one of them.
+Posture read_posture(const Reader& reader, const std::map<std::string, Posture>& earlier) {
   Posture posture;
   if (const auto from = reader.find("from")) {
     std::vector<std::string> names;
-    for (const auto& [name, other] : known) names.push_back(name);
-    const auto found = known.find(from->text());
-    if (found == known.end())
-      from->refuse("posture " + in_quotes(from->text()) + " is none of those above it" +
+    for (const auto& [name, other] : earlier) names.push_back(name);
+    const auto found = earlier.find(from->text());
+    if (found == earlier.end())
+      from->refuse("posture " + in_quotes(from->text()) + " does not exist above this posture" +
                    did_you_mean(from->text(), names));
     posture = found->second;
   }
@@ -78,9 +78,10 @@ JointFigures read_figures(const Reader& reader) {
   JointFigures figures;
   document::read_described(description_of(&figures), &figures, reader);
   if (figures.gear_ratio && !figures.rotor_inertia)
-    reader.refuse("key 'gear_ratio' stands without 'rotor_inertia'; state both, or the armature");
+    reader.refuse("key 'gear_ratio' is stated without 'rotor_inertia'; wanted both, or 'armature'");
   if (figures.gear_ratio == 0.0)
-    reader["gear_ratio"].refuse("it is 0; wanted turns of the rotor per turn of the joint");
+    reader["gear_ratio"].refuse(
+        "it is 0; wanted the turns of the rotor per turn of the joint, not 0");
   return figures;
 }
 
@@ -110,11 +111,11 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
   RobotSettings settings;
   document::read_described(description_of(&settings), &settings, reader, reading);
   if (settings.free && settings.free->empty())
-    reader["free"].refuse("wanted at least one joint name");
+    reader["free"].refuse("the list is empty; wanted at least one joint name");
   if (settings.urdf && settings.mjcf)
-    reader.refuse("keys 'urdf' and 'mjcf' are both stated; a robot has one description");
+    reader.refuse("keys 'urdf' and 'mjcf' are both stated; wanted only one");
   if (settings.lock && settings.free)
-    reader.refuse("keys 'lock' and 'free' are both stated; state one, the other follows");
+    reader.refuse("keys 'lock' and 'free' are both stated; wanted only one");
   return settings;
 }
 

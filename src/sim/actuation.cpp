@@ -3,25 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "sim/random.hpp"
 
 namespace burnish {
 namespace {
 
 std::vector<char> motors(const Model& model) {
-  std::vector<char> result(static_cast<std::size_t>(model.nv), 1);
+  std::vector<char> result(to_size(model.nv), 1);
   for (const Joint& joint : model.joints)
     if (joint.kind == JointKind::FreeFlyer)
       std::fill_n(result.begin() + joint.v_index, joint.nv, static_cast<char>(0));
   return result;
 }
 
-/// Deviations of Disturbances::torque_noise, nv.
+/// Returns the standard deviation of the noise due to Disturbances::torque_noise, for each entry of
+/// v [Nm or N].
 Eigen::VectorXd added_noise(const Model& model, const std::vector<char>& motor,
                             const Disturbances& d) {
   Eigen::VectorXd noise = Eigen::VectorXd::Zero(model.nv);
   for (int k = 0; k < model.nv; ++k) {
-    if (motor[static_cast<std::size_t>(k)] == 0) continue;
+    if (motor[to_size(k)] == 0) continue;
     noise[k] = d.torque_noise;
     if (d.torque_noise_share > 0.0)
       noise[k] = std::min(noise[k], d.torque_noise_share * model.effort_limit[k]);
@@ -29,7 +31,8 @@ Eigen::VectorXd added_noise(const Model& model, const std::vector<char>& motor,
   return noise;
 }
 
-/// `given`, or `centre` and what is drawn within the range about it.
+/// Returns `given` or, if `given` is empty, random values between centre - range and centre +
+/// range.
 Eigen::VectorXd drawn(const std::vector<char>& motor, const Eigen::VectorXd& given, double centre,
                       double range, RandomStream random) {
   if (given.size() > 0) return given;
@@ -47,8 +50,7 @@ Eigen::VectorXd torque_noise(const Model& model, const Disturbances& disturbance
   Eigen::VectorXd noise = added_noise(model, motor, disturbances);
   if (!disturbances.torque_loop) return noise;
   for (int k = 0; k < model.nv; ++k)
-    if (motor[static_cast<std::size_t>(k)] != 0)
-      noise[k] = std::hypot(noise[k], disturbances.torque_sensor_noise);
+    if (motor[to_size(k)] != 0) noise[k] = std::hypot(noise[k], disturbances.torque_sensor_noise);
   return noise;
 }
 
@@ -153,12 +155,13 @@ void Actuation::distort() noexcept {
   for (Eigen::Index k = 0; k < limit_.size(); ++k) {
     double& noise = step_.noise[k];
     noise = 0.0;
-    if (motor_[static_cast<std::size_t>(k)] == 0) {
+    if (motor_[to_size(k)] == 0) {
       step_.applied[k] = step_.tracked[k];
       continue;
     }
     if (disturbances_.torque_noise > 0.0) noise += noise_[k] * random_->noise.normal();
-    // The loop brings the sensor's reading to what is wanted, its noise included.
+    // The torque loop controls the sensor's reading. The actual torque therefore contains the
+    // negative noise of the sensor.
     if (loop && disturbances_.torque_sensor_noise > 0.0)
       noise -= disturbances_.torque_sensor_noise * random_->sensor_noise.normal();
     const double wanted = loop ? step_.tracked[k] : scale_[k] * step_.tracked[k] + bias_[k];

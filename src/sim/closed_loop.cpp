@@ -6,6 +6,7 @@
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "model/joint_entries.hpp"
@@ -17,9 +18,10 @@ void add_axes(std::vector<TraceColumn>& columns, const std::string& what, const 
   for (const char* axis : {"x", "y", "z"}) columns.push_back({what + "_" + axis + "_world", unit});
 }
 
-/// Units of the entries of v: of a position, a rate or a torque.
+/// Returns the unit of a column for entry k of v: `sliding` for a sliding joint, `turning` for a
+/// turning joint.
 std::string unit_of_v(const Model& model, int k, const char* turning, const char* sliding) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(model.joint_of_v[k])];
+  const Joint& joint = model.joints[to_size(model.joint_of_v[k])];
   const int entry = k - joint.v_index;
   return entry < sliding_entries(joint.kind) ? sliding : turning;
 }
@@ -41,33 +43,38 @@ void add_entries_of_v(std::vector<TraceColumn>& columns, const Model& model, con
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Springs and dampers of a hoist, along and about the world's axes: stiff beside what a robot's
-/// legs push with, well damped, and slow beside a plant's step.
+/// Gains of the spring and damper of a hoist, along and about the world's axes. The spring is stiff
+/// relative to forces of a robot's legs, well damped, and slow relative to a plant's step.
 struct HoistGains {
   explicit HoistGains(double mass) {
-    constexpr double arm = 0.3;  // m, of a robot's inertia, about
-    stiffness << Eigen::Vector3d::Constant(2e3 * mass),
-        Eigen::Vector3d::Constant(arm * arm * 2e3 * mass);
-    damping << Eigen::Vector3d::Constant(60.0 * mass),
-        Eigen::Vector3d::Constant(arm * arm * 60.0 * mass);
+    // Chosen by hand.
+    constexpr double arm = 0.3;                 // typical radius of gyration of a robot [m]
+    constexpr double stiffness_per_mass = 2e3;  // [1/s^2]
+    constexpr double damping_per_mass = 60.0;   // [1/s]
+    stiffness << Eigen::Vector3d::Constant(stiffness_per_mass * mass),
+        Eigen::Vector3d::Constant(arm * arm * stiffness_per_mass * mass);
+    damping << Eigen::Vector3d::Constant(damping_per_mass * mass),
+        Eigen::Vector3d::Constant(arm * arm * damping_per_mass * mass);
   }
-  Vector6 stiffness;  ///< N/m, Nm/rad
-  Vector6 damping;    ///< Ns/m, Nms/rad
+  Vector6 stiffness;  ///< Stiffness, linear and angular [N/m, Nm/rad]
+  Vector6 damping;    ///< Damping, linear and angular [Ns/m, Nms/rad]
 };
 
-/// Acceleration of a frame by a wrench on it, J M^-1 J^T, world axes. Allocates.
+/// Returns the acceleration of a frame per wrench on the frame, J M^-1 J^T, in world axes.
+/// Allocates memory.
 Matrix6 mobility_of(const Model& model, const RigidBody& body, int frame,
                     const Eigen::VectorXd& q) {
   ContactDynamics dynamics(model);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
-  if (dynamics.forward(q, rest, rest) > Status::NotConverged) return Matrix6::Zero();
+  if (!is_usable(dynamics.forward(q, rest, rest))) return Matrix6::Zero();
   FrameDerivatives motion;
   body.frame_derivatives(frame, Reference::centered(), motion);
   const Eigen::MatrixXd J = motion.jacobian;
   return J * solve_positive(dynamics.mass_matrix(), J.transpose());
 }
 
-/// In the order in which record_state() and record_step() write.
+/// Returns the columns of the trace, in the order in which record_state() and record_step() write
+/// them.
 std::vector<TraceColumn> columns_of(const Model& model, const SceneSpec& scene) {
   std::vector<TraceColumn> columns{{"time", "s"}, {"phase", "-"}, {"status", "-"}};
   add_axes(columns, "tool", "m");
@@ -85,13 +92,14 @@ std::vector<TraceColumn> columns_of(const Model& model, const SceneSpec& scene) 
   for (const char* what : {"tau_command_", "tau_applied_", "tau_measured_", "tau_friction_"})
     add_entries_of_v(columns, model, what, "Nm", "N");
   add_axes(columns, "tool_force", "N");
-  for (const char* what : {"surface_normal", "believed_normal"}) add_axes(columns, what, "-");
-  columns.push_back({"believed_friction", "-"});
+  for (const char* what : {"surface_normal", "estimated_normal"}) add_axes(columns, what, "-");
+  columns.push_back({"estimated_friction", "-"});
   for (const char* what : {"in_contact", "plant_status", "limited_joints", "held_command"})
     columns.push_back({what, "-"});
   columns.push_back({"solve_time", "s"});
-  for (const char* what : {"iterations", "missed_deadline", "tick", "limits_outside", "limits_open",
-                           "limits_pushing", "limits_infeasible", "clipped_torques"})
+  for (const char* what :
+       {"iterations", "missed_deadline", "tick", "constraint_violation", "constraint_residual",
+        "active_constraints", "constraints_infeasible", "clipped_torques"})
     columns.push_back({what, "-"});
   if (!scene.surface.frame.empty()) {
     add_axes(columns, "surface", "m");
@@ -107,7 +115,7 @@ std::vector<TraceColumn> columns_of(const Model& model, const SceneSpec& scene) 
   return columns;
 }
 
-/// Plant steps per control period.
+/// Returns the number of plant steps in one control period.
 int steps_per_tick(double control_period, double dt) {
   const double ratio = control_period / dt;
   const double steps = std::round(ratio);
@@ -120,14 +128,14 @@ int steps_per_tick(double control_period, double dt) {
 int rows_for(const ClosedLoopOptions& options, double dt) {
   if (options.record_every < 1)
     throw Error("record_every is " + std::to_string(options.record_every) +
-                "; wanted a positive number of steps");
+                "; wanted at least 1 step");
   if (!(options.max_duration >= 0.0 && options.max_duration / dt < 1e9))
     throw Error("max_duration is " + number(options.max_duration) +
-                "; wanted a number of seconds that a trace has room for");
+                " s; wanted 0 to less than 1e9 plant steps of " + number(dt) + " s");
   return static_cast<int>(std::ceil(options.max_duration / dt)) / options.record_every + 2;
 }
 
-/// Writes a row from left to right.
+/// Writer of the entries of a trace row, from left to right.
 class Row {
  public:
   explicit Row(double* at) : at_(at) {}
@@ -174,7 +182,8 @@ struct ClosedLoop::Impl {
     measurement.support_wrenches.setZero(6, sensed_supports(driven, chosen));
     for (const Push& push : pushes)
       pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
-    body.frame_derivatives(tip, Reference::centered(), motion);  // sized here, not in a step
+    // Allocates here, because steps must not allocate.
+    body.frame_derivatives(tip, Reference::centered(), motion);
     if (chosen.imu_frame) sensing.mount_imu(driven.model(), *chosen.imu_frame);
   }
 
@@ -182,7 +191,7 @@ struct ClosedLoop::Impl {
   void record_step(double* to, Status status, bool ticked) const noexcept;
   void place_tool() noexcept;
   void hang();
-  void add_hoist(double share) noexcept;
+  void add_hoist(double fraction) noexcept;
   void place_surface() noexcept {
     if (carrier >= 0) surface_world = body.placement(carrier);
   }
@@ -197,25 +206,29 @@ struct ClosedLoop::Impl {
   std::optional<EstimatedBase> estimated;
   RigidBody body;
   int tip;
-  int carrier;              ///< frame of the surface; -1: the world
-  std::vector<int> pushed;  ///< frames of the pushes
+  int carrier;              ///< Frame that carries the surface; -1: the world
+  std::vector<int> pushed;  ///< Frames on which pushes act
   FrameDerivatives motion;
   HoistSpec hoist;
-  int hung;                                                      ///< frame of the hoist; -1: none
-  Eigen::Isometry3d hung_world = Eigen::Isometry3d::Identity();  ///< of it, at first
-  /// What is left of the hoist's spring and damper where they are stiff for the plant's step beside
-  /// a light base: of an implicit step.
-  Matrix6 yields = Matrix6::Identity();
+  int hung;  ///< Frame that hangs on the hoist; -1: none
+  /// Placement of the hanging frame at the start.
+  Eigen::Isometry3d hung_world = Eigen::Isometry3d::Identity();
+  /// Factor on the wrench of the hoist's spring and damper. If they are stiff relative to the
+  /// plant's step, it is the factor of an implicit step; otherwise it is the identity.
+  Matrix6 implicit_factor = Matrix6::Identity();
   Eigen::VectorXd total;
   Trace trace;
   long steps = 0;
   Measurement measurement;
   Command command;
   Eigen::Vector3d push_world = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d start_R = Eigen::Matrix3d::Identity();  ///< of the tool in the surface's axes
-  Eigen::Isometry3d surface_world = Eigen::Isometry3d::Identity();  ///< of its frame
+  /// Rotation of the tool at the start, in the axes of the surface
+  Eigen::Matrix3d start_R = Eigen::Matrix3d::Identity();
+  /// Placement of the frame that carries the surface.
+  Eigen::Isometry3d surface_world = Eigen::Isometry3d::Identity();
   Eigen::Vector3d p_tool_world = Eigen::Vector3d::Zero();
-  Eigen::Vector3d turned = Eigen::Vector3d::Zero();  ///< since the start, rad
+  /// Rotation vector of the tool since the start, in the axes of the surface [rad].
+  Eigen::Vector3d turned = Eigen::Vector3d::Zero();
 };
 
 ClosedLoop::ClosedLoop(Plant& plant, Controller& controller, const Disturbances& disturbances,
@@ -229,20 +242,20 @@ ClosedLoop::~ClosedLoop() = default;
 ClosedLoop::ClosedLoop(ClosedLoop&&) noexcept = default;
 ClosedLoop& ClosedLoop::operator=(ClosedLoop&&) noexcept = default;
 
-void ClosedLoop::estimate_base(const Model& known, const BaseEstimatorOptions& estimator,
+void ClosedLoop::estimate_base(const Model& nominal, const BaseEstimatorOptions& estimator,
                                const FootContactOptions& feet) {
   if (impl_->controller->carries_payload())
     throw Error(
-        "estimate_base: the controller carries a payload, which does not reach the estimate of the "
-        "base; wanted models that have the payload, from with_payload()");
-  impl_->estimated.emplace(known, estimator, feet);
+        "estimate_base: the controller has a payload, which the base estimator ignores; wanted "
+        "models that contain the payload, from with_payload()");
+  impl_->estimated.emplace(nominal, estimator, feet);
   impl_->controller->expect_estimated_base();
   impl_->sensing.mount_imu(impl_->plant->model(), estimator.imu_frame);
 }
 
 Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
   const Status status = impl_->plant->reset(q, v);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   impl_->controller->reset();
   impl_->sensing.reset();
   impl_->actuation.reset();
@@ -280,7 +293,7 @@ Status ClosedLoop::step() noexcept {
 Status ClosedLoop::run(double duration) noexcept {
   const long end = impl_->steps + std::lround(duration / impl_->plant->dt());
   Status status = Status::Ok;
-  while (impl_->steps < end && status <= Status::NotConverged) status = worst(status, step());
+  while (impl_->steps < end && is_usable(status)) status = worst(status, step());
   return status;
 }
 
@@ -300,36 +313,38 @@ void ClosedLoop::Impl::hang() {
   const HoistGains gains(body.mass());
   const double dt = plant->dt();
   const Matrix6 step = (dt * gains.damping + dt * dt * gains.stiffness).asDiagonal();
-  // Explicit steps are accurate below it, and unsteady from 2 on.
-  constexpr double stiff = 0.5;
+  // Largest gain of one step for explicit steps. Explicit steps are accurate up to a gain of 0.5,
+  // and unstable from 2 on.
+  constexpr double max_explicit_gain = 0.5;
   const Matrix6 stepped = step * mobility_of(plant->model(), body, hung, plant->q());
-  yields.setIdentity();
-  if (stepped.diagonal().maxCoeff() > stiff)
-    yields = least_squares(Matrix6::Identity() + stepped, Matrix6::Identity());
+  implicit_factor.setIdentity();
+  if (stepped.diagonal().maxCoeff() > max_explicit_gain)
+    implicit_factor = least_squares(Matrix6::Identity() + stepped, Matrix6::Identity());
 }
 
-/// To the total, at the state of the body.
-void ClosedLoop::Impl::add_hoist(double share) noexcept {
+/// Adds the hoist's joint torques, times `fraction`, to `total`. They are computed at the state of
+/// `body`.
+void ClosedLoop::Impl::add_hoist(double fraction) noexcept {
   const double mass = body.mass();
   const HoistGains gains(mass);
   const Eigen::Isometry3d now = body.placement(hung);
   const Vector6 v_hung_world = body.velocity(hung, Reference::centered());
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.linear() * hung_world.linear().transpose()));
-  Vector6 way;
-  way << now.translation() - hung_world.translation(), turn.angle() * turn.axis();
-  Vector6 wrench_world =
-      -yields * (gains.stiffness.cwiseProduct(way) + gains.damping.cwiseProduct(v_hung_world));
+  Vector6 displacement;
+  displacement << now.translation() - hung_world.translation(), turn.angle() * turn.axis();
+  Vector6 wrench_world = -implicit_factor * (gains.stiffness.cwiseProduct(displacement) +
+                                             gains.damping.cwiseProduct(v_hung_world));
   wrench_world.head<3>() -= mass * plant->model().gravity;
   body.frame_derivatives(hung, Reference::centered(), motion);
-  total.noalias() += share * (motion.jacobian.transpose() * wrench_world);
+  total.noalias() += fraction * (motion.jacobian.transpose() * wrench_world);
 }
 
-/// The torques with what a hoist does and what pushes on other frames than the tip do: J^T f.
+/// Returns `tau` plus the torques J^T f of the hoist and of pushes on frames other than the tip.
 const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau) noexcept {
   const double now = plant->time();
   bool any = false;
-  if (const double share = hung < 0 ? 0.0 : hoist.share(now); share > 0.0) {
-    if (body.update(plant->q(), plant->v()) > Status::NotConverged) return tau;
+  if (const double share = hung < 0 ? 0.0 : hoist.load_fraction(now); share > 0.0) {
+    if (!is_usable(body.update(plant->q(), plant->v()))) return tau;
     total = tau;
     any = true;
     add_hoist(share);
@@ -337,7 +352,7 @@ const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau)
   for (std::size_t i = 0; i < pushes.size(); ++i) {
     if (pushes[i].frame.empty() || !acts_at(pushes[i], now)) continue;
     if (!any) {
-      if (body.update(plant->q(), plant->v()) > Status::NotConverged) return tau;
+      if (!is_usable(body.update(plant->q(), plant->v()))) return tau;
       total = tau;
     }
     any = true;
@@ -347,7 +362,8 @@ const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau)
   return any ? total : tau;
 }
 
-/// What is known before the plant's step; the entry behind it.
+/// Writes the columns that do not depend on the plant's step. Returns the address of the next
+/// column.
 double* ClosedLoop::Impl::record_state(double* to) noexcept {
   place_tool();
   Row row(to);
@@ -376,7 +392,7 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(plant->friction_torque());
   row.put(plant->contact_force_world());
   const SurfaceSpec& surface = plant->scene().surface;
-  const double moved = surface.motion.way(plant->time());
+  const double moved = surface.motion.displacement(plant->time());
   const Eigen::Vector3d p_tool = surface_world.inverse() * p_tool_world;
   const Eigen::Vector3d normal_world =
       surface_world.linear() * normal_at(plant->scene(), p_tool - moved * surface.normal);
@@ -391,10 +407,10 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(static_cast<double>(command.iterations));
   row.put(command.missed_deadline);
   row.put(ticked);
-  row.put(command.limits_outside);
-  row.put(command.limits_open);
-  row.put(static_cast<double>(command.limits_pushing));
-  row.put(command.limits_infeasible);
+  row.put(command.constraint_violation);
+  row.put(command.constraint_residual);
+  row.put(static_cast<double>(command.active_constraints));
+  row.put(command.constraints_infeasible);
   row.put(static_cast<double>(command.clipped_torques));
   if (carrier >= 0) {
     const Eigen::AngleAxisd turn(surface_world.linear());
@@ -419,7 +435,7 @@ const Trace& seen_from_surface(const Trace& trace, Trace& room) {
   for (const char* what : {"tool", "target"})
     points.push_back(trace.index(std::string(what) + "_x_world"));
   for (const char* what : {"measured_force", "estimated_force", "push", "tool_force",
-                           "surface_normal", "believed_normal"})
+                           "surface_normal", "estimated_normal"})
     directions.push_back(trace.index(std::string(what) + "_x_world"));
   const auto columns = static_cast<int>(trace.columns().size());
   for (int i = 0; i < trace.rows(); ++i) {

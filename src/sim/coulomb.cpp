@@ -8,11 +8,12 @@
 namespace burnish {
 namespace {
 
-constexpr int max_sweeps = 100;
-constexpr double tolerance = 1e-10;  // on the change of any torque or force in a sweep, Nm or N
+constexpr int max_sweeps = 100;      // chosen by hand
+constexpr double tolerance = 1e-10;  // largest change of a force in the last sweep [Nm or N]
 
-/// Friction against the speed that would be left without it: w is the speed per unit force over the
-/// step. Stops what it can stop, else slides.
+/// Returns the friction force for a motion whose speed at the end of the step is `speed` without
+/// friction. `w`: change of this speed per unit of force. The force stops the motion if it is large
+/// enough.
 double friction_against(double speed, double w, double viscous, double coulomb) {
   if (std::abs(speed) <= w * coulomb) return -speed / w;
   const double slowed = speed - std::copysign(w * coulomb, speed);
@@ -56,7 +57,7 @@ double CoulombStep::solve_joints(const MatrixView& A, double h) noexcept {
   double largest = 0.0;
   for (Eigen::Index k = 0; k < u_.size(); ++k) {
     const double w = h * A(k, k);
-    // A joint that the contact holds has no speed to lose.
+    // A joint with w of zero is held by a contact, and does not move even without friction.
     if (joint_viscous[k] + joint_coulomb[k] == 0.0 || w < 1e-12) continue;
     const double without = u_[k] - w * joint_torque_[k];
     const double next = friction_against(without, w, joint_viscous[k], joint_coulomb[k]);
@@ -68,7 +69,8 @@ double CoulombStep::solve_joints(const MatrixView& A, double h) noexcept {
   return largest;
 }
 
-/// Both tangents at once, with the larger of their responses: the friction is along the sliding.
+/// Solves for both tangents together, with the larger eigenvalue of their response. The friction is
+/// then opposite to the sliding velocity.
 double CoulombStep::solve_tip(double h) noexcept {
   Eigen::Matrix2d W = Eigen::Matrix2d::Zero();
   add_product(h, tangents, tip_response_, W);

@@ -1,4 +1,4 @@
-// Friction over one step: the impulses with which the velocity at its end obeys Coulomb's law.
+// Coulomb friction over one time step of a plant, solved implicitly.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,25 +7,28 @@
 
 namespace burnish {
 
-/// Joints, one entry of v each, and two tangential directions of a point on a surface. With u = v +
-/// W p the velocity at the end of the step: for every joint p in -h (viscous u + coulomb Sgn u),
-/// for the point the same with its sliding velocity and a disc in place of the interval. Solved by
-/// projected Gauss-Seidel, starting at the last impulses.
-///
-/// Nothing allocates after construction.
+/// Friction in the joints, and of the tip on a surface. The friction impulses p and the velocity at
+/// the end of the step, u = v + W p, satisfy Coulomb's law:
+/// - For each entry of v, p is in -h (viscous u + coulomb Sgn u).
+/// - For the tip, the same law holds for the two sliding velocities together; the interval Sgn
+///   becomes a disc.
+/// Projected Gauss-Seidel iterations solve these equations, starting from the impulses of the last
+/// step. Only the constructor allocates.
 class CoulombStep {
  public:
   explicit CoulombStep(int nv);
 
-  Eigen::VectorXd joint_viscous, joint_coulomb;  ///< nv: Nms/rad, Nm
-  double tip_viscous = 0.0, tip_coulomb = 0.0;   ///< Ns/m, N: the largest sliding friction
-  Eigen::MatrixXd tangents;                      ///< 2 x nv: Jacobian of the sliding velocity
+  Eigen::VectorXd joint_viscous, joint_coulomb;  ///< Joint friction, nv entries [Nms/rad, Nm]
+  double tip_viscous = 0.0;                      ///< Viscous friction of the tip [Ns/m]
+  double tip_coulomb = 0.0;                      ///< Largest Coulomb friction of the tip [N]
+  Eigen::MatrixXd tangents;                      ///< Jacobian of the sliding velocity, 2 x nv
 
-  /// v_free (nv): velocity at the end of a step of h s without friction. A (nv x nv): acceleration
-  /// per torque, symmetric. Fills torque() and sliding_force().
+  /// Computes torque() and sliding_force() for a time step of `h` [s]. `v_free`: velocity at the
+  /// end of the step without friction (nv). `A`: acceleration per torque (nv x nv, symmetric).
   void solve(const Eigen::VectorXd& v_free, const MatrixView& A, double h) noexcept;
+  /// Sets all results to zero.
   void reset() noexcept;
-  /// The results of an earlier solve(), to start the next one at.
+  /// Sets all results to those of an earlier solve(), as the starting point of the next solve().
   void start_at(const ConstVectorRef& joint_torque, const Eigen::Vector2d& sliding_force,
                 const ConstVectorRef& torque) noexcept {
     joint_torque_ = joint_torque;
@@ -33,9 +36,12 @@ class CoulombStep {
     torque_ = torque;
   }
 
-  const Eigen::VectorXd& torque() const { return torque_; }                ///< nv, joints and tip
-  const Eigen::VectorXd& joint_torque() const { return joint_torque_; }    ///< nv, joints alone
-  const Eigen::Vector2d& sliding_force() const { return sliding_force_; }  ///< N, on the tip
+  /// Returns the joint torques of all friction, nv entries [Nm or N].
+  const Eigen::VectorXd& torque() const { return torque_; }
+  /// Returns the joint torques of the friction in the joints themselves, nv entries [Nm or N].
+  const Eigen::VectorXd& joint_torque() const { return joint_torque_; }
+  /// Returns the friction force on the tip, along the two tangents [N].
+  const Eigen::Vector2d& sliding_force() const { return sliding_force_; }
 
  private:
   double solve_joints(const MatrixView& A, double h) noexcept;
@@ -43,7 +49,7 @@ class CoulombStep {
 
   Eigen::VectorXd torque_, joint_torque_, u_;
   Eigen::Vector2d sliding_force_ = Eigen::Vector2d::Zero();
-  Eigen::MatrixXd tip_response_;  ///< nv x 2: acceleration per sliding force
+  Eigen::MatrixXd tip_response_;  ///< Acceleration per sliding force, nv x 2
 };
 
 }  // namespace burnish

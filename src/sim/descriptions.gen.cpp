@@ -9,8 +9,8 @@ const Description& description_of(const ActuationStep* /*of*/) {
   using S = ActuationStep;
   static const Description all =
       Describe<S>("sim", "ActuationStep",
-                  "Torques after each stage of the actuation, in one plant step. Every vector has"
-                  " nv entries, in Nm or N.")
+                  "Torques after each stage of the simulated motors, in one plant step. Every "
+                  "vector has nv entries, in Nm or N.")
           .result()
           .field("command", &S::command,
                  "Last valid torque command")
@@ -26,8 +26,8 @@ const Description& description_of(const ActuationStep* /*of*/) {
           .field("limited", &S::limited,
                  "Number of joints whose torque was clipped to the effort limit")
           .field("held", &S::held,
-                 "Whether the command was invalid and the previous command was used")
-          .more("Invalid: not finite, or of the wrong size");
+                 "Whether the previous command was used in place of an invalid command")
+          .more("A command is invalid if it is not finite or has the wrong size");
   return all;
 }
 
@@ -47,7 +47,7 @@ const Description& description_of(const ClosedLoopOptions* /*of*/) {
           .field("imu_frame", &S::imu_frame,
                  "Frame of the inertial measurement unit (empty: the robot's first body; none: no"
                  " unit)")
-          .more("The controller receives the unit's readings")
+          .more("The controller receives the readings of the inertial measurement unit")
           .field("support_sensors", &S::support_sensors,
                  "Whether the controller receives the measured wrenches on the scene's supports");
   return all;
@@ -67,8 +67,7 @@ const Description& description_of(const Push* /*of*/) {
                  "Force in world axes, at the frame's origin [{N}]")
           .key("force")
           .field("frame", &S::frame,
-                 "Frame that the force acts on (tip: the tip's frame)")
-          .in_code("Frame that the force acts on (empty: the tip's frame)")
+                 "Frame that the force acts on (tip, or empty: the tip's frame)")
           .word("tip");
   return all;
 }
@@ -82,7 +81,7 @@ const Description& description_of(const MotorLoss* /*of*/) {
           .field("start", &S::start,
                  "Time at which the failure starts [{s}]")
           .field("duration", &S::duration,
-                 "Duration of the failure [{s}]",
+                 "Duration of the motor failure [{s}]",
                  {.least = 0, .infinite = true})
           .word("forever")
           .field("joint", &S::joint,
@@ -153,12 +152,12 @@ const Description& description_of(const Disturbances* /*of*/) {
   static const Description all =
       Describe<S>("sim", "Disturbances",
                   "All differences between a plant and its controller's model, and all errors of "
-                  "sensors and motors. A disturbance that is not named is off. Zero, empty, false"
-                  " and \"no value\" also mean off. Random values are drawn from the seed. In the"
-                  " texts of the members, a joint is one entry of v. A floating base has no "
-                  "motors and no encoders. Its entries therefore have no motor errors, no joint "
-                  "friction and no encoder rounding. Units are given for revolute joints; for "
-                  "prismatic joints, replace rad by m and Nm by N.")
+                  "sensors and motors. A disturbance without a value is off. The values zero, "
+                  "empty and false also mean off. Random values are drawn from the seed. In the "
+                  "descriptions of the members, a joint is one entry of v. A floating base has no"
+                  " motors and no encoders. The base's entries of v therefore have no motor "
+                  "errors, no joint friction and no encoder rounding. Units are given for "
+                  "revolute joints; for prismatic joints, replace rad by m and Nm by N.")
           .field("seed", &S::seed,
                  "Seed of all random values")
           .group("Disturbances between the command and the joint torque, in the order in which they "
@@ -166,7 +165,7 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("command_delay", &S::command_delay,
                  "Delay from the controller to the motors [{s}]",
                  {.least = 0})
-          .more("Rounded to whole plant steps")
+          .more("The delay is rounded to whole plant steps")
           .field("torque_cutoff", &S::torque_cutoff,
                  "Cut-off of the motors' first-order lag (0: no lag) [{rad/s}]",
                  {.least = 0})
@@ -177,8 +176,7 @@ const Description& description_of(const Disturbances* /*of*/) {
           .more("Each joint's torque is multiplied by 1 + r, where r is random and |r| <= "
                 "torque_scale_range")
           .field("torque_scale", &S::torque_scale,
-                 "Torque scale of each joint (none: random scales)")
-          .in_code("Torque scale of each joint, nv entries (empty: random scales)")
+                 "Torque scale of each joint, nv entries (none, or empty: random scales)")
           .word("none")
           .field("torque_bias_range", &S::torque_bias_range,
                  "Largest random torque bias of a joint [{Nm}]",
@@ -186,13 +184,12 @@ const Description& description_of(const Disturbances* /*of*/) {
           .more("A random constant b with |b| <= torque_bias_range is added to each joint's "
                 "torque")
           .field("torque_bias", &S::torque_bias,
-                 "Torque bias of each joint (none: random biases) [{Nm}]")
-          .in_code("Torque bias of each joint in Nm (N), nv entries (empty: random biases)")
+                 "Torque bias of each joint, nv entries (none, or empty: random biases) [{Nm}]")
           .word("none")
           .field("torque_noise", &S::torque_noise,
                  "Standard deviation of the torque noise [{Nm}]",
                  {.least = 0})
-          .more("Drawn anew in every plant step")
+          .more("The noise is drawn anew in every plant step")
           .field("torque_noise_share", &S::torque_noise_share,
                  "Upper bound of torque_noise, as a fraction of the joint's effort limit (0: no "
                  "bound)",
@@ -202,15 +199,14 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("torque_loop", &S::torque_loop,
                  "Whether a torque control loop cancels torque scale, torque bias and joint "
                  "friction")
-          .more("The loop uses a torque sensor in each joint. It is ideal within its bandwidth, "
-                "but the sensor's noise disturbs the torque")
+          .more("The control loop uses a torque sensor in each joint. Within its bandwidth the "
+                "loop is ideal, but the noise of the sensor disturbs the torque")
           .field("torque_sensor_noise", &S::torque_sensor_noise,
                  "Standard deviation of the torque sensors' noise [{Nm}]",
                  {.least = 0})
           .field("motor_losses", &S::motor_losses,
-                 "Motor failures, applied after the torque limits: [{start: s, duration: s, "
-                 "joint: name, share: fraction of the torque that is left}, ...]")
-          .in_code("Motor failures, applied after the torque limits")
+                 "Motor failures, applied after the torque limits; in files: [{start: s, "
+                 "duration: s, joint: name, share: fraction of the torque that is left}, ...]")
           .group("Friction in the joints of the plant.")
           .field("joint_coulomb", &S::joint_coulomb,
                  "Coulomb friction of each joint [{Nm}]",
@@ -227,15 +223,15 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("measurement_delay", &S::measurement_delay,
                  "Delay of all measured values except the time [{s}]",
                  {.least = 0})
-          .more("Rounded to whole control periods")
+          .more("The delay is rounded to whole control periods")
           .field("encoder_bits", &S::encoder_bits,
                  "Resolution of a joint's encoder, in bits per turn (0: exact)",
                  {.least = 0, .most = 40})
-          .more("Only for revolute and continuous joints")
+          .more("Only revolute and continuous joints have an encoder resolution")
           .field("position_noise", &S::position_noise,
                  "Standard deviation of the position noise [{rad}]",
                  {.least = 0})
-          .more("Added before the encoder rounds the position")
+          .more("The noise is added before the encoder rounds the position")
           .field("velocity_noise", &S::velocity_noise,
                  "Standard deviation of the velocity noise [{rad/s}]",
                  {.least = 0})
@@ -257,15 +253,15 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("support_force_noise", &S::support_force_noise,
                  "Standard deviation of the noise of forces measured at supports, per axis [{N}]",
                  {.least = 0})
-          .more("Filtered with the cut-off force_cutoff")
+          .more("The noise passes the low-pass filter with the cut-off force_cutoff")
           .field("support_moment_noise", &S::support_moment_noise,
                  "Standard deviation of the noise of moments measured at supports, per axis "
                  "[{Nm}]",
                  {.least = 0})
-          .more("Filtered with the cut-off force_cutoff")
-          .group("Errors of the inertial measurement unit, if there is one. Noise densities are used "
-             "as in data sheets: the noise of a reading over dt s has the standard deviation "
-             "density / sqrt(dt).")
+          .more("The noise passes the low-pass filter with the cut-off force_cutoff")
+          .group("Errors of the inertial measurement unit, if there is one. Noise densities are "
+             "defined as in data sheets: if a reading is a mean over dt seconds, its noise has "
+             "the standard deviation density / sqrt(dt).")
           .field("gyro_noise", &S::gyro_noise,
                  "Density of the gyroscope's white noise, per axis [{rad/s/sqrt(Hz)}]",
                  {.least = 0})
@@ -293,28 +289,27 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "Quantization step of the accelerometer (0: exact) [{m/s^2}]",
                  {.least = 0})
           .field("imu_faults", &S::imu_faults,
-                 "Faults of the unit: [{start: s, duration: s, gyro_offset: [x, y, z] in rad/s, "
-                 "accelerometer_offset: [x, y, z] in m/s^2, frozen: true, silent: true}, ...]. "
-                 "Offsets are in the unit's axes. Entries left out are off. A fault without a "
-                 "duration lasts forever")
-          .in_code("Faults of the inertial measurement unit")
+                 "Faults of the inertial measurement unit; in files: [{start: s, duration: s, "
+                 "gyro_offset: [x, y, z] in rad/s, accelerometer_offset: [x, y, z] in m/s^2, "
+                 "frozen: true, silent: true}, ...]. Offsets are in the unit's axes. Entries left"
+                 " out are off. A fault without a duration lasts forever")
           .group("Differences in the plant's model and scene, applied by plant_model() and "
              "plant_scene().")
           .field("mass_scale", &S::mass_scale,
-                 "Factor of all masses and inertias of the plant",
+                 "Factor on all masses and inertias of the plant",
                  {.least = 0, .open = true})
           .field("payload", &S::payload,
                  "Payload that the plant carries and the controller's model lacks")
           .field("surface_tilt_deg", &S::surface_tilt_deg,
                  "Tilt of the plant's surface about its two tangents [{degrees}]",
                  {.least = -90, .most = 90, .open = true})
-          .more("The controller does not know the tilt. Both axes pass through the surface's "
-                "point. The rotation about the second tangent is applied first")
+          .more("The controller does not know the tilt. The two axes of rotation pass through the"
+                " surface's point. The rotation about the second tangent is applied first")
           .field("surface_height", &S::surface_height,
                  "Offset of the plant's surface along its normal [{m}]")
-          .more("Applied before the tilt")
+          .more("The offset is applied before the tilt")
           .field("surface_curvature", &S::surface_curvature,
-                 "Factor of the curvature of the plant's surface",
+                 "Factor on the curvature of the plant's surface",
                  {.least = 0, .open = true})
           .more("Lengths of the surface's shape are divided by this factor")
           .field("surface_shape", &S::surface_shape,
@@ -328,13 +323,11 @@ const Description& description_of(const Disturbances* /*of*/) {
                  {.least = 0})
           .word("none")
           .field("slippery_ground", &S::slippery_ground,
-                 "Slippery ground under the robot's supports: [{start: s, duration: s, frame: "
-                 "foot, friction: coefficient}, ...]")
-          .in_code("Slippery ground under the robot's supports")
+                 "Slippery ground under the robot's supports; in files: [{start: s, duration: s, "
+                 "frame: foot, friction: coefficient}, ...]")
           .field("pushes", &S::pushes,
-                 "Forces on the tool or on a frame: [{start: s, duration: s, force: [x, y, z] in "
-                 "N and world axes, frame: name}, ...]")
-          .in_code("Forces on the robot");
+                 "Forces on the tool or on a frame; in files: [{start: s, duration: s, force: [x,"
+                 " y, z] in N and world axes, frame: name}, ...]");
   return all;
 }
 
@@ -349,7 +342,7 @@ const Description& description_of(const IdealPlantOptions* /*of*/) {
           .field("tip_viscous", &S::tip_viscous,
                  "Viscous friction of the sliding tip [{Ns/m}]",
                  {.least = 0})
-          .more("It acts in addition to Coulomb friction")
+          .more("Viscous friction acts in addition to Coulomb friction")
           .field("stabilize_kp", &S::stabilize_kp,
                  "Gain of the drift correction on position errors [{1/s^2}]",
                  {.least = 0})
@@ -387,7 +380,8 @@ const Description& description_of(const SurfaceMotion* /*of*/) {
                  "Frequency of the oscillation [{Hz}]",
                  {.least = 0, .open = true})
           .field("drift", &S::drift,
-                 "Constant velocity, positive out of the material [{m/s}]")
+                 "Constant velocity of the surface along its normal, positive out of the material"
+                 " [{m/s}]")
           .field("start", &S::start,
                  "Plant time at which the motion starts [{s}]",
                  {.least = 0});
@@ -398,16 +392,17 @@ const Description& description_of(const SurfaceSpec* /*of*/) {
   using S = SurfaceSpec;
   static const Description all =
       Describe<S>("sim", "SurfaceSpec",
-                  "A plane, a curved surface, or a square part of either. Points are relative to "
-                  "the origin of `frame`; points and vectors are in the axes of `frame`. Without "
-                  "a frame, world coordinates are used.")
+                  "Surface that the tool touches: a plane, a curved surface, or a square part of "
+                  "a plane or curved surface. Points are relative to the origin of `frame`; "
+                  "points and vectors are in the axes of `frame`. Without a frame, world "
+                  "coordinates are used.")
           .field("frame", &S::frame,
                  "Frame of the robot that carries the surface (empty: the surface is fixed in the"
                  " world)")
           .more("Example: the frame of a plate in a hand")
           .field("point", &S::point,
                  "A point of the surface [{m}]")
-          .more("It is the centre of the square if `extent` is finite")
+          .more("If `extent` is finite, the point is the centre of the square")
           .field("normal", &S::normal,
                  "Normal of the surface at `point` (out of the material, towards the robot)",
                  {.direction = true})
@@ -429,8 +424,9 @@ const Description& description_of(const SurfaceSpec* /*of*/) {
           .field("extent", &S::extent,
                  "Half side length of the square that can be touched [{m}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("Infinite: the whole surface can be touched. The square is centred at `point`. "
-                "Its sides are along the columns of Reference::surface_with_normal()")
+          .more("If the value is infinite, the whole surface can be touched. The square is "
+                "centred at `point`, and its sides are along the columns of "
+                "Reference::surface_with_normal()")
           .field("half_size", &S::half_size,
                  "Half side length of the square that is drawn if `extent` is infinite [{m}]",
                  {.least = 0, .open = true});
@@ -478,7 +474,7 @@ const Description& description_of(const SupportSpec* /*of*/) {
           .field("normal", &S::normal,
                  "Normal of the plane in world axes (out of the material, towards the robot)",
                  {.direction = true})
-          .more("It may have any length")
+          .more("The normal may have any length")
           .field("friction", &S::friction,
                  "Coulomb friction coefficient",
                  {.least = 0})
@@ -504,12 +500,13 @@ const Description& description_of(const SlipperyGround* /*of*/) {
                  {.least = 0, .infinite = true})
           .word("forever")
           .field("frame", &S::frame,
-                 "Frame of the support on this ground (all: every support)")
-          .in_code("Frame of the support on this ground (empty: every support)")
+                 "Frame of the support that stands on slippery ground (all, or empty: every "
+                 "support)")
           .word("all")
           .field("friction", &S::friction,
-                 "Coulomb friction coefficient in place of the support's coefficient",
-                 {.least = 0});
+                 "Coulomb friction coefficient of the slippery ground",
+                 {.least = 0})
+          .more("This coefficient replaces the friction coefficient of the support");
   return all;
 }
 
@@ -518,10 +515,10 @@ const Description& description_of(const HoistSpec* /*of*/) {
   static const Description all =
       Describe<S>("sim", "HoistSpec",
                   "A gantry that holds a frame of the robot at the start of a simulation and then"
-                  " releases the robot. The gantry carries the robot's weight at this frame. A "
-                  "stiff spring and damper also hold the frame at its initial position and "
-                  "rotation. During the first half of `duration` the full force acts. During the "
-                  "second half the force falls to zero, and the supports take over the load.")
+                  " releases the robot. The gantry carries the robot's weight at this frame. In "
+                  "addition, a stiff spring and damper hold the frame at its initial position and"
+                  " rotation. During the first half of `duration` the full force acts. During the"
+                  " second half the force falls to zero, and the supports take over the load.")
           .field("frame", &S::frame,
                  "Frame that the gantry holds (empty: no gantry)")
           .field("duration", &S::duration,
@@ -544,7 +541,7 @@ const Description& description_of(const SceneSpec* /*of*/) {
                  "Slippery ground under supports")
           .field("hoist", &S::hoist,
                  "Gantry that holds the robot at the start")
-          .more("ClosedLoop simulates the gantry, not the plant");
+          .more("The gantry is simulated by ClosedLoop, not by the plant");
   return all;
 }
 

@@ -19,7 +19,7 @@ void check_size(const char* name, const Eigen::VectorXd& entries, int nv) {
                 std::to_string(entries.size()) + " entries; wanted none or " + std::to_string(nv));
 }
 
-/// Joint friction of the entries of v that have a motor.
+/// Sets the joint friction for the entries of v that have a motor.
 void set_friction(Model& model, const Disturbances& d) {
   model.friction.setZero();
   model.damping.setZero();
@@ -27,10 +27,10 @@ void set_friction(Model& model, const Disturbances& d) {
   for (const Joint& joint : model.joints) {
     if (joint.kind == JointKind::FreeFlyer) continue;
     for (int k = joint.v_index; k < joint.v_index + joint.nv; ++k) {
-      const double most = d.joint_friction_share * model.effort_limit[k];
-      const bool is_bounded = d.joint_friction_share > 0.0 && most < d.joint_coulomb;
-      model.friction[k] = is_bounded ? most : d.joint_coulomb;
-      model.damping[k] = d.joint_viscous * (is_bounded ? most / d.joint_coulomb : 1.0);
+      const double max_friction = d.joint_friction_share * model.effort_limit[k];
+      const bool is_bounded = d.joint_friction_share > 0.0 && max_friction < d.joint_coulomb;
+      model.friction[k] = is_bounded ? max_friction : d.joint_coulomb;
+      model.damping[k] = d.joint_viscous * (is_bounded ? max_friction / d.joint_coulomb : 1.0);
     }
   }
 }
@@ -60,15 +60,15 @@ const std::vector<std::string>& disturbance_presets() {
 Disturbances disturbance_preset(const std::string& name) {
   const std::vector<std::string>& names = disturbance_presets();
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw Error("disturbances " + in_quotes(name) +
-                " are not known; wanted none, sensors, mismatch or joint_friction" +
-                did_you_mean(name, names));
+    throw Error("unknown disturbances " + in_quotes(name) +
+                "; wanted none, sensors, mismatch or joint_friction" + did_you_mean(name, names));
   Disturbances result;
   if (name == "none") return result;
-  constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz, rad/s
+  constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz [rad/s]
   result.command_delay = 1e-3;
   result.torque_noise = 0.05;
-  // Of small motors; the weakest of Talos, with 4 Nm, has all of the 0.05 Nm.
+  // Reduces the noise of small motors. The weakest motor of Talos (4 Nm) still has the full noise
+  // of 0.05 Nm.
   result.torque_noise_share = 1.0 / 80.0;
   result.encoder_bits = 17;
   result.finite_difference_velocity = true;
@@ -89,7 +89,8 @@ Disturbances disturbance_preset(const std::string& name) {
   if (name == "mismatch") return result;
   result.joint_coulomb = 1.0;
   result.joint_viscous = 1.0;
-  // Gears of small motors rub less: with 1 Nm a joint of 3 Nm could hardly move its arm.
+  // Reduces the friction of small motors, because their gears have less. With 1 Nm of friction, a
+  // motor of 3 Nm could hardly move its arm.
   result.joint_friction_share = 1.0 / 20.0;
   return result;
 }
@@ -99,12 +100,13 @@ Payload carried_payload(const Disturbances& disturbances) {
   RandomStream random(disturbances.seed, streams::payload);
   Payload result;
   result.frame = given.frame;
-  InertiaSpec& ball = result.inertia;
-  ball.mass = std::max(0.0, given.mass + random.uniform(-given.mass_range, given.mass_range));
-  if (ball.mass == 0.0) return result;
-  ball.com = given.com;
-  for (double& x : ball.com) x += random.uniform(-given.com_range, given.com_range);
-  ball.inertia_at_com = 0.4 * ball.mass * given.radius * given.radius * Eigen::Matrix3d::Identity();
+  InertiaSpec& sphere = result.inertia;
+  sphere.mass = std::max(0.0, given.mass + random.uniform(-given.mass_range, given.mass_range));
+  if (sphere.mass == 0.0) return result;
+  sphere.com = given.com;
+  for (double& x : sphere.com) x += random.uniform(-given.com_range, given.com_range);
+  sphere.inertia_at_com =
+      0.4 * sphere.mass * given.radius * given.radius * Eigen::Matrix3d::Identity();
   return result;
 }
 
@@ -132,11 +134,11 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
                      (Eigen::AngleAxisd(tilt[1], axes.col(1)) * axes.col(2));
   SurfaceShape& shape = surface.shape;
   shape = disturbances.surface_shape.value_or(shape);
-  const double bends = disturbances.surface_curvature;
-  shape.radius /= bends;
-  shape.ring /= bends;
-  shape.semi_axes /= bends;
-  shape.curvature *= bends;
+  const double curvature_scale = disturbances.surface_curvature;
+  shape.radius /= curvature_scale;
+  shape.ring /= curvature_scale;
+  shape.semi_axes /= curvature_scale;
+  shape.curvature *= curvature_scale;
   surface.motion = disturbances.surface_motion;
   surface.friction = disturbances.surface_friction.value_or(surface.friction);
   result.slippery_ground = disturbances.slippery_ground;

@@ -22,7 +22,7 @@
 namespace burnish {
 namespace {
 
-constexpr double smallest_gap = 1e-6;  // m: a gap below this at reset is contact
+constexpr double min_gap = 1e-6;  // smaller gaps at a reset count as contact [m]; chosen by hand
 
 void check(const IdealPlantOptions& options) {
   check_ranges(description_of(&options), &options,
@@ -31,23 +31,23 @@ void check(const IdealPlantOptions& options) {
 
 void check_surface(const SceneSpec& scene) {
   if (!scene.surface.frame.empty())
-    throw Error("the ideal plant has no surface that the robot carries, here at frame " +
+    throw Error("the ideal plant does not support a surface that the robot carries (frame " +
                 in_quotes(scene.surface.frame) +
-                "; wanted one in the world, or MuJoCo as the plant");
+                "); wanted a surface in the world, or MuJoCo as the plant");
   if (!scene.surface.motion.is_at_rest())
     throw Error(
-        "the ideal plant's surface moves; it knows surfaces at rest alone: wanted one, or "
-        "MuJoCo as the plant");
+        "the ideal plant's surface moves; wanted a surface at rest, or MuJoCo as the plant");
   if (!scene.surface.shape.is_flat())
     throw Error("the ideal plant's surface is a " + scene.surface.shape.text() +
-                "; it knows planes alone: wanted one, or MuJoCo as the plant");
+                "; wanted a plane, or MuJoCo as the plant");
   if (!scene.supports.empty())
     throw Error(
-        "the ideal plant has no supports, which hold by pressing alone; wanted a scene without, or "
+        "the ideal plant cannot simulate the scene's supports; wanted a scene without supports, or "
         "MuJoCo as the plant");
 }
 
-/// One row along the normal, at the distance of the tip's radius.
+/// Returns the contact of the tip: one row along the normal, active when the tip's centre is at the
+/// distance of its radius.
 ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options) {
   ContactSpec spec;
   spec.name = "tip";
@@ -59,14 +59,15 @@ ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options)
   return spec;
 }
 
-/// That of the surface first, then the loops of the robot, which always hold.
+/// Returns the contacts of the plant: first the contact with the surface, then those that close the
+/// robot's loops. The latter are always active.
 std::vector<ContactSpec> contacts_of(const Model& model, const SceneSpec& scene,
                                      const IdealPlantOptions& options) {
   return with_loops(model, {contact_of(scene, options)},
                     {options.stabilize_kp, options.stabilize_kd});
 }
 
-/// The state and its rates at the stages of a step.
+/// State and rates at the intermediate stages of a Runge-Kutta step.
 struct Workspace {
   explicit Workspace(const Model& model)
       : q(model.q_neutral), tau(Eigen::VectorXd::Zero(model.nv)) {
@@ -74,11 +75,11 @@ struct Workspace {
       *x = Eigen::VectorXd::Zero(model.nv);
     M = Eigen::MatrixXd::Zero(model.nv, model.nv);
   }
-  Eigen::VectorXd q, v;          ///< of a stage
-  Eigen::VectorXd u, rate;       ///< increment from the step's start, and its rate
-  Eigen::VectorXd u_sum, a_sum;  ///< weighted over the stages
-  Eigen::VectorXd tau;           ///< of the step, pushes and friction included
-  Eigen::VectorXd total;         ///< of a moment, springs too
+  Eigen::VectorXd q, v;          ///< State at a stage
+  Eigen::VectorXd u, rate;       ///< Increment since the start of the step, and its rate
+  Eigen::VectorXd u_sum, a_sum;  ///< Weighted sums of rates over the stages
+  Eigen::VectorXd tau;           ///< Torques during the step, with pushes and friction
+  Eigen::VectorXd total;         ///< Torques at a stage: tau plus spring torques
   Eigen::VectorXd v_free, response, normal;
   Eigen::MatrixXd M;
 };
@@ -118,7 +119,7 @@ class IdealPlant final : public Plant {
   void report(double normal_force);
   void set_touching(bool touching);
   void accept();
-  /// What a snapshot holds behind its eight single numbers.
+  /// Returns the vectors that a snapshot contains after its eight numbers.
   std::array<const Eigen::VectorXd*, 5> vectors() const {
     return {&q_, &v_, &friction_, &coulomb_.joint_torque(), &coulomb_.torque()};
   }
@@ -128,7 +129,7 @@ class IdealPlant final : public Plant {
   Tree tree_;
   SceneSpec scene_;
   IdealPlantOptions options_;
-  Eigen::Matrix3d axes_;  ///< of the surface: tangents, normal
+  Eigen::Matrix3d axes_;  ///< Axes of the surface: two tangents, then the normal
   ContactDynamics dynamics_;
   RigidBody body_;
   int tip_;
@@ -141,12 +142,13 @@ class IdealPlant final : public Plant {
   long steps_ = 0;
   Eigen::VectorXd q_, v_;
   Eigen::VectorXd q_next_, v_next_;
-  bool touching_ = false;   ///< the contact is active
-  double impulse_ = 0.0;    ///< of an impact in this step, Ns
-  double force_sum_ = 0.0;  ///< mean normal force over the stages of integrate(), N
+  bool touching_ = false;   ///< True if the contact is active
+  double impulse_ = 0.0;    ///< Normal impulse of an impact in this step [Ns]
+  double force_sum_ = 0.0;  ///< Weighted mean of the normal force over integrate() [N]
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   bool in_contact_ = false;
-  Eigen::VectorXd friction_, spring_torque_;  ///< spring_torque_: at the step's start
+  /// Torques of friction, and of springs at the start of the step.
+  Eigen::VectorXd friction_, spring_torque_;
   PlantSnapshot before_;
 };
 
@@ -184,7 +186,7 @@ void IdealPlant::start(const ConstVectorRef& q, const ConstVectorRef& v) {
   in_contact_ = false;
   friction_.setZero();
   coulomb_.reset();
-  set_touching(gap_at(q_) <= smallest_gap);
+  set_touching(gap_at(q_) <= min_gap);
 }
 
 Status IdealPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
@@ -211,12 +213,13 @@ Status IdealPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_w
   if (!tau.allFinite() || !push_world.allFinite()) return Status::NotFinite;
   save(before_);
   const Status status = advance(tau, push_world);
-  if (status <= Status::NotConverged) return status;
+  if (is_usable(status)) return status;
   (void)restore(before_);
   return status;
 }
 
-/// One step; where the tip reaches the surface, two parts with an impact between them.
+/// Simulates one time step. If the tip reaches the surface during the step, the step is divided,
+/// with an impact between both parts.
 Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
   const double h = options_.dt;
   impulse_ = 0.0;
@@ -227,19 +230,19 @@ Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& pus
     status = find_forces(tau, push_world);
     status = worst(status, integrate(h));
   }
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   double normal_force = force_sum_;
   const double gap_before = touching_ ? 0.0 : gap_at(q_);
   const double gap_after = touching_ ? 0.0 : gap_at(q_next_);
-  // From beside the surface there is no way onto it: contact is made from above.
+  // Contact begins only from above the surface. From the side, the gap is infinite.
   if (gap_after < 0.0 && gap_after < gap_before && std::isfinite(gap_before)) {
-    // The gap shrinks all but linearly within a step.
-    const double free = h * std::clamp(gap_before / (gap_before - gap_after), 0.0, 1.0);
-    status = integrate(free);
+    // The time of contact follows from linear interpolation of the gap.
+    const double free_time = h * std::clamp(gap_before / (gap_before - gap_after), 0.0, 1.0);
+    status = integrate(free_time);
     accept();
     status = worst(status, make_contact());
-    status = worst(status, integrate(h - free));
-    normal_force = force_sum_ * (h - free) / h;
+    status = worst(status, integrate(h - free_time));
+    normal_force = force_sum_ * (h - free_time) / h;
   }
   accept();
   ++steps_;
@@ -247,7 +250,8 @@ Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& pus
   return worst(status, q_.allFinite() && v_.allFinite() ? Status::Ok : Status::NotFinite);
 }
 
-/// Accelerations under the step's torques and what springs and tendons add at this moment.
+/// Computes the accelerations at (q, v), due to the torques of the step and to those of springs and
+/// tendons.
 Status IdealPlant::forward(const ConstVectorRef& q, const ConstVectorRef& v) {
   if (springs_.empty()) return dynamics_.forward(q, v, work_.tau);
   work_.total = work_.tau;
@@ -255,10 +259,11 @@ Status IdealPlant::forward(const ConstVectorRef& q, const ConstVectorRef& v) {
   return dynamics_.forward(q, v, work_.total);
 }
 
-/// Torques of pushes and friction, held over the step; breaks the contact where it would pull.
+/// Computes the torques of pushes and friction, which are constant during the step. Ends the
+/// contact if its force would pull the tip.
 Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
   Status status = body_.update(q_, v_);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   if (touching_ && !is_over(scene_, body_.placement(tip_).translation(), true)) set_touching(false);
   body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
   work_.tau = tau + coulomb_.torque();
@@ -266,11 +271,11 @@ Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d&
   spring_torque_.setZero();
   add_spring_torque(springs_, q_.data(), v_.data(), spring_torque_.data());
   status = forward(q_, v_);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   if (touching_ && dynamics_.lambda()[0] < 0.0) {
     set_touching(false);
     status = forward(q_, v_);
-    if (status > Status::NotConverged) return status;
+    if (!is_usable(status)) return status;
   }
   if (!has_friction()) {
     work_.tau -= coulomb_.torque();
@@ -281,7 +286,7 @@ Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d&
 }
 
 Status IdealPlant::find_friction() {
-  // The sliding velocity is that of the contact point, a radius below the tip's origin.
+  // Friction acts at the contact point, which is one radius below the tip's origin.
   const Eigen::Vector3d arm = -scene_.tip.radius * axes_.col(2);
   for (int t = 0; t < 2; ++t) {
     const Eigen::Vector3d tangent = axes_.col(t), moment = arm.cross(tangent);
@@ -292,7 +297,7 @@ Status IdealPlant::find_friction() {
   coulomb_.tip_coulomb = touching_ ? scene_.surface.friction * dynamics_.lambda()[0] : 0.0;
   coulomb_.tip_viscous = touching_ ? options_.tip_viscous : 0.0;
   const Status status = dynamics_.forward_derivatives();
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   const MatrixView A = dynamics_.da_dtau();
   const double h = options_.dt;
   work_.v_free = v_ + h * dynamics_.a();
@@ -303,7 +308,7 @@ Status IdealPlant::find_friction() {
   return status;
 }
 
-/// From (q_, v_) over h s into (q_next_, v_next_).
+/// Integrates the state (q_, v_) over `h` [s]. The result is (q_next_, v_next_).
 Status IdealPlant::integrate(double h) {
   work_.u.setZero();
   work_.v = v_;
@@ -320,29 +325,30 @@ Status IdealPlant::integrate(double h) {
   return status;
 }
 
-/// Rates at work_'s state, added with their weight; then work_ moves on to the next stage, `h` s
-/// from the step's start.
+/// Adds the weighted rates at the current state of work_ to the sums. Then moves work_ to the next
+/// stage, `h` [s] after the start of the step.
 Status IdealPlant::stage(double h, double weight) {
   integrate_configuration(tree_, q_.data(), work_.u.data(), work_.q.data());
   increment_rate(model_, work_.u, work_.v, work_.rate);
   const Status status = forward(work_.q, work_.v);
   work_.u_sum += weight * work_.rate;
   work_.a_sum += weight * dynamics_.a();
-  if (touching_ && status <= Status::NotConverged) force_sum_ += weight * dynamics_.lambda()[0];
+  if (touching_ && is_usable(status)) force_sum_ += weight * dynamics_.lambda()[0];
   work_.u = h * work_.rate;
   work_.v = v_ + h * dynamics_.a();
   return status;
 }
 
-/// The plastic impact at (q_, v_): the impulse along the normal that leaves no velocity along it.
+/// Simulates a plastic impact at (q_, v_): applies the normal impulse that makes the normal
+/// velocity zero.
 Status IdealPlant::make_contact() {
   set_touching(true);
   const Status status = forward(q_, v_);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   work_.normal = dynamics_.jacobian().row(0);
   work_.response = work_.normal;
-  const Status answered = model_.loops.empty() ? respond_freely() : respond_with_loops();
-  if (answered > Status::NotConverged) return answered;
+  const Status responded = model_.loops.empty() ? respond_freely() : respond_with_loops();
+  if (!is_usable(responded)) return responded;
   const double inverse_mass = work_.normal.dot(work_.response);
   if (!(inverse_mass > 0.0)) return Status::SingularContacts;
   impulse_ = std::max(-work_.normal.dot(v_) / inverse_mass, 0.0);
@@ -350,7 +356,7 @@ Status IdealPlant::make_contact() {
   return status;
 }
 
-/// work_.response <- M^-1 work_.response
+/// Replaces work_.response by M^-1 work_.response, the response of a robot without loops.
 Status IdealPlant::respond_freely() {
   work_.M = dynamics_.mass_matrix();
   factor_.compute(work_.M);
@@ -358,12 +364,13 @@ Status IdealPlant::respond_freely() {
   return factor_.info() == Eigen::Success ? Status::Ok : Status::SingularContacts;
 }
 
-/// The same with the impulses in the loops that go with it, from da/dtau without the surface.
+/// Computes the response to work_.normal of a robot with loops, including the impulses in the
+/// loops. It follows from da/dtau without the surface.
 Status IdealPlant::respond_with_loops() {
   set_touching(false);
   Status status = dynamics_.forward(q_, v_, work_.tau);
-  if (status <= Status::NotConverged) status = worst(status, dynamics_.forward_derivatives());
-  if (status <= Status::NotConverged) {
+  if (is_usable(status)) status = worst(status, dynamics_.forward_derivatives());
+  if (is_usable(status)) {
     work_.response.setZero();
     add_product(1.0, dynamics_.da_dtau(), work_.normal, work_.response);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "dynamics/frame.hpp"
 #include "dynamics/kinematics.hpp"
@@ -22,11 +23,11 @@ CompiledFrame unit_frame(const Model& model, const std::string& name) {
                             : compile_frame(model, name);
   if (frame.body < 0)
     throw Error("the measurement unit's frame " + in_quotes(name) +
-                " is fixed to the world; wanted a frame of the robot");
+                " is fixed to the world; wanted a frame on a moving body of the robot");
   return frame;
 }
 
-/// One of the two sensors: what it adds to the truth.
+/// Errors of a gyroscope or an accelerometer: bias, noise, random walk and resolution.
 struct Errors {
   Errors(std::uint64_t seed, std::uint64_t stream, double bias_range, double noise_density,
          double walk_density, double converter_step)
@@ -75,7 +76,8 @@ struct ImuSensor::Impl {
   bool silent = false;
 };
 
-/// What of it is random goes on underneath, so that a fault changes nothing after it.
+/// Applies the faults to the reading. Random errors have already been drawn, so that a fault does
+/// not change the random errors of later readings.
 void ImuSensor::Impl::spoil(const ImuReading& before, bool is_first, double time) noexcept {
   silent = false;
   for (const ImuFault& fault : faults) {
@@ -107,7 +109,7 @@ const ImuReading& ImuSensor::measure(const ConstVectorRef& q, const ConstVectorR
   const ImuReading before = d.reading;
   const bool is_first = !d.started;
   update_kinematics(d.tree, q.data(), v.data(), d.kinematics);
-  const BodyState<double>& body = d.kinematics.bodies[static_cast<std::size_t>(d.frame.body)];
+  const BodyState<double>& body = d.kinematics.bodies[to_size(d.frame.body)];
   const Mat3<double> R = body.R * d.frame.R;
   const Motion<double> twist = at_point(body.v, body.p + body.R * d.frame.p);
   const Vec3<double> gravity = d.tree.gravity;

@@ -10,19 +10,22 @@
 namespace burnish {
 namespace {
 
-/// Deviations before control acts that a run may reach: four, which a normal variable exceeds once
-/// in 16 000 draws, about as many as a run has, times 1.6, by which the late control of an MPC lets
-/// the speed of such a joint grow (xArm7 1.4, SO-101 1.4 to 1.6).
+/// Largest speed during a run, as a multiple of the speed's standard deviation before control
+/// reacts. A normal variable exceeds four deviations once in 16 000 draws, about the number of
+/// draws in a run. The factor 1.6 is the further growth of the speed, because the control by an MPC
+/// is late (xArm7 1.4, SO-101 1.4 to 1.6).
 constexpr double deviations = 4.0 * 1.6;
-/// Time in which a usual motor accelerates its own rotor from rest to its speed limit [s].
+/// Time in which a typical motor accelerates its own rotor from rest to its speed limit [s]; chosen
+/// by hand.
 constexpr double rotor_time = 2e-3;
 
-/// Diagonal of the inverse of the mass matrix, armature included; empty where it is singular.
+/// Returns the diagonal of the inverse mass matrix with armatures; empty if the mass matrix is
+/// singular.
 Eigen::VectorXd mobility(const Model& model, const ConstVectorRef& q) {
   RigidBody body(model);
   Eigen::MatrixXd M(model.nv, model.nv);
   for (int k = 0; k < model.nv; ++k) {
-    if (body.update(q, Eigen::VectorXd::Unit(model.nv, k)) > Status::NotConverged) return {};
+    if (!is_usable(body.update(q, Eigen::VectorXd::Unit(model.nv, k)))) return {};
     body.update_derivatives();
     M.col(k) = body.kinetic_energy_dv();
   }
@@ -31,8 +34,8 @@ Eigen::VectorXd mobility(const Model& model, const ConstVectorRef& q) {
   return factor.solve(Eigen::MatrixXd::Identity(model.nv, model.nv)).diagonal();
 }
 
-/// Time until a command can answer what a velocity shows [s].
-double answer_time(const Disturbances& d, double control_period) {
+/// Returns the time until a command can react to a velocity [s].
+double reaction_time(const Disturbances& d, double control_period) {
   const bool filtered = d.finite_difference_velocity && d.velocity_cutoff > 0.0;
   return d.command_delay + control_period + (filtered ? 1.0 / d.velocity_cutoff : 0.0);
 }
@@ -47,7 +50,7 @@ std::vector<LightJoint> light_joints(const Model& model, const ConstVectorRef& q
   const Eigen::VectorXd speed_per_torque = mobility(model, q);
   if (speed_per_torque.size() == 0) return {};
   const double walk =
-      std::sqrt(options.plant_step * answer_time(disturbances, options.control_period));
+      std::sqrt(options.plant_step * reaction_time(disturbances, options.control_period));
   std::vector<LightJoint> light;
   for (int k = 0; k < model.nv; ++k) {
     const double limit = options.joint_speed_ratio * model.velocity_limit[k];
@@ -63,17 +66,18 @@ std::string light_joints_text(const std::vector<LightJoint>& joints) {
   std::string text, lines;
   for (const LightJoint& each : joints) {
     text += (text.empty() ? "joint " : ", joint ") + in_quotes(each.joint) + " (" +
-            number(each.inertia) + " kg m^2, up to " + number(each.speed) + " rad/s, allowed " +
-            number(each.limit) + ")";
+            number(each.inertia) + " kg m^2, reaches " + number(each.speed) + " rad/s, limit " +
+            number(each.limit) + " rad/s)";
     if (std::isfinite(each.armature))
       lines +=
           (lines.empty() ? "" : ", ") + each.joint + ": {armature: " + number(each.armature) + "}";
   }
   text += ": torque noise alone drives " + std::string(joints.size() > 1 ? "them" : "it") +
-          " past the speed limit before control answers; the rotors of motors are probably "
-          "missing in the description";
+          " past the speed limit before control reacts; the description probably lacks the inertia "
+          "of the motors' rotors";
   if (!lines.empty())
-    text += ". Of usual rotors, 2 ms x effort / velocity: joints: {" + lines + "} in robot.yaml";
+    text += "; wanted typical rotor inertias, 2 ms x effort / velocity: joints: {" + lines +
+            "} in robot.yaml";
   return text;
 }
 

@@ -1,5 +1,5 @@
-// Joints so light that noise in their torque alone drives them past their speed limits: the rotors
-// of their motors are missing in the description.
+// Light joints: joints so light that torque noise alone accelerates them beyond their speed limits.
+// Usually their description lacks the inertia of the motors' rotors.
 #pragma once
 
 #include <string>
@@ -11,35 +11,40 @@
 
 namespace burnish {
 
-/// One of them. Units are those of a revolute joint.
+/// Light joint. Units are given for a revolute joint.
 struct LightJoint {
   std::string joint;
-  int v = 0;             ///< its entry of v
-  double inertia = 0.0;  ///< that its motor moves, the other joints free [kg m^2]
-  double noise = 0.0;    ///< deviation of its torque noise [Nm]
-  double speed = 0.0;    ///< that the noise drives it to before any control acts [rad/s]
-  double limit = 0.0;    ///< largest speed allowed [rad/s]
-  double armature =
-      0.0;  ///< of a usual rotor; infinite where effort or speed is unlimited [kg m^2]
+  int v = 0;  ///< Entry of v
+  /// Inertia about the joint axis, with the other joints free to move [kg m^2].
+  double inertia = 0.0;
+  double noise = 0.0;  ///< Standard deviation of the torque noise [Nm]
+  double speed = 0.0;  ///< Speed that the noise causes before control can react [rad/s]
+  double limit = 0.0;  ///< Largest allowed speed [rad/s]
+  /// Armature of a typical rotor; infinite if the effort is unlimited [kg m^2]
+  double armature = 0.0;
 };
 
-/// How a run is watched.
+/// Properties of a run that determine which joints are light.
 struct LightJointOptions {
-  double plant_step = 5e-4;        ///< s between two draws of the noise
-  double control_period = 5e-4;    ///< s between two commands
-  double joint_speed_ratio = 1.2;  ///< of the velocity limits, that a run tolerates
+  double plant_step = 5e-4;        ///< Time between two draws of the noise [s]
+  double control_period = 5e-4;    ///< Time between two commands [s]
+  double joint_speed_ratio = 1.2;  ///< Ratio of the largest allowed speed to the velocity limit
 };
 
-/// The light joints of a model at q, in the order of v. Torque noise of deviation s, drawn every
-/// plant step h, changes the speed of a joint of inertia I by s sqrt(h T) / I until a command can
-/// answer, T later: the command's delay, the lag of the filter of velocities and a control period.
-/// A joint is light where 6.4 times that deviation exceed what is allowed. Joints without a motor
-/// and those without a speed limit are left out.
+/// Returns the light joints of a model at the configuration q, in the order of v.
+///
+/// A command reacts to noise after the time T, which is the sum of the command delay, the lag of
+/// the velocity filter and a control period. Until then, torque noise changes the speed of a joint
+/// with the standard deviation s sqrt(h T) / I. Here s is the standard deviation of the noise, h
+/// the plant step at which it is drawn, and I the inertia of the joint. A joint is light if 6.4 of
+/// these deviations exceed its allowed speed. Joints without a motor or without a speed limit are
+/// never light.
 std::vector<LightJoint> light_joints(const Model& model, const ConstVectorRef& q,
                                      const Disturbances& disturbances,
                                      const LightJointOptions& options);
 
-/// "joint 'wrist' moves 3e-05 kg m^2: ... ", what it is, why it matters and lines for robot.yaml.
+/// Returns a message about light joints with their inertias and speeds, the likely cause, and lines
+/// for robot.yaml that would help.
 std::string light_joints_text(const std::vector<LightJoint>& joints);
 
 }  // namespace burnish

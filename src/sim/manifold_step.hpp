@@ -1,4 +1,4 @@
-// Runge-Kutta on the configuration's manifold: how fast the increment from a step's start grows.
+// Derivative of the increment u in Runge-Kutta steps on the manifold of configurations.
 #pragma once
 
 #include "burnish/base/views.hpp"
@@ -6,8 +6,9 @@
 
 namespace burnish {
 
-/// du/dt where q0 (+) u moves with the twist v: v + [u, v]/2 + [u, [u, v]]/12 for joints of several
-/// entries, exact up to the fourth order in u, and v for the others. u, v, out: nv.
+/// Computes du/dt for a configuration q = q0 (+) u that moves with the velocity v. For joints with
+/// several entries, du/dt is v + [u, v]/2 + [u, [u, v]]/12, which is exact up to the fourth order
+/// in u. For other joints, du/dt is v. u, v and `out` have nv entries.
 void increment_rate(const Model& model, const ConstVectorRef& u, const ConstVectorRef& v,
                     Eigen::VectorXd& out) noexcept;
 

@@ -6,7 +6,7 @@
 namespace burnish {
 namespace {
 
-/// The nearest of the disc about zero.
+/// Returns the point of a disc about the origin that is nearest to f.
 Eigen::Vector2d within(const Eigen::Vector2d& f, double radius) {
   const double length = f.norm();
   return length > radius ? Eigen::Vector2d(f * (radius / length)) : f;
@@ -14,8 +14,9 @@ Eigen::Vector2d within(const Eigen::Vector2d& f, double radius) {
 
 }  // namespace
 
-/// Projected Gauss-Seidel over the normal force, which is linear in its velocity, and friction,
-/// which is the nearest of its disc to what a step against the velocity left would make of it.
+/// Solves for normal force and friction by projected Gauss-Seidel iterations, which alternate
+/// between the two. The normal force is linear in the normal velocity. The friction makes a
+/// gradient step against the remaining sliding velocity, and is then projected onto its disc.
 Eigen::Vector3d penalty_force(const PenaltyContact& contact, const TipStep& tip) noexcept {
   if (!(tip.depth > 0.0)) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d seed =
@@ -26,20 +27,20 @@ Eigen::Vector3d penalty_force(const PenaltyContact& contact, const TipStep& tip)
   axes.col(1) = tip.n.cross(axes.col(0));
   const Eigen::Matrix3d A = axes.transpose() * tip.A * axes;
   const Eigen::Vector3d v = axes.transpose() * tip.v;
-  // f_n = K (depth - dt v_n) - D v_n with v_n at the end of the step.
-  const double resist = contact.stiffness * tip.dt + contact.damping;
-  const double slope = 1.0 + resist * tip.dt * A(2, 2);
+  // The equation is f_n = K (depth - dt v_n) - D v_n, with v_n at the end of the step.
+  const double resistance = contact.stiffness * tip.dt + contact.damping;
+  const double slope = 1.0 + resistance * tip.dt * A(2, 2);
   const Eigen::Matrix2d across = A.topLeftCorner<2, 2>();
   const double mean = 0.5 * across.trace();
-  const double largest =
-      mean + std::hypot(0.5 * (across(0, 0) - across(1, 1)), across(0, 1));  // eigenvalue
+  // Larger eigenvalue of `across`.
+  const double largest = mean + std::hypot(0.5 * (across(0, 0) - across(1, 1)), across(0, 1));
   const double rate = 1.0 / std::max(tip.dt * largest, 1e-300);
   Eigen::Vector3d f = Eigen::Vector3d::Zero();
-  constexpr int most = 200;
-  for (int i = 0; i < most; ++i) {
+  constexpr int max_iterations = 200;  // chosen by hand
+  for (int i = 0; i < max_iterations; ++i) {
     const Eigen::Vector3d before = f;
     const double free = v.z() + tip.dt * (A(2, 0) * f.x() + A(2, 1) * f.y());
-    f.z() = std::max(0.0, (contact.stiffness * tip.depth - resist * free) / slope);
+    f.z() = std::max(0.0, (contact.stiffness * tip.depth - resistance * free) / slope);
     if (!(contact.friction > 0.0)) break;
     const Eigen::Vector2d slip = v.head<2>() + tip.dt * (A * f).head<2>();
     f.head<2>() = within(f.head<2>() - rate * slip, contact.friction * f.z());

@@ -1,5 +1,5 @@
-// A contact as a spring, a damper and Coulomb friction, solved for at the end of a step, so that
-// stiff springs and sticking friction need no shorter steps.
+// Contact force of a spring, a damper and Coulomb friction. The force is computed implicitly, for
+// the end of a time step. Stiff springs and sticking friction therefore need no short steps.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,24 +7,25 @@
 namespace burnish {
 
 struct PenaltyContact {
-  double stiffness;  ///< N/m
-  double damping;    ///< Ns/m
-  double friction;   ///< Coulomb coefficient mu
+  double stiffness;  ///< Spring stiffness K [N/m]
+  double damping;    ///< Damping D [Ns/m]
+  double friction;   ///< Coulomb friction coefficient mu
 };
 
-/// The tip over a step of `dt` s, as it would be without the force: with a force f, held over the
-/// step, its velocity at the end is v + dt A f.
+/// Motion of the tip over a time step in which the contact force is zero. A constant force f would
+/// make the velocity at the end of the step v + dt A f.
 struct TipStep {
-  double dt;
-  double depth;       ///< m in the material, at the begin of the step
-  Eigen::Vector3d n;  ///< normal out of the material
-  Eigen::Vector3d v;  ///< m/s
-  Eigen::Matrix3d A;  ///< inverse inertia, 1/kg, symmetric and positive
+  double dt;          ///< Time step [s]
+  double depth;       ///< Depth in the material at the start of the step [m]
+  Eigen::Vector3d n;  ///< Normal, pointing out of the material
+  Eigen::Vector3d v;  ///< Velocity at the end of the step without the force [m/s]
+  Eigen::Matrix3d A;  ///< Inverse inertia of the tip, symmetric and positive definite [1/kg]
 };
 
-/// The force on the tip, N, world axes: along n it is K d - D d' of the depth at the end, never
-/// below zero; across n mu times that against the sliding velocity at the end, or what stops it.
-/// Zero where the tip is not in the material.
+/// Returns the force on the tip, in world axes [N]; 0 if the tip is not in the material. Along n,
+/// the force is K d - D v_n, but at least 0, with the depth d and the velocity v_n at the end of
+/// the step. Across n, friction stops the sliding if it can. Otherwise, the friction is mu times
+/// the normal force, opposite to the sliding velocity at the end of the step.
 Eigen::Vector3d penalty_force(const PenaltyContact& contact, const TipStep& tip) noexcept;
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// Random numbers that are the same on every machine: the standard fixes the engine's bits but not
-// those of its distributions.
+// Random numbers that are identical on all machines. The C++ standard specifies the bits of its
+// random engines, but not those of its distributions.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,21 @@
 
 namespace burnish {
 
-/// One stream of a seed. Streams of different numbers are independent, so that switching one
-/// disturbance on leaves the draws of the others as they were.
+/// Stream of random numbers, determined by a seed and a stream number. Streams with different
+/// numbers are independent. A new disturbance therefore does not change the random numbers of
+/// others.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::uint64_t stream) : engine_(mixed(seed, stream)) {}
 
-  /// In [0, 1), a multiple of 2^-53.
+  /// Returns a uniformly distributed number in [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  /// In [low, high).
+  /// Returns a uniformly distributed number in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// Of mean 0 and deviation 1: the sum of twelve uniform numbers of 16 bits, which is exact in any
-  /// floating point. It never leaves [-6, 6], and its kurtosis is 2.9 instead of 3.
+  /// Returns an approximately normal number with mean 0 and standard deviation 1. It is the sum of
+  /// twelve uniform numbers of 16 bits, minus the mean of this sum. The sum is exact in double
+  /// precision. The result is in [-6, 6] and has a kurtosis of 2.9 (normal: 3).
   double normal() {
     std::int64_t sum = 0;
     for (int draw = 0; draw < 3; ++draw) {
@@ -31,7 +33,7 @@ class RandomStream {
   }
 
  private:
-  /// The finaliser of splitmix64 (S. Vigna, public domain) over both numbers.
+  /// Combines seed and stream number by the finaliser of splitmix64 (S. Vigna, public domain).
   static std::uint64_t mixed(std::uint64_t seed, std::uint64_t stream) {
     std::uint64_t z = seed + 0x9e3779b97f4a7c15U * (stream + 1U);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -42,7 +44,7 @@ class RandomStream {
   std::mt19937_64 engine_;
 };
 
-/// Which stream of the seed each disturbance draws from.
+/// Stream number of each random disturbance.
 namespace streams {
 enum : std::uint64_t {
   torque_scale,

@@ -5,13 +5,14 @@
 #include <numbers>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "sim/descriptions.gen.hpp"
 
 namespace burnish {
 
-double SurfaceMotion::way(double time) const noexcept {
+double SurfaceMotion::displacement(double time) const noexcept {
   const double since = std::max(0.0, time - start);
   return amplitude * std::sin(2.0 * std::numbers::pi * frequency * since) + drift * since;
 }
@@ -19,21 +20,21 @@ double SurfaceMotion::way(double time) const noexcept {
 namespace {
 
 void check_moves(const Model& model, const std::string& frame, const char* whose) {
-  if (model.frames[static_cast<std::size_t>(model.frame_index(frame))].body < 0)
+  if (model.frames[to_size(model.frame_index(frame))].body < 0)
     throw Error(std::string(whose) + " frame " + in_quotes(frame) +
-                " is fixed to the world; wanted one that the robot moves");
+                " is fixed to the world; wanted a frame that the robot moves");
 }
 
 void check_carried(const Model& model, const SceneSpec& scene) {
   const std::string& frame = scene.surface.frame;
   check_moves(model, frame, "the surface's");
   const auto body = [&](const std::string& name) {
-    return model.frames[static_cast<std::size_t>(model.frame_index(name))].body;
+    return model.frames[to_size(model.frame_index(name))].body;
   };
   if (body(frame) == body(scene.tip.frame))
     throw Error("the surface's frame " + in_quotes(frame) + " and the tip's " +
-                in_quotes(scene.tip.frame) + " are on one body; wanted two that move against " +
-                "each other");
+                in_quotes(scene.tip.frame) + " are on one body; wanted frames that move relative " +
+                "to each other");
 }
 
 void check_support(const Model& model, const SupportSpec& support) {
@@ -44,10 +45,11 @@ void check_support(const Model& model, const SupportSpec& support) {
   if (!support.is_sole() && (support.half_x > 0.0 || support.half_y > 0.0))
     throw Error("support " + in_quotes(support.frame) + " has half sides of " +
                 number(support.half_x) + " and " + number(support.half_y) +
-                " m; wanted both of a sole, or neither of a ball");
+                " m; wanted both above 0 for a planar foot, or both 0 for a point foot");
 }
 
-/// A list of another robot's feet would say nothing, unseen.
+/// Throws Error unless the slippery ground is under a support. With a frame that is not a support,
+/// it would have no effect.
 void check_ground(const SceneSpec& scene, const SlipperyGround& ground) {
   check_ranges(description_of(&ground), &ground,
                [](const std::string& entry) { return "the slippery ground's " + entry; });
@@ -56,7 +58,7 @@ void check_ground(const SceneSpec& scene, const SlipperyGround& ground) {
   for (const SupportSpec& support : scene.supports) supports.push_back(support.frame);
   if (std::find(supports.begin(), supports.end(), ground.frame) == supports.end())
     throw Error("the slippery ground is under " + in_quotes(ground.frame) +
-                ", which the robot does not stand on" + did_you_mean(ground.frame, supports));
+                ", which is not a support of the scene" + did_you_mean(ground.frame, supports));
 }
 
 }  // namespace
@@ -75,25 +77,26 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
                [](const std::string& entry) { return "the hoist's " + entry; });
   if (!scene.hoist.frame.empty()) check_moves(model, scene.hoist.frame, "the hoist's");
   surface.shape.check("the surface");
-  const double bend = surface_of(surface).most_concave();
-  if (!(bend * scene.tip.radius < 1.0))
+  const double concavity = surface_of(surface).max_concavity();
+  if (!(concavity * scene.tip.radius < 1.0))
     throw Error("the tip's radius of " + number(scene.tip.radius) + " m does not fit into the " +
-                surface.shape.text() + ", whose least radius is " + number(1.0 / bend) +
-                " m where it is hollow; wanted a smaller tip");
+                surface.shape.text() + "; wanted a tip radius below " + number(1.0 / concavity) +
+                " m, the smallest concave radius");
   SceneSpec result = scene;
   result.surface.normal.normalize();
   for (SupportSpec& support : result.supports) support.normal.normalize();
   return result;
 }
 
-double HoistSpec::share(double time) const noexcept {
+double HoistSpec::load_fraction(double time) const noexcept {
   if (!holds() || time >= duration) return 0.0;
   const double s = std::clamp(2.0 * time / duration - 1.0, 0.0, 1.0);
   return 1.0 - s * s * (3.0 - 2.0 * s);
 }
 
 bool acts_at(double start, double duration, double time) noexcept {
-  constexpr double rounding = 1e-9;  // s: a plant's time is a number of steps times its step
+  // Rounding error of the plant's time, a multiple of its step [s].
+  constexpr double rounding = 1e-9;
   const double now = time + rounding;
   return now >= start && now < start + duration;
 }

@@ -4,18 +4,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/to_size.hpp"
 #include "dynamics/integration.hpp"
 #include "sim/random.hpp"
 
 namespace burnish {
 namespace {
 
-/// Part of the way that a first-order low-pass goes in a time; all of it without a cut-off.
+/// Returns the gain of a first-order low-pass filter over the time `elapsed`; 1 for a cut-off of 0
+/// (no filter).
 double low_pass(double cutoff, double elapsed) {
   return cutoff > 0.0 ? -std::expm1(-cutoff * elapsed) : 1.0;
 }
 
-/// The joint's angle at the nearest mark of its encoder.
+/// Rounds the joint's angle to the nearest encoder step.
 void quantize(const Joint& joint, double step, double* q) {
   if (joint.kind == JointKind::Revolute) q[0] = step * std::round(q[0] / step);
   if (joint.kind != JointKind::Continuous) return;
@@ -47,8 +49,8 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances, int suppo
   measurement_.v = measurement_.tau = differences_;
   measurement_.support_wrenches.setZero(6, supports);
   const long ticks = std::lround(disturbances.measurement_delay / period);
-  // The one that comes, and those that are on their way behind it.
-  if (ticks > 0) late_.assign(static_cast<std::size_t>(ticks) + 1, measurement_);
+  // Ring buffer with the current measurement and `ticks` earlier ones.
+  if (ticks > 0) late_.assign(to_size(ticks) + 1, measurement_);
 }
 
 Sensing::~Sensing() = default;
@@ -60,7 +62,8 @@ void Sensing::mount_imu(const Model& model, const std::string& frame) {
 void Sensing::reset() noexcept {
   *random_ = Random(disturbances_.seed);
   measurement_.support_wrenches.setZero();
-  measurement_.tool_force_world.setZero();  // filters add to it, and rounding would remember
+  // Zero exactly: the filter would leave a rounding error of the old value.
+  measurement_.tool_force_world.setZero();
   if (imu_) imu_->reset();
   started_ = false;
 }
@@ -86,11 +89,11 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
   return seen;
 }
 
-/// The last one, or the one that long before, at the time of the last one.
+/// Returns the measurement of measurement_delay ago, with the current time.
 const Measurement& Sensing::delayed() noexcept {
   if (late_.empty()) return measurement_;
   if (!started_)
-    for (Measurement& on_its_way : late_) on_its_way = measurement_;
+    for (Measurement& entry : late_) entry = measurement_;
   late_[next_] = measurement_;
   next_ = (next_ + 1) % late_.size();
   late_[next_].time = measurement_.time;
@@ -117,8 +120,8 @@ void Sensing::measure_velocity(const Plant& plant) noexcept {
     if (!started_) differences_ = v;
     if (started_ && elapsed_ > 0.0) {
       difference_configuration(*tree_, q_before_.data(), measurement_.q.data(), work_.data());
-      const double part = low_pass(disturbances_.velocity_cutoff, elapsed_);
-      differences_ += part * (work_ / elapsed_ - differences_);
+      const double gain = low_pass(disturbances_.velocity_cutoff, elapsed_);
+      differences_ += gain * (work_ / elapsed_ - differences_);
     }
     for (const Joint& joint : joints_)
       if (joint.kind != JointKind::FreeFlyer)
@@ -133,21 +136,21 @@ void Sensing::measure_force(const Plant& plant) noexcept {
   Eigen::Vector3d reading = plant.contact_force_world();
   if (disturbances_.force_noise > 0.0)
     for (double& entry : reading) entry += disturbances_.force_noise * random_->force.normal();
-  const double part = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
+  const double gain = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
   Eigen::Vector3d& force = measurement_.tool_force_world;
-  force += part * (reading - force);
+  force += gain * (reading - force);
 }
 
 void Sensing::measure_supports(const Plant& plant) noexcept {
   auto& wrenches = measurement_.support_wrenches;
   const auto& reading = plant.support_wrenches();
-  const double part = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
+  const double gain = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
   for (Eigen::Index i = 0; i < std::min(reading.cols(), wrenches.cols()); ++i)
     for (Eigen::Index k = 0; k < 6; ++k) {
       const double deviation =
           k < 3 ? disturbances_.support_force_noise : disturbances_.support_moment_noise;
       const double noise = deviation > 0.0 ? deviation * random_->support.normal() : 0.0;
-      wrenches(k, i) += part * (reading(k, i) + noise - wrenches(k, i));
+      wrenches(k, i) += gain * (reading(k, i) + noise - wrenches(k, i));
     }
 }
 

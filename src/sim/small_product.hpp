@@ -1,13 +1,14 @@
-// Products of small matrices that round alike wherever they lie. Which entries of a product without
-// a temporary Eigen takes in vectors, which round otherwise than scalars, depends on the address of
-// the result; a run has the same bits in any thread.
+// Products of small matrices with rounding that does not depend on memory addresses. Eigen computes
+// some entries of a product with vector instructions, which round differently from scalar ones.
+// Which entries these are depends on the address of the result. With the functions below, a run
+// gives the same bits in every thread.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace burnish {
 
-/// C += factor A B. C is neither A nor B.
+/// Adds the product factor A B to C. C must not be A or B.
 template <class A, class B, class C>
 void add_product(double factor, const A& a, const B& b, C& c) {
   for (Eigen::Index j = 0; j < b.cols(); ++j)
@@ -18,7 +19,7 @@ void add_product(double factor, const A& a, const B& b, C& c) {
     }
 }
 
-/// C = A B, of C's size. C is neither A nor B.
+/// Sets C to the product A B. C must have the right size, and must not be A or B.
 template <class A, class B, class C>
 void multiply(const A& a, const B& b, C& c) {
   c.setZero();

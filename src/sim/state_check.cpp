@@ -7,7 +7,8 @@
 namespace burnish {
 namespace {
 
-constexpr double tolerance = 2e-6;  // on squared lengths, as in the contact kernels
+// Error of squared lengths, equal to the tolerance in the contact kernels.
+constexpr double tolerance = 2e-6;
 
 bool is_unit(const ConstVectorRef& q, int first, int size) {
   return std::abs(q.segment(first, size).squaredNorm() - 1.0) < tolerance;

@@ -1,4 +1,4 @@
-// Whether a state is one, answered with a status.
+// Validity check of a state.
 #pragma once
 
 #include "burnish/base/status.hpp"
@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// WrongSize, NotFinite, NotNormalized or Ok.
+/// Returns Ok for a valid state (q, v), otherwise WrongSize, NotFinite or NotNormalized.
 Status check_state(const Model& model, const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
 
 }  // namespace burnish

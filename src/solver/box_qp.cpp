@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 namespace {
 
@@ -10,6 +12,7 @@ double entry(const BoxProblem& p, int i, int j) {
   return p.hessian[i < j ? i * p.stride + j : j * p.stride + i];
 }
 
+// Limits of the Newton iteration and of its line search, chosen by hand.
 constexpr int max_steps = 100;
 constexpr double sufficient_decrease = 0.1;  // cost - trial >= this * step * |slope|
 constexpr double shrink = 0.6;
@@ -18,7 +21,7 @@ constexpr int max_shrinks = 60;
 }  // namespace
 
 BoxQp::BoxQp(int capacity)
-    : gradient_(static_cast<std::size_t>(capacity)),
+    : gradient_(to_size(capacity)),
       direction_(gradient_.size()),
       trial_(gradient_.size()),
       factor_(gradient_.size() * gradient_.size()),
@@ -43,7 +46,7 @@ double BoxQp::cost(const BoxProblem& p, const double* x) {
   return sum;
 }
 
-/// Whether the set changed.
+/// Updates the set of clamped entries. Returns whether the set changed.
 bool BoxQp::update_clamped(const BoxProblem& p, const double* x) {
   bool changed = false;
   free_.clear();
@@ -92,7 +95,7 @@ void BoxQp::newton_direction(const BoxProblem& p) {
   }
 }
 
-/// Moves x along the projected direction; false when no length lowers the cost.
+/// Moves x along the projected direction. Returns false if no step length lowers the cost.
 bool BoxQp::search(const BoxProblem& p, double* x, bool& whole_step) {
   double slope = 0.0;
   for (int i = 0; i < p.size; ++i) slope += gradient_[i] * direction_[i];

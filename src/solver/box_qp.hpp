@@ -1,41 +1,42 @@
-// A small quadratic program with bounds, by projected Newton steps (Bertsekas 1982; Tassa, Mansard,
-// Todorov, "Control-limited differential dynamic programming", 2014).
+// Small quadratic program with bounds, solved by projected Newton steps (Bertsekas 1982; Tassa,
+// Mansard, Todorov, "Control-limited differential dynamic programming", 2014).
 #pragma once
 
 #include <vector>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 
-/// minimise 1/2 x^T Q x + q^T x  subject to  lower <= x <= upper.
+/// Minimises 1/2 x^T Q x + q^T x subject to lower <= x <= upper.
 struct BoxProblem {
   int size = 0;
   const double* hessian = nullptr;  ///< Q, row-major; only the upper triangle is read
-  int stride = 0;                   ///< between rows of Q
+  int stride = 0;                   ///< Entries between the starts of two rows of Q
   const double* gradient = nullptr;
-  int gradient_step = 1;  ///< entry i of q stands at gradient[i * gradient_step]
+  int gradient_step = 1;  ///< Entry i of q is gradient[i * gradient_step]
   const double* lower = nullptr;
   const double* upper = nullptr;
 };
 
 struct BoxQpResult {
-  /// False: Q on the free entries is not positive definite (or not finite), and x is the best point
-  /// so far.
+  /// False if Q, restricted to the free entries, is not positive definite or not finite. Then x is
+  /// the best point so far.
   bool positive_definite = true;
-  int iterations = 0;  ///< Newton steps
+  int iterations = 0;  ///< Number of Newton steps
 };
 
 /// Solves box problems of up to `capacity` entries. Ends after finitely many steps without a
-/// tolerance: when a full Newton step on the free entries stays inside the box and leaves the set
-/// of clamped ones as it is, or when no step length lowers the cost any more. Nothing is allocated
-/// after construction.
+/// tolerance: when a full Newton step stays inside the box and leaves the set of clamped entries
+/// unchanged, or when no step length lowers the cost. Does not allocate after construction.
 class BoxQp {
  public:
   explicit BoxQp(int capacity);
 
-  /// `x` is where to start (any point) and where the solution comes.
+  /// Solves `problem`. `x` holds the initial guess (any point) and receives the solution.
   BoxQpResult solve(const BoxProblem& problem, double* x);
-  /// Of the last solution: x_i stands at a bound and the gradient pushes it there.
-  bool clamped(int i) const { return clamped_[static_cast<std::size_t>(i)] != 0; }
+  /// Returns whether entry i of the last solution is at a bound and the gradient points outwards.
+  bool clamped(int i) const { return clamped_[to_size(i)] != 0; }
 
  private:
   double cost(const BoxProblem& problem, const double* x);

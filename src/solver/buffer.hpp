@@ -1,4 +1,4 @@
-// Doubles that start on a cache line: rows of the solver's matrices are worked on in whole vectors.
+// Memory for doubles, aligned to cache lines so that whole vectors can be loaded.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// A block of zeros of a fixed size, freed with the object.
+/// A zero-initialised block of fixed size, freed with the object.
 class Buffer {
  public:
   Buffer() = default;

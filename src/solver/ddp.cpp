@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/to_size.hpp"
 #include "solver/ddp_impl.hpp"
 #include "solver/linear_dynamics.hpp"
 
@@ -30,9 +31,10 @@ void DdpSolver::set_max_iterations(int iterations) {
   impl_->summary.options.max_iterations = impl_->options.max_iterations;
 }
 
-void DdpSolver::set_limit_budget(int max_factors, int max_sweeps) noexcept {
+void DdpSolver::set_limit_budget(int max_factorizations, int max_sweeps) noexcept {
   LimitOptions& limits = impl_->options.limits;
-  limits.max_factors = impl_->summary.options.limits.max_factors = std::max(1, max_factors);
+  limits.max_factorizations = impl_->summary.options.limits.max_factorizations =
+      std::max(1, max_factorizations);
   limits.max_sweeps = impl_->summary.options.limits.max_sweeps = std::max(0, max_sweeps);
 }
 
@@ -87,16 +89,16 @@ MatrixView DdpSolver::xs() const { return {impl_->current.xs.data(), impl_->N + 
 MatrixView DdpSolver::us() const { return {impl_->current.us.data(), impl_->N, impl_->nu_max}; }
 
 VectorView DdpSolver::feedforward(int knot) const {
-  return {impl_->policy(knot).feedforward, impl_->controls[static_cast<std::size_t>(knot)]};
+  return {impl_->policy(knot).feedforward, impl_->controls[to_size(knot)]};
 }
 
 PaddedView DdpSolver::gain(int knot) const {
-  return {impl_->policy(knot).gain, impl_->controls[static_cast<std::size_t>(knot)], impl_->ndx,
+  return {impl_->policy(knot).gain, impl_->controls[to_size(knot)], impl_->ndx,
           Eigen::OuterStride<>(impl_->gain_stride)};
 }
 
 VectorView DdpSolver::multipliers(int knot) const {
-  const auto k = static_cast<std::size_t>(knot);
+  const auto k = to_size(knot);
   if (!impl_->limited) return {nullptr, 0};
   return {impl_->row_multipliers.data() + knot * impl_->rows_max, impl_->row_counts[k]};
 }
@@ -112,7 +114,7 @@ PaddedView DdpSolver::value_hessian(int knot) const {
 
 NamedMatrix DdpSolver::named_gain(int knot) const {
   NamedMatrix m{impl_->problem.control_names(), impl_->problem.state_names(), gain(knot)};
-  m.rows.resize(static_cast<std::size_t>(m.values.rows()));
+  m.rows.resize(to_size(m.values.rows()));
   return m;
 }
 
@@ -122,7 +124,7 @@ NamedMatrix DdpSolver::named_value_hessian(int knot) const {
 }
 
 namespace {
-/// A row of one more knot: each stays where it is worst so far.
+/// Merges a row of one more knot into `rows`, which keep each row at its largest violation.
 void add_row(CostReport::Row row, std::vector<CostReport::Row>& rows) {
   const auto known = std::find_if(rows.begin(), rows.end(),
                                   [&](const CostReport::Row& r) { return r.name == row.name; });
@@ -135,7 +137,7 @@ void add_row(CostReport::Row row, std::vector<CostReport::Row>& rows) {
     row.multiplier = known->multiplier;
     row.pushed = known->pushed;
   }
-  if (!(row.outside <= known->outside)) {
+  if (!(row.violation <= known->violation)) {
     *known = std::move(row);
   } else {
     known->active = row.active;
@@ -144,7 +146,7 @@ void add_row(CostReport::Row row, std::vector<CostReport::Row>& rows) {
   }
 }
 
-/// The rows of a knot.
+/// Adds the constraint rows of a knot to the report.
 void add_rows(ShootingProblem& problem, int knot, const double* x, const double* u,
               const VectorView& multipliers, CostReport& report) {
   if (problem.rows(knot) == 0) return;
@@ -158,7 +160,7 @@ void add_rows(ShootingProblem& problem, int knot, const double* x, const double*
                         problem.row_upper(knot)[i],
                         0.0,
                         problem.row_scale(knot)[i]};
-    row.outside = std::max(row.lower - row.value, row.value - row.upper);
+    row.violation = std::max(row.lower - row.value, row.value - row.upper);
     if (multipliers.size() > static_cast<Eigen::Index>(i))
       row.multiplier = multipliers[static_cast<Eigen::Index>(i)];
     row.pushed = row.multiplier != 0.0 ? row.knot : "";
@@ -202,11 +204,11 @@ double DdpSolver::optimality_error() {
   const bool good = s.expand(s.current);
   s.current.feasible = was_feasible;
   if (!good) return std::numeric_limits<double>::infinity();
-  std::vector<double> multiplier(static_cast<std::size_t>(s.value_stride));
+  std::vector<double> multiplier(to_size(s.value_stride));
   const auto add_limits = [&](int k, double* gradient) {
-    const KnotExpansion& e = s.expansions[static_cast<std::size_t>(k)];
+    const KnotExpansion& e = s.expansions[to_size(k)];
     const VectorView of_rows = s.limited ? multipliers(k) : VectorView(nullptr, 0);
-    const int nz = s.controls[static_cast<std::size_t>(k)] + s.ndx;
+    const int nz = s.controls[to_size(k)] + s.ndx;
     const int* entry = s.problem.row_entry(k);
     const double* row = e.rows;
     for (Eigen::Index r = 0; r < of_rows.size(); ++r) {
@@ -218,11 +220,11 @@ double DdpSolver::optimality_error() {
       row += e.stride;
     }
   };
-  std::copy_n(s.expansions[static_cast<std::size_t>(s.N)].gradient, s.ndx, multiplier.data());
+  std::copy_n(s.expansions[to_size(s.N)].gradient, s.ndx, multiplier.data());
   add_limits(s.N, multiplier.data());
   double largest = 0.0;
   for (int k = s.N - 1; k >= 0; --k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     const int nu = s.controls[i];
     double* gradient = s.z.data();
     std::copy_n(s.expansions[i].gradient, nu + s.ndx, gradient);
@@ -231,7 +233,7 @@ double DdpSolver::optimality_error() {
     const ControlBox box = s.box(k);
     for (int c = 0; c < nu; ++c) {
       const bool bounded = box.lower != nullptr && box.upper != nullptr;
-      // With limits, bounds are kept to their tolerance.
+      // With constraint rows, the solver meets bounds only to a tolerance.
       const double near = s.limited ? 10.0 * s.options.limits.tolerance : 0.0;
       const auto at = [&](double bound) {
         return std::abs(box.u[c] - bound) <= near * std::max(1.0, std::abs(bound));

@@ -1,4 +1,4 @@
-// What a DdpSolver holds, and the phases of an iteration.
+// Internal state of a DdpSolver and the phases of an iteration.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/thread_pool.hpp"
+#include "base/to_size.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "solver/buffer.hpp"
 #include "solver/limited_lq.hpp"
@@ -14,37 +15,40 @@
 
 namespace burnish {
 
-/// Prices and limits that count as none.
+/// L1 weights and limits of at least this size count as infinite.
 inline constexpr double beyond_all = 1e300;
-inline bool is_hard(double price) { return price >= beyond_all; }
-/// What a row's value is above the upper limit by, or, below zero, under the lower one.
-inline double signed_outside_of(double value, double lower, double upper) {
+inline bool is_hard(double l1_weight) { return l1_weight >= beyond_all; }
+/// Returns the excess over the upper limit (positive) or under the lower limit (negative), else 0.
+inline double signed_violation_of(double value, double lower, double upper) {
   return value > upper ? value - upper : std::min(value - lower, 0.0);
 }
 
-inline double outside_of(double value, double lower, double upper) {
+inline double violation_of(double value, double lower, double upper) {
   return std::max(std::max(lower - value, value - upper), 0.0);
 }
 
-/// A trajectory, and what is known of it.
+/// A trajectory with its cost, gaps and constraint values.
 struct Iterate {
   std::vector<double> xs, us;
   double cost = 0.0;
   bool feasible = false;
-  Buffer gaps;  ///< row k: what leads to state k, (x0 or f(x_(k-1), u_(k-1))) (-) x_k
+  Buffer gaps;  ///< Row k: gap before state k, (x0 or f(x_(k-1), u_(k-1))) (-) x_k
   double gap_sum = 0.0, largest_gap = 0.0;
   int gap_knot = 0, gap_entry = 0;
-  std::vector<double> rows;   ///< values, max_rows of each knot
-  double outside_cost = 0.0;  ///< of rows outside their limits, at the merit's prices
-  double outside = 0.0;       ///< the largest violation of a hard row, in its scale
-  bool breaks = false;        ///< some row that a control moves is outside its limits
+  std::vector<double> rows;     ///< Values of the constraint rows, max_rows per knot
+  double violation_cost = 0.0;  ///< Cost of constraint violations, with the merit's L1 weights
+  double violation = 0.0;       ///< Largest violation of a hard row, relative to its scale
+  bool breaks = false;          ///< Some row that a control can move violates its limits
 };
 
-/// What the quadratic model says of the direction.
+/// Quadratic model of the cost along the search direction.
 struct Direction {
-  double slope = 0.0;      ///< d1: of the cost saved, without what the gaps add in a rollout
-  double curvature = 0.0;  ///< d2
-  /// MultipleShooting: gradient of the cost along the direction, and the change of the model.
+  /// d1: slope of the expected saving, without the gaps in a rollout. With constraint rows: slope
+  /// of the merit
+  double slope = 0.0;
+  double curvature = 0.0;  ///< d2: curvature along the direction
+  /// MultipleShooting: slope of the cost, and change of cost that the model predicts for a whole
+  /// step
   double cost_slope = 0.0, model_change = 0.0;
 };
 
@@ -58,7 +62,7 @@ struct DdpSolver::Impl {
   void allocate();
   void start();
 
-  // One iteration; each phase returns false when the solve is over (the reason is set).
+  // One iteration; a phase that returns false has ended the solve and set the reason.
   void iterate();
   bool make_direction();
   bool judge_direction(bool& again);
@@ -74,7 +78,7 @@ struct DdpSolver::Impl {
   bool backward();
   bool shares_knots() const;
   bool sweep_knots();
-  bool sweep(const Crew& crew);
+  bool sweep(const ThreadTeam& team);
   void take_step(int knot, const RiccatiStep& step);
   void add_first_gap();
   void check_segments(int segments) const;
@@ -92,9 +96,11 @@ struct DdpSolver::Impl {
   bool accept_rollout(double length, double gap_improvement) const;
   bool accept_shooting(double length) const;
   void take_trial(double length);
-  double merit(const Iterate& of) const { return of.cost + penalty * of.gap_sum + of.outside_cost; }
+  double merit(const Iterate& of) const {
+    return of.cost + penalty * of.gap_sum + of.violation_cost;
+  }
 
-  // Rows with limits, in ddp_limits.cpp and ddp_elastic.cpp.
+  // Constraint rows, in ddp_limits.cpp and ddp_elastic.cpp.
   void allocate_rows();
   void start_rows();
   void place_rows();
@@ -104,17 +110,17 @@ struct DdpSolver::Impl {
   void set_row_limits();
   void set_row_weights();
   bool limited_backward();
-  void raise_prices();
+  void raise_merit_weights();
   void model_of_limited();
-  double square_of(std::size_t row) const;
+  double quadratic_weight_of(std::size_t row) const;
   double curvature_unit() const;
-  void allocate_bends();
-  void add_bends();
-  double push_of(int knot, int row) const;
+  void allocate_curvatures();
+  void add_curvatures();
+  double multiplier_estimate(int knot, int row) const;
   void find_fixed_rows();
   bool is_fixed(int knot, int row) const;
   bool solve_limited();
-  bool solve_limited_with(const double* gaps, int max_factors);
+  bool solve_limited_with(const double* gaps, int max_factorizations);
   void take_limited_step();
   void point_policies();
   void allocate_correction();
@@ -123,31 +129,31 @@ struct DdpSolver::Impl {
   bool become_elastic();
   bool after_elastic();
   bool is_least_violation() const;
-  /// Sums of the hard rows' violations over their scales.
+  /// Sums of the hard rows' violations, each relative to the row's scale.
   struct Violations {
     double now = 0.0;
-    double after = 0.0;  ///< the whole step, by the linear model
+    double after = 0.0;  ///< After the whole step, in the linear model
   };
   Violations violations() const;
   void note_stillness();
   bool is_still() const;
   bool violations_can_fall();
   void close_gaps();
-  bool starts_outside() const;
-  bool keeps_limits(const Iterate& at) const { return at.outside <= options.limits.tolerance; }
+  bool starts_violated() const;
+  bool keeps_limits(const Iterate& at) const { return at.violation <= options.limits.tolerance; }
   bool accept_limited(double length) const;
-  void note_outside();
+  void note_violation();
   void note_conflict();
   void note_start();
-  /// visit(knot, row of the knot, row of all, lower, upper)
+  /// Calls visit(knot, row within the knot, index over all knots, lower, upper) for each row.
   template <class Visit>
   void for_each_row(Visit&& visit) const {
     for (int k = 0; k <= N; ++k) {
-      const auto at = static_cast<std::size_t>(k);
+      const auto at = to_size(k);
       const double* low = row_lowers[at];
       const double* high = row_uppers[at];
       for (int r = 0; r < row_counts[at]; ++r)
-        visit(k, r, static_cast<std::size_t>(k * rows_max + r), low[r], high[r]);
+        visit(k, r, to_size(k * rows_max + r), low[r], high[r]);
     }
   }
 
@@ -191,62 +197,64 @@ struct DdpSolver::Impl {
   std::vector<double> next;
   std::vector<KnotValue> values;
   std::vector<KnotExpansion> expansions;
-  std::vector<Buffer> expansion_memory, value_memory, policy_memory, row_memory, bend_memory;
+  std::vector<Buffer> expansion_memory, value_memory, policy_memory, row_memory, curvature_memory;
   Buffer hessian_gaps, dxs, dus, z, scratch;
 
-  // Segments of the horizon; empty where there are not three.
+  // Segments of the horizon; empty if options.segments is below 3.
   std::vector<std::unique_ptr<ParametricSegment>> parts;
-  std::vector<int> borders;        ///< where each begins, and N
-  std::vector<int> failures;       ///< knot of each, or -1
-  std::vector<RiccatiStep> steps;  ///< of each knot
+  std::vector<int> borders;        ///< First knot of each segment, then N
+  std::vector<int> failures;       ///< Knot at which each segment failed; -1: none
+  std::vector<RiccatiStep> steps;  ///< Result of the recursion at each knot
 
-  // Rows with limits; null where the problem has none.
+  // Constraint rows; null if the problem has none.
   std::unique_ptr<LimitedLq> limited;
   int rows_max = 0;
   std::vector<int> row_counts;
-  std::vector<int> coefficient_counts;                ///< of those that are no entries of z
-  std::vector<int> row_slots;                         ///< of each row its place in `limited`
-  std::vector<const double*> row_lowers, row_uppers;  ///< of each knot
-  std::vector<LimitedLq::Rows> row_views;             ///< of each knot
-  /// rows_max of each knot; inverses of scales
-  std::vector<double> row_scales, row_inverses, row_prices, row_squares;
-  std::vector<double> row_multipliers;  ///< rows_max of each knot, of the last solve
+  std::vector<int> coefficient_counts;  ///< Rows of each knot that are not an entry of z
+  std::vector<int> row_slots;           ///< Index of each row within the rows of `limited`
+  std::vector<const double*> row_lowers, row_uppers;  ///< Limits of each knot
+  std::vector<LimitedLq::Rows> row_views;             ///< Rows of each knot within `limited`
+  /// rows_max entries per knot; row_inverses holds 1 / row_scales.
+  std::vector<double> row_scales, row_inverses, row_l1_weights, row_quadratic_weights;
+  std::vector<double> row_multipliers;  ///< Multipliers of the last solve, rows_max per knot
   std::vector<ValueStorage> value_list;
   std::vector<PolicyStorage> policy_list;
-  std::vector<double> merit_prices;  ///< of violations, rows_max of each knot
-  bool limited_before = false;       ///< policies and multipliers are those of a direction
+  std::vector<double> merit_weights;  ///< L1 weights of violations in the merit, rows_max per knot
+  bool limited_before = false;        ///< Policies and multipliers of a previous direction exist
   LimitedLqResult limited_result;
-  /// What the tolerance of limits is worth, by their multipliers: the merit knows no better.
+  /// Change of cost that the constraint tolerance can cause, estimated from the multipliers.
   double limit_resolution = 0.0;
-  bool at_resolution = false;                 ///< the last direction gained no more than that
-  Buffer corrected_gaps, kept_dxs, kept_dus;  ///< of a correction
-  bool refused = false;  ///< the last whole step: the next one is tried without its expansion
-  /// Hard rows without multipliers, whose violations cost squares.
+  bool at_resolution = false;  ///< The last expected improvement was at most limit_resolution
+  Buffer corrected_gaps, kept_dxs, kept_dus;  ///< Memory of the second-order correction
+  /// The last whole step was rejected; the next one is tried without derivatives
+  bool refused = false;
+  /// Elastic mode: hard rows have no multipliers, and violations have a quadratic penalty only.
   struct Elastic {
     bool on = false;
-    double weight = 0.0;      ///< in units of row_unit / scale^2, of the squares
-    double violation = -1.0;  ///< at the last minimum; -1: there was none
-    bool stays = false;       ///< it does, however large the weight
-    int lost = 0;             ///< iterations in a row whose rows could not all be kept
-    int stood = 0;            ///< iterations without anything to gain, with limits broken
-    int still = 0;            ///< iterations in a row in which violations stand still
-    double still_from = 0.0;  ///< their sum at the first of those
+    double weight = 0.0;      ///< Quadratic penalty weight, in units of row_unit / scale^2
+    double violation = -1.0;  ///< Violation at the last minimum; -1: no minimum yet
+    bool stays = false;       ///< Violations remain at the largest weight
+    int lost = 0;             ///< Consecutive iterations that could not satisfy all rows
+    int stood = 0;            ///< Iterations without expected improvement but with violations
+    int still = 0;            ///< Consecutive iterations without a decrease of the violations
+    double still_from = 0.0;  ///< Sum of violations at the first of the still iterations
   } elastic;
-  bool bent = false;                 ///< the expansions' Hessians have the bends of rows
-  double cost_unit = 1.0;            ///< curvature_unit() without those
-  double hard_price = 0.0;           ///< in units of row_unit / scale
-  std::vector<char> start_is_fixed;  ///< rows of the first knot that no control moves
-  double row_unit = 0.0;      ///< curvature of the cost by a control's scale, of the first iterate
-  double merit_change = 0.0;  ///< what the model says that a whole step changes the merit by
+  bool has_curvature = false;   ///< The Hessians of `expansions` contain the constraint curvature
+  double cost_unit = 1.0;       ///< curvature_unit() without constraint curvature
+  double hard_l1_weight = 0.0;  ///< L1 weight of hard rows, in units of row_unit / scale
+  std::vector<char> start_is_fixed;  ///< 1 for rows of knot 0 that no control moves
+  double row_unit = 0.0;             ///< curvature_unit() at the first iterate
+  double merit_change = 0.0;  ///< Change of the merit that the model predicts for a whole step
 
   // State of a solve.
   Clock::time_point began;
   DdpSummary summary;
-  bool expanded = false;  ///< the expansions are those of the current iterate
+  bool expanded = false;  ///< The expansions belong to the current iterate
   bool searched_at_floor = false;
   Direction direction;
   double regularization = 0.0;
-  double regularization_floor = 0.0;  ///< what Quu was seen to need
+  /// Smallest regularization for which Quu was positive definite
+  double regularization_floor = 0.0;
   double penalty = 0.0;
   KnotValue trial_failure;
   int trial_failure_knot = -1;

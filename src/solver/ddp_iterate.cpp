@@ -7,11 +7,11 @@
 
 namespace burnish {
 
-/// So many iterations have nothing to gain, to the last digits of what violations cost, with limits
-/// broken before it is doubted that they can be kept: those digits go by Newton's steps.
-static constexpr int patience_outside = 4;
-/// Steps are corrected where violations are below so much of their scale: far from limits what
-/// bends says little of where they are.
+/// Iterations without expected improvement but with violations, before elastic mode begins. Newton
+/// steps reduce violations in their last digits first. Chosen by hand.
+static constexpr int patience_violated = 4;
+/// Steps are corrected if violations are below this fraction of their scale; far from the limits,
+/// curvature says little about their position. Chosen by hand.
 static constexpr double near_limits = 0.1;
 
 bool DdpSolver::Impl::increase_regularization() {
@@ -28,8 +28,8 @@ void DdpSolver::Impl::decrease_regularization() {
   regularization = std::max(regularization, regularization_floor);
 }
 
-/// Expansions of the current iterate, the recursion with as much regularisation as it needs, and
-/// what they promise.
+/// Computes the expansions of the current iterate, the recursion with as much regularization as
+/// needed, and the expected improvement.
 bool DdpSolver::Impl::make_direction() {
   if (!expanded) {
     if (!expand(current)) {
@@ -59,8 +59,9 @@ bool DdpSolver::Impl::make_direction() {
   return true;
 }
 
-/// Stops where nothing is left to gain. Much regularisation makes any step look as if it gained
-/// nothing, so that only the least that the recursion accepts counts; `again` asks for that one.
+/// Stops if no improvement is expected. Strong regularization makes every expected improvement
+/// small, so only a direction with the smallest accepted regularization counts; `again` requests
+/// that direction.
 bool DdpSolver::Impl::judge_direction(bool& again) {
   again = false;
   if (limited) {
@@ -72,28 +73,29 @@ bool DdpSolver::Impl::judge_direction(bool& again) {
     if (again || elastic.on) return !out_of_time() || stop(StopReason::TimeBudget);
   }
   const bool feasible = current.feasible && (!limited || keeps_limits(current));
-  // What the merit cannot resolve is left to another step of Newton's.
+  // An improvement below the resolution of the merit function gets one more Newton step.
   const bool gains = summary.expected_improvement >= options.stop_tolerance;
   const bool unresolved = gains && !std::exchange(at_resolution, true);
   if (!feasible || summary.expected_improvement >= options.stop_tolerance + limit_resolution)
     at_resolution = false;
   else if (!unresolved) {
     if (regularization <= std::max(regularization_floor, options.regularization.smallest))
-      return stop(limited && starts_outside() ? StopReason::Infeasible : StopReason::Converged);
+      return stop(limited && starts_violated() ? StopReason::Infeasible : StopReason::Converged);
     if (searched_at_floor) return stop(StopReason::NoStep);
     searched_at_floor = true;
     regularization = regularization_floor;
     again = true;
     return true;
   }
-  const bool stands = limited && !keeps_limits(current) &&
-                      summary.expected_improvement <
-                          options.stop_tolerance + limit_resolution + 1e-9 * current.outside_cost;
-  if (stands && ++elastic.stood >= patience_outside) again = become_elastic();
+  const bool no_progress = limited && !keeps_limits(current) &&
+                           summary.expected_improvement < options.stop_tolerance +
+                                                              limit_resolution +
+                                                              1e-9 * current.violation_cost;
+  if (no_progress && ++elastic.stood >= patience_violated) again = become_elastic();
   return !out_of_time() || stop(StopReason::TimeBudget);
 }
 
-/// Tries lengths until one is taken; `length` is 0 if none is.
+/// Tries step lengths until one is accepted; `length` is 0 if none is accepted.
 bool DdpSolver::Impl::line_search(double& length) {
   const bool rollout = options.update == StepUpdate::Rollout;
   trial_failure_knot = -1;
@@ -112,14 +114,14 @@ bool DdpSolver::Impl::line_search(double& length) {
       summary.seconds.trial += since(from);
       if (taken) expanded = false;
     } else {
-      // The whole step is taken most of the time: expanded at once, it need not be evaluated again.
+      // The whole step is usually accepted; expanding it in the trial saves a second evaluation.
       const bool ahead =
           halving == 0 && summary.iterations + 1 < options.max_iterations && !refused;
       const bool evaluated = shooting_trial(length, ahead);
       taken = evaluated && (limited ? accept_limited(length) : accept_shooting(length));
       if (limited && halving == 0) {
         refused = !taken;
-        if (evaluated && !taken && !ahead && !elastic.on && current.outside <= near_limits)
+        if (evaluated && !taken && !ahead && !elastic.on && current.violation <= near_limits)
           taken = corrected_trial();
       }
       expanded = ahead && taken;
@@ -145,8 +147,8 @@ bool DdpSolver::Impl::after_search(double length) {
   progress.regularization = regularization;
   progress.penalty = penalty;
   progress.feasible = current.feasible;
-  progress.outside = current.outside;
-  progress.factors = limited ? limited_result.factors : 1;
+  progress.violation = current.violation;
+  progress.factorizations = limited ? limited_result.factorizations : 1;
   progress.seconds = since(began);
   summary.log.push_back(progress);
   if (length > 0.0) searched_at_floor = false;
@@ -172,7 +174,7 @@ void DdpSolver::Impl::iterate() {
   }
 }
 
-/// Cut short, a solve returns the best iterate; one that made its iterations, the last.
+/// Returns the best iterate if the solve was cut short, else the last iterate.
 void DdpSolver::Impl::finish() {
   const bool complete = summary.reason == StopReason::Converged ||
                         summary.reason == StopReason::Infeasible ||
@@ -187,8 +189,8 @@ void DdpSolver::Impl::finish() {
   summary.largest_gap = current.largest_gap;
   summary.gap_knot = current.gap_knot;
   summary.gap_entry = current.gap_entry;
-  if (limited) note_outside();
-  summary.feasible = current.feasible && summary.outside_knot < 0;
+  if (limited) note_violation();
+  summary.feasible = current.feasible && summary.violation_knot < 0;
   summary.seconds.total = since(began);
 }
 

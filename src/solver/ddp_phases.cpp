@@ -1,7 +1,8 @@
-// Expanding the horizon and the recursion backwards.
+// Expansion of the horizon and backward recursion.
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "solver/ddp_impl.hpp"
 #include "solver/dense.hpp"
 #include "solver/linear_dynamics.hpp"
@@ -10,17 +11,15 @@ namespace burnish {
 
 namespace {
 
-/// Multiplications of a knot from which on threads share it: measured (burnish_riccati_bench), two
-/// workers lose below some 130,000, since each line of memory that one wrote and the other reads
-/// costs tens of nanoseconds.
-constexpr double worth_sharing = 2e5;
+/// Minimum number of multiplications per knot for which threads share a knot. Two workers are
+/// slower than one below about 130,000 (measured with burnish_riccati_bench). Each cache line that
+/// passes between cores costs tens of nanoseconds.
+constexpr double min_shared_work = 2e5;
 
-bool usable(const KnotValue& value) {
-  return value.status <= Status::NotConverged && std::isfinite(value.cost);
-}
+bool usable(const KnotValue& value) { return is_usable(value.status) && std::isfinite(value.cost); }
 
 bool all_finite(const double* x, int n) {
-  // A sum is finite if its terms are, but for overflow, which is as bad.
+  // The sum is finite if all terms are, except after overflow, which is a failure as well.
   double sum = 0.0;
   for (int i = 0; i < n; ++i) sum += std::abs(x[i]);
   return std::isfinite(sum);
@@ -34,18 +33,18 @@ bool DdpSolver::Impl::stop(StopReason reason) {
 }
 
 bool DdpSolver::Impl::fail_at(int knot, const KnotValue& value) {
-  summary.status = value.status <= Status::NotConverged ? Status::NotFinite : value.status;
+  summary.status = is_usable(value.status) ? Status::NotFinite : value.status;
   summary.knot = knot;
   summary.term = value.term;
   summary.row = value.row;
   return false;
 }
 
-/// Cost of an iterate from `values`, in the order of the knots.
+/// Sums the cost of an iterate from `values`, in the order of the knots.
 bool DdpSolver::Impl::take_values(Iterate& at) {
   at.cost = 0.0;
   for (int k = 0; k <= N; ++k) {
-    const KnotValue& v = values[static_cast<std::size_t>(k)];
+    const KnotValue& v = values[to_size(k)];
     if (!usable(v)) {
       trial_failure = v;
       trial_failure_knot = k;
@@ -56,7 +55,7 @@ bool DdpSolver::Impl::take_values(Iterate& at) {
   return true;
 }
 
-/// Gaps of an iterate from `next`.
+/// Computes the gaps of an iterate from `next`.
 bool DdpSolver::Impl::take_gaps(Iterate& at) {
   at.gap_sum = at.largest_gap = 0.0;
   at.gap_knot = at.gap_entry = 0;
@@ -82,21 +81,20 @@ bool DdpSolver::Impl::take_gaps(Iterate& at) {
   return true;
 }
 
-/// Values, gaps and expansions at an iterate.
+/// Evaluates and linearizes an iterate: costs, rows, gaps and expansions.
 bool DdpSolver::Impl::expand(Iterate& at) {
   const Clock::time_point from = Clock::now();
-  expanded = bent = false;
+  expanded = has_curvature = false;
   const TrajectoryView view{at.xs.data(), at.us.data()};
   if (limited)
-    for (int k = 0; k <= N; ++k)
-      expansions[static_cast<std::size_t>(k)].row_values = at.rows.data() + k * rows_max;
+    for (int k = 0; k <= N; ++k) expansions[to_size(k)].row_values = at.rows.data() + k * rows_max;
   pool->for_each(static_cast<int>(ranges.size()), [&](int worker, int piece) {
-    problem.expand(worker, ranges[static_cast<std::size_t>(piece)], view, next.data(),
-                   values.data(), expansions.data());
+    problem.expand(worker, ranges[to_size(piece)], view, next.data(), values.data(),
+                   expansions.data());
   });
   bool good = take_values(at);
   if (good && limited) take_rows(at);
-  // A trajectory that came out of a rollout has no gaps: what rounding leaves is not one.
+  // A trajectory from a rollout does not have gaps; rounding errors are not gaps.
   const bool rolled_out = at.feasible && options.update == StepUpdate::Rollout;
   if (good && !rolled_out) {
     good = take_gaps(at);
@@ -110,16 +108,18 @@ bool DdpSolver::Impl::expand(Iterate& at) {
   return good;
 }
 
-/// Whether the threads share each knot of the recursion; nothing but time depends on it.
+/// Returns whether the threads share each knot of the recursion. This affects only the computing
+/// time.
 bool DdpSolver::Impl::shares_knots() const {
   if (pool->workers() == 1 || !pool->has_a_core_each() || !options.share_knots) return false;
   double work = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k)
+  for (std::size_t k = 0; k < to_size(N); ++k)
     work += recursion.multiplications(controls[k], expansions[k].form);
-  return work >= worth_sharing * N;
+  return work >= min_shared_work * N;
 }
 
-/// The recursion over the horizon; false where Quu is not positive definite or not finite.
+/// Runs the recursion over the horizon. Returns false if Quu is not positive definite or not
+/// finite.
 bool DdpSolver::Impl::backward() {
   const Clock::time_point from = Clock::now();
   direction = {};
@@ -128,7 +128,7 @@ bool DdpSolver::Impl::backward() {
     summary.seconds.backward += since(from);
     return done;
   }
-  recursion.terminal(expansions[static_cast<std::size_t>(N)], value(N));
+  recursion.terminal(expansions[to_size(N)], value(N));
   bool decided = false;
   bool good = false;
   if (can_be_cut()) good = sweep_segments(decided);
@@ -138,25 +138,25 @@ bool DdpSolver::Impl::backward() {
   return good;
 }
 
-/// Knot after knot, alone or together.
+/// Sweeps knot after knot, with one thread or with the thread team.
 bool DdpSolver::Impl::sweep_knots() {
   if (!shares_knots()) return sweep({});
   bool good = false;
-  pool->together([&](const Crew& crew) noexcept {
-    const bool mine = sweep(crew);
-    if (crew.leads()) good = mine;
+  pool->together([&](const ThreadTeam& team) noexcept {
+    const bool mine = sweep(team);
+    if (team.leads()) good = mine;
   });
   return good;
 }
 
-/// Knot after knot; the leader of the crew takes note of what they say.
-bool DdpSolver::Impl::sweep(const Crew& crew) {
+/// Sweeps knot after knot; the leader of the team records the results.
+bool DdpSolver::Impl::sweep(const ThreadTeam& team) {
   for (int k = N - 1; k >= 0; --k) {
-    const auto i = static_cast<std::size_t>(k);
-    const RiccatiStep step =
-        recursion.step(expansions[i], controls[i], gap(current, k + 1), value(k + 1),
-                       regularization, box(k), policy(k), value(k), hessian_gap(k + 1), crew);
-    if (crew.leads()) take_step(k, step);
+    const auto i = to_size(k);
+    const RiccatiStep step = recursion.step({expansions[i], controls[i], gap(current, k + 1),
+                                             value(k + 1), policy(k), value(k), hessian_gap(k + 1)},
+                                            {regularization, box(k)}, team);
+    if (team.leads()) take_step(k, step);
     if (step.failed_control >= 0) return false;
   }
   return true;
@@ -174,7 +174,7 @@ void DdpSolver::Impl::take_step(int knot, const RiccatiStep& step) {
       step.slope + 0.5 * step.curvature + step.gap_slope + 0.5 * step.gap_curvature;
 }
 
-/// What the first state's gap adds to the direction.
+/// Adds the contribution of the first state's gap to the direction.
 void DdpSolver::Impl::add_first_gap() {
   const ValueStorage v = value(0);
   const double* g = gap(current, 0);
@@ -187,10 +187,11 @@ void DdpSolver::Impl::add_first_gap() {
   direction.model_change += slope + 0.5 * curvature;
 }
 
-/// Whether an expansion holds a number that is not finite; then the summary says where.
+/// Returns whether an expansion holds a number that is not finite, and records its knot in the
+/// summary.
 bool DdpSolver::Impl::find_not_finite() {
   for (int k = N; k >= 0; --k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     const KnotExpansion& e = expansions[i];
     const int nz = controls[i] + ndx;
     bool good = all_finite(e.gradient, nz);
@@ -207,11 +208,12 @@ bool DdpSolver::Impl::find_not_finite() {
   return false;
 }
 
-/// dx and du of the linear-quadratic problem, clamped to the bounds, and the slope of the cost.
+/// Computes dx and du of the linear-quadratic problem, with du clamped to the bounds, and the slope
+/// of the cost.
 void DdpSolver::Impl::linear_rollout() {
   std::copy_n(gap(current, 0), ndx, dx(0));
   for (int k = 0; k <= N; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     const int nu = controls[i];
     double* zk = z.data();
     if (k < N) {
@@ -234,7 +236,7 @@ void DdpSolver::Impl::linear_rollout() {
   }
 }
 
-/// Largest entry of the multipliers of the linear-quadratic problem, vx + Vxx dx.
+/// Returns the largest entry of the multipliers vx + Vxx dx of the linear-quadratic problem.
 double DdpSolver::Impl::largest_multiplier() {
   double largest = 0.0;
   for (int k = 0; k <= N; ++k) {
@@ -247,15 +249,16 @@ double DdpSolver::Impl::largest_multiplier() {
   return largest;
 }
 
-/// The penalty that makes the direction one of descent: the rule of Nocedal and Wright, Numerical
-/// Optimization (2006), eq. (18.36), or the multipliers' size where that asks for less.
+/// Returns the penalty for which the direction is a descent direction of the merit: the rule of
+/// Nocedal and Wright, Numerical Optimization (2006), eq. (18.36), or a smaller value from the
+/// multipliers.
 double DdpSolver::Impl::penalty_for_direction() {
   if (current.gap_sum <= 0.0) return penalty;
   const double curvature = std::max(0.0, 2.0 * (direction.model_change - direction.cost_slope));
-  const double share = 1.0 - options.line_search.merit_share;
-  const double needed = (direction.cost_slope + 0.5 * curvature) / (share * current.gap_sum);
+  const double fraction = 1.0 - options.line_search.merit_fraction;
+  const double needed = (direction.cost_slope + 0.5 * curvature) / (fraction * current.gap_sum);
   if (needed <= penalty) return penalty;
-  return std::max(penalty, std::min(needed, largest_multiplier() / share));
+  return std::max(penalty, std::min(needed, largest_multiplier() / fraction));
 }
 
 }  // namespace burnish

@@ -1,20 +1,22 @@
-// The recursion by segments of the horizon, all at the same time.
+// Riccati recursion over segments of the horizon in parallel.
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "solver/ddp_impl.hpp"
 
 namespace burnish {
 
 void DdpSolver::Impl::check_segments(int segments) const {
   if (segments > 1 && segments >= N)
-    throw Error("solver: " + std::to_string(segments) + " segments of a horizon of " +
+    throw Error("solver: " + std::to_string(segments) + " segments are too many for a horizon of " +
                 std::to_string(N) + (N == 1 ? " knot" : " knots") +
                 "; wanted fewer segments than knots");
 }
 
-/// Where segments begin, and the end. The last is swept once and the others twice, for the first
-/// time at about twice the cost of a knot, but for the first, whose begin nobody waits for. With
-/// lengths 1 : 1 : ... : 1 : 2 all take as long in both sweeps.
+/// Computes the first knot of each segment. The last segment is swept once, the others twice. The
+/// first of two sweeps costs about twice as much per knot, except in the first segment, where no
+/// start value is needed. With lengths 1 : 1 : ... : 1 : 2, all threads take about equally long in
+/// both sweeps.
 void DdpSolver::Impl::cut_horizon(int segments) {
   if (segments == static_cast<int>(parts.size()) || (segments < 3 && parts.empty())) return;
   parts.clear();
@@ -26,45 +28,46 @@ void DdpSolver::Impl::cut_horizon(int segments) {
   }
   borders.push_back(N);
   failures.resize(parts.size());
-  steps.resize(static_cast<std::size_t>(N));
+  steps.resize(to_size(N));
 }
 
-/// A bound makes the part that depends on the end's multiplier piecewise, which no parametric value
-/// function says.
+/// Returns whether the recursion can run in segments. Bounds make the dependence on the multiplier
+/// of a segment's end piecewise, which a parametric value function cannot represent.
 bool DdpSolver::Impl::can_be_cut() const {
   if (parts.empty()) return false;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k)
+  for (std::size_t k = 0; k < to_size(N); ++k)
     if (lower[k] != nullptr && upper[k] != nullptr && controls[k] > 0) return false;
   return true;
 }
 
-/// The knots of a segment, from the value function after it; `parametric`: its end is a parameter.
-/// The knot that fails, or -1.
+/// Sweeps the knots of a segment, from the value function after the segment. If `parametric`, the
+/// segment's end is a parameter. Returns the knot that failed, or -1.
 int DdpSolver::Impl::sweep_segment(int segment, const ValueStorage& after, bool parametric) {
-  const auto j = static_cast<std::size_t>(segment);
+  const auto j = to_size(segment);
   ParametricSegment& part = *parts[j];
   if (parametric) part.start();
   for (int k = borders[j + 1] - 1; k >= borders[j]; --k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     const ValueStorage follows = k + 1 == borders[j + 1] ? after : value(k + 1);
-    steps[i] = part.recursion().step(expansions[i], controls[i], gap(current, k + 1), follows,
-                                     regularization, {}, policy(k), value(k), hessian_gap(k + 1));
+    steps[i] = part.recursion().step({expansions[i], controls[i], gap(current, k + 1), follows,
+                                      policy(k), value(k), hessian_gap(k + 1)},
+                                     {.regularization = regularization});
     if (steps[i].failed_control >= 0) return k;
     if (parametric) part.extend(expansions[i], controls[i], gap(current, k + 1), policy(k));
   }
   return -1;
 }
 
-/// The sweep in segments. `usable` is false where a segment has no solution of its own although the
-/// whole may have one: then nothing was decided.
+/// Sweeps all segments. `usable` is false if a segment alone has no solution although the whole
+/// horizon may have one; the sweep then has no result.
 bool DdpSolver::Impl::sweep_segments(bool& usable) {
   const int segments = static_cast<int>(parts.size());
   const int last = segments - 1;
   std::fill(failures.begin(), failures.end(), -1);
-  // The last one takes as long as the others together with their ends: it goes first.
+  // The last segment takes as long as all others with their ends, so it starts first.
   pool->for_each(segments - 1, [&](int /*worker*/, int piece) {
     const int j = last - piece;
-    const auto i = static_cast<std::size_t>(j);
+    const auto i = to_size(j);
     failures[i] =
         j == last ? sweep_segment(j, value(N), false) : sweep_segment(j, parts[i]->nothing(), true);
   });
@@ -73,22 +76,21 @@ bool DdpSolver::Impl::sweep_segments(bool& usable) {
   usable = join_segments();
   if (!usable) return false;
   pool->for_each(segments - 1, [&](int /*worker*/, int j) {
-    const auto i = static_cast<std::size_t>(j);
+    const auto i = to_size(j);
     const ValueStorage after = j + 1 == last ? value(borders[i + 1]) : parts[i + 1]->joined();
     failures[i] = sweep_segment(j, after, false);
   });
   for (int j = last; j >= 0; --j)
-    if (failures[static_cast<std::size_t>(j)] >= 0)
-      return note_failure(failures[static_cast<std::size_t>(j)]);
-  for (int k = N - 1; k >= 0; --k) take_step(k, steps[static_cast<std::size_t>(k)]);
+    if (failures[to_size(j)] >= 0) return note_failure(failures[to_size(j)]);
+  for (int k = N - 1; k >= 0; --k) take_step(k, steps[to_size(k)]);
   return true;
 }
 
-/// Value functions of the whole where segments begin, from the last to the second.
+/// Computes the value functions at the starts of segments, from the last segment to the second.
 bool DdpSolver::Impl::join_segments() {
   const int last = static_cast<int>(parts.size()) - 1;
   for (int j = last - 1; j > 0; --j) {
-    const auto i = static_cast<std::size_t>(j);
+    const auto i = to_size(j);
     const ValueStorage following = j + 1 == last ? value(borders[i + 1]) : parts[i + 1]->joined();
     if (failures[i] >= 0 || !parts[i]->join(value(borders[i]), following)) return false;
   }
@@ -96,7 +98,7 @@ bool DdpSolver::Impl::join_segments() {
 }
 
 bool DdpSolver::Impl::note_failure(int knot) {
-  take_step(knot, steps[static_cast<std::size_t>(knot)]);
+  take_step(knot, steps[to_size(knot)]);
   return false;
 }
 

@@ -1,8 +1,9 @@
-// Memory of a solver, and what each solve starts from.
+// Memory of a solver, and initialisation of each solve.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "base/to_size.hpp"
 #include "solver/ddp_impl.hpp"
 #include "solver/dense.hpp"
 #include "solver/linear_dynamics.hpp"
@@ -20,15 +21,15 @@ void check_shape(const ShootingProblem& problem) {
           "the problem has " + std::to_string(problem.knots()) + " knots; wanted at least 1");
   require(s.nx >= 1 && s.ndx >= 1 && s.ndx <= s.nx,
           "nx = " + std::to_string(s.nx) + " and ndx = " + std::to_string(s.ndx) +
-              " are no sizes of a state; wanted 1 <= ndx <= nx");
+              " are not valid sizes of a state; wanted 1 <= ndx <= nx");
   require(s.nv == 0 ? s.filtered == 0 : s.ndx == 2 * s.nv + s.filtered,
           "ndx is " + std::to_string(s.ndx) + "; wanted 2 nv + filtered = " +
               std::to_string(2 * s.nv + s.filtered) + ", or nv = filtered = 0");
-  for (const LeadBlock& b : s.blocks)
-    require(b.first >= 0 && b.size >= 1 && b.size <= max_lead_size && b.first + b.size <= s.nv,
-            "a lead block of " + std::to_string(b.size) + " entries at " + std::to_string(b.first) +
-                "; wanted 1 to " + std::to_string(max_lead_size) + " within the " +
-                std::to_string(s.nv) + " of dq");
+  for (const NonEuclideanBlock& b : s.blocks)
+    require(b.first >= 0 && b.size >= 1 && b.size <= max_tangent_size && b.first + b.size <= s.nv,
+            "a non-Euclidean tangent block has " + std::to_string(b.size) + " entries at " +
+                std::to_string(b.first) + "; wanted 1 to " + std::to_string(max_tangent_size) +
+                " entries within the " + std::to_string(s.nv) + " of dq");
   for (int k = 0; k <= problem.knots(); ++k) {
     const int nu = problem.controls(k);
     require(nu >= 0 && nu <= problem.max_controls() && (k < problem.knots() || nu == 0),
@@ -38,11 +39,9 @@ void check_shape(const ShootingProblem& problem) {
   }
 }
 
-std::size_t size(int rows, int columns) {
-  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
-}
+std::size_t size(int rows, int columns) { return to_size(rows) * to_size(columns); }
 
-/// Bytes that a knot takes in allocate(), about.
+/// Returns the approximate number of bytes that allocate() needs per knot.
 double bytes_of_knot(const RiccatiLayout& layout, int nx, int ndx, int nu) {
   const double expansion = (1.0 + layout.expansion_rows + ndx) * layout.expansion_stride;
   const double value = (2.0 + ndx) * layout.value_stride, policy = (1.0 + nu) * layout.gain_stride;
@@ -50,16 +49,16 @@ double bytes_of_knot(const RiccatiLayout& layout, int nx, int ndx, int nu) {
   return sizeof(double) * (expansion + value + policy + iterates + 3.0 * layout.spare);
 }
 
-/// Before any of it is asked for.
+/// Checks the memory before any is allocated.
 void check_memory(const RiccatiLayout& layout, int knots, int nx, int ndx, int nu) {
-  constexpr double most = 4e9;  // bytes
+  constexpr double max_bytes = 4e9;  // chosen by hand
   const double wanted = knots * bytes_of_knot(layout, nx, ndx, nu);
   char text[160];
   std::snprintf(text, sizeof text,
                 "%d knots of %d states and %d controls take %.1f GB of memory; at most %.0f GB are "
                 "supported",
-                knots, nx, nu, 1e-9 * wanted, 1e-9 * most);
-  require(wanted <= most, text);
+                knots, nx, nu, 1e-9 * wanted, 1e-9 * max_bytes);
+  require(wanted <= max_bytes, text);
 }
 
 }  // namespace
@@ -86,21 +85,21 @@ void DdpSolver::Impl::apply_options(DdpOptions wanted) {
   check_segments(wanted.segments);
   const Pinning pinning = wanted.pin_threads ? Pinning::Cores : Pinning::None;
   if (!pool || pool->workers() != wanted.threads || pool->pinning() != pinning) {
-    auto crew = std::make_unique<ThreadPool>(wanted.threads, pinning);
+    auto team = std::make_unique<ThreadPool>(wanted.threads, pinning);
     problem.prepare(wanted.threads);
     recursion = RiccatiRecursion(state, nu_max, wanted.threads);
-    pool = std::move(crew);
+    pool = std::move(team);
   }
   cut_horizon(wanted.segments);
   options = std::move(wanted);
   summary.options = options;
   summary.options.callback = nullptr;
-  summary.log.reserve(static_cast<std::size_t>(options.max_iterations));
+  summary.log.reserve(to_size(options.max_iterations));
 }
 
 void DdpSolver::Impl::allocate() {
   const RiccatiLayout& layout = recursion.layout();
-  const auto knots = static_cast<std::size_t>(N);
+  const auto knots = to_size(N);
   for (Iterate* it : {&current, &trial, &best}) {
     it->xs.resize(size(N + 1, nx));
     it->us.assign(size(N, nu_max), 0.0);
@@ -113,25 +112,25 @@ void DdpSolver::Impl::allocate() {
   lower.resize(knots);
   upper.resize(knots);
   expansions.resize(knots + 1);
-  const auto spare = static_cast<std::size_t>(layout.spare);
-  int lead_size = 0;
-  for (const LeadBlock& b : state.blocks) lead_size += 2 * b.size * b.size;
-  lead_size = dense::round_up(lead_size);
-  // What is transposed is read in whole vectors of rows.
+  const auto spare = to_size(layout.spare);
+  int tangent_size = 0;
+  for (const NonEuclideanBlock& b : state.blocks) tangent_size += 2 * b.size * b.size;
+  tangent_size = dense::round_up(tangent_size);
+  // Transposed matrices are read in whole vectors of rows.
   const int dynamics_rows = std::max(ndx, dense::round_up(state.nv));
   const int gain_rows = dense::round_up(nu_max);
   for (std::size_t k = 0; k <= knots; ++k) {
     const int stride = layout.expansion_stride;
     expansion_memory.emplace_back(size(1 + layout.expansion_rows + dynamics_rows, stride) +
-                                  size(1, lead_size) + size(1, dense::round_up(state.filtered)) +
+                                  size(1, tangent_size) + size(1, dense::round_up(state.filtered)) +
                                   spare);
     KnotExpansion& e = expansions[k];
     e.stride = stride;
     e.gradient = expansion_memory.back().data();
     e.hessian = e.gradient + stride;
     e.dynamics = e.hessian + size(layout.expansion_rows, stride);
-    e.lead = e.dynamics + size(ndx, stride);
-    e.decay = e.lead + lead_size;
+    e.tangent_blocks = e.dynamics + size(ndx, stride);
+    e.decay = e.tangent_blocks + tangent_size;
     value_memory.emplace_back(size(ndx + 1, value_stride) + spare);
     policy_memory.emplace_back(size(1, control_stride) + size(gain_rows, gain_stride) + spare);
   }
@@ -143,17 +142,18 @@ void DdpSolver::Impl::allocate() {
   scratch = Buffer(size(2, layout.expansion_stride) + spare);
 }
 
-/// What the problem may have changed since the last solve, and the state of a new one.
+/// Reads data that the problem may have changed since the last solve, and resets the solver's
+/// state.
 void DdpSolver::Impl::start() {
   for (int k = 0; k < N; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     if (controls[i] != problem.controls(k)) std::fill_n(policy(k).feedforward, nu_max, 0.0);
     controls[i] = problem.controls(k);
     lower[i] = problem.control_lower(k);
     upper[i] = problem.control_upper(k);
     clamp(k, current.us.data() + k * nu_max);
   }
-  controls[static_cast<std::size_t>(N)] = 0;
+  controls[to_size(N)] = 0;
   start_rows();
   ranges = problem.ranges();
   current.feasible = false;
@@ -176,17 +176,17 @@ void DdpSolver::Impl::start() {
 }
 
 ValueStorage DdpSolver::Impl::value(int knot) {
-  double* memory = value_memory[static_cast<std::size_t>(knot)].data();
+  double* memory = value_memory[to_size(knot)].data();
   return {memory, memory + value_stride};
 }
 
 PolicyStorage DdpSolver::Impl::policy(int knot) {
-  double* memory = policy_memory[static_cast<std::size_t>(knot)].data();
+  double* memory = policy_memory[to_size(knot)].data();
   return {memory, memory + control_stride};
 }
 
 void DdpSolver::Impl::clamp(int knot, double* u) const {
-  const auto k = static_cast<std::size_t>(knot);
+  const auto k = to_size(knot);
   if (lower[k] == nullptr || upper[k] == nullptr) return;
   for (int i = 0; i < controls[k]; ++i) u[i] = std::min(std::max(u[i], lower[k][i]), upper[k][i]);
 }

@@ -1,15 +1,16 @@
-// Trials of a line search, of either kind, and when one is taken.
+// Trial steps of the line search, for both kinds of update, and their acceptance.
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "solver/ddp_impl.hpp"
 #include "solver/dense.hpp"
 
 namespace burnish {
 
-/// Rolls the policy out through the dynamics, each state `1 - length` of its gap short of where the
-/// dynamics lead. False where a knot cannot be evaluated. `gap_improvement` receives what the gaps
-/// that remain add to the expected improvement: sum of gap^T Vxx (x (-) x of the iterate).
+/// Rolls the policy out through the dynamics. Each state keeps `1 - length` of its gap. Returns
+/// false if a knot cannot be evaluated. `gap_improvement` receives the contribution of the
+/// remaining gaps to the expected improvement: sum of gap^T Vxx (x (-) x of the iterate).
 bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
   trial.cost = 0.0;
   gap_improvement = 0.0;
@@ -33,14 +34,14 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
       const double* u_before = current.us.data() + k * nu_max;
       const PolicyStorage p = policy(k);
       std::copy_n(u_before, nu_max, u);
-      for (int c = 0; c < controls[static_cast<std::size_t>(k)]; ++c)
+      for (int c = 0; c < controls[to_size(k)]; ++c)
         u[c] += length * p.feedforward[c] + dense::dot(p.gain + c * gain_stride, dx(k), ndx);
       clamp(k, u);
     }
     double* after = k < N ? next.data() + k * nx : nullptr;
     double* rows = limited ? trial.rows.data() + k * rows_max : nullptr;
     const KnotValue v = problem.roll(0, k, x, u, after, rows);
-    if (v.status > Status::NotConverged || !std::isfinite(v.cost)) {
+    if (!is_usable(v.status) || !std::isfinite(v.cost)) {
       trial_failure = v;
       trial_failure_knot = k;
       return false;
@@ -53,10 +54,10 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
   return true;
 }
 
-/// Expected improvement at a length: dV = length (d1 + length d2 / 2). Where it is negative, the
-/// cost may rise by a multiple of it while gaps close.
+/// Accepts a rollout by its expected improvement, length (d1 + length d2 / 2). If the expected
+/// improvement is negative, the cost may rise by a multiple of it while gaps close.
 bool DdpSolver::Impl::accept_rollout(double length, double gap_improvement) const {
-  // The trial moved by `length` of the whole step, to which d1 and d2 belong.
+  // The gap contribution belongs to a step of `length`; d1 and d2 belong to the whole step.
   const double whole = gap_improvement / length;
   const double d1 = direction.slope + whole;
   const double d2 = direction.curvature - 2.0 * whole;
@@ -68,7 +69,7 @@ bool DdpSolver::Impl::accept_rollout(double length, double gap_improvement) cons
   return saved > rule.allowed_increase * expected;
 }
 
-/// Moves along the direction and evaluates every knot, in pieces that threads share.
+/// Moves along the direction and evaluates every knot, in ranges that threads share.
 bool DdpSolver::Impl::shooting_trial(double length, bool with_expansion) {
   for (int k = 0; k <= N; ++k) {
     for (int i = 0; i < ndx; ++i) scratch.data()[i] = length * dx(k)[i];
@@ -76,7 +77,7 @@ bool DdpSolver::Impl::shooting_trial(double length, bool with_expansion) {
     if (k == N) break;
     double* u = trial.us.data() + k * nu_max;
     std::copy_n(current.us.data() + k * nu_max, nu_max, u);
-    for (int c = 0; c < controls[static_cast<std::size_t>(k)]; ++c) u[c] += length * du(k)[c];
+    for (int c = 0; c < controls[to_size(k)]; ++c) u[c] += length * du(k)[c];
     clamp(k, u);
   }
   trial.feasible = false;
@@ -84,8 +85,8 @@ bool DdpSolver::Impl::shooting_trial(double length, bool with_expansion) {
   const Clock::time_point from = Clock::now();
   const TrajectoryView view{trial.xs.data(), trial.us.data()};
   pool->for_each(static_cast<int>(ranges.size()), [&](int worker, int piece) {
-    problem.evaluate(worker, ranges[static_cast<std::size_t>(piece)], view, next.data(),
-                     values.data(), limited ? trial.rows.data() : nullptr);
+    problem.evaluate(worker, ranges[to_size(piece)], view, next.data(), values.data(),
+                     limited ? trial.rows.data() : nullptr);
   });
   const bool good = take_values(trial) && take_gaps(trial);
   if (good && limited) take_rows(trial);
@@ -102,7 +103,7 @@ bool DdpSolver::Impl::accept_shooting(double length) const {
          before + rule.merit_decrease * length * slope + rule.rounding * std::abs(before);
 }
 
-/// The trial becomes the current iterate; what it replaces is kept if it is the better one.
+/// Makes the trial the current iterate. Keeps the replaced iterate if it is better.
 void DdpSolver::Impl::take_trial(double length) {
   if (options.update == StepUpdate::Rollout) {
     trial.feasible = current.feasible || length == 1.0;
@@ -113,7 +114,7 @@ void DdpSolver::Impl::take_trial(double length) {
     trial.gap_entry = current.gap_entry;
   }
   std::swap(current, trial);
-  // A gap lowers the cost without merit, even one below the tolerance.
+  // A gap can lower the cost without progress, even a gap below the tolerance.
   const Iterate& rival = best_is_current ? trial : best;
   const bool better =
       current.feasible ? !rival.feasible || merit(current) <= merit(rival) : !rival.feasible;

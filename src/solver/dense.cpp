@@ -5,7 +5,7 @@
 namespace burnish::dense {
 namespace {
 
-/// The block of `lanes` rows at `from`, transposed.
+/// Loads the block of `lanes` rows at `from`, transposed.
 BURNISH_INLINE void load_transposed(const double* from, int stride, Lane* rows) {
 #pragma GCC unroll 8
   for (int r = 0; r < lanes; ++r) rows[r] = load(from + r * stride);
@@ -52,9 +52,9 @@ void mirror_lower(Rows a, Range rows_of_b, double* b, int stride) {
 
 namespace {
 
-/// Factors R rows whose diagonal block starts at column `first` and applies R^-T to the columns
-/// `near` it, from there on, and to those `far` from it. The block goes through scalars first, so
-/// that the columns need not wait for its chain of square roots and stay in registers.
+/// Factors R rows whose diagonal block starts at column `first`. Applies R^-T to the columns
+/// `near`, which contain the block, and to the columns `far`. Scalars factor the block first, so
+/// that the columns stay in registers and do not wait for the chain of square roots.
 template <int R>
 int factor_rows(double* y, int stride, int first, Range near, Range far, double* inverse) {
   double t[R][R];

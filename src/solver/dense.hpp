@@ -1,10 +1,10 @@
-// Small dense kernels with the target's vectors inside a matrix: one product in register tiles, on
-// which the Riccati recursion stands, and the few vector operations around it.
+// Small dense kernels for the Riccati recursion, written with SIMD vectors: one matrix product in
+// register tiles, and a few vector operations.
 //
-// Matrices are row-major. A row is worked on in whole vectors: writes reach up to round_up(columns)
-// entries of a row, so that rows are padded to that; reads may run past the end of a row by less
-// than a vector, so that every buffer ends with `lanes` spare entries. A product's sums run over k
-// upwards, in one order for every size.
+// Matrices are row-major. Kernels process a row in whole vectors. Writes reach up to
+// round_up(columns) entries of a row, so rows must be padded to this length. Reads may exceed the
+// end of a row by less than a vector, so every buffer must end with `lanes` spare entries. Products
+// are summed over k in ascending order, for every size.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <cstring>
 #include <utility>
 
+#include "base/to_size.hpp"
 #include "math/pack.hpp"
 
 namespace burnish::dense {
@@ -24,7 +25,7 @@ inline constexpr int spare = lanes;
 
 /// Entries of a buffer for `rows` rows that are `stride` apart.
 constexpr std::size_t block_size(int rows, int stride) {
-  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride) + spare;
+  return to_size(rows) * to_size(stride) + spare;
 }
 
 constexpr int round_up(int n) { return (n + lanes - 1) / lanes * lanes; }
@@ -37,10 +38,10 @@ BURNISH_INLINE Lane load(const double* from) {
 }
 BURNISH_INLINE void store(double* to, const Lane& p) { std::memcpy(to, &p.v, sizeof p.v); }
 
-/// What is done with the product.
+/// How a kernel combines the product with the destination.
 enum class Update { Set, Add, Subtract };
 
-/// Entry (k, i) of a left factor stands at data[k * k_step + i * i_step].
+/// Left factor of a product: entry (k, i) is data[k * k_step + i * i_step].
 struct Left {
   const double* data;
   int k_step;
@@ -106,15 +107,15 @@ constexpr auto tiles(std::integer_sequence<int, index...>) {
       &tile<update, unit_step, index / tile_vectors + 1, index % tile_vectors + 1>...};
 }
 
-/// Every tile of up to tile_rows rows and tile_vectors vectors.
+/// Kernels for all tiles of up to tile_rows rows and tile_vectors vectors.
 template <Update update, bool unit_step>
 inline constexpr auto tile_table =
     tiles<update, unit_step>(std::make_integer_sequence<int, tile_rows * tile_vectors>{});
 
 }  // namespace detail
 
-/// C (op) A^T B with A: count x m, B: count x n, C: m x n. Columns in the outer loop, so that a
-/// panel of B stays in the first cache.
+/// C (op) A^T B with A: count x m, B: count x n, C: m x n. The outer loop runs over columns, so
+/// that a panel of B stays in the first-level cache.
 template <Update update, bool unit_step = true>
 void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
   using namespace detail;
@@ -132,8 +133,8 @@ void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
 
 namespace detail {
 
-/// C vectors of out += x^T B. One row has so few sums that they would wait for each other: there
-/// are several for each vector, of every `parts`-th product.
+/// C vectors of out += x^T B. A single row has few sums, and each addition would wait for the one
+/// before. The products of each vector are therefore spread over `parts` independent sums.
 template <int C>
 void row_tile(const double* x, Rows b, int count, double* out) {
   constexpr int parts = C == 1 ? 4 : 2;
@@ -162,7 +163,7 @@ void row_tile(const double* x, Rows b, int count, double* out) {
 
 }  // namespace detail
 
-/// out += x^T B, B: count x n. The sums stay in registers.
+/// out += x^T B with B: count x n. The sums stay in registers.
 inline void add_row_times(const double* x, Rows b, int count, int n, double* out) {
   const int vectors = round_up(n) / lanes;
   int j = 0;
@@ -174,11 +175,13 @@ inline void add_row_times(const double* x, Rows b, int count, int n, double* out
     detail::row_tile<1>(x, {b.data + j * lanes, b.stride}, count, out + j * lanes);
 }
 
-/// Rows or columns that workers share come in groups of so many, which no tile or vector crosses.
+/// Rows or columns are distributed over workers in groups of this size, so that no tile or vector
+/// crosses a border.
 inline constexpr int group = std::max(lanes, detail::tile_rows);
 
-/// The same for the entries of C on and below the diagonal in some rows, of which the first is a
-/// multiple of `group`; what stands above the diagonal is spoilt up to the next tile's border.
+/// C (op) A^T B for the entries on and below the diagonal, in the given rows of C. The first row
+/// must be a multiple of `group`. Entries above the diagonal are overwritten up to the next tile
+/// border.
 template <Update update>
 void lower_product(Left a, Rows b, int count, Range rows, double* c, int stride) {
   using namespace detail;
@@ -196,19 +199,19 @@ void lower_product(Left a, Rows b, int count, Range rows, double* c, int stride)
   }
 }
 
-/// All n rows of it.
+/// lower_product() for all n rows.
 template <Update update>
 void lower_product(Left a, Rows b, int count, int n, double* c, int stride) {
   lower_product<update>(a, b, count, Range{0, n}, c, stride);
 }
 
-/// y += factor * x over whole vectors that cover n entries.
+/// y += factor * x, for the whole vectors that contain the first n entries.
 BURNISH_INLINE void add_scaled(double factor, const double* x, int n, double* y) {
   const Lane f(factor);
   for (int i = 0; i < n; i += lanes) store(y + i, load(y + i) + f * load(x + i));
 }
 
-/// y = a + factor * b over whole vectors that cover n entries.
+/// y = a + factor * b, for the whole vectors that contain the first n entries.
 BURNISH_INLINE void sum_scaled(const double* a, double factor, const double* b, int n, double* y) {
   const Lane f(factor);
   for (int i = 0; i < n; i += lanes) store(y + i, load(a + i) + f * load(b + i));
@@ -218,7 +221,7 @@ BURNISH_INLINE void copy(const double* x, int n, double* y) {
   for (int i = 0; i < n; i += lanes) store(y + i, load(x + i));
 }
 
-/// Sum of products; reads no entry past n.
+/// Dot product. Does not read past entry n - 1.
 BURNISH_INLINE double dot(const double* x, const double* y, int n) {
   Lane sum(0.0);
   int i = 0;
@@ -229,34 +232,35 @@ BURNISH_INLINE double dot(const double* x, const double* y, int n) {
   return result;
 }
 
-/// y += A x, A: m x n.
+/// y += A x with A: m x n.
 BURNISH_INLINE void add_times(Rows a, const double* x, int m, int n, double* y) {
   for (int i = 0; i < m; ++i) y[i] += dot(a.data + i * a.stride, x, n);
 }
 
-/// B = A^T, A: m x n, B: n x m. Reads whole vectors of up to round_up(m) rows of A.
+/// B = A^T with A: m x n, B: n x m. Reads whole vectors of up to round_up(m) rows of A.
 void transpose_copy(Rows a, int m, int n, double* b, int stride);
 
-/// Some rows of B = the symmetric matrix whose lower triangle is that of A, and the columns that
-/// mirror them; the first row is a multiple of `group`. Reads up to `lanes` rows of A at a time; B
-/// may be A if all rows are asked for.
+/// Writes rows of the symmetric matrix B whose lower triangle is the lower triangle of A, and the
+/// columns that mirror these rows. The first row must be a multiple of `group`. Reads up to `lanes`
+/// rows of A at a time. B may be A if `rows` contains all rows.
 void mirror_lower(Rows a, Range rows, double* b, int stride);
 
-/// Factor of the leading block of a matrix Y of nu rows, [Q | Z]: Q = R^T R with R upper triangular
-/// in place, and Z becomes R^-T Z in the vectors that hold `columns` of Y, all of them or some.
-/// Returns the first row whose pivot is not above 1e-14 of the diagonal entry it came from (or is
-/// not a number), -1 if none.
+/// Cholesky factorization of the leading block of Y = [Q | Z] with nu rows. Replaces Q by R in
+/// place, Q = R^T R with R upper triangular. Replaces Z by R^-T Z in the vectors that contain
+/// `columns` of Y.
+/// Returns the first row whose pivot is at most 1e-14 times its diagonal entry, or not finite; -1
+/// if there is none.
 int partial_cholesky(double* y, int stride, int nu, Range columns, double* inverse_diagonal);
 
-/// X = -R^-1 Z after partial_cholesky, X: nu x n, Z at column `first` of y.
+/// X = -R^-1 Z after partial_cholesky(), with X: nu x n and Z starting at column `first` of y.
 void solve_gains(const double* y, int stride, int nu, int first, int n,
                  const double* inverse_diagonal, double* x, int x_stride);
 
-/// X <- R^-1 X after partial_cholesky, X: nu x n.
+/// X <- R^-1 X after partial_cholesky(), with X: nu x n.
 void solve_upper(const double* y, int stride, int nu, const double* inverse_diagonal, double* x,
                  int x_stride, int n);
 
-/// X <- R^-T X after partial_cholesky, X: nu x n.
+/// X <- R^-T X after partial_cholesky(), with X: nu x n.
 void solve_transposed(const double* y, int stride, int nu, const double* inverse_diagonal,
                       double* x, int x_stride, int n);
 

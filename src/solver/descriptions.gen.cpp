@@ -18,9 +18,9 @@ const Words& words_of(StopReason /*of*/) {
        {"not_evaluated", "A knot of the iterate cannot be evaluated: see DdpSummary.status, knot and term."},
        {"not_positive_definite", "The control Hessian Quu of a knot is not positive definite, even with the largest "
         "regularization."},
-       {"infeasible", "No nearby trajectory meets all hard limits, and the result violates them least: see "
-        "DdpSummary.conflict. The initial state can also be the cause, if it violates a hard "
-        "limit whatever the control: see DdpSummary.start_outside."},
+       {"infeasible", "No nearby trajectory meets all hard limits: see DdpSummary.conflict. The result violates"
+        " hard limits as little as possible. Another possible cause is an initial state that "
+        "violates a hard limit with any control: see DdpSummary.start_violations."},
        {"no_step", "No step length was accepted, even with the largest regularization."},
        {"callback", "The callback stopped the solve."}}};
   return all;
@@ -82,8 +82,8 @@ const Description& description_of(const DdpSummary* /*of*/) {
           .field("cost", &S::cost,
                  "Cost of the returned trajectory")
           .field("feasible", &S::feasible,
-                 "True if no gap exceeds gap_tolerance and all hard constraint rows are within "
-                 "their limits")
+                 "True if no gap between two steps exceeds gap_tolerance, and all hard constraint"
+                 " rows are within their limits")
           .field("expected_improvement", &S::expected_improvement,
                  "Expected improvement along the last search direction")
           .field("regularization", &S::regularization,
@@ -96,19 +96,19 @@ const Description& description_of(const DdpSummary* /*of*/) {
                  " initial state")
           .field("gap_entry", &S::gap_entry,
                  "Entry of dx with the largest gap")
-          .field("outside", &S::outside,
+          .field("violation", &S::violation,
                  "Largest violation of a hard constraint row in the returned trajectory, divided "
                  "by the row's scale")
-          .field("outside_knot", &S::outside_knot,
+          .field("violation_knot", &S::violation_knot,
                  "Knot with the largest violation; -1: no hard row is violated")
-          .field("outside_row", &S::outside_row,
+          .field("violation_row", &S::violation_row,
                  "Row with the largest violation; -1: no hard row is violated")
-          .field("limits_open", &S::limits_open,
+          .field("constraint_residual", &S::constraint_residual,
                  "Constraint residual after the last iteration, relative to the scales of the "
                  "rows")
-          .field("pushing", &S::pushing,
+          .field("active_constraints", &S::active_constraints,
                  "Number of active constraint rows")
-          .field("given_way", &S::given_way,
+          .field("unsatisfiable_rows", &S::unsatisfiable_rows,
                  "Number of hard rows that cannot be satisfied: their multiplier has reached the "
                  "L1 penalty weight")
           .field("conflict", &S::conflict,
@@ -117,7 +117,7 @@ const Description& description_of(const DdpSummary* /*of*/) {
                  "Active rows that oppose the rows in `conflict`; empty unless the reason is "
                  "Infeasible")
           .more("Sorted by |multiplier| * scale, the largest first")
-          .field("start_outside", &S::start_outside,
+          .field("start_violations", &S::start_violations,
                  "Hard rows that the initial state violates, whatever the control; filled for "
                  "every stop reason")
           .field("status", &S::status,
@@ -136,7 +136,8 @@ const Description& description_of(const DdpSummary* /*of*/) {
                  "True if the derivatives are not finite, but the values are; only for "
                  "NotEvaluated")
           .field("control", &S::control,
-                 "First control whose pivot in Quu is not positive; only for NotPositiveDefinite")
+                 "First control whose pivot in the control Hessian Quu is not positive; only for "
+                 "NotPositiveDefinite")
           .field("options", &S::options,
                  "Options of the solve, without the callback")
           .field("seconds", &S::seconds)
@@ -201,7 +202,7 @@ const Description& description_of(const CostReport::Row* /*of*/) {
           .field("value", &S::value)
           .field("lower", &S::lower)
           .field("upper", &S::upper)
-          .field("outside", &S::outside,
+          .field("violation", &S::violation,
                  "Violation of the limits; within the limits, minus the distance to the nearest "
                  "limit")
           .field("scale", &S::scale,
@@ -255,8 +256,8 @@ const Words& words_of(StepUpdate /*of*/) {
       "StepUpdate",
       "Computation of the next iterate from a search direction.",
       {{"rollout", "Rollout of the control policy through the dynamics (feasibility-driven DDP). A step of "
-        "length alpha multiplies the gaps by 1 - alpha. From the first step of length 1 on, the "
-        "trajectory is feasible."},
+        "length alpha multiplies the gaps between the knots by 1 - alpha. After the first step of"
+        " length 1, the trajectory is feasible."},
        {"multiple_shooting", "Step of all states and controls along the solution of the linear-quadratic problem. "
         "Knots are evaluated independently of each other, in packs and threads. Gaps vanish with "
         "convergence."}}};
@@ -267,8 +268,8 @@ const Description& description_of(const Regularization* /*of*/) {
   using S = Regularization;
   static const Description all =
       Describe<S>("solver", "Regularization",
-                  "Levenberg regularization: a number that is added to the diagonal of Quu, in "
-                  "cost per squared unit of control.")
+                  "Levenberg regularization: a number that is added to the diagonal of the "
+                  "control Hessian Quu, in cost per squared unit of control.")
           .field("initial", &S::initial,
                  "Regularization at the start of a solve",
                  {.least = 0})
@@ -303,27 +304,28 @@ const Description& description_of(const LineSearch* /*of*/) {
           .field("sufficient_decrease", &S::sufficient_decrease,
                  "Fraction of the expected improvement that a rollout must achieve",
                  {.least = 0, .most = 1, .below = true})
-          .more("Used by Rollout if the improvement dV(alpha) that is expected for step length "
-                "alpha is >= 0. A trial is accepted if cost(current) - cost(trial) > "
-                "sufficient_decrease * dV(alpha). If the current iterate is not feasible, every "
-                "trial is accepted, since closing gaps may raise the cost")
+          .more("Used by Rollout if the expected improvement dV(alpha) at step length alpha is >="
+                " 0. A trial is accepted if cost(current) - cost(trial) > sufficient_decrease * "
+                "dV(alpha). If the current iterate is not feasible, every trial is accepted, "
+                "since closing gaps may raise the cost")
           .field("allowed_increase", &S::allowed_increase,
                  "Allowed cost increase of a rollout, as a multiple of the expected increase",
                  {.least = 0})
-          .more("Used by Rollout if the improvement dV(alpha) that is expected for step length "
-                "alpha is < 0, since closing gaps raises the cost. A trial is accepted if "
-                "cost(current) - cost(trial) > allowed_increase * dV(alpha)")
+          .more("Used by Rollout if the expected improvement dV(alpha) at step length alpha is < "
+                "0, because closing gaps raises the cost. A trial is accepted if cost(current) - "
+                "cost(trial) > allowed_increase * dV(alpha)")
           .field("merit_decrease", &S::merit_decrease,
                  "Fraction of the predicted merit decrease that a trial must achieve",
                  {.least = 0, .most = 1, .below = true})
-          .more("Used by MultipleShooting. A trial is accepted if merit(trial) <= merit(current) "
-                "+ merit_decrease * alpha * D. The merit is cost + penalty * sum |gap|_1, D is "
-                "the slope of the merit along the direction, and alpha is the step length")
-          .field("merit_share", &S::merit_share,
+          .more("Used by MultipleShooting. The merit is cost + penalty * sum |gap|_1. D is the "
+                "slope of the merit along the direction, and alpha is the step length. A trial is"
+                " accepted if merit(trial) <= merit(current) + merit_decrease * alpha * D")
+          .field("merit_fraction", &S::merit_fraction,
                  "Required downward slope of the merit, as a fraction of the gap penalty",
                  {.least = 0, .most = 1, .below = true})
-          .more("Used by MultipleShooting. The penalty is raised until D <= -merit_share * "
-                "penalty * sum |gap|_1. D is the slope of the merit along the direction")
+          .more("Used by MultipleShooting. The merit is cost + penalty * sum |gap|_1. D is the "
+                "slope of the merit along the direction. The penalty is raised until D <= "
+                "-merit_fraction * penalty * sum |gap|_1")
           .field("rounding", &S::rounding,
                  "Relative rounding error of a sum of costs",
                  {.least = 0})
@@ -336,14 +338,16 @@ const Description& description_of(const LimitOptions* /*of*/) {
   static const Description all =
       Describe<S>("solver", "LimitOptions",
                   "Options for constraints. Each iteration solves a linear-quadratic problem with"
-                  " an augmented Lagrangian and semismooth Newton steps.")
+                  " an augmented Lagrangian (J. Nocedal, S. Wright, \"Numerical Optimization\", "
+                  "2006, section 17.3). The inner minimization uses semismooth Newton steps (L. "
+                  "Qi, J. Sun, \"A nonsmooth version of Newton's method\", 1993).")
           .field("weight", &S::weight,
                  "Penalty weight of the augmented Lagrangian, relative to the curvature of the "
                  "cost",
                  {.least = 0, .open = true})
           .more("The weight multiplies the square of (violation / scale of the row). A larger "
                 "weight needs fewer updates of the multipliers, but increases rounding errors")
-          .field("max_factors", &S::max_factors,
+          .field("max_factorizations", &S::max_factorizations,
                  "Largest number of Riccati factorizations per iteration",
                  {.least = 1})
           .more("Factorizations of the interior-point method do not count")
@@ -354,27 +358,27 @@ const Description& description_of(const LimitOptions* /*of*/) {
                  "Number of factorizations in an iteration before an interior-point method starts",
                  {.least = 0})
           .more("The interior-point method searches the active set. It starts only if at least 20"
-                " factorizations of max_factors are left. It uses at most 80 factorizations, most"
-                " often 10 to 20. With 0, it starts immediately if there are no multipliers for a"
-                " warm start")
-          .field("price", &S::price,
+                " factorizations of max_factorizations are left. It uses at most 80 "
+                "factorizations, and usually only 10 to 20 of them. With 0, it starts immediately"
+                " if there are no multipliers for a warm start")
+          .field("l1_weight", &S::l1_weight,
                  "L1 penalty weight of hard rows, in units of (curvature of the cost) / (scale of"
                  " the row)",
                  {.least = 0, .open = true})
           .more("If rows remain violated at this weight, their squared violations are penalized "
                 "instead, at first with the same weight")
-          .field("largest_price", &S::largest_price,
+          .field("max_l1_weight", &S::max_l1_weight,
                  "Largest penalty weight of hard rows",
                  {.least = 0})
           .more("The weight is raised until all limits are met, or until the solver finds that "
-                "this is impossible. With a value below `price`, the weight is never raised")
+                "this is impossible. With a value below `l1_weight`, the weight is never raised")
           .field("tolerance", &S::tolerance,
                  "Constraint tolerance, relative to the scale of each row",
                  {.least = 0, .open = true})
           .more("A limit is met if violation <= tolerance * scale of its row")
-          .field("bends", &S::bends,
-                 "True: steps use the curvature of constraints (friction cones, distances with an"
-                 " upper limit)")
+          .field("curvature", &S::curvature,
+                 "Whether steps use the curvature of constraints (friction cones, distances with "
+                 "an upper limit)")
           .more("Without this curvature, problems with constraints more curved than the cost take"
                 " many more iterations. The solution is the same");
   return all;
@@ -397,9 +401,9 @@ const Description& description_of(const DdpProgress* /*of*/) {
           .field("penalty", &S::penalty,
                  "Penalty weight of gaps in the merit (MultipleShooting only)")
           .field("feasible", &S::feasible)
-          .field("outside", &S::outside,
+          .field("violation", &S::violation,
                  "Largest violation of a hard row, divided by the scale of the row")
-          .field("factors", &S::factors,
+          .field("factorizations", &S::factorizations,
                  "Riccati factorizations in this iteration")
           .field("seconds", &S::seconds,
                  "Time since the solve began [{s}]");
@@ -410,8 +414,8 @@ const Description& description_of(const DdpOptions* /*of*/) {
   using S = DdpOptions;
   static const Description all =
       Describe<S>("solver", "DdpOptions",
-                  "Options of a DdpSolver. The text of each tolerance states the inequality in "
-                  "which the tolerance is used.")
+                  "Options of a DdpSolver. Texts of tolerances state the inequality in which each"
+                  " tolerance is used.")
           .field("update", &S::update)
           .field("max_iterations", &S::max_iterations,
                  "Largest number of iterations of a solve",
@@ -426,8 +430,9 @@ const Description& description_of(const DdpOptions* /*of*/) {
                  {.least = 1, .most = 1024})
           .field("pin_threads", &S::pin_threads,
                  "Pin the solver's threads to cores (Linux only)")
-          .more("Thread i runs on the i-th core that is available to the thread which creates the"
-                " solver or sets its options. The thread that calls solve() is not pinned")
+          .more("The available cores are those of the thread that creates the solver or sets its "
+                "options. Thread i runs on the i-th available core. The thread that calls solve()"
+                " is not pinned")
           .field("share_knots", &S::share_knots,
                  "Let threads share the work within one knot of the Riccati recursion")
           .more("Used only if knots are large, such as the knots of a humanoid. Sharing is faster"
@@ -449,7 +454,7 @@ const Description& description_of(const DdpOptions* /*of*/) {
                  {.least = 0})
           .more("Converged if feasible and expected improvement < stop_tolerance")
           .field("gap_tolerance", &S::gap_tolerance,
-                 "Largest gap of a feasible trajectory",
+                 "Largest gap between the knots of a feasible trajectory",
                  {.least = 0})
           .more("Feasible if |entry| <= gap_tolerance for all entries of all gaps")
           .field("line_search", &S::line_search)

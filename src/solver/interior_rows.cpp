@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/to_size.hpp"
+
 namespace burnish {
 
 using dense::Lane;
@@ -10,12 +12,13 @@ using dense::store;
 
 namespace {
 
-constexpr double far_away = 1e299;   // a limit from here on is none
-constexpr double least_share = 0.1;  // of a price that is left at the start
+constexpr double infinite_limit = 1e299;  // Limits of at least this size are infinite
+// Smallest initial n, as a fraction of the L1 weight; chosen by hand
+constexpr double min_fraction = 0.1;
 
 Lane zero() { return {0.0}; }
 
-/// 1 where a row's limits meet.
+/// Returns 1 for rows whose lower and upper limits are equal.
 Lane meets(const RowArrays& rows, int r) {
   const auto apart = less(load(rows.lower + r), load(rows.upper + r));
   return select(apart, zero(), Lane(1.0));
@@ -26,24 +29,23 @@ Lane limit_of(const RowArrays& rows, double sign, int r) {
 Lane distance(const RowArrays& rows, double sign, int r, const Lane& y) {
   return Lane(sign) * (limit_of(rows, sign, r) - y);
 }
-/// 1 where there is this side: a limit, of a row that has any, that does not meet the other.
+/// Returns 1 for rows that have this side: a weight, a finite limit, and unequal limits.
 Lane exists(const RowArrays& rows, double sign, int r) {
   const Lane weighted = select(less(zero(), load(rows.weight + r)), Lane(1.0), zero());
   const Lane limited =
-      select(less(absolute(limit_of(rows, sign, r)), Lane(far_away)), weighted, zero());
+      select(less(absolute(limit_of(rows, sign, r)), Lane(infinite_limit)), weighted, zero());
   return select(less(zero(), meets(rows, r)), zero(), limited);
 }
-/// The square of a violation's cost: row_force.hpp has it as a share.
-Lane square_of(const RowArrays& rows, int r) {
+/// Returns the quadratic weight, which `beyond` stores as a fraction (row_force.hpp).
+Lane quadratic_weight_of(const RowArrays& rows, int r) {
   const Lane beyond = load(rows.beyond + r), weight = load(rows.weight + r), one(1.0);
-  const auto shared = less(beyond, one);
-  return select(shared, weight * beyond / select(shared, one - beyond, one), weight);
+  const auto is_fraction = less(beyond, one);
+  return select(is_fraction, weight * beyond / select(is_fraction, one - beyond, one), weight);
 }
 
 }  // namespace
 
-InteriorRows::InteriorRows(int rows)
-    : memory_(static_cast<std::size_t>(18) * static_cast<std::size_t>(dense::round_up(rows))) {
+InteriorRows::InteriorRows(int rows) : memory_(to_size(18) * to_size(dense::round_up(rows))) {
   double* next = memory_.data();
   const auto take = [&] { return std::exchange(next, next + dense::round_up(rows)); };
   for (Side& side : sides_)
@@ -54,23 +56,25 @@ InteriorRows::InteriorRows(int rows)
 }
 
 void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale, const Lane& y,
-                         double mu, bool outside) {
-  const Lane price = load(rows.price + r), target(mu), one(1.0);
-  const auto priced = less(zero(), price);
-  const Lane square = square_of(rows, r);
+                         double mu, bool infeasible) {
+  const Lane l1_weight = load(rows.l1_weight + r), target(mu), one(1.0);
+  const auto has_l1_weight = less(zero(), l1_weight);
+  const Lane quadratic_weight = quadratic_weight_of(rows, r);
   for (const Side& side : sides_) {
     const auto there = less(zero(), exists(rows, side.sign, r));
-    const auto elastic = mask_and(there, less(price, Lane(no_price)));
+    const auto elastic = mask_and(there, less(l1_weight, Lane(infinite_l1_weight)));
     const Lane d = distance(rows, side.sign, r, y), s = larger(d, scale);
-    const Lane wanted = target / select(there, s, one), most = (one - Lane(least_share)) * price;
-    // A square without a price has no multiplier but that of its violation.
-    const Lane m = select(priced, select(less(wanted, most), wanted, most), wanted);
-    const Lane n = select(priced, price - m, target / scale);
-    // In balance with the cost of the violation.
-    const Lane violation = s - d, most_outside = outside ? zero() : Lane(-no_price);
-    const auto begins = mask_and(mask_and(elastic, priced), less(d, most_outside));
-    const Lane rest = clip(target / violation, Lane(least_share) * price, most);
-    const Lane balanced = price + square * violation - rest;
+    const Lane wanted = target / select(there, s, one),
+               max_multiplier = (one - Lane(min_fraction)) * l1_weight;
+    // A row without an L1 weight has only the multiplier of its quadratic penalty.
+    const Lane m =
+        select(has_l1_weight, select(less(wanted, max_multiplier), wanted, max_multiplier), wanted);
+    const Lane n = select(has_l1_weight, l1_weight - m, target / scale);
+    // Start with the multiplier in balance with the derivative of the violation's cost.
+    const Lane violation = s - d, lowest = infeasible ? zero() : Lane(-infinite_l1_weight);
+    const auto begins = mask_and(mask_and(elastic, has_l1_weight), less(d, lowest));
+    const Lane rest = clip(target / violation, Lane(min_fraction) * l1_weight, max_multiplier);
+    const Lane balanced = l1_weight + quadratic_weight * violation - rest;
     store(side.s + at, select(there, s, zero()));
     store(side.m + at, select(there, select(begins, balanced, m), zero()));
     store(side.n + at, select(elastic, select(begins, rest, n), zero()));
@@ -80,30 +84,32 @@ void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale
   store(equality_ + at, zero());
 }
 
-/// A side's step by the change dy of its row: dm = weight sign dy + rest.
+/// Step of a side as a function of the change dy of its row: dm = weight sign dy + rest.
 struct InteriorRows::Step {
   Lane weight, rest;
   Lane violation, by_multiplier;  ///< dv = violation + by_multiplier dm
-  Lane primal, dual;              ///< what s and n are off
+  Lane primal, dual;              ///< Residuals of the equations for s and n
 };
 
 InteriorRows::Step InteriorRows::step_of(const Side& side, int at, const RowArrays& rows, int r,
                                          const Lane& y, const Target& target) {
   const Lane s = load(side.s + at), m = load(side.m + at), v = load(side.v + at),
              n = load(side.n + at), one(1.0);
-  const Lane square = square_of(rows, r), share(target.corrected ? 1.0 : 0.0);
+  const Lane quadratic_weight = quadratic_weight_of(rows, r),
+             correction(target.corrected ? 1.0 : 0.0);
   const auto there = less(zero(), s), elastic = less(zero(), n);
-  const Lane first = Lane(target.mu) - s * m - share * load(side.ds + at) * load(side.dm + at);
-  const Lane second = Lane(target.mu) - v * n - share * load(side.dv + at) * load(side.dn + at);
+  const Lane first = Lane(target.mu) - s * m - correction * load(side.ds + at) * load(side.dm + at);
+  const Lane second =
+      Lane(target.mu) - v * n - correction * load(side.dv + at) * load(side.dn + at);
   Step step;
   step.primal = select(there, distance(rows, side.sign, r, y) + v - s, zero());
-  step.dual = select(elastic, load(rows.price + r) + square * v - m - n, zero());
-  const Lane stiffness = select(elastic, v * square + n, one);
+  step.dual = select(elastic, load(rows.l1_weight + r) + quadratic_weight * v - m - n, zero());
+  const Lane stiffness = select(elastic, v * quadratic_weight + n, one);
   step.violation = select(elastic, (second - v * step.dual) / stiffness, zero());
   step.by_multiplier = select(elastic, v / stiffness, zero());
-  const Lane give = select(there, s + m * step.by_multiplier, one);
-  step.weight = m / give;
-  step.rest = select(there, (first - m * (step.primal + step.violation)) / give, zero());
+  const Lane compliance = select(there, s + m * step.by_multiplier, one);
+  step.weight = m / compliance;
+  step.rest = select(there, (first - m * (step.primal + step.violation)) / compliance, zero());
   return step;
 }
 
@@ -133,32 +139,34 @@ void InteriorRows::take_direction(int at, const RowArrays& rows, int r, const La
     store(side.dm + at, dm);
     store(side.dv + at, dv);
     store(side.ds + at, select(there, step.primal - towards + dv, zero()));
-    store(side.dn + at, select(elastic, step.dual + square_of(rows, r) * dv - dm, zero()));
+    store(side.dn + at,
+          select(elastic, step.dual + quadratic_weight_of(rows, r) * dv - dm, zero()));
   }
   store(equality_step_ + at, meets(rows, r) * load(rows.weight + r) * Lane(target.equality) *
                                  (next - load(rows.upper + r)));
 }
 
 Lane InteriorRows::steepest(int at) const {
-  Lane most = zero();
+  Lane result = zero();
   for (const Side& side : sides_)
     for (const auto& [value, step] : {std::pair(side.s, side.ds), std::pair(side.m, side.dm),
                                       std::pair(side.v, side.dv), std::pair(side.n, side.dn)}) {
       const Lane x = load(value + at);
       const auto there = less(zero(), x);
-      most = larger(most, select(there, -load(step + at) / select(there, x, Lane(1.0)), zero()));
+      result =
+          larger(result, select(there, -load(step + at) / select(there, x, Lane(1.0)), zero()));
     }
-  return most;
+  return result;
 }
 
 InteriorRows::Products InteriorRows::products(int at, double length) const {
   Products all{zero(), zero()};
-  const Lane share(length);
+  const Lane fraction(length);
   for (const Side& side : sides_)
     for (const auto& [a, da, b, db] : {std::array{side.s, side.ds, side.m, side.dm},
                                        std::array{side.v, side.dv, side.n, side.dn}}) {
-      const Lane first = load(a + at) + share * load(da + at);
-      const Lane second = load(b + at) + share * load(db + at);
+      const Lane first = load(a + at) + fraction * load(da + at);
+      const Lane second = load(b + at) + fraction * load(db + at);
       const auto there = less(zero(), load(a + at));
       all.sum += select(there, absolute(first * second), zero());
       all.count += select(there, Lane(1.0), zero());
@@ -167,9 +175,9 @@ InteriorRows::Products InteriorRows::products(int at, double length) const {
 }
 
 void InteriorRows::advance(int at, double length) {
-  const Lane share(length);
+  const Lane fraction(length);
   const auto move = [&](double* value, const double* step) {
-    store(value + at, load(value + at) + share * load(step + at));
+    store(value + at, load(value + at) + fraction * load(step + at));
   };
   for (const Side& side : sides_) {
     move(side.s, side.ds);
@@ -181,23 +189,24 @@ void InteriorRows::advance(int at, double length) {
 }
 
 Lane InteriorRows::piece(int at, const RowArrays& rows, int r, double length) const {
-  const Lane share(length), price = load(rows.price + r);
-  // A row whose limits meet pushes whichever way its multiplier does.
+  const Lane fraction(length), l1_weight = load(rows.l1_weight + r);
+  // The multiplier of an equality row gives the side on which the row is active.
   const Lane equal = multiplier(at);
   Lane all = select(less(zero(), meets(rows, r)),
                     select(less(zero(), equal), Lane(1.0), Lane(-1.0)), zero());
   all = select(less(zero(), load(rows.weight + r)),
-               select(less(absolute(equal), price), all, all + all), zero());
+               select(less(absolute(equal), l1_weight), all, all + all), zero());
   for (const Side& side : sides_) {
     const Lane s = load(side.s + at), m = load(side.m + at), v = load(side.v + at),
                n = load(side.n + at);
     const auto stays = [&](const Lane& x, const double* dx, const Lane& y, const double* dy) {
-      return less(y * (x - share * load(dx + at)), x * (y - share * load(dy + at)));
+      return less(y * (x - fraction * load(dx + at)), x * (y - fraction * load(dy + at)));
     };
-    const auto pushes = mask_and(less(zero(), s), stays(m, side.dm, s, side.ds));
+    const auto active = mask_and(less(zero(), s), stays(m, side.dm, s, side.ds));
     const auto broken = mask_and(less(zero(), n), stays(v, side.dv, n, side.dn));
-    const Lane most = select(broken, Lane(2.0), select(less(zero(), price), Lane(1.0), Lane(2.0)));
-    all += Lane(side.sign) * select(pushes, most, zero());
+    const Lane outer_piece =
+        select(broken, Lane(2.0), select(less(zero(), l1_weight), Lane(1.0), Lane(2.0)));
+    all += Lane(side.sign) * select(active, outer_piece, zero());
   }
   return all;
 }

@@ -1,12 +1,13 @@
-// Rows with limits in a primal-dual interior-point method. Per side of a row y, with d(y) the
-// distance to its limit (upper - y, y - lower):
-//   slack s = d(y) + v,   multiplier m,   violation v at a price with n = price + square v - m,
-//   s m = mu,  v n = mu,  all four above zero
-// (Nocedal and Wright, Numerical Optimization (2006), section 16.6, with an elastic variable per
-// side). Where a violation has no price there is no v. A Newton step eliminates all four: what a
-// row then adds to the gradient of a cost is a line in its next value, as in row_force.hpp, so that
-// one Riccati recursion makes the step. A row whose limits meet is an equality, with a multiplier
-// and a weight as there.
+// Constraint rows in a primal-dual interior-point method. Each side of a row y has a distance d(y)
+// to its limit (upper - y or y - lower) and four positive variables: slack s, multiplier m,
+// violation v, and the multiplier n of v >= 0. They satisfy
+//   s = d(y) + v,   n = L1 weight + quadratic weight v - m,   s m = mu,   v n = mu
+// (Nocedal and Wright, Numerical Optimization (2006), section 16.6, with one elastic variable per
+// side). A row that must not be violated has no v.
+// A Newton step eliminates all four variables. The row then contributes to the cost gradient a
+// linear function of the row's next value (RowLines in row_force.hpp), so one Riccati recursion
+// computes the step. A row with equal limits is an equality, with a multiplier and a weight as in
+// row_force.hpp.
 #pragma once
 
 #include <array>
@@ -20,42 +21,44 @@ class InteriorRows {
  public:
   explicit InteriorRows(int rows);
 
-  /// What a Newton step aims at: products of `mu`, less those of the step before where that was
-  /// the predictor's (Mehrotra).
+  /// Target of a Newton step: products equal to `mu`. If `corrected`, the second-order terms of the
+  /// predictor step before are subtracted (Mehrotra).
   struct Target {
     double mu = 0.0;
     bool corrected = false;
-    double equality = 1.0;  ///< of their weights, that equalities have
+    double equality = 1.0;  ///< Factor on the weights of equality rows
   };
 
-  /// Every function is of the vector of rows from `at` on; `rows` are theirs. `outside`: rows that
-  /// are outside their limits begin with the violation that they have, and not with next to none.
+  /// Initialises the rows. All functions treat the vector of rows that starts at index `at` (r
+  /// within `rows`). If `infeasible`, rows outside their limits start with their actual violation,
+  /// else with a small one.
   void start(int at, const RowArrays& rows, int r, const dense::Lane& scale, const dense::Lane& y,
-             double mu, bool outside);
-  /// What the rows add to the gradient, by the next value.
+             double mu, bool infeasible);
+  /// Returns the rows' contribution to the cost gradient, as a linear function of the next values.
   RowLines lines(int at, const RowArrays& rows, int r, const dense::Lane& y,
                  const Target& target) const;
-  /// The step that goes with a next value.
+  /// Computes the step of the row variables that belongs to the next values `next`.
   void take_direction(int at, const RowArrays& rows, int r, const dense::Lane& y,
                       const dense::Lane& next, const Target& target);
-  /// 1 / the length at which the first of them reaches zero.
+  /// Returns 1 / the step length at which the first variable reaches zero.
   dense::Lane steepest(int at) const;
-  /// Sum of the products at a length of the step, and how many there are.
+  /// Sum and number of the products s m and v n at a step length.
   struct Products {
     dense::Lane sum, count;
   };
   Products products(int at, double length) const;
   void advance(int at, double length);
   dense::Lane multiplier(int at) const;
-  /// The piece that a row goes to, as row_piece() says it: of two factors of a product the one that
-  /// falls less in the last step, of this length, is the one that stays (Tapia's indicators).
+  /// Returns the piece that each row tends to, as row_piece() defines it. In each product, the
+  /// factor that decreases less in the last step, of length `length`, stays positive (Tapia's
+  /// indicators).
   dense::Lane piece(int at, const RowArrays& rows, int r, double length) const;
 
  private:
-  /// Values and steps of a side, all rows; zeros where there is none.
+  /// Values and steps of one side, for all rows; zero if a row does not have this side.
   struct Side {
     double *s, *m, *v, *n, *ds, *dm, *dv, *dn;
-    double sign;  ///< of dy in the distance, reversed
+    double sign;  ///< 1: upper limit; -1: lower limit
   };
   struct Step;
   static Step step_of(const Side& side, int at, const RowArrays& rows, int r, const dense::Lane& y,

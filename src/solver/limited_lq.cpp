@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/to_size.hpp"
 #include "solver/dense.hpp"
 #include "solver/linear_dynamics.hpp"
 
@@ -22,6 +23,14 @@ double largest_lane(const Lane& of) {
   double largest = of.lane(0);
   for (int l = 1; l < lanes; ++l) largest = std::max(largest, of.lane(l));
   return largest;
+}
+
+/// Returns the arguments of a recursion step at knot `k`.
+RiccatiKnot riccati_knot(const LqHorizon& h, int k) {
+  const auto i = to_size(k);
+  const int next = (k + 1) * h.gap_stride;
+  return {h.expansions[i], h.controls[i], h.gaps + next,        h.values[i + 1],
+          h.policies[i],   h.values[i],   h.hessian_gaps + next};
 }
 
 }  // namespace
@@ -44,8 +53,7 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
   const int of_knot = 3 * padded + row_vectors * row_count_ + control_stride_ * control_stride_ +
                       control_stride_ + padded * row_stride_ + padded * velocity_stride_ +
                       dense::round_up(state.ndx) * control_stride_;
-  memory_ =
-      Buffer(static_cast<std::size_t>(of_knot + 2 * lanes) * static_cast<std::size_t>(N_ + 1));
+  memory_ = Buffer(to_size(of_knot + 2 * lanes) * to_size(N_ + 1));
   double* next = memory_.data();
   const auto take = [&](int size) { return std::exchange(next, next + size); };
   for (int k = 0; k <= N_; ++k) {
@@ -55,7 +63,7 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
     knot.z_kept = take(padded);
     for (double** row :
          {&knot.y, &knot.y_before, &knot.multiplier, &knot.multiplier_kept, &knot.piece_kept,
-          &knot.lower, &knot.upper, &knot.scale, &knot.weight, &knot.price, &knot.beyond,
+          &knot.lower, &knot.upper, &knot.scale, &knot.weight, &knot.l1_weight, &knot.beyond,
           &knot.slope, &knot.offset, &knot.piece, &knot.found})
       *row = take(row_count_);
     knot.factor = take(control_stride_ * control_stride_);
@@ -63,7 +71,7 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
     knot.transposed_rows = take(padded * row_stride_);
     knot.transposed_dynamics = take(padded * velocity_stride_);
     knot.transposed_gain = take(dense::round_up(state.ndx) * control_stride_);
-    take(lanes);  // what a read past a row's end meets
+    take(lanes);  // Spare entries for reads past the end of a row
     knots_.push_back(knot);
   }
   chosen_ = Buffer(dense::block_size(std::max(1, max_rows), stride_));
@@ -74,7 +82,7 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
 
 LimitedLq::Rows LimitedLq::rows(int knot) {
   const Knot& k = knot_at(knot);
-  return {k.lower, k.upper, k.scale, k.weight, k.price, k.beyond, k.multiplier};
+  return {k.lower, k.upper, k.scale, k.weight, k.l1_weight, k.beyond, k.multiplier};
 }
 
 void LimitedLq::forget() noexcept {
@@ -89,26 +97,25 @@ void LimitedLq::shift(std::span<const int> controls) noexcept {
 void LimitedLq::shift(std::span<const int> controls, std::span<const int> from) noexcept {
   const int count = std::min(N_, static_cast<int>(from.size()));
   for (int k = 0; k < count; ++k) {
-    const int source = std::clamp(from[static_cast<std::size_t>(k)], k, N_ - 1);
+    const int source = std::clamp(from[to_size(k)], k, N_ - 1);
     if (source != k) take_over(controls, k, source);
   }
 }
 
 void LimitedLq::take_over(std::span<const int> controls, int knot, int source) noexcept {
-  // Rows have other places where there are other controls.
-  if (controls[static_cast<std::size_t>(knot)] != controls[static_cast<std::size_t>(source)])
-    return;
+  // The index of a row depends on the number of controls.
+  if (controls[to_size(knot)] != controls[to_size(source)]) return;
   const Knot &to = knot_at(knot), &from = knot_at(source);
   dense::copy(from.multiplier, row_count_, to.multiplier);
   dense::copy(from.piece, row_count_, to.piece);
   dense::copy(from.transposed_gain, state_.ndx * control_stride_, to.transposed_gain);
 }
 
-/// Rows of coefficients and dynamics with a column per row and velocity: what follows a policy
-/// wants whole vectors of results.
+/// Transposes rows with coefficients and dynamics, so that follow_policy() computes whole vectors
+/// of results.
 void LimitedLq::transpose(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     const KnotExpansion& e = h.expansions[i];
     const int nz = h.controls[i] + state_.ndx;
     const Knot& mine = knot_at(k);
@@ -128,7 +135,7 @@ void LimitedLq::keep() {
 }
 
 void LimitedLq::row_values(const LqHorizon& h, int knot) {
-  const auto i = static_cast<std::size_t>(knot);
+  const auto i = to_size(knot);
   const Knot& mine = knot_at(knot);
   dense::copy(mine.z, h.controls[i] + state_.ndx, mine.y);
   if (h.rows[i] == 0) return;
@@ -138,12 +145,12 @@ void LimitedLq::row_values(const LqHorizon& h, int knot) {
                        h.rows[i], y);
 }
 
-/// z of the policies, through the linear dynamics with the gaps, and the rows' values.
+/// Computes z from the policies and the linear dynamics with gaps, and the values of the rows.
 void LimitedLq::follow_policy(const LqHorizon& h) {
   const int ndx = state_.ndx;
   std::copy_n(h.gaps, ndx, knot_at(0).z + h.controls[0]);
   for (int k = 0; k <= N_; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     const int nu = h.controls[i];
     const Knot& mine = knot_at(k);
     if (k < N_ && nu > 0) {
@@ -172,11 +179,11 @@ void LimitedLq::follow_policy(const LqHorizon& h) {
 }
 
 int LimitedLq::vectors_end(const LqHorizon& h, int knot) const {
-  const auto i = static_cast<std::size_t>(knot);
+  const auto i = to_size(knot);
   return h.rows[i] > 0 ? first_row_ + h.rows[i] : h.controls[i] + state_.ndx;
 }
 
-/// The pieces that values lie on; returns the last knot where one is another than before, or -1.
+/// Finds the piece of each value. Returns the last knot with a changed piece, or -1.
 int LimitedLq::find_pieces(const LqHorizon& h) {
   int last = -1;
   for (int k = 0; k <= N_; ++k) {
@@ -197,7 +204,7 @@ void LimitedLq::keep_pieces() {
   for (Knot& k : knots_) std::swap(k.piece, k.found);
 }
 
-/// Lines of the pieces, for the present multipliers.
+/// Sets the linear functions of the pieces, for the current multipliers.
 void LimitedLq::take_pieces(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
@@ -210,9 +217,9 @@ void LimitedLq::take_pieces(const LqHorizon& h) {
   }
 }
 
-/// g + C^T offset.
+/// out = g + C^T offset.
 void LimitedLq::gradient(const LqHorizon& h, int knot, double* out) const {
-  const auto i = static_cast<std::size_t>(knot);
+  const auto i = to_size(knot);
   const KnotExpansion& e = h.expansions[i];
   const Knot& mine = knot_at(knot);
   const int nu = h.controls[i];
@@ -223,9 +230,9 @@ void LimitedLq::gradient(const LqHorizon& h, int knot, double* out) const {
                          out);
 }
 
-/// The rows of a knot that push.
+/// Collects the active rows of a knot.
 WeightedRows LimitedLq::weigh(const LqHorizon& h, int knot) {
-  const auto i = static_cast<std::size_t>(knot);
+  const auto i = to_size(knot);
   const KnotExpansion& e = h.expansions[i];
   const Knot& mine = knot_at(knot);
   const int nz = h.controls[i] + state_.ndx;
@@ -246,12 +253,12 @@ WeightedRows LimitedLq::weigh(const LqHorizon& h, int knot) {
   return rows;
 }
 
-/// The recursion from knot `from` to the begin; what it left after that is kept.
+/// Runs the recursion from knot `from` to the start; the results of later knots stay valid.
 bool LimitedLq::factor(const LqHorizon& h, RiccatiRecursion& recursion, int from,
                        LimitedLqResult& result) {
-  ++result.factors;
+  ++result.factorizations;
   for (int k = from; k >= 0; --k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     gradient(h, k, gradient_.data());
     const WeightedRows rows = weigh(h, k);
     if (k == N_) {
@@ -259,9 +266,8 @@ bool LimitedLq::factor(const LqHorizon& h, RiccatiRecursion& recursion, int from
       continue;
     }
     const int nu = h.controls[i];
-    const RiccatiStep step = recursion.step(
-        h.expansions[i], nu, h.gaps + (k + 1) * h.gap_stride, h.values[i + 1], h.regularization, {},
-        h.policies[i], h.values[i], h.hessian_gaps + (k + 1) * h.gap_stride, {}, &rows);
+    const RiccatiStep step =
+        recursion.step(riccati_knot(h, k), {.regularization = h.regularization, .rows = &rows});
     if (step.failed_control >= 0) {
       result.failed_knot = k;
       result.failed_control = step.failed_control;
@@ -278,10 +284,10 @@ bool LimitedLq::factor(const LqHorizon& h, RiccatiRecursion& recursion, int from
   return true;
 }
 
-/// The recursion for new multipliers, with the factors of the last one.
+/// Repeats the recursion for new multipliers, with the factors of the last factorization.
 void LimitedLq::sweep(const LqHorizon& h, RiccatiRecursion& recursion) {
   for (int k = N_; k >= 0; --k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     if (k == N_) {
       gradient(h, k, gradient_.data());
       std::copy_n(gradient_.data(), state_.ndx, h.values[i].gradient);
@@ -289,45 +295,45 @@ void LimitedLq::sweep(const LqHorizon& h, RiccatiRecursion& recursion) {
     }
     const Knot& mine = knot_at(k);
     gradient(h, k, gradient_.data());
-    recursion.resolve(h.expansions[i], h.controls[i],
-                      {mine.factor, control_stride_, mine.inverse_diagonal},
-                      h.values[i + 1].gradient, h.hessian_gaps + (k + 1) * h.gap_stride,
-                      gradient_.data(), h.policies[i], h.values[i].gradient);
+    recursion.resolve(riccati_knot(h, k), {mine.factor, control_stride_, mine.inverse_diagonal},
+                      gradient_.data());
   }
 }
 
-/// By how much multipliers that are `next` have changed, over their weights and the rows' scales; 0
-/// of rows without multipliers.
+/// Returns the change from the current multipliers to `next`, over weight and scale; 0 for rows
+/// without multipliers.
 Lane LimitedLq::change_of(const Knot& mine, int r, const Lane& next) {
   const Lane weight = load(mine.weight + r), zero(0.0);
-  const auto has_one = mask_and(less(zero, weight), less(zero, load(mine.price + r)));
+  const auto has_one = mask_and(less(zero, weight), less(zero, load(mine.l1_weight + r)));
   const Lane unit = select(has_one, weight * load(mine.scale + r), Lane(1.0));
   return select(has_one, absolute(next - load(mine.multiplier + r)) / unit, zero);
 }
 
-/// The largest change of one, over its weight and the row's scale. Those of rows that change by
-/// more than `to_price` go to their price at once.
-double LimitedLq::update_multipliers(const LqHorizon& h, double to_price) {
+/// Updates the multipliers. Returns the largest change, over weight and scale. A multiplier that
+/// changes by more than `jump_threshold` jumps to its L1 weight.
+double LimitedLq::update_multipliers(const LqHorizon& h, double jump_threshold) {
   Lane largest(0.0);
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
     for (int r = 0; r < vectors_end(h, k); r += lanes) {
       const Lane next = load(mine.slope + r) * load(mine.y + r) + load(mine.offset + r);
       const Lane change = change_of(mine, r, next);
-      const Lane price = load(mine.price + r);
-      const auto goes = mask_and(less(Lane(to_price), change), less(price, Lane(no_price)));
-      const Lane at_price = select(less(next, Lane(0.0)), -price, price);
-      const auto has_one = mask_and(less(Lane(0.0), load(mine.weight + r)), less(Lane(0.0), price));
+      const Lane l1_weight = load(mine.l1_weight + r);
+      const auto goes =
+          mask_and(less(Lane(jump_threshold), change), less(l1_weight, Lane(infinite_l1_weight)));
+      const Lane at_l1_weight = select(less(next, Lane(0.0)), -l1_weight, l1_weight);
+      const auto has_one =
+          mask_and(less(Lane(0.0), load(mine.weight + r)), less(Lane(0.0), l1_weight));
       store(mine.multiplier + r,
-            select(has_one, select(goes, at_price, next), load(mine.multiplier + r)));
+            select(has_one, select(goes, at_l1_weight, next), load(mine.multiplier + r)));
       largest = larger(largest, change);
     }
   }
   return largest_lane(largest);
 }
 
-/// What multipliers would change by, as update_multipliers() says it.
-double LimitedLq::left_open(const LqHorizon& h) const {
+/// Returns the change of multipliers that update_multipliers() would return.
+double LimitedLq::residual_left(const LqHorizon& h) const {
   Lane largest(0.0);
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
@@ -338,38 +344,38 @@ double LimitedLq::left_open(const LqHorizon& h) const {
   return largest_lane(largest);
 }
 
-/// Of the rows that push, whose minimum moves on the less the larger they are.
+/// Raises the weights of the active rows by a factor of 10, which speeds up their multipliers.
 void LimitedLq::raise_weights(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
     for (int r = 0; r < vectors_end(h, k); ++r)
-      if (mine.piece[r] != 0.0 && mine.price[r] > 0.0) mine.weight[r] *= 10.0;
+      if (mine.piece[r] != 0.0 && mine.l1_weight[r] > 0.0) mine.weight[r] *= 10.0;
   }
 }
 
-/// Where multipliers go on growing, weights are too small for rows that little moves, or rows
-/// cannot all be kept and it is their prices that decide.
+/// Detects multipliers that keep growing. Either the weights are too small for rows that barely
+/// move, or the rows cannot all be satisfied and the L1 weights decide.
 class LimitedLq::GrowthWatch {
  public:
-  enum class Cure { None, Weights, Interior, Prices };
+  enum class Cure { None, Weights, Interior, Jump };
   /// At a minimum of the pieces.
   Cure look(const LimitedLqResult& result) {
     constexpr int patience = 10, most_raises = 3;
-    slow_ = result.sweeps > 0 && result.open > 0.99 * open_before_ ? slow_ + 1 : 0;
-    open_before_ = result.open;
+    slow_ = result.sweeps > 0 && result.residual > 0.99 * residual_before_ ? slow_ + 1 : 0;
+    residual_before_ = result.residual;
     if (slow_ < patience) return Cure::None;
     slow_ = 0;
     if (raises_++ < most_raises) return Cure::Weights;
-    return raises_ == most_raises + 1 ? Cure::Interior : Cure::Prices;
+    return raises_ == most_raises + 1 ? Cure::Interior : Cure::Jump;
   }
   void pieces_changed() { slow_ = 0; }
 
  private:
-  double open_before_ = std::numeric_limits<double>::infinity();
+  double residual_before_ = std::numeric_limits<double>::infinity();
   int slow_ = 0, raises_ = 0;
 };
 
-/// The first factors; a start from nothing begins with the rows that push where nothing moves.
+/// Computes the first factorization. A cold start begins with the rows that are active at z = 0.
 bool LimitedLq::begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm,
                       LimitedLqResult& result) {
   transpose(h);
@@ -385,17 +391,17 @@ bool LimitedLq::begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm
   return factor(h, recursion, N_, result);
 }
 
-/// At a minimum of the pieces: multipliers, and a step with them. False at the end.
+/// Updates the multipliers at a minimum of the pieces and makes a step. Returns false at the end.
 bool LimitedLq::update(const LqHorizon& h, RiccatiRecursion& recursion,
                        const LimitedLqBudget& budget, GrowthWatch& growth, bool& whole,
                        LimitedLqResult& result) {
   using Cure = GrowthWatch::Cure;
   const Cure cure = growth.look(result);
-  result.open = update_multipliers(h, cure == Cure::Prices ? 0.5 * result.open : no_limit);
-  result.converged = result.open <= budget.tolerance;
+  result.residual = update_multipliers(h, cure == Cure::Jump ? 0.5 * result.residual : no_limit);
+  result.converged = result.residual <= budget.tolerance;
   if (result.converged || result.sweeps >= budget.sweeps) return false;
   if (cure == Cure::Interior && pays(budget, result)) return restart(h, recursion, whole, result);
-  const bool heavier = cure == Cure::Weights && result.semismooth() < budget.factors;
+  const bool heavier = cure == Cure::Weights && result.semismooth() < budget.factorizations;
   if (heavier) raise_weights(h);
   keep();
   take_pieces(h);
@@ -414,7 +420,7 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
   const bool done = approached && approach(h, recursion, result);
   if (!(done ? factor_pieces(h, recursion, result) : begin(h, recursion, warm, result)))
     return result;
-  bool whole = !warm;  // the first step of a start from nothing comes from nowhere
+  bool whole = !warm;  // Cold start: there is no trajectory to shorten the first step to
   for (;;) {
     follow_policy(h);
     int from = find_pieces(h);
@@ -427,12 +433,12 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
       if (!update(h, recursion, budget, growth, whole, result)) return result;
       continue;
     }
-    if (result.semismooth() >= budget.factors) {
+    if (result.semismooth() >= budget.factorizations) {
       cut_short(h, recursion, result);
       return result;
     }
     growth.pieces_changed();
-    if (!approached && result.factors >= budget.interior_after && pays(budget, result)) {
+    if (!approached && result.factorizations >= budget.interior_after && pays(budget, result)) {
       approached = true;
       if (!restart(h, recursion, whole, result)) return result;
       continue;
@@ -444,26 +450,26 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
   }
 }
 
-/// Where recursions are spent: the solution of the interior-point method, with its pieces'
-/// policies, if less of it is open.
+/// Ends a solve whose budget is used up. Returns the interior-point solution, with the policies of
+/// its pieces, if its residual is smaller.
 void LimitedLq::cut_short(const LqHorizon& h, RiccatiRecursion& recursion,
                           LimitedLqResult& result) {
-  result.open = left_open(h);
-  if (!result.approached || result.interior_open >= result.open) return;
+  result.residual = residual_left(h);
+  if (!result.approached || result.interior_residual >= result.residual) return;
   take_kept(h);
-  result.open = result.interior_open;
+  result.residual = result.interior_residual;
   take_pieces(h);
   if (factor(h, recursion, N_, result)) return;
   result.failed_knot = result.failed_control = -1;
 }
 
-/// Whether the budget is one that an interior-point method may add its recursions to.
+/// Returns whether the remaining budget is large enough for the interior-point method.
 bool LimitedLq::pays(const LimitedLqBudget& budget, const LimitedLqResult& result) {
-  return budget.factors - result.semismooth() >= enough_for_interior;
+  return budget.factorizations - result.semismooth() >= min_interior_budget;
 }
 
-/// The pieces and multipliers of an interior-point method, and a step from there that is `whole`.
-/// Where it does not end the present ones stay.
+/// Takes pieces and multipliers from the interior-point method; `whole` is true if it converged. If
+/// it did not converge, the current multipliers stay.
 bool LimitedLq::restart(const LqHorizon& h, RiccatiRecursion& recursion, bool& whole,
                         LimitedLqResult& result) {
   whole = approach(h, recursion, result);
@@ -474,7 +480,7 @@ bool LimitedLq::restart(const LqHorizon& h, RiccatiRecursion& recursion, bool& w
   return factor_pieces(h, recursion, result);
 }
 
-/// New factors with the present pieces.
+/// Factorizes with the current pieces.
 bool LimitedLq::factor_pieces(const LqHorizon& h, RiccatiRecursion& recursion,
                               LimitedLqResult& result) {
   keep();

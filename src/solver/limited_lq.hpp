@@ -1,18 +1,18 @@
-// A linear-quadratic problem over a horizon whose rows have limits:
+// Linear-quadratic problem over a horizon with constraint rows,
 //   minimise sum 1/2 z^T H z + g^T z,  dx' = F z + gap,  lower <= C z <= upper,  z = (du, dx),
-// by semismooth Newton steps on an augmented Lagrangian (row_force.hpp). A step is one Riccati
-// recursion with the rows that push added to the cost; its length is the minimum along it, which
-// is exact since what is minimised is convex and piecewise quadratic. Where a step of length one
-// leaves every row on its piece, the multipliers follow, and the next step needs no new factors but
-// a sweep with those there are.
+// solved by semismooth Newton steps on an augmented Lagrangian (row_force.hpp). A step is one
+// Riccati recursion with the active rows added to the cost. The step length is the exact minimum
+// along the step, because the objective is convex and piecewise quadratic.
+// If a step of length one leaves every row on its piece, the multipliers are updated. The next step
+// then reuses the factorization and needs only a sweep.
 //
-// A knot's first rows are the entries of its z themselves; those with coefficients follow from
-// first_row().
+// The first rows of a knot are the entries of z. Rows with coefficients start at first_row().
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "solver/buffer.hpp"
 #include "solver/interior_rows.hpp"
 #include "solver/riccati.hpp"
@@ -20,12 +20,12 @@
 
 namespace burnish {
 
-/// What is solved, and where policy and value function go; knots 0 to N.
+/// Input of a solve, and memory for the policies and value functions; knots 0 to N.
 struct LqHorizon {
   std::span<const KnotExpansion> expansions;
-  std::span<const int> controls;  ///< 0 at N
-  std::span<const int> rows;      ///< of each knot, with coefficients
-  const double* gaps = nullptr;   ///< that of knot k + 1 leads to dx of k + 1; gap_stride apart
+  std::span<const int> controls;  ///< Number of controls of each knot; 0 at N
+  std::span<const int> rows;      ///< Number of rows with coefficients, of each knot
+  const double* gaps = nullptr;   ///< Gap before each knot's dx; gap_stride apart
   double* hessian_gaps = nullptr;
   int gap_stride = 0;
   std::span<const ValueStorage> values;
@@ -34,78 +34,80 @@ struct LqHorizon {
 };
 
 struct LimitedLqBudget {
-  /// Recursions with new factors, of the whole horizon or its first part; those of an
-  /// interior-point method are not counted.
-  int factors = 100;
-  int sweeps = 200;  ///< with kept factors
-  /// Recursions after which an interior-point method finds out which rows push, where 20 are left;
-  /// 0: at once, where the start is from nothing.
+  /// Maximum number of factorizations, over the whole horizon or its first part. Factorizations of
+  /// the interior-point method are not counted.
+  int factorizations = 100;
+  int sweeps = 200;  ///< Maximum number of sweeps that reuse a factorization
+  /// Number of factorizations after which the interior-point method detects the active rows, if at
+  /// least 20 remain in the budget. With 0, a cold start begins with the interior-point method.
   int interior_after = 8;
-  /// Of what limits are exceeded by, and multipliers change by over their weight, in a row's scale.
+  /// Tolerance of multiplier changes over their weight, relative to a row's scale.
   double tolerance = 1e-9;
 };
 
 struct LimitedLqResult {
-  int factors = 0, sweeps = 0;
-  int interior = 0;            ///< factors of an interior-point method
-  bool approached = false;     ///< by one that came to its end
-  double interior_open = 0.0;  ///< of its solution
-  int semismooth() const { return factors - interior; }
+  int factorizations = 0, sweeps = 0;
+  int interior = 0;                ///< Factorizations of the interior-point method
+  bool approached = false;         ///< An interior-point method has converged
+  double interior_residual = 0.0;  ///< Residual of the interior-point solution
+  int semismooth() const { return factorizations - interior; }
   bool converged = false;
-  double open = 0.0;  ///< what the tolerance is held against, at the last minimum
-  /// Where Quu is not positive definite; -1: nowhere.
+  double residual = 0.0;  ///< Largest change of a multiplier over its weight, at the last minimum
+  /// Knot and control at which Quu is not positive definite; -1: none.
   int failed_knot = -1, failed_control = -1;
 };
 
 class LimitedLq {
  public:
   LimitedLq(const StateShape& state, int knots, int max_controls, int max_rows);
-  /// Recursions that have to be left in a budget for an interior-point method to be asked.
-  static constexpr int enough_for_interior = 20;
+  /// Minimum number of factorizations left in the budget for the interior-point method.
+  static constexpr int min_interior_budget = 20;
 
-  /// A knot's rows, first_row() + max_rows of them. A solve reads all and writes multipliers.
+  /// Data of a knot's rows, first_row() + max_rows entries. A solve reads all data and writes the
+  /// multipliers.
   struct Rows {
-    double* lower;  ///< of C z: the limit less the row's present value
+    double* lower;  ///< Limit of C z: the limit minus the row's present value
     double* upper;
-    double* scale;   ///< in the row's unit: a tolerance of 1 would be that much
-    double* weight;  ///< 0: no limits
-    double* price;   ///< 0: there is no multiplier
+    double* scale;      ///< Characteristic size of the row, in the row's unit
+    double* weight;     ///< Weight of the augmented Lagrangian; 0: no limits
+    double* l1_weight;  ///< 0: the row has no multiplier
+    /// Slope beyond the L1 weight, quadratic weight / (weight + quadratic weight).
     double* beyond;
     double* multiplier;
   };
   Rows rows(int knot);
-  /// Multipliers, and the pieces that rows lay on.
+  /// Resets multipliers and pieces.
   void forget() noexcept;
-  /// One knot on, for a horizon that begins a knot later: knots take what the next one has for a
-  /// warm start (multipliers, pieces, gains), and the last before the end, and those before another
-  /// number of controls, keep their own. Feedforwards are the caller's.
+  /// Shifts the warm start by one knot, for a horizon that starts one knot later. Each knot takes
+  /// the multipliers, pieces and gains of the next knot. A knot keeps its own if it is the last
+  /// knot or if the next knot has another number of controls. Feedforwards are not shifted.
   void shift(std::span<const int> controls) noexcept;
-  /// The same where knots are of different lengths: knot k takes what from[k] has, which is not
-  /// before it and does not fall with k.
+  /// Shifts the warm start for knots of different lengths: knot k takes the data of knot from[k].
+  /// from[k] must be at least k and must not decrease with k.
   void shift(std::span<const int> controls, std::span<const int> from) noexcept;
   int first_row() const { return first_row_; }
-  int places() const { return row_count_; }  ///< of a knot's rows, with those that are none
+  int places() const { return row_count_; }  ///< Entries of a knot's rows, unused ones included
 
-  /// `warm`: begins with the policies in the horizon and the pieces that rows lay on. Allocates
-  /// nothing.
+  /// Solves the problem. If `warm`, starts from the policies in `horizon` and from the pieces of
+  /// the last solve. Does not allocate.
   LimitedLqResult solve(const LqHorizon& horizon, RiccatiRecursion& recursion,
                         const LimitedLqBudget& budget, bool warm);
 
   const double* z(int knot) const { return knot_at(knot).z; }
-  /// Of all rows, C z.
+  /// Returns C z for all rows of a knot.
   const double* values(int knot) const { return knot_at(knot).y; }
 
  private:
   void take_over(std::span<const int> controls, int knot, int source) noexcept;
-  /// Places of a knot's vectors in memory_.
+  /// Addresses of a knot's vectors in memory_.
   struct Knot {
     double *z, *z_before, *z_kept, *y, *y_before, *multiplier, *multiplier_kept, *piece_kept,
-        *lower, *upper, *scale, *weight, *price, *beyond, *slope, *offset, *piece, *found, *factor,
-        *inverse_diagonal, *transposed_rows, *transposed_dynamics, *transposed_gain;
-    RowArrays arrays() const { return {lower, upper, weight, price, beyond, multiplier}; }
+        *lower, *upper, *scale, *weight, *l1_weight, *beyond, *slope, *offset, *piece, *found,
+        *factor, *inverse_diagonal, *transposed_rows, *transposed_dynamics, *transposed_gain;
+    RowArrays arrays() const { return {lower, upper, weight, l1_weight, beyond, multiplier}; }
   };
 
-  const Knot& knot_at(int knot) const { return knots_[static_cast<std::size_t>(knot)]; }
+  const Knot& knot_at(int knot) const { return knots_[to_size(knot)]; }
   int vectors_end(const LqHorizon& h, int knot) const;
   void transpose(const LqHorizon& h);
   void keep();
@@ -126,7 +128,7 @@ class LimitedLq {
   void blend(double length);
   template <class Function>
   void for_each_vector(const LqHorizon& h, const Function& function) const;
-  bool begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, bool outside, double& mu,
+  bool begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, bool infeasible, double& mu,
                       LimitedLqResult& result);
   bool interior_step(const LqHorizon& h, RiccatiRecursion& recursion,
                      const InteriorRows::Target& target, LimitedLqResult& result);
@@ -137,7 +139,7 @@ class LimitedLq {
   double advance_interior(const LqHorizon& h, RiccatiRecursion& recursion, double mu,
                           double equality, LimitedLqResult& result);
   enum class Steps { Done, Short, Failed };
-  Steps interior_steps(const LqHorizon& h, RiccatiRecursion& recursion, bool outside,
+  Steps interior_steps(const LqHorizon& h, RiccatiRecursion& recursion, bool infeasible,
                        LimitedLqResult& result);
   double interior_length(const LqHorizon& h) const;
   double mean_product(const LqHorizon& h, double length) const;
@@ -150,9 +152,9 @@ class LimitedLq {
   bool begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm, LimitedLqResult& result);
   bool update(const LqHorizon& h, RiccatiRecursion& recursion, const LimitedLqBudget& budget,
               GrowthWatch& growth, bool& whole, LimitedLqResult& result);
-  double left_open(const LqHorizon& h) const;
+  double residual_left(const LqHorizon& h) const;
   void raise_weights(const LqHorizon& h);
-  double update_multipliers(const LqHorizon& h, double to_price);
+  double update_multipliers(const LqHorizon& h, double jump_threshold);
 
   StateShape state_;
   int N_, max_controls_, max_rows_, first_row_, row_count_, stride_, row_stride_, control_stride_,

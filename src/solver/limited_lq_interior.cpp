@@ -1,7 +1,8 @@
-// The linear-quadratic problem with limits from nothing: predictor and corrector steps of an
-// interior-point method (Mehrotra; Nocedal and Wright, Numerical Optimization (2006), algorithm
-// 16.4) with the recursion's factors, as many of them whether few rows push or most. What it ends
-// with tells the semismooth steps which rows push, and nearly how hard.
+// Interior-point method for a cold start of the linear-quadratic problem with limits: predictor and
+// corrector steps (Mehrotra; Nocedal and Wright, Numerical Optimization (2006), algorithm 16.4)
+// with factorizations of the recursion. The number of factorizations hardly depends on the number
+// of active rows. The result gives the semismooth steps the active rows and approximate
+// multipliers.
 #include <algorithm>
 
 #include "solver/dense.hpp"
@@ -16,20 +17,22 @@ using dense::store;
 
 namespace {
 
-/// Products of the first step, in units of a row's weight times the square of its scale.
-constexpr double start_share = 1.0;
-/// Done when products have fallen by so much, and rows are as near their slacks in their scale.
-constexpr double enough = 1e-8;
-/// Of their weights, that equalities have at the start, and at most: their multipliers are right
-/// the sooner the more that is.
-constexpr double heavier = 100.0, heaviest = 1e6;
-constexpr int most_steps = 40;
-constexpr double shortest = 1e-8, kept_back = 0.995;
-/// Steps below this length, so many in a row, get nowhere.
+/// Products of the first step, relative to a row's weight times the square of its scale. The
+/// constants below are chosen by hand.
+constexpr double start_product = 1.0;
+/// Convergence: products below this fraction of their start value, and rows this close to their
+/// slacks, relative to the scale.
+constexpr double convergence = 1e-8;
+/// Factor on the weights of equality rows, at the start and at most. Larger weights give accurate
+/// multipliers sooner.
+constexpr double equality_start = 100.0, equality_max = 1e6;
+constexpr int max_steps = 40;
+constexpr double min_length = 1e-8, boundary_fraction = 0.995;
+/// A method with `short_patience` consecutive steps below this length does not progress.
 constexpr double short_length = 0.1;
 constexpr int short_patience = 3;
-/// Steps at most from then on that products are small.
-constexpr int most_after = 10;
+/// Maximum number of steps after the products have become small.
+constexpr int max_steps_after = 10;
 
 }  // namespace
 
@@ -42,13 +45,14 @@ void LimitedLq::for_each_vector(const LqHorizon& h, const Function& function) co
   }
 }
 
-/// Where to: from the trajectory that nothing limits.
-bool LimitedLq::begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, bool outside,
+/// Computes the initial point, from the trajectory without limits.
+bool LimitedLq::begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, bool infeasible,
                                double& mu, LimitedLqResult& result) {
   Lane sum(0.0), count(0.0);
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int /*at*/) {
     const Lane scale = load(mine.scale + r), weight = load(rows.weight + r);
-    const auto has_one = mask_and(less(Lane(0.0), weight), less(Lane(0.0), load(rows.price + r)));
+    const auto has_one =
+        mask_and(less(Lane(0.0), weight), less(Lane(0.0), load(rows.l1_weight + r)));
     sum += select(has_one, weight * scale * scale, Lane(0.0));
     count += select(has_one, Lane(1.0), Lane(0.0));
   });
@@ -57,7 +61,7 @@ bool LimitedLq::begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, 
     total += sum.lane(l);
     rows_with_one += count.lane(l);
   }
-  mu = start_share * total / std::max(1.0, rows_with_one);
+  mu = start_product * total / std::max(1.0, rows_with_one);
   if (!(mu > 0.0)) return false;
   for (const Knot& k : knots_) {
     std::fill_n(k.z, stride_, 0.0);
@@ -67,16 +71,16 @@ bool LimitedLq::begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, 
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
     interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu, false);
   });
-  if (!interior_step(h, recursion, {.equality = heavier}, result)) return false;
+  if (!interior_step(h, recursion, {.equality = equality_start}, result)) return false;
   mu = mean_product(h, 1.0);
   keep();
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
-    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu, outside);
+    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu, infeasible);
   });
   return true;
 }
 
-/// A trajectory and the rows' steps to it.
+/// Computes the trajectory of a Newton step and the rows' steps.
 bool LimitedLq::interior_step(const LqHorizon& h, RiccatiRecursion& recursion,
                               const InteriorRows::Target& target, LimitedLqResult& result) {
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
@@ -95,7 +99,7 @@ bool LimitedLq::interior_step(const LqHorizon& h, RiccatiRecursion& recursion,
   return true;
 }
 
-/// The length that keeps all of them above zero.
+/// Returns the step length that keeps all row variables positive.
 double LimitedLq::interior_length(const LqHorizon& h) const {
   double steepest = 0.0;
   for_each_vector(h, [&](const Knot&, const RowArrays&, int, int at) {
@@ -120,22 +124,22 @@ double LimitedLq::mean_product(const LqHorizon& h, double length) const {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-/// Trajectory, multipliers and pieces of the interior-point method, which are kept. False, with the
-/// first two as they were, where it does not end.
+/// Runs the interior-point method and keeps its trajectory, multipliers and pieces. If the method
+/// fails, returns false and restores trajectory and multipliers.
 bool LimitedLq::approach(const LqHorizon& h, RiccatiRecursion& recursion, LimitedLqResult& result) {
   keep_solution();
-  const int factors_before = result.factors;
+  const int factorizations_before = result.factorizations;
   Steps steps = interior_steps(h, recursion, false, result);
   if (steps == Steps::Short) steps = interior_steps(h, recursion, true, result);
   const bool done = steps == Steps::Done;
-  result.interior += result.factors - factors_before;
+  result.interior += result.factorizations - factorizations_before;
   result.failed_knot = result.failed_control = -1;
   result.approached = result.approached || done;
   if (done)
     keep_solution();
   else
     take_kept(h);
-  result.interior_open = left_open(h);
+  result.interior_residual = residual_left(h);
   return done;
 }
 
@@ -157,22 +161,23 @@ void LimitedLq::take_kept(const LqHorizon& h) {
   }
 }
 
-/// Multipliers, and the pieces that rows go to; the last step's length is `length`. Returns by how
-/// much pieces have changed, summed.
+/// Takes multipliers and pieces from the row variables after a step of length `length`. Returns the
+/// sum of the changes of pieces.
 double LimitedLq::take_interior_rows(const LqHorizon& h, double length) {
   Lane changed(0.0);
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
-    const Lane price = load(rows.price + r), zero(0.0);
-    const auto has_one = mask_and(less(zero, load(rows.weight + r)), less(zero, price));
+    const Lane l1_weight = load(rows.l1_weight + r), zero(0.0);
+    const auto has_one = mask_and(less(zero, load(rows.weight + r)), less(zero, l1_weight));
     const Lane piece = interior_.piece(at, rows, r, length), multiplier = interior_.multiplier(at);
     const auto broken = less(Lane(1.0), absolute(piece));
-    // Beyond the price is the square of the violation.
-    const Lane beyond = larger(price, absolute(multiplier));
-    const Lane at_price = select(less(zero, piece), beyond, -beyond);
-    const Lane pushing = select(broken, at_price, clip(multiplier, -price, price));
-    const auto pushes = less(zero, absolute(piece));
+    // Beyond the L1 weight, the multiplier includes the quadratic penalty.
+    const Lane beyond = larger(l1_weight, absolute(multiplier));
+    const Lane at_l1_weight = select(less(zero, piece), beyond, -beyond);
+    const Lane active_constraints =
+        select(broken, at_l1_weight, clip(multiplier, -l1_weight, l1_weight));
+    const auto active = less(zero, absolute(piece));
     store(mine.multiplier + r,
-          select(has_one, select(pushes, pushing, zero), load(mine.multiplier + r)));
+          select(has_one, select(active, active_constraints, zero), load(mine.multiplier + r)));
     changed += absolute(piece - load(mine.piece + r));
     store(mine.piece + r, piece);
   });
@@ -181,15 +186,15 @@ double LimitedLq::take_interior_rows(const LqHorizon& h, double length) {
   return sum;
 }
 
-/// A step of predictor and corrector, and its length; 0 where there is none.
+/// Makes a predictor and corrector step. Returns its length; 0 if the step fails.
 double LimitedLq::advance_interior(const LqHorizon& h, RiccatiRecursion& recursion, double mu,
                                    double equality, LimitedLqResult& result) {
   if (!interior_step(h, recursion, {.equality = equality}, result)) return 0.0;
-  const double share = mean_product(h, interior_length(h)) / mu;
-  if (!interior_step(h, recursion, {share * share * share * mu, true, equality}, result))
+  const double ratio = mean_product(h, interior_length(h)) / mu;
+  if (!interior_step(h, recursion, {ratio * ratio * ratio * mu, true, equality}, result))
     return 0.0;
-  const double length = std::min(1.0, kept_back * interior_length(h));
-  if (!(length > shortest)) return 0.0;
+  const double length = std::min(1.0, boundary_fraction * interior_length(h));
+  if (!(length > min_length)) return 0.0;
   blend(length);
   for_each_vector(
       h, [&](const Knot&, const RowArrays&, int, int at) { interior_.advance(at, length); });
@@ -197,24 +202,24 @@ double LimitedLq::advance_interior(const LqHorizon& h, RiccatiRecursion& recursi
   return length;
 }
 
-/// Steps until products and distances from slacks are small, and on until the pieces that rows go
-/// to are those of the step before; where they do not become so, those of the step that changed
-/// fewest are taken. Short: some in a row are, since violations begin far below what they have to
-/// be; nothing is lost with a start that has them.
+/// Makes steps until products and residuals are small, then until the pieces no longer change. If
+/// the pieces keep changing, takes the step with the fewest changes.
+/// Returns Short if several consecutive steps are short, because violations started far below their
+/// final values. A second start with the actual violations can then help.
 LimitedLq::Steps LimitedLq::interior_steps(const LqHorizon& h, RiccatiRecursion& recursion,
-                                           bool outside, LimitedLqResult& result) {
+                                           bool infeasible, LimitedLqResult& result) {
   double begun = 0.0, left = 1.0;
-  if (!begin_interior(h, recursion, outside, begun, result)) return Steps::Failed;
+  if (!begin_interior(h, recursion, infeasible, begun, result)) return Steps::Failed;
   double mu = mean_product(h, 0.0);
   int in_a_row = 0, after = 0;
   double fewest = 0.0;  // changes of pieces
-  for (int step = 0; step < most_steps && after <= most_after; ++step) {
-    const double equality = std::min(heaviest, heavier * begun / mu);
+  for (int step = 0; step < max_steps && after <= max_steps_after; ++step) {
+    const double equality = std::min(equality_max, equality_start * begun / mu);
     const double length = advance_interior(h, recursion, mu, equality, result);
     if (length == 0.0) break;
     left *= 1.0 - length;
     mu = mean_product(h, 0.0);
-    if (mu <= enough * begun && left <= enough) {
+    if (mu <= convergence * begun && left <= convergence) {
       const double changes = take_interior_rows(h, length);
       if (changes == 0.0) return Steps::Done;
       if (after++ == 0 || changes <= fewest) {
@@ -223,7 +228,7 @@ LimitedLq::Steps LimitedLq::interior_steps(const LqHorizon& h, RiccatiRecursion&
       }
     }
     in_a_row = length < short_length ? in_a_row + 1 : 0;
-    if (in_a_row == short_patience && !outside && after == 0) return Steps::Short;
+    if (in_a_row == short_patience && !infeasible && after == 0) return Steps::Short;
   }
   if (after == 0) return Steps::Failed;
   take_kept(h);

@@ -1,7 +1,8 @@
-// How long a step of the linear-quadratic problem with limits is: to the minimum along it.
+// Step length of the linear-quadratic problem with limits: exact minimum along the step.
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "solver/dense.hpp"
 #include "solver/limited_lq.hpp"
 
@@ -12,10 +13,10 @@ using dense::lanes;
 using dense::load;
 using dense::store;
 
-/// Sum of e times the change of the rows' values, at a length between the last trajectory (0) and
-/// this one (1).
+/// Returns the sum of e times the change of the rows' values, at a length between the last
+/// trajectory (0) and the current one (1).
 double LimitedLq::force_along(const LqHorizon& h, double length) const {
-  const Lane share(length);
+  const Lane fraction(length);
   Lane sum(0.0);
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
@@ -23,7 +24,7 @@ double LimitedLq::force_along(const LqHorizon& h, double length) const {
     for (int r = 0; r < vectors_end(h, k); r += lanes) {
       const Lane before = load(mine.y_before + r);
       const Lane change = load(mine.y + r) - before;
-      sum += row_force(arrays, r, before + share * change) * change;
+      sum += row_force(arrays, r, before + fraction * change) * change;
     }
   }
   double total = 0.0;
@@ -31,22 +32,22 @@ double LimitedLq::force_along(const LqHorizon& h, double length) const {
   return total;
 }
 
-/// The objective along a step that a recursion made: its slope at 0, and what the cost alone
-/// curves it by.
+/// Objective along a step of the recursion: slope at the start, and curvature of the cost alone.
 struct LimitedLq::Line {
   double slope = 0.0, cost_curvature = 0.0;
 };
 
-/// This trajectory is where the pieces' objective has no slope: with d the step, h its Hessian,
-///   slope of it at 0 = -d^T h d = -sum |R (du - K dx)|^2,
-/// and the objective differs from it at 0 by the rows that lie on other pieces there.
+/// Computes the objective along the step. The current trajectory minimises the objective of the
+/// pieces. With d the step and h its Hessian, the slope of that objective at 0 is
+///   -d^T h d = -sum |R (du - K dx)|^2,
+/// and the true objective differs from it at 0 by the rows that are on other pieces there.
 LimitedLq::Line LimitedLq::line(const LqHorizon& h) {
   double curvature = 0.0, of_rows = 0.0, elsewhere = 0.0;
   const int ndx = state_.ndx;
   double* dx = scratch_.data();
   double* off = dx + stride_;
   for (int k = 0; k <= N_; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     const int nu = h.controls[i];
     const Knot& mine = knot_at(k);
     if (nu > 0) {
@@ -69,7 +70,7 @@ LimitedLq::Line LimitedLq::line(const LqHorizon& h) {
   return {elsewhere - curvature, curvature - of_rows};
 }
 
-/// Moves the trajectory to the minimum between the last one and this one.
+/// Moves the trajectory to the minimum between the last trajectory and the current one.
 void LimitedLq::shorten(const LqHorizon& h) {
   const Line line = this->line(h);
   const double at_begin = force_along(h, 0.0);
@@ -94,17 +95,17 @@ void LimitedLq::shorten(const LqHorizon& h) {
   blend(length);
 }
 
-/// The trajectory between the last one (0) and this one (1).
+/// Interpolates between the last trajectory (0) and the current one (1).
 void LimitedLq::blend(double length) {
-  const Lane share(length);
+  const Lane fraction(length);
   for (const Knot& k : knots_) {
     for (int c = 0; c < stride_; c += lanes) {
       const Lane before = load(k.z_before + c);
-      store(k.z + c, before + share * (load(k.z + c) - before));
+      store(k.z + c, before + fraction * (load(k.z + c) - before));
     }
     for (int r = 0; r < row_count_; r += lanes) {
       const Lane before = load(k.y_before + r);
-      store(k.y + r, before + share * (load(k.y + r) - before));
+      store(k.y + r, before + fraction * (load(k.y + r) - before));
     }
   }
 }

@@ -6,19 +6,20 @@
 
 namespace burnish {
 
-void transform_lead(const StateShape& state, const double* lead, bool of_velocity, double* row) {
-  for (const LeadBlock& b : state.blocks) {
+void transform_tangent(const StateShape& state, const double* tangent_blocks, bool of_velocity,
+                       double* row) {
+  for (const NonEuclideanBlock& b : state.blocks) {
     const int n = b.size;
-    const double* factor = lead + (of_velocity ? n * n : 0);
-    double* part = row + b.first;
-    double product[max_lead_size];
+    const double* factor = tangent_blocks + (of_velocity ? n * n : 0);
+    double* block = row + b.first;
+    double product[max_tangent_size];
     for (int j = 0; j < n; ++j) {
       double sum = 0.0;
-      for (int i = 0; i < n; ++i) sum += part[i] * factor[i * n + j];
+      for (int i = 0; i < n; ++i) sum += block[i] * factor[i * n + j];
       product[j] = sum;
     }
-    std::copy_n(product, n, part);
-    lead += 2 * n * n;
+    std::copy_n(product, n, block);
+    tangent_blocks += 2 * n * n;
   }
 }
 
@@ -28,16 +29,16 @@ void project_rows(const StateShape& state, const KnotExpansion& e, const double*
   const int ndx = state.ndx;
   for (int i = 0; i < nv; ++i)
     dense::sum_scaled(x + (nv + i) * stride, e.step, x + i * stride, ndx, out + i * stride);
-  const double* lead = e.lead;
-  for (const LeadBlock& b : state.blocks) {
-    const double* factor = lead + b.size * b.size;
+  const double* tangent_blocks = e.tangent_blocks;
+  for (const NonEuclideanBlock& b : state.blocks) {
+    const double* factor = tangent_blocks + b.size * b.size;
     for (int i = 0; i < b.size; ++i) {
       double* row = out + (b.first + i) * stride;
       dense::copy(x + (nv + b.first + i) * stride, ndx, row);
       for (int k = 0; k < b.size; ++k)
         dense::add_scaled(e.step * factor[k * b.size + i], x + (b.first + k) * stride, ndx, row);
     }
-    lead += 2 * b.size * b.size;
+    tangent_blocks += 2 * b.size * b.size;
   }
 }
 
@@ -59,20 +60,20 @@ void complete_next(const StateShape& state, const KnotExpansion& e, int controls
   const double* dx = z + controls;
   const double* dv = next + nv;
   for (int i = 0; i < nv; ++i) next[i] = dx[i] + e.step * dv[i];
-  const double* lead = e.lead;
-  for (const LeadBlock& b : state.blocks) {
+  const double* tangent_blocks = e.tangent_blocks;
+  for (const NonEuclideanBlock& b : state.blocks) {
     const int n = b.size;
     for (int i = 0; i < n; ++i) {
       double sum = 0.0;
       double moved = 0.0;
       for (int j = 0; j < n; ++j) {
-        sum += lead[i * n + j] * dx[b.first + j];
-        moved += lead[n * n + i * n + j] * dv[b.first + j];
+        sum += tangent_blocks[i * n + j] * dx[b.first + j];
+        moved += tangent_blocks[n * n + i * n + j] * dv[b.first + j];
       }
       scratch[i] = sum + e.step * moved;
     }
     std::copy_n(scratch, n, next + b.first);
-    lead += 2 * n * n;
+    tangent_blocks += 2 * n * n;
   }
   const int through = std::min(controls, state.filtered);
   for (int c = 0; c < state.filtered; ++c) {
@@ -90,10 +91,10 @@ void add_transposed(const StateShape& state, const KnotExpansion& e, int control
   }
   const int nv = state.nv;
   std::copy_n(w, nv, scratch);
-  transform_lead(state, e.lead, true, scratch);
+  transform_tangent(state, e.tangent_blocks, true, scratch);
   for (int i = 0; i < nv; ++i) scratch[i] = e.step * scratch[i] + w[nv + i];
   dense::add_row_times(scratch, {e.dynamics, e.stride}, nv, nz, out);
-  transform_lead(state, e.lead, false, w);
+  transform_tangent(state, e.tangent_blocks, false, w);
   const int through = std::min(controls, state.filtered);
   for (int i = 0; i < nv; ++i) out[controls + i] += w[i];
   for (int c = 0; c < state.filtered; ++c) out[controls + 2 * nv + c] += e.decay[c] * w[2 * nv + c];

@@ -1,18 +1,20 @@
-// A knot's linearised dynamics as an operator, in either form.
+// Linearized dynamics of a knot as an operator, in either form of DynamicsForm.
 #pragma once
 
 #include "burnish/solver/shooting_problem.hpp"
 
 namespace burnish {
 
-/// The largest lead block that the solver's scratch memory holds.
-inline constexpr int max_lead_size = 8;
+/// Largest size of a non-Euclidean tangent block that the solver's scratch memory supports.
+inline constexpr int max_tangent_size = 8;
 
-/// The entries of lead blocks of a row over dq times A, or times B where `of_velocity`.
-void transform_lead(const StateShape& state, const double* lead, bool of_velocity, double* row);
+/// Multiplies a row vector over dq by the block matrices A, or by B if `of_velocity`, in place.
+/// Only entries inside non-Euclidean tangent blocks change.
+void transform_tangent(const StateShape& state, const double* tangent_blocks, bool of_velocity,
+                       double* row);
 
-/// T^T X of SecondOrder dynamics (riccati.hpp): nv rows from X's ndx rows of as many columns, both
-/// with `stride`.
+/// Computes T^T X of SecondOrder dynamics (riccati.hpp): nv rows from the ndx rows of X. X and
+/// `out` have ndx columns and row distance `stride`.
 void project_rows(const StateShape& state, const KnotExpansion& e, const double* x, int stride,
                   double* out);
 
@@ -20,11 +22,11 @@ void project_rows(const StateShape& state, const KnotExpansion& e, const double*
 void multiply(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
               double* scratch, double* next);
 
-/// What multiply does once dv' stands in next. SecondOrder.
+/// Completes next = F z if dv' is already in `next`. SecondOrder only.
 void complete_next(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
                    double* scratch, double* next);
 
-/// out += F^T w. Spoils w; `scratch`: nv entries and a vector to spare. Writes whole vectors.
+/// out += F^T w. Overwrites w. `scratch` needs nv entries plus one vector. Writes whole vectors.
 void add_transposed(const StateShape& state, const KnotExpansion& e, int controls, double* w,
                     double* scratch, double* out);
 

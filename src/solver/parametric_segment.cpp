@@ -12,8 +12,8 @@ using dense::Update;
 
 namespace {
 
-/// X <- A^-1 B for the n rows of [A | B], by elimination with the largest pivot of a column. False
-/// where there is none, or one that is not finite.
+/// X <- A^-1 B for the n rows of [A | B], by Gaussian elimination with column pivoting. Returns
+/// false if a pivot is zero or not finite.
 bool solve_rows(double* a, int stride, int n, int columns) {
   for (int c = 0; c < n; ++c) {
     int best = c;
@@ -31,7 +31,8 @@ bool solve_rows(double* a, int stride, int n, int columns) {
   const int beside = dense::round_down(n);
   for (int c = n - 1; c >= 0; --c) {
     double* row = a + c * stride;
-    // From the last on: what this spoils to the right of the diagonal is not needed any more.
+    // From the last row on: entries right of the diagonal that this overwrites are no longer
+    // needed.
     for (int k = n - 1; k > c; --k)
       dense::add_scaled(-row[k], a + k * stride + beside, columns - beside, row + beside);
     const double inverse = 1.0 / row[c];
@@ -103,7 +104,7 @@ void ParametricSegment::multiply_transposed(const KnotExpansion& e, int controls
   add_passed(e, controls, x, out);
 }
 
-/// E^T X.
+/// Adds E^T X to `out`.
 void ParametricSegment::add_passed(const KnotExpansion& e, int controls, const double* x,
                                    double* out) const {
   const int ndx = state_.ndx;
@@ -114,15 +115,15 @@ void ParametricSegment::add_passed(const KnotExpansion& e, int controls, const d
   const auto add_rows = [&](int end) {
     for (; done < end; ++done) dense::add_scaled(1.0, x + done * vs, ndx, states + done * vs);
   };
-  const double* lead = e.lead;
-  for (const LeadBlock& b : state_.blocks) {
+  const double* tangent_blocks = e.tangent_blocks;
+  for (const NonEuclideanBlock& b : state_.blocks) {
     add_rows(b.first);
     for (int i = 0; i < b.size; ++i)
       for (int k = 0; k < b.size; ++k)
-        dense::add_scaled(lead[k * b.size + i], x + (b.first + k) * vs, ndx,
+        dense::add_scaled(tangent_blocks[k * b.size + i], x + (b.first + k) * vs, ndx,
                           states + (b.first + i) * vs);
     done = b.first + b.size;
-    lead += 2 * b.size * b.size;
+    tangent_blocks += 2 * b.size * b.size;
   }
   add_rows(nv);
   const int through = std::min(controls, state_.filtered);
@@ -147,7 +148,7 @@ bool ParametricSegment::join(const ValueStorage& segment, const ValueStorage& fo
   dense::product<Update::Set>(p, {xt, vs}, ndx, ndx, ndx, s + vs, ss);
   for (int i = 0; i < ndx; ++i) {
     double* row = s + i * ss;
-    // Between the columns of 1 + P D and those of P X^T stands what pads them.
+    // Clears the padding between the columns of 1 + P D and the columns of P X^T.
     std::fill_n(row + ndx, vs - ndx, 0.0);
     row[i] += 1.0;
     row[2 * vs] = dense::dot(following.hessian + i * vs, r_.data(), ndx) + following.gradient[i];

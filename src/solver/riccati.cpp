@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "solver/dense.hpp"
 #include "solver/linear_dynamics.hpp"
 
@@ -14,26 +15,26 @@ using dense::Update;
 
 namespace {
 
-/// A worker's share of `count` rows or columns, in groups of `size`; the last
-/// group is the leader's, who has no more than others.
-Range share(const Crew& crew, int count, int size) {
-  if (crew.alone()) return {0, count};
+/// Returns the range of `count` rows or columns that a worker computes, in groups of `size`. The
+/// last group belongs to the leader, which has at most as many groups as the other workers.
+Range worker_range(const ThreadTeam& team, int count, int size) {
+  if (team.alone()) return {0, count};
   const int groups = (count + size - 1) / size;
   const auto border = [&](int worker) {
-    return std::min((groups * worker + crew.workers - 1) / crew.workers, groups - 1) * size;
+    return std::min((groups * worker + team.workers - 1) / team.workers, groups - 1) * size;
   };
-  return {border(crew.worker), crew.leads() ? count : border(crew.worker + 1)};
+  return {border(team.worker), team.leads() ? count : border(team.worker + 1)};
 }
 
-/// The same of the rows of a triangle, so that all have as many entries.
-Range share_of_triangle(const Crew& crew, int count, int size) {
-  if (crew.alone()) return {0, count};
+/// Returns a worker's rows of a triangle, chosen so that all workers have about as many entries.
+Range triangle_rows(const ThreadTeam& team, int count, int size) {
+  if (team.alone()) return {0, count};
   const int groups = (count + size - 1) / size;
   const auto border = [&](int worker) {
-    const double part = std::sqrt(static_cast<double>(worker) / crew.workers);
-    return std::min(count, static_cast<int>(std::lround(groups * part)) * size);
+    const double fraction = std::sqrt(static_cast<double>(worker) / team.workers);
+    return std::min(count, static_cast<int>(std::lround(groups * fraction)) * size);
   };
-  return {border(crew.worker), border(crew.worker + 1)};
+  return {border(team.worker), border(team.worker + 1)};
 }
 
 Range common(const Range& a, const Range& b) {
@@ -43,28 +44,27 @@ Range common(const Range& a, const Range& b) {
 }  // namespace
 
 struct RiccatiRecursion::Knot {
-  Knot(const KnotExpansion& expansion, const ValueStorage& value, int controls, int ndx,
-       int filtered, const Crew& who, Own& workspace)
-      : e(expansion),
-        next(value),
-        crew(who),
+  Knot(const RiccatiKnot& at, const StateShape& state, const ThreadTeam& who, Own& workspace)
+      : e(at.expansion),
+        next(at.next),
+        team(who),
         own(workspace),
-        nu(controls),
-        nz(controls + ndx),
-        through(std::min(controls, filtered)),
-        columns(share(crew, nz, dense::group)),
-        rows(share_of_triangle(crew, ndx, dense::group)),
-        gains(share(crew, ndx + 1, dense::group)) {}
+        nu(at.controls),
+        nz(at.controls + state.ndx),
+        through(std::min(at.controls, state.filtered)),
+        columns(worker_range(team, nz, dense::group)),
+        rows(triangle_rows(team, state.ndx, dense::group)),
+        gains(worker_range(team, state.ndx + 1, dense::group)) {}
 
   const KnotExpansion& e;
   const ValueStorage& next;
-  const Crew& crew;
+  const ThreadTeam& team;
   Own& own;
   int nu, nz;
-  int through;    ///< controls that a filter holds back
-  Range columns;  ///< of Y and G
-  Range rows;     ///< of Qxx
-  Range gains;    ///< columns of [K | k]
+  int through;    ///< Controls that act through a torque filter
+  Range columns;  ///< Columns of Y and G
+  Range rows;     ///< Rows of Qxx
+  Range gains;    ///< Columns of [K | k]
   int width() const { return columns.end - columns.begin; }
 };
 
@@ -127,7 +127,7 @@ void RiccatiRecursion::load_cost(const Knot& knot) {
                 qxx_.data() + i * layout_.value_stride);
 }
 
-/// U^T = step B^T Vq + Vv, and what follows from it.
+/// U^T = step B^T Vq + Vv, then W and M.
 void RiccatiRecursion::project_value(const Knot& knot) {
   project_rows(state_, knot.e, knot.next.hessian, layout_.value_stride, knot.own.u.data());
   project_steps(knot);
@@ -153,13 +153,13 @@ void RiccatiRecursion::project_steps(const Knot& knot) {
     }
     double* moved = mine.passed.data();
     std::copy_n(u, nv, moved);
-    transform_lead(state_, e.lead, true, moved);
+    transform_tangent(state_, e.tangent_blocks, true, moved);
     dense::sum_scaled(u + nv, e.step, moved, nv, w);
-    transform_lead(state_, e.lead, false, m + nu);
+    transform_tangent(state_, e.tangent_blocks, false, m + nu);
   }
 }
 
-/// G, and the products that enter Y.
+/// Computes G and adds the products to Y.
 void RiccatiRecursion::add_to_controls(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
@@ -186,7 +186,7 @@ void RiccatiRecursion::add_to_controls(const Knot& knot) {
   add_passed_to_controls(knot);
 }
 
-/// Y += E^T V E: the filter's part. Leaves the rows of V E behind.
+/// Y += E^T V E, the contribution of the torque filter. Leaves rows of V E in `passed`.
 void RiccatiRecursion::add_passed_to_controls(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
@@ -204,13 +204,13 @@ void RiccatiRecursion::add_passed_to_controls(const Knot& knot) {
   }
 }
 
-/// Row c of V E, dtau.
+/// Returns row c of V E, columns dtau.
 const double* RiccatiRecursion::pass_filtered(const Knot& knot, int c) {
   const int nv = state_.nv;
   const int vs = layout_.value_stride;
   double* row = knot.own.passed.data() + (nv + c) * vs;
   std::copy_n(knot.next.hessian + (2 * nv + c) * vs, state_.ndx, row);
-  transform_lead(state_, knot.e.lead, false, row);
+  transform_tangent(state_, knot.e.tangent_blocks, false, row);
   std::fill_n(row + nv, nv, 0.0);
   for (int j = 0; j < state_.filtered; ++j) row[2 * nv + j] *= knot.e.decay[j];
   return row;
@@ -228,7 +228,7 @@ void RiccatiRecursion::cross_gap(const Knot& knot, const double* gap, double* he
   dense::sum_scaled(knot.next.gradient, 1.0, hessian_gap, ndx, w_next_.data());
 }
 
-/// q = h + F^T w, and qu in Y.
+/// q = h + F^T w; also writes qu to Y.
 void RiccatiRecursion::add_gradient(const Knot& knot, const double* gradient) {
   double* q = gradient_.data();
   dense::copy(gradient, knot.nz, q);
@@ -254,8 +254,7 @@ void RiccatiRecursion::add_rows(const Knot& knot, const WeightedRows& rows) {
     qxx_.data()[i * layout_.value_stride + i] += rows.diagonal[knot.nu + i];
 }
 
-/// Qxx += P^T G + M^T P, where M^T P has the rows of what passes through: dq
-/// and dtau.
+/// Qxx += P^T G + M^T P. M^T P is nonzero only in the rows that pass through: dq and dtau.
 void RiccatiRecursion::add_to_states(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
@@ -291,7 +290,7 @@ void RiccatiRecursion::add_passed_to_states(const Knot& knot) {
   double* passed = knot.own.passed.data();
   const auto pass = [&](int i) {
     std::copy_n(v + i * qs, state_.nv, passed + i * qs);
-    transform_lead(state_, knot.e.lead, false, passed + i * qs);
+    transform_tangent(state_, knot.e.tangent_blocks, false, passed + i * qs);
   };
   int done = rows.begin;
   const auto add_rows = [&](int end) {
@@ -300,23 +299,23 @@ void RiccatiRecursion::add_passed_to_states(const Knot& knot) {
       dense::add_scaled(1.0, passed + done * qs, done + 1, qxx_.data() + done * qs);
     }
   };
-  const double* lead = knot.e.lead;
-  for (const LeadBlock& b : state_.blocks) {
+  const double* tangent_blocks = knot.e.tangent_blocks;
+  for (const NonEuclideanBlock& b : state_.blocks) {
     add_rows(std::min(b.first, rows.end));
     const Range part = common(rows, {b.first, b.first + b.size});
     if (part.begin < part.end)
       for (int k = 0; k < b.size; ++k) pass(b.first + k);
     for (int i = part.begin; i < part.end; ++i)
       for (int k = 0; k < b.size; ++k)
-        dense::add_scaled(lead[k * b.size + i - b.first], passed + (b.first + k) * qs, i + 1,
-                          qxx_.data() + i * qs);
+        dense::add_scaled(tangent_blocks[k * b.size + i - b.first], passed + (b.first + k) * qs,
+                          i + 1, qxx_.data() + i * qs);
     done = std::max(done, std::min(b.first + b.size, rows.end));
-    lead += 2 * b.size * b.size;
+    tangent_blocks += 2 * b.size * b.size;
   }
   add_rows(rows.end);
 }
 
-/// The same, rows of filtered controls.
+/// Qxx += E^T V E, rows of filtered controls.
 void RiccatiRecursion::add_passed_controls_to_states(const Knot& knot) {
   const int nv = state_.nv;
   const int qs = layout_.value_stride;
@@ -329,9 +328,8 @@ void RiccatiRecursion::add_passed_controls_to_states(const Knot& knot) {
   }
 }
 
-/// Solves the knot's box problem and leaves in Y a system whose solution is its
-/// own: clamped controls have a unit row, no gain, and their step k_i as
-/// right-hand side.
+/// Solves the knot's box QP. Then replaces the system in Y by one with the solution of the box QP:
+/// a clamped control has a unit row, no gain, and its step k_i as right-hand side.
 void RiccatiRecursion::clamp(const Knot& knot, const ControlBox& box, double* k,
                              RiccatiStep& result) {
   const int nu = knot.nu;
@@ -367,8 +365,8 @@ void RiccatiRecursion::clamp(const Knot& knot, const ControlBox& box, double* k,
   }
 }
 
-/// R, and a worker's columns of [L | l] and of [K | k]. The first control that
-/// fails, or -1.
+/// Computes R, and a worker's columns of [L | l] and [K | k]. Returns the first control that fails,
+/// or -1.
 int RiccatiRecursion::factorize(const Knot& knot, const PolicyStorage& policy) {
   const int nu = knot.nu;
   double* inverse = knot.own.inverse_diagonal.data();
@@ -376,7 +374,7 @@ int RiccatiRecursion::factorize(const Knot& knot, const PolicyStorage& policy) {
   const int width = knot.gains.end - knot.gains.begin;
   double* y = y_.data();
   Range columns{0, knot.nz + 1};
-  if (!knot.crew.alone()) {
+  if (!knot.team.alone()) {
     y = knot.own.factor.data();
     columns = {first, nu + knot.gains.end};
     const int left = dense::round_down(first);
@@ -391,7 +389,7 @@ int RiccatiRecursion::factorize(const Knot& knot, const PolicyStorage& policy) {
   if (failed >= 0 || width == 0) return failed;
   dense::solve_gains(y, y_stride_, nu, first, width, inverse, policy.gain + knot.gains.begin,
                      layout_.gain_stride);
-  if (!knot.crew.alone())
+  if (!knot.team.alone())
     for (int i = 0; i < nu; ++i)
       dense::copy(y + i * y_stride_ + first, width,
                   l_.data() + i * layout_.gain_stride + knot.gains.begin);
@@ -402,13 +400,13 @@ int RiccatiRecursion::factorize(const Knot& knot, const PolicyStorage& policy) {
 void RiccatiRecursion::reduce(const Knot& knot, const ValueStorage& value) {
   const int vs = layout_.value_stride;
   const int ndx = state_.ndx;
-  const bool alone = knot.crew.alone();
+  const bool alone = knot.team.alone();
   const Rows l =
       alone ? Rows{y_.data() + knot.nu, y_stride_} : Rows{l_.data(), layout_.gain_stride};
   dense::lower_product<Update::Subtract>({l.data, l.stride, 1}, l, knot.nu, knot.rows, qxx_.data(),
                                          vs);
   dense::mirror_lower({qxx_.data(), vs}, knot.rows, value.hessian, vs);
-  const Range part = share(knot.crew, ndx, dense::lanes);
+  const Range part = worker_range(knot.team, ndx, dense::lanes);
   const int width = part.end - part.begin;
   const int nu = knot.nu;
   double* gradient = value.gradient + part.begin;
@@ -419,10 +417,10 @@ void RiccatiRecursion::reduce(const Knot& knot, const ValueStorage& value) {
   }
 }
 
-/// The feedforward, and what it saves.
+/// Writes the feedforward and the change of cost that it predicts.
 void RiccatiRecursion::conclude(const Knot& knot, bool bounded, const PolicyStorage& policy,
                                 RiccatiStep& result) {
-  const bool alone = knot.crew.alone();
+  const bool alone = knot.team.alone();
   const double* l = alone ? y_.data() + knot.nz : l_.data() + state_.ndx;
   const int stride = alone ? y_stride_ : layout_.gain_stride;
   const int gain_stride = layout_.gain_stride;
@@ -438,36 +436,35 @@ void RiccatiRecursion::conclude(const Knot& knot, bool bounded, const PolicyStor
   result.curvature = saved;
 }
 
-RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls, const double* gap,
-                                   ValueStorage next, double regularization, const ControlBox& box,
-                                   PolicyStorage policy, ValueStorage value, double* hessian_gap,
-                                   const Crew& crew, const WeightedRows* rows) {
+RiccatiStep RiccatiRecursion::step(const RiccatiKnot& at, const RiccatiTerms& terms,
+                                   const ThreadTeam& team) {
   RiccatiStep result;
-  const int ndx = state_.ndx;
-  const Knot knot(e, next, controls, ndx, state_.filtered, crew,
-                  own_[static_cast<std::size_t>(crew.worker)]);
+  const KnotExpansion& e = at.expansion;
+  const int controls = at.controls;
+  const ControlBox& box = terms.box;
+  const Knot knot(at, state_, team, own_[to_size(team.worker)]);
   const bool bounded = box.lower != nullptr && box.upper != nullptr && controls > 0;
 
-  if (crew.leads()) cross_gap(knot, gap, hessian_gap, result);
+  if (team.leads()) cross_gap(knot, at.gap, at.hessian_gap, result);
   load_cost(knot);
-  if (rows != nullptr) add_rows(knot, *rows);
+  if (terms.rows != nullptr) add_rows(knot, *terms.rows);
   if (e.form == DynamicsForm::SecondOrder) project_value(knot);
   add_to_controls(knot);
   for (int i = knot.columns.begin; i < std::min(controls, knot.columns.end); ++i)
-    y_.data()[i * y_stride_ + i] += regularization;
-  if (crew.leads()) add_gradient(knot, rows != nullptr ? rows->gradient : e.gradient);
-  crew.meet();
+    y_.data()[i * y_stride_ + i] += terms.regularization;
+  if (team.leads()) add_gradient(knot, terms.rows != nullptr ? terms.rows->gradient : e.gradient);
+  team.meet();
   if (bounded) {
-    if (crew.leads()) clamp(knot, box, policy.feedforward, result);
-    crew.meet();
+    if (team.leads()) clamp(knot, box, at.policy.feedforward, result);
+    team.meet();
   }
   add_to_states(knot);
-  result.failed_control = factorize(knot, policy);
+  result.failed_control = factorize(knot, at.policy);
   if (result.failed_control >= 0) return result;
-  crew.meet();
-  reduce(knot, value);
-  if (crew.leads()) conclude(knot, bounded, policy, result);
-  crew.meet();
+  team.meet();
+  reduce(knot, at.value);
+  if (team.leads()) conclude(knot, bounded, at.policy, result);
+  team.meet();
   return result;
 }
 

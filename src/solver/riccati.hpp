@@ -1,73 +1,92 @@
-// The Riccati recursion: from the value function of the rest of a horizon to that of one knot
-// earlier, and the policy in between.
+// Riccati recursion: computes the value function of a knot, and the policy, from the value function
+// of the next knot.
 //
 // With z = (du, dx), the knot's quadratic cost (h, H), dx' = F z + gap, and V'(dx') = vx'^T dx' +
 // 1/2 dx'^T Vxx' dx':
 //   w = vx' + Vxx' gap,   Q = H + F^T Vxx' F,   q = h + F^T w,
-//   du = k + K dx minimises 1/2 z^T Q z + q^T z  (within the bounds, where there are any),
+//   du = k + K dx minimises 1/2 z^T Q z + q^T z  (within bounds, if given),
 //   Vxx = Qxx - L^T L,  vx = qx - L^T l,  R^T R = Quu,  L = R^-T Qux,  l = R^-T qu.
-// SecondOrder dynamics are F = T P + E, T: dv' -> dx' = (step B; 1; 0), E the parts of z that pass
-// through. With U = Vxx' T, W = T^T U and M = U^T E, only P, which has nv rows, meets a dense
-// product: F^T V F = P^T (W P + M) + M^T P + E^T V E.
+// SecondOrder dynamics are F = T P + E with T: dv' -> dx' = (step B; 1; 0). E holds the parts of z
+// that pass through. With U = Vxx' T, W = T^T U and M = U^T E, only P, which has nv rows, enters
+// dense products: F^T V F = P^T (W P + M) + M^T P + E^T V E.
 //
-// A crew shares one knot: each worker has columns of Y and G, rows of Qxx and columns of the gains.
-// What is small, U, W and M and the factor of Quu, each makes for itself: to hand it from core to
-// core would take longer. They meet three times a knot (four with bounds). Every entry is the same
-// sum whoever makes it.
+// A thread team shares one knot: each worker computes some columns of Y and G, some rows of Qxx and
+// some columns of the gains. Each worker computes the small matrices U, W, M and the factor of Quu
+// itself, because passing them between cores would take longer. The team synchronises three times
+// per knot (four times with bounds). Every entry is the same sum whichever worker computes it.
 #pragma once
 
 #include <vector>
 
-#include "base/crew.hpp"
+#include "base/thread_team.hpp"
 #include "burnish/solver/shooting_problem.hpp"
 #include "solver/box_qp.hpp"
 #include "solver/buffer.hpp"
 
 namespace burnish {
 
-/// Sizes of the memory that a recursion reads and writes; rows are padded to whole vectors.
+/// Sizes of the memory that a recursion reads and writes. Rows are padded to whole vectors.
 struct RiccatiLayout {
   RiccatiLayout(const StateShape& state, int max_controls);
 
-  int expansion_stride;  ///< entries between rows of hessian and dynamics
-  int expansion_rows;    ///< rows of the hessian's memory, more than nz
-  int value_stride;      ///< of Vxx, and entries of vx
-  int gain_stride;       ///< of K
-  int spare;             ///< entries that every block of memory is longer than its rows
+  int expansion_stride;  ///< Entries between the starts of rows of hessian and dynamics
+  int expansion_rows;    ///< Rows of the Hessian's memory, at least nz
+  int value_stride;      ///< Entries between the starts of rows of Vxx; entries of vx
+  int gain_stride;       ///< Entries between the starts of rows of K
+  int spare;             ///< Entries of every block of memory after its last row
 };
 
-/// V(dx) = gradient^T dx + 1/2 dx^T hessian dx (and a constant), dx = x (-) the iterate's x.
+/// Value function V(dx) = gradient^T dx + 1/2 dx^T hessian dx + constant, where dx = x (-) the
+/// iterate's x.
 struct ValueStorage {
   double* gradient;  ///< value_stride entries
   double* hessian;   ///< ndx x value_stride, both triangles
 };
 
-/// u = u of the iterate + feedforward + gain dx. Beware of signs elsewhere: many write u - K dx.
+/// Policy u = u of the iterate + feedforward + gain dx. Other libraries often write u - K dx.
 struct PolicyStorage {
   double* feedforward;  ///< k: nu entries
   double* gain;         ///< K: nu x gain_stride
 };
 
-/// Bounds of u at a knot, nu entries each, and the iterate's u. Null: unbounded.
+/// Bounds of u at a knot, nu entries each, and the iterate's u. Null: no bounds.
 struct ControlBox {
   const double* lower = nullptr;
   const double* upper = nullptr;
   const double* u = nullptr;
 };
 
-/// Rows C z that a knot's cost has squared, 1/2 sum w (C z)^2, beside its expansion.
+/// Rows C z that add the quadratic cost 1/2 sum w (C z)^2 to a knot.
 struct WeightedRows {
   const double* rows = nullptr;      ///< C: count x nz
   const double* weighted = nullptr;  ///< w C
-  int stride = 0;                    ///< of both
+  int stride = 0;                    ///< Entries between the starts of rows, of both matrices
   int count = 0;
-  const double* diagonal = nullptr;  ///< nz entries that come to the diagonal of the Hessian
-  const double* gradient = nullptr;  ///< nz entries that take the place of the expansion's
+  const double* diagonal = nullptr;  ///< Added to the diagonal of the Hessian, nz entries
+  const double* gradient = nullptr;  ///< Replaces the gradient of the expansion, nz entries
 };
 
-/// What one step says about the cost that its policy saves.
+/// One knot of the recursion: what a step reads, and the memory that it writes.
+struct RiccatiKnot {
+  const KnotExpansion& expansion;
+  int controls;
+  const double* gap;     ///< End of the step minus the next state of the iterate, ndx entries
+  ValueStorage next;     ///< Value function of the next knot, read
+  PolicyStorage policy;  ///< Written
+  ValueStorage value;    ///< Written
+  double* hessian_gap;   ///< Vxx' gap, value_stride entries, written
+};
+
+/// Terms that a step adds to the cost of its knot, and bounds of its control.
+struct RiccatiTerms {
+  double regularization = 0.0;         ///< Added to the diagonal of Quu
+  ControlBox box = {};                 ///< Bounds of the control
+  const WeightedRows* rows = nullptr;  ///< Quadratic cost of constraint rows; null: none
+};
+
+/// Result of a recursion step: change of cost that the policy predicts.
 struct RiccatiStep {
-  /// First control at which Quu is not positive definite (or not a number); -1: none.
+  /// First control at which Quu is not positive definite or not finite; -1: none.
   int failed_control = -1;
   double slope = 0.0;          ///< qu^T k
   double curvature = 0.0;      ///< k^T Quu k
@@ -75,54 +94,50 @@ struct RiccatiStep {
   double gap_curvature = 0.0;  ///< gap^T Vxx' gap
 };
 
-/// R of Quu = R^T R, upper triangle, and the inverses of its diagonal.
+/// Factor R of Quu = R^T R, upper triangular, and the inverses of its diagonal.
 struct RiccatiFactor {
   const double* r;
   int stride;
   const double* inverse_diagonal;
 };
 
-/// One recursion's workspace. Nothing is allocated after construction.
+/// Riccati recursion with its workspace. Does not allocate after construction.
 class RiccatiRecursion {
  public:
-  /// For crews of up to so many workers.
+  /// `workers` is the largest size of a thread team.
   RiccatiRecursion(const StateShape& state, int max_controls, int workers = 1);
 
   const RiccatiLayout& layout() const { return layout_; }
 
-  /// Multiplications of a knot with so many controls, without those that grow with less than the
-  /// third power of the sizes.
+  /// Number of multiplications of a knot with `controls` controls. Counts only terms of third order
+  /// in the sizes.
   double multiplications(int controls, DynamicsForm form) const;
 
-  /// The value function of the end: the terminal cost's expansion.
+  /// Writes the value function of the terminal knot from its expansion.
   void terminal(const KnotExpansion& expansion, ValueStorage value) const;
-  /// The same with rows of the end.
+  /// Writes the value function of a terminal knot with constraint rows.
   void terminal(const KnotExpansion& expansion, const WeightedRows& rows, ValueStorage value);
 
-  /// One knot backwards. `regularization` is added to the diagonal of Quu. `hessian_gap` receives
-  /// Vxx' gap (value_stride entries). Where a box is given, policy.feedforward is read first: the
-  /// guess from which its quadratic program starts; gains of clamped controls are zero.
+  /// Computes one knot backwards. With a box, policy.feedforward is the initial guess of the box
+  /// QP, and the gains of clamped controls are zero.
   ///
-  /// Every worker of a crew calls it with the same arguments but its own crew, and next may call it
-  /// for the knot before. All learn of a failed control; the rest of the answer is the leader's.
-  RiccatiStep step(const KnotExpansion& expansion, int controls, const double* gap,
-                   ValueStorage next, double regularization, const ControlBox& box,
-                   PolicyStorage policy, ValueStorage value, double* hessian_gap,
-                   const Crew& crew = {}, const WeightedRows* rows = nullptr);
+  /// Every worker of a team calls step() with identical arguments except its own `team`, and may
+  /// then call it for the knot before. Every worker's result contains failed_control; only the
+  /// leader's result contains the other fields.
+  RiccatiStep step(const RiccatiKnot& at, const RiccatiTerms& terms, const ThreadTeam& team = {});
 
-  /// Of the last step that a worker alone made, without bounds.
+  /// Returns the factor of the last step. Valid only for a step without bounds by a single worker.
   RiccatiFactor factor() const { return {y_.data(), y_stride_, own_[0].inverse_diagonal.data()}; }
 
-  /// The step again for another gradient, nz entries, with what it left: `factor` of Quu, the gains
-  /// and Vxx' gap. Spoils the gradient; writes the feedforward and the value function's gradient.
-  void resolve(const KnotExpansion& expansion, int controls, const RiccatiFactor& factor,
-               const double* next_gradient, const double* hessian_gap, double* gradient,
-               PolicyStorage policy, double* value_gradient);
+  /// Repeats a step for another gradient (nz entries), with the results of the step: `factor` of
+  /// Quu, the gains and Vxx' gap. Overwrites `gradient`; writes the feedforward and the gradient of
+  /// the value function.
+  void resolve(const RiccatiKnot& at, const RiccatiFactor& factor, double* gradient);
 
  private:
-  struct Knot;  ///< what a step is given, and a worker's shares of it
-  /// What each worker has for itself: U^T: nv x ndx; W: nv x nv; M: nv x nz; rows that pass
-  /// through; R and its part of L.
+  struct Knot;  ///< Arguments of a step and a worker's ranges
+  /// Workspace of each worker: U^T (nv x ndx), W (nv x nv), M (nv x nz), rows that pass through,
+  /// and R with the worker's columns of L.
   struct Own {
     Buffer u, w, m, passed, inverse_diagonal, factor;
   };
@@ -146,14 +161,14 @@ class RiccatiRecursion {
 
   StateShape state_;
   RiccatiLayout layout_;
-  // Y = [Quu | Qux | qu], upper triangle of Quu; Qxx, lower; the gradient q.
+  // Y = [Quu | Qux | qu], upper triangle of Quu; Qxx, lower triangle; gradient q.
   Buffer y_, qxx_, gradient_;
   int y_stride_;
-  Buffer g_;       ///< G = W P + M: nv x nz. Dense: G = Vxx' F, ndx x nz
+  Buffer g_;       ///< G = W P + M: nv x nz. Dense form: G = Vxx' F, ndx x nz
   Buffer w_next_;  ///< w = vx' + Vxx' gap
-  Buffer l_;       ///< [L | l] of a crew; a worker alone has it in Y
+  Buffer l_;       ///< [L | l] of a team; a single worker keeps it in Y
   Buffer box_lower_, box_upper_;
-  Buffer column_;  ///< a control's feedforward per vector
+  Buffer column_;  ///< Feedforward, one vector per control
   std::vector<Own> own_;
   BoxQp box_qp_;
 };

@@ -1,4 +1,4 @@
-// The recursion's end where it has rows, and a step again for other multipliers.
+// Terminal step with constraint rows, and a repeated step for other multipliers.
 #include <algorithm>
 
 #include "solver/dense.hpp"
@@ -23,15 +23,13 @@ void RiccatiRecursion::terminal(const KnotExpansion& e, const WeightedRows& rows
   dense::mirror_lower({qxx_.data(), vs}, {0, ndx}, value.hessian, vs);
 }
 
-void RiccatiRecursion::resolve(const KnotExpansion& expansion, int controls,
-                               const RiccatiFactor& factor, const double* next_gradient,
-                               const double* hessian_gap, double* gradient, PolicyStorage policy,
-                               double* value_gradient) {
-  const int ndx = state_.ndx;
-  dense::sum_scaled(next_gradient, 1.0, hessian_gap, ndx, w_next_.data());
-  add_transposed(state_, expansion, controls, w_next_.data(), own_[0].passed.data(), gradient);
-  // R^T R k = -qu, in a column of whole vectors: scalars would be read back before they are
-  // written.
+void RiccatiRecursion::resolve(const RiccatiKnot& at, const RiccatiFactor& factor,
+                               double* gradient) {
+  const int ndx = state_.ndx, controls = at.controls;
+  dense::sum_scaled(at.next.gradient, 1.0, at.hessian_gap, ndx, w_next_.data());
+  add_transposed(state_, at.expansion, controls, w_next_.data(), own_[0].passed.data(), gradient);
+  // R^T R k = -qu. Each entry fills a whole vector, because scalar stores followed by vector loads
+  // would stall.
   double* column = column_.data();
   for (int i = 0; i < controls; ++i)
     dense::store(column + i * dense::lanes, dense::Lane(-gradient[i]));
@@ -39,10 +37,11 @@ void RiccatiRecursion::resolve(const KnotExpansion& expansion, int controls,
                           dense::lanes, 1);
   dense::solve_upper(factor.r, factor.stride, controls, factor.inverse_diagonal, column,
                      dense::lanes, 1);
-  for (int i = 0; i < controls; ++i) policy.feedforward[i] = column[i * dense::lanes];
+  for (int i = 0; i < controls; ++i) at.policy.feedforward[i] = column[i * dense::lanes];
   // vx = qx + K^T qu
-  std::copy_n(gradient + controls, ndx, value_gradient);
-  dense::add_row_times(gradient, {policy.gain, layout_.gain_stride}, controls, ndx, value_gradient);
+  std::copy_n(gradient + controls, ndx, at.value.gradient);
+  dense::add_row_times(gradient, {at.policy.gain, layout_.gain_stride}, controls, ndx,
+                       at.value.gradient);
 }
 
 }  // namespace burnish

@@ -1,10 +1,10 @@
-// What a row with limits adds to the gradient of a cost: the augmented Lagrangian of
-//   lower <= y <= upper,  outside of it price |v| + 1/2 square v^2 for a violation v,
-// with multiplier m and weight w:
+// Contribution of a constraint row to the gradient of the cost, from the augmented Lagrangian of
+//   lower <= y <= upper,  violation v costs p |v| + 1/2 S v^2,
+// with L1 weight p and quadratic weight S. With multiplier m and weight w:
 //   d = c - clip(c, w lower, w upper), c = m + w y
-//   e = d where |d| <= price, else what lies beyond it with slope square / (w + square)
-// e is the multiplier that comes next, continuous and monotone in y: linear on five pieces. A hard
-// row is one whose price is more than any multiplier of a problem that has a solution.
+//   e = d where |d| <= p, beyond p continued with slope S / (w + S)
+// e is the next multiplier, continuous and monotone in y, and linear on five pieces. The L1 weight
+// of a hard row exceeds every multiplier of a solvable problem.
 #pragma once
 
 #include <algorithm>
@@ -13,19 +13,19 @@
 
 namespace burnish {
 
-/// Rows side by side, whole vectors of them; a row without limits has weight 0.
+/// Data of rows side by side, in whole vectors. A row without limits has weight 0.
 struct RowArrays {
   const double* lower;
   const double* upper;
   const double* weight;
-  const double* price;
-  const double* beyond;  ///< square / (weight + square)
+  const double* l1_weight;
+  const double* beyond;  ///< Quadratic weight / (weight + quadratic weight)
   const double* multiplier;
 };
 
-/// A price from here on is none: violations are not accepted. Of what can always be kept, bounds on
-/// controls.
-inline constexpr double no_price = 1e100;
+/// L1 weights of at least this size are infinite: no violation is accepted. Used for rows that can
+/// always be satisfied, the bounds on controls.
+inline constexpr double infinite_l1_weight = 1e100;
 
 inline dense::Lane larger(const dense::Lane& a, const dense::Lane& b) {
   return select(less(a, b), b, a);
@@ -35,34 +35,33 @@ inline dense::Lane clip(const dense::Lane& x, const dense::Lane& lower, const de
   return select(less(at_most, lower), lower, at_most);
 }
 
-/// e of the vector of rows that begins at i, for values y.
+/// Returns e (see the file's comment) of the vector of rows that starts at i, for values y.
 inline dense::Lane row_force(const RowArrays& rows, int i, const dense::Lane& y) {
   using dense::load;
   const dense::Lane weight = load(rows.weight + i);
-  const dense::Lane price = load(rows.price + i);
+  const dense::Lane l1_weight = load(rows.l1_weight + i);
   const dense::Lane c = load(rows.multiplier + i) + weight * y;
   const dense::Lane d = c - clip(c, weight * load(rows.lower + i), weight * load(rows.upper + i));
-  const dense::Lane within = clip(d, -price, price);
+  const dense::Lane within = clip(d, -l1_weight, l1_weight);
   return within + load(rows.beyond + i) * (d - within);
 }
 
-/// The pieces that values lie on, from the lower end to the upper one: -2 to 2, 0 within the
-/// limits.
+/// Returns the linear piece of each value: -2 to 2 from low to high, 0 within the limits.
 inline dense::Lane row_piece(const RowArrays& rows, int i, const dense::Lane& y) {
   using dense::Lane;
   using dense::load;
-  const Lane zero(0.0), weight = load(rows.weight + i), price = load(rows.price + i);
+  const Lane zero(0.0), weight = load(rows.weight + i), l1_weight = load(rows.l1_weight + i);
   const Lane c = load(rows.multiplier + i) + weight * y;
   const Lane above = c - weight * load(rows.upper + i);
   const Lane below = c - weight * load(rows.lower + i);
   const Lane high =
-      select(less(zero, above), select(less(price, above), Lane(2.0), Lane(1.0)), zero);
+      select(less(zero, above), select(less(l1_weight, above), Lane(2.0), Lane(1.0)), zero);
   const Lane low =
-      select(less(below, zero), select(less(below, -price), Lane(-2.0), Lane(-1.0)), high);
+      select(less(below, zero), select(less(below, -l1_weight), Lane(-2.0), Lane(-1.0)), high);
   return select(less(zero, weight), select(less(zero, high), high, low), zero);
 }
 
-/// The lines of pieces: e = slope y + offset.
+/// Linear function of a piece: e = slope y + offset.
 struct RowLines {
   dense::Lane slope, offset;
 };
@@ -73,11 +72,11 @@ inline RowLines row_lines(const RowArrays& rows, int i, const dense::Lane& piece
   const auto above = less(zero, piece), below = less(piece, zero);
   const Lane limit = select(above, load(rows.upper + i), load(rows.lower + i));
   const Lane offset = load(rows.multiplier + i) - weight * limit;
-  const Lane most = load(rows.price + i), beyond = load(rows.beyond + i);
-  const Lane price = select(above, most, -most);
-  const auto at_price = less(Lane(1.0), absolute(piece));
-  const Lane slope = select(at_price, beyond * weight, weight);
-  const Lane start = select(at_price, price + beyond * (offset - price), offset);
+  const Lane full_weight = load(rows.l1_weight + i), beyond = load(rows.beyond + i);
+  const Lane l1_weight = select(above, full_weight, -full_weight);
+  const auto at_l1_weight = less(Lane(1.0), absolute(piece));
+  const Lane slope = select(at_l1_weight, beyond * weight, weight);
+  const Lane start = select(at_l1_weight, l1_weight + beyond * (offset - l1_weight), offset);
   const Lane one = select(above, Lane(1.0), select(below, Lane(1.0), zero));
   return {select(less(zero, one), slope, zero), select(less(zero, one), start, zero)};
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/to_size.hpp"
 #include "burnish/solver/ddp.hpp"
 
 namespace burnish {
@@ -21,12 +22,11 @@ std::string seconds(double value) {
 
 template <class Names>
 std::string name_or_number(const Names& names, int index) {
-  if (index >= 0 && static_cast<std::size_t>(index) < names.size())
-    return "'" + names[static_cast<std::size_t>(index)] + "'";
+  if (index >= 0 && to_size(index) < names.size()) return "'" + names[to_size(index)] + "'";
   return std::to_string(index);
 }
 
-/// "not finite: cost term 'force' at press, knot 12"
+/// Example: "not finite: cost term 'force' at press, knot 12".
 std::string failure(const DdpSummary& s, const ShootingProblem& problem) {
   const std::string where = " at " + problem.knot_name(s.knot);
   if (s.status == Status::NotFinite) {
@@ -40,17 +40,17 @@ std::string failure(const DdpSummary& s, const ShootingProblem& problem) {
   return "not evaluated" + where + ": " + std::string(describe(s.status));
 }
 
-/// Names of rows, each once, and the first and last knot of each.
+/// Returns the name of each row once, with its first and last knot.
 std::string row_list(const std::vector<RowPlace>& places, const ShootingProblem& problem) {
-  struct Named {
+  struct RowGroup {
     std::string name;
     int first, last;
   };
-  std::vector<Named> rows;
+  std::vector<RowGroup> rows;
   for (const RowPlace& place : places) {
     const std::string name = name_or_number(problem.row_names(place.knot), place.row);
     const auto known =
-        std::find_if(rows.begin(), rows.end(), [&](const Named& r) { return r.name == name; });
+        std::find_if(rows.begin(), rows.end(), [&](const RowGroup& r) { return r.name == name; });
     if (known == rows.end()) {
       rows.push_back({name, place.knot, place.knot});
     } else {
@@ -58,21 +58,21 @@ std::string row_list(const std::vector<RowPlace>& places, const ShootingProblem&
       known->last = std::max(known->last, place.knot);
     }
   }
-  constexpr std::size_t most = 5;
+  constexpr std::size_t max_names = 5;
   std::string list;
-  for (std::size_t i = 0; i < std::min(rows.size(), most); ++i) {
+  for (std::size_t i = 0; i < std::min(rows.size(), max_names); ++i) {
     list += (i == 0 ? "" : ", ") + rows[i].name + " (knot " + std::to_string(rows[i].first);
     if (rows[i].last > rows[i].first) list += " to " + std::to_string(rows[i].last);
     list += ")";
   }
-  if (rows.size() > most) list += " and " + std::to_string(rows.size() - most) + " more";
+  if (rows.size() > max_names) list += " and " + std::to_string(rows.size() - max_names) + " more";
   return list;
 }
 
-/// "'lean/tilt' is 0.398, allowed -0.3 to 0.3"
+/// Example: "'lean/tilt' is 0.398, allowed -0.3 to 0.3".
 std::string start_text(const DdpSummary& s, const ShootingProblem& problem) {
   std::string list;
-  for (const StartRow& row : s.start_outside) {
+  for (const StartRow& row : s.start_violations) {
     list += (list.empty() ? "" : "; ") + name_or_number(problem.row_names(0), row.row) + " is " +
             short_number(row.value) + ", allowed ";
     if (std::isinf(row.upper))
@@ -85,12 +85,12 @@ std::string start_text(const DdpSummary& s, const ShootingProblem& problem) {
   return list;
 }
 
-/// The rows that are broken, and the rows that stop them.
+/// Describes the violated rows and the active rows that conflict with them.
 std::string conflict_text(const DdpSummary& s, const ShootingProblem& problem) {
-  if (s.conflict.empty()) return "no trajectory keeps all limits from this start";
+  if (s.conflict.empty()) return "no trajectory from this start satisfies all limits";
   std::string text =
-      "no trajectory near this one keeps all limits: " + row_list(s.conflict, problem);
-  if (!s.stopping.empty()) text += ", stopped by " + row_list(s.stopping, problem);
+      "no trajectory near this one satisfies all limits: " + row_list(s.conflict, problem);
+  if (!s.stopping.empty()) text += ", in conflict with " + row_list(s.stopping, problem);
   return text;
 }
 
@@ -104,7 +104,7 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
       return "converged: " + improvement +
              (s.expected_improvement < s.options.stop_tolerance
                   ? below
-                  : "less than what the tolerance of limits is worth");
+                  : "less than the change of cost that the limit tolerance can cause");
     case StopReason::MaxIterations:
       return "stopped after " + std::to_string(s.iterations) + " iterations: " + improvement +
              (s.expected_improvement < s.options.stop_tolerance ? below : "not " + below);
@@ -115,12 +115,12 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
       return failure(s, problem);
     case StopReason::NotPositiveDefinite:
       return "Quu is not positive definite at " + problem.knot_name(s.knot) + ", control " +
-             name_or_number(problem.control_names(), s.control) + ", though regularised with " +
+             name_or_number(problem.control_names(), s.control) + ", even with regularization " +
              largest;
     case StopReason::Infeasible:
       return conflict_text(s, problem);
     case StopReason::NoStep:
-      return "no step length lowers the cost, though regularised with " +
+      return "no step length lowers the cost, even with regularization " +
              short_number(s.regularization) +
              (s.knot >= 0 ? "; the last trial was " + failure(s, problem) : "");
     case StopReason::Callback:
@@ -129,10 +129,10 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
   return "unknown";
 }
 
-/// The rows whose limits push hardest.
-std::string pushing_text(const std::vector<CostReport::Row>& rows) {
+/// Lists the active rows with the largest multipliers.
+std::string active_text(const std::vector<CostReport::Row>& rows) {
   if (rows.empty()) return "";
-  std::string lines = "limits that push: " + std::to_string(rows.size()) +
+  std::string lines = "active constraints: " + std::to_string(rows.size()) +
                       (rows.size() == 1 ? " row\n" : " rows\n");
   for (std::size_t i = 0; i < std::min<std::size_t>(rows.size(), 5); ++i)
     lines += "  " + short_number(rows[i].multiplier) + "  " + rows[i].name + ": at " +
@@ -141,7 +141,7 @@ std::string pushing_text(const std::vector<CostReport::Row>& rows) {
   return lines;
 }
 
-/// The rows that are furthest outside their limits, or that none is.
+/// Lists the rows with the largest violations, or states that no row is violated.
 std::string rows_text(const std::vector<CostReport::Row>& rows) {
   if (rows.empty()) return "";
   std::vector<CostReport::Row> broken;
@@ -149,12 +149,12 @@ std::string rows_text(const std::vector<CostReport::Row>& rows) {
     if (row.broken()) broken.push_back(row);
   if (broken.empty()) return "constraints: every row is inside its limits\n";
   std::stable_sort(broken.begin(), broken.end(), [](const auto& a, const auto& b) {
-    return a.outside > b.outside || (std::isnan(a.outside) && !std::isnan(b.outside));
+    return a.violation > b.violation || (std::isnan(a.violation) && !std::isnan(b.violation));
   });
   std::string lines = "constraints: " + std::to_string(broken.size()) + " of " +
                       std::to_string(rows.size()) + " rows are outside their limits\n";
   for (std::size_t i = 0; i < std::min<std::size_t>(broken.size(), 5); ++i)
-    lines += "  " + short_number(broken[i].outside) + "  " + broken[i].name + ": " +
+    lines += "  " + short_number(broken[i].violation) + "  " + broken[i].name + ": " +
              short_number(broken[i].value) + ", limits " + short_number(broken[i].lower) + " and " +
              short_number(broken[i].upper) + ", at " + broken[i].knot + "\n";
   return lines;
@@ -165,33 +165,35 @@ std::string rows_text(const std::vector<CostReport::Row>& rows) {
 std::string DdpSummary::text(const ShootingProblem& problem) const {
   std::string sentence = reason_text(*this, problem);
   if (reason == StopReason::NotEvaluated) return sentence;
-  if (!start_outside.empty())
-    sentence += "; the start is outside its limits: " + start_text(*this, problem);
+  if (!start_violations.empty())
+    sentence += "; the initial state violates limits: " + start_text(*this, problem);
   sentence += "; cost " + short_number(cost) + ", ";
-  if (outside_knot >= 0)
+  if (violation_knot >= 0)
     return sentence +
-           "not feasible: " + name_or_number(problem.row_names(outside_knot), outside_row) +
-           " is outside its limits by " + short_number(outside) + " of its scale at " +
-           problem.knot_name(outside_knot);
+           "not feasible: " + name_or_number(problem.row_names(violation_knot), violation_row) +
+           " is outside its limits by " + short_number(violation) + " of its scale at " +
+           problem.knot_name(violation_knot);
   if (feasible) return sentence + "feasible";
   const std::vector<std::string> names = problem.state_names();
   return sentence + "not feasible: largest gap " + short_number(largest_gap) + " in " +
          name_or_number(names, gap_entry) + " before " + problem.knot_name(gap_knot);
 }
 
-/// What a solver keeps limits to, and rounding, break none.
+/// A row is violated if it exceeds its limit by more than the solver's tolerance and rounding
+/// errors.
 bool CostReport::Row::broken() const {
   const double limit = value > upper ? upper : lower;
-  return !(outside <= std::max(1e-8 * scale, 1e-9 * std::max(1.0, std::abs(limit))));
+  return !(violation <= std::max(1e-8 * scale, 1e-9 * std::max(1.0, std::abs(limit))));
 }
 
-std::vector<CostReport::Row> CostReport::pushing() const {
-  std::vector<Row> pushing = rows;
-  std::erase_if(pushing, [](const Row& row) { return row.active == 0; });
-  const auto push = [](const Row& row) { return std::abs(row.multiplier) * row.scale; };
-  std::stable_sort(pushing.begin(), pushing.end(),
-                   [&](const Row& a, const Row& b) { return push(a) > push(b); });
-  return pushing;
+std::vector<CostReport::Row> CostReport::active_constraints() const {
+  std::vector<Row> active_constraints = rows;
+  std::erase_if(active_constraints, [](const Row& row) { return row.active == 0; });
+  const auto multiplier_size = [](const Row& row) { return std::abs(row.multiplier) * row.scale; };
+  std::stable_sort(
+      active_constraints.begin(), active_constraints.end(),
+      [&](const Row& a, const Row& b) { return multiplier_size(a) > multiplier_size(b); });
+  return active_constraints;
 }
 
 std::string CostReport::text() const {
@@ -207,7 +209,7 @@ std::string CostReport::text() const {
   for (const Entry& e : by_term) lines += "  " + short_number(e.cost) + "  " + e.name + "\n";
   lines += "most expensive knots\n";
   for (const Entry& e : by_knot) lines += "  " + short_number(e.cost) + "  " + e.name + "\n";
-  return lines + rows_text(rows) + pushing_text(pushing());
+  return lines + rows_text(rows) + active_text(active_constraints());
 }
 
 }  // namespace burnish

@@ -14,7 +14,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// One <joint> of a state.
+/// Value of one <joint> element of a state.
 struct Value {
   std::string joint;
   std::vector<double> numbers;
@@ -29,7 +29,7 @@ Value read_value(const XMLElement& element, const XmlPlace& place) {
   return value;
 }
 
-/// An angle of a continuous or planar joint may be stated by its cosine and sine.
+/// Converts the angle of a continuous or planar joint if it is given as cosine and sine.
 void take_angle(JointType type, std::vector<double>& numbers) {
   const std::size_t size = posture_size(type);
   const bool turns = type == JointType::Continuous || type == JointType::Planar;
@@ -51,12 +51,12 @@ void take_angle(JointType type, std::vector<double>& numbers) {
 
 void add_value(const XMLElement& element, Value value, const XmlPlace& place,
                const TypeByJoint& types, bool with_hint, Posture& posture) {
-  const auto known = types.find(value.joint);
-  if (known == types.end() && value.joint != root_joint_name) {
+  const auto found = types.find(value.joint);
+  if (found == types.end() && value.joint != root_joint_name) {
     refuse_joint(element, value.joint, place, types, with_hint);
   }
-  const JointType type = known == types.end() ? JointType::Floating : known->second;
-  if (type == JointType::Fixed) return;  // nothing to state
+  const JointType type = found == types.end() ? JointType::Floating : found->second;
+  if (type == JointType::Fixed) return;  // a fixed joint does not have values
   take_angle(type, value.numbers);
   check_posture_values(place.source, value.joint, value.numbers, posture_size(type));
   const auto [stated, is_new] = posture.emplace(value.joint, value.numbers);

@@ -1,4 +1,5 @@
-// Postures of an SRDF file, the companion of a URDF file that planners of motions use.
+// Reads postures from SRDF files. An SRDF file accompanies a URDF file and is used by motion
+// planners.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +11,18 @@
 
 namespace burnish {
 
-/// The <group_state>s of an SRDF file as postures by their names; states of the same name, which
-/// belong to several groups, are one posture. Joints that the tree has not, values that do not suit
-/// their joint and contradictions are left out with a warning. Throws Error where the file is no
-/// SRDF.
+/// Reads the <group_state> elements of an SRDF file as postures, by name. States of several groups
+/// with equal names form one posture. Unknown joints, values that do not fit their joint, and
+/// contradictory values are left out with a warning. Throws Error if the file is not an SRDF file.
 std::map<std::string, Posture> read_srdf(const std::filesystem::path& file, const TreeSpec& tree,
                                          Findings& findings);
 
-/// The same from a text.
+/// Reads postures from SRDF text; see read_srdf().
 std::map<std::string, Posture> parse_srdf(const std::string& xml, const TreeSpec& tree,
                                           Findings& findings);
 
-/// The SRDF file that belongs to a URDF file by its name: arm.srdf beside arm.urdf or in the folder
-/// srdf beside the URDF's; empty where there is none.
+/// Returns the SRDF file of a URDF file: for robot/urdf/arm.urdf, robot/urdf/arm.srdf or
+/// robot/srdf/arm.srdf. Returns an empty path if neither exists.
 std::filesystem::path srdf_of(const std::filesystem::path& urdf);
 
 }  // namespace burnish

@@ -13,7 +13,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Refuses by counting tags, before a tree of a million elements is built in memory.
+/// Limits the number of links by counting tags, before a tree of elements is built in memory.
 void check_link_count(const std::string& xml, const std::string& source) {
   std::size_t links = 0;
   std::size_t at = xml.find('<');
@@ -24,15 +24,16 @@ void check_link_count(const std::string& xml, const std::string& source) {
     } else if (xml.compare(at, 5, "<link") == 0 && at + 5 < xml.size() &&
                std::string_view(" \t\r\n/>").find(xml[at + 5]) != std::string_view::npos) {
       if (++links > max_links) {
-        refuse(source, "it has more than " + std::to_string(max_links) +
-                           " links; at most that many are supported");
+        refuse(source, "the file has more than " + std::to_string(max_links) +
+                           " links, the maximum number");
       }
     }
     at = xml.find('<', at + 1);
   }
 }
 
-/// The robot's own name, or else the file's; a device or a pipe has none.
+/// Returns the name of the robot. Without one, returns the name of the file, or "robot" if that is
+/// not a name, as for devices and pipes.
 std::string robot_name(const XMLElement& robot, const std::string& source, Findings& findings) {
   const char* stated = robot.Attribute("name");
   if (stated != nullptr && *stated != '\0') return stated;
@@ -43,8 +44,8 @@ std::string robot_name(const XMLElement& robot, const std::string& source, Findi
   return name;
 }
 
-/// Definitions of xacro that are left stand for nothing; its other elements stand for links,
-/// without which all else would be in vain.
+/// Checks for elements of xacro that were not expanded. Definitions only give a warning. Other
+/// macros throw Error, since links would be missing.
 void check_macros(const XMLElement& robot, Findings& findings) {
   for (const XMLElement* child = robot.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {
@@ -55,11 +56,12 @@ void check_macros(const XMLElement& robot, Findings& findings) {
         name != "xacro:include") {
       refuse(findings.origin(), what + "is a macro; expand the file with xacro first");
     }
-    findings.warn(what + "was left by xacro and is passed over");
+    findings.warn(what + "was left by xacro and is ignored");
   }
 }
 
-/// False where one is missing, so that others would seem to be wrong.
+/// Reads links and joints. Returns false if one of them could not be read; then a check of the
+/// topology would report errors that do not exist.
 bool read_elements(const XMLElement& robot, TreeSpec& tree, Findings& findings) {
   const Colours colours = read_colours(robot);
   bool complete = true;
@@ -88,7 +90,7 @@ TreeSpec parse_urdf(const std::string& xml, const std::string& source) {
   tree.name = robot_name(robot, source, findings);
   check_macros(robot, findings);
   const bool complete = read_elements(robot, tree, findings);
-  tree.warnings = findings.warnings();  // what is odd about the values, build_model says
+  tree.warnings = findings.warnings();  // build_model adds warnings about values
   if (complete) check_topology(tree, findings);
   check_values(tree, findings);
   findings.refuse_problems();

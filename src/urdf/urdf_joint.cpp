@@ -32,7 +32,8 @@ JointType type_of(const XMLElement& element, const XmlPlace& place) {
                            : nearest));
 }
 
-/// One number of an element, where it states it.
+/// Reads one number of an element into `value`. `value` does not change if the attribute is
+/// missing.
 void read_number(const XMLElement& element, const char* attribute, const XmlPlace& place,
                  bool may_be_infinite, double& value, Findings& findings) {
   findings.attempt([&] {
@@ -49,13 +50,13 @@ void read_axis(const XMLElement& element, const XmlPlace& place, JointSpec& join
   needed_attribute(*axis, "xyz", place);
   const std::vector<double> xyz = *numbers(*axis, "xyz", 3, place);
   joint.axis = Eigen::Vector3d(xyz[0], xyz[1], xyz[2]);
-  // A zero axis stays as it is for check_values to name.
+  // check_values reports a zero axis.
   if (joint.axis.norm() > 0.0) joint.axis.normalize();
 }
 
-/// The range of a revolute or prismatic joint. Of one end that is missing the format says that it
-/// is zero; where that is beyond the other end it was not meant, and where both are missing
-/// neither.
+/// Reads the range of a revolute or prismatic joint. By the format, a missing end is zero. If both
+/// ends are missing, or zero would be beyond the other end, the missing end is taken as unlimited,
+/// with a warning.
 void read_range(const XMLElement& limit, const XmlPlace& place, JointSpec& joint,
                 Findings& findings) {
   const bool has_lower = limit.Attribute("lower") != nullptr;
@@ -84,30 +85,28 @@ void read_range(const XMLElement& limit, const XmlPlace& place, JointSpec& joint
   }
 }
 
-/// Says that a continuous joint has no range where its <limit> states one of less than a turn. No
-/// range at all, 0 to 0, is what some exporters write for every joint.
+/// Warns if the <limit> of a continuous joint states a range of less than one turn. The range 0 to
+/// 0 gives no warning, since some exporters write it for every joint.
 void warn_of_range(const XMLElement& limit, const XmlPlace& place, Findings& findings) {
-  constexpr double turn = 6.283;  // rad, rounded as files have it
+  constexpr double turn = 6.283;  // full turn, rounded as in files [rad]
   double lower = 0.0, upper = 0.0;
   read_number(limit, "lower", place, false, lower, findings);
   read_number(limit, "upper", place, false, upper, findings);
   if (!(upper > lower) || upper - lower >= turn) return;
-  findings.warn(
-      line_text(limit) + place.element + ": its type is continuous, so that 'lower' = " +
-      number(lower) + " and 'upper' = " + number(upper) +
-      " of its <limit> do not count, and it turns without end; wanted type revolute where "
-      "they are meant");
+  findings.warn(line_text(limit) + place.element + ": its type is continuous, so 'lower' = " +
+                number(lower) + " and 'upper' = " + number(upper) +
+                " of its <limit> are ignored; wanted type revolute if the joint is limited");
 }
 
-/// A limit of velocity or effort. The format wants both, so that files whose author knows none say
-/// 0; a joint that may not move is not meant by that, nor one without a motor.
+/// Reads a limit of velocity or effort. The format requires both, so authors write 0 for an unknown
+/// limit. 0 is therefore taken as unlimited, with a warning.
 void read_largest(const XMLElement& limit, const char* attribute, const XmlPlace& place,
                   double& value, Findings& findings) {
   double stated = value;
   read_number(limit, attribute, place, true, stated, findings);
   if (stated == 0.0)
     findings.warn(line_text(limit) + place.element + ": <limit> has '" + attribute +
-                  "' = 0, as where it is not known; it is taken as unlimited");
+                  "' = 0, which usually means unknown; it is taken as unlimited");
   else
     value = stated;
 }
@@ -126,7 +125,7 @@ void read_limits(const XMLElement& element, const XmlPlace& place, JointSpec& jo
   if (has_range) read_range(*limit, place, joint, findings);
   if (joint.type == JointType::Continuous) warn_of_range(*limit, place, findings);
   read_largest(*limit, "velocity", place, joint.velocity_limit, findings);
-  // A follower has no motor of its own: what it states is added to its leader's, and may be 0.
+  // A follower has no motor. Its effort limit is added to the limit of its leader, and may be 0.
   if (element.FirstChildElement("mimic") != nullptr)
     read_number(*limit, "effort", place, true, joint.effort_limit, findings);
   else

@@ -33,18 +33,18 @@ InertiaSpec read_inertia(const XMLElement& inertial, const XmlPlace& place, Find
   });
   const Eigen::Matrix3d turned = origin.linear() * inertia * origin.linear().transpose();
   result.com = origin.translation();
-  // The product is symmetric up to rounding only.
+  // Rounding makes the product slightly asymmetric.
   result.inertia_at_com = 0.5 * (turned + turned.transpose());
   return result;
 }
 
-/// A length or a radius.
+/// Reads a length or a radius [m].
 double size_of(const XMLElement& shape, const char* attribute, const XmlPlace& place) {
   const double size = needed_number(shape, attribute, place);
   if (size >= 0.0) return size;
   refuse(place, shape,
          std::string("<") + shape.Name() + "> has " + attribute + " = " + number(size) +
-             "; it must be zero or positive");
+             "; wanted zero or more");
 }
 
 Shape read_shape(const XMLElement& shape, const XmlPlace& place) {
@@ -53,8 +53,7 @@ Shape read_shape(const XMLElement& shape, const XmlPlace& place) {
     needed_attribute(shape, "size", place);
     const Eigen::Vector3d size = vector_of(*numbers(shape, "size", 3, place));
     if (size.minCoeff() >= 0.0) return BoxShape{size};
-    refuse(place, shape,
-           "<box> has the size " + number(size.minCoeff()) + "; it must be zero or positive");
+    refuse(place, shape, "<box> has the size " + number(size.minCoeff()) + "; wanted zero or more");
   }
   if (kind == "cylinder") {
     return CylinderShape{size_of(shape, "radius", place), size_of(shape, "length", place)};
@@ -69,8 +68,8 @@ Shape read_shape(const XMLElement& shape, const XmlPlace& place) {
          "<geometry> holds <" + std::string(kind) + ">; wanted box, cylinder, sphere or mesh");
 }
 
-/// The colour that a material states itself. One that is none is none: a drawing is no reason to
-/// refuse a robot.
+/// Returns the <color> of a material. Returns nothing if it is missing or invalid; an invalid
+/// colour is not an error, since only drawings use it.
 std::optional<Eigen::Vector4d> own_colour(const XMLElement& material) {
   const XMLElement* colour = material.FirstChildElement("color");
   if (colour == nullptr) return std::nullopt;
@@ -80,7 +79,7 @@ std::optional<Eigen::Vector4d> own_colour(const XMLElement& material) {
     const Eigen::Vector4d values((*rgba)[0], (*rgba)[1], (*rgba)[2], (*rgba)[3]);
     if (values.minCoeff() >= 0.0 && values.maxCoeff() <= 1.0) return values;
   } catch (const Error&) {
-    // Drawn in grey.
+    // Visuals without a colour are drawn in grey.
   }
   return std::nullopt;
 }
@@ -94,14 +93,14 @@ void add_colours(const XMLElement& parent, Colours& colours) {
   }
 }
 
-/// Of several materials the first that has a colour counts.
+/// Returns the colour of the first material that has one, either its own or by name.
 std::optional<Eigen::Vector4d> colour_of(const XMLElement& visual, const Colours& colours) {
   for (const XMLElement* material = visual.FirstChildElement("material"); material != nullptr;
        material = material->NextSiblingElement("material")) {
     if (const auto own = own_colour(*material)) return own;
     const char* name = material->Attribute("name");
-    const auto known = colours.find(name == nullptr ? "" : name);
-    if (known != colours.end()) return known->second;
+    const auto found = colours.find(name == nullptr ? "" : name);
+    if (found != colours.end()) return found->second;
   }
   return std::nullopt;
 }
@@ -110,7 +109,7 @@ void add_visual(const XMLElement& element, const Colours& colours, const XmlPlac
                 std::vector<VisualSpec>& visuals, Findings& findings) {
   const XMLElement* geometry = element.FirstChildElement("geometry");
   const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
-  if (shape == nullptr) return;  // nothing to draw
+  if (shape == nullptr) return;  // a visual without geometry
   VisualSpec visual;
   visual.shape = read_shape(*shape, place);
   visual.placement = read_origin(element, place, findings);
@@ -140,11 +139,11 @@ void add_collision(const XMLElement& element, const XmlPlace& place, std::vector
 void read_collisions(const XMLElement& element, std::vector<LinkSolid>& solids) {
   const char* name = element.Attribute("name");
   if (name == nullptr) return;
-  Findings passed_over("");  // nothing that is computed needs them
+  Findings ignored("");  // computations do not use collision geometry
   for (const XMLElement* collision = element.FirstChildElement("collision"); collision != nullptr;
        collision = collision->NextSiblingElement("collision")) {
     try {
-      add_collision(*collision, {"", name}, solids, passed_over);
+      add_collision(*collision, {"", name}, solids, ignored);
     } catch (const Error&) {
       // A shape that cannot be read is left out.
     }

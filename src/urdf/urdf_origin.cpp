@@ -9,7 +9,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Turns about the fixed axes x, y and z, in this order.
+/// Rotation by roll, pitch and yaw about the fixed axes x, y and z, in this order.
 Eigen::Quaterniond from_roll_pitch_yaw(const std::vector<double>& rpy) {
   const double sr = std::sin(0.5 * rpy[0]), cr = std::cos(0.5 * rpy[0]);
   const double sp = std::sin(0.5 * rpy[1]), cp = std::cos(0.5 * rpy[1]);
@@ -29,7 +29,7 @@ Eigen::Isometry3d read_origin(const XMLElement& parent, const XmlPlace& place, F
     const std::string_view name = attribute->Name();
     if (name == "xyz" || name == "rpy") continue;
     refuse(place, *origin,
-           "<origin> has the attribute " + in_quotes(name) + "; only 'xyz' and 'rpy' are known");
+           "<origin> has the attribute " + in_quotes(name) + "; wanted only 'xyz' and 'rpy'");
   }
   if (const auto xyz = numbers(*origin, "xyz", 3, place)) {
     placement.translation() = Eigen::Vector3d((*xyz)[0], (*xyz)[1], (*xyz)[2]);
@@ -45,7 +45,7 @@ void warn_of_macros(const XMLElement& element, const XmlPlace& place, Findings& 
        child = child->NextSiblingElement()) {
     if (!std::string_view(child->Name()).starts_with("xacro:")) continue;
     findings.warn(line_text(*child) + place.element + ": <" + child->Name() +
-                  "> is a macro that was not expanded; what it stands for is missing");
+                  "> is a macro that was not expanded; its content is missing");
   }
 }
 

@@ -12,12 +12,12 @@ using tinyxml2::XMLElement;
 void parse_text(tinyxml2::XMLDocument& document, const std::string& xml, const std::string& source,
                 const std::string& format) {
   if (xml.find_first_not_of(" \t\r\n") == std::string::npos) {
-    refuse(source, "it is empty; a description in " + format + " was wanted");
+    refuse(source, "the file is empty; wanted a description in " + format);
   }
   if (document.Parse(xml.data(), xml.size()) == tinyxml2::XML_SUCCESS) return;
   std::string reason = document.ErrorName();
   if (document.ErrorID() == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) {
-    reason = "an element is closed by another one's tag or not at all";
+    reason = "an element is not closed, or is closed by the tag of another element";
   } else if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
     reason = "elements are nested too deeply";
   } else if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING ||
@@ -25,24 +25,25 @@ void parse_text(tinyxml2::XMLDocument& document, const std::string& xml, const s
              document.ErrorID() == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE) {
     reason = "an element is cut off or misspelt";
   } else if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_TEXT) {
-    reason = "text stands where an element belongs";
+    reason = "there is text in place of an element";
   }
   refuse(source, "line " + std::to_string(document.ErrorLineNum()) +
                      ": the XML is not well formed: " + reason);
 }
 
-/// The readers look attributes up one by one, each time from the first.
+/// Limits the number of attributes of an element. Readers search attributes one by one from the
+/// first, so their time would grow with the square of this number.
 class FewAttributes : public tinyxml2::XMLVisitor {
  public:
   explicit FewAttributes(const std::string& source) : source_(source) {}
 
   bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* attribute) override {
-    constexpr int most = 100;
+    constexpr int max_attributes = 100;
     int count = 0;
     for (; attribute != nullptr; attribute = attribute->Next()) {
-      if (++count > most) {
+      if (++count > max_attributes) {
         refuse(source_, line_text(element) + "<" + element.Name() + "> has more than " +
-                            std::to_string(most) + " attributes; at most that many are read");
+                            std::to_string(max_attributes) + " attributes, the maximum number");
       }
     }
     return true;
@@ -57,12 +58,12 @@ class FewAttributes : public tinyxml2::XMLVisitor {
 const XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std::string& xml,
                             const std::string& source, const std::string& format,
                             const std::string& wanted) {
-  constexpr int megabytes = 16;  // of the shortest elements 1 GB in memory
+  constexpr int megabytes = 16;  // text of this size that holds only short elements takes 1 GB
   check_size(xml, source, megabytes);
   parse_text(document, xml, source, format);
   const XMLElement* outermost = document.RootElement();
   if (outermost == nullptr) {
-    refuse(source, "its outermost element is missing; wanted " + wanted);
+    refuse(source, "the outermost element is missing; wanted " + wanted);
   }
   FewAttributes check(source);
   outermost->Accept(&check);

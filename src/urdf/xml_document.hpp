@@ -1,4 +1,4 @@
-// A file in XML, within bounds that every reader keeps.
+// Parses XML files, with limits on their size that apply to all formats.
 #pragma once
 
 #include <tinyxml2.h>
@@ -7,14 +7,15 @@
 
 namespace burnish {
 
-/// The outermost element. Throws Error where the text is larger than 16 MB, is no XML, has no
-/// element, or one with more than 100 attributes. `format` and `wanted` say in sentences what
-/// was wanted, e.g. "URDF" and "<robot>".
+/// Returns the outermost element. `format` and `wanted` name the expected format and element in
+/// messages, such as "URDF" and "<robot>". Throws Error if the text is larger than 16 MB, is not
+/// valid XML or does not have an element, or if an element has more than 100 attributes.
 const tinyxml2::XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std::string& xml,
                                       const std::string& source, const std::string& format,
                                       const std::string& wanted);
 
-/// The same, of a text that must have <robot> around it.
+/// Returns the outermost element, which must be <robot>. Throws Error if parse_xml() does, or for
+/// another outermost element.
 const tinyxml2::XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::string& xml,
                                             const std::string& source, const std::string& format);
 

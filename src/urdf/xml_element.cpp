@@ -40,13 +40,13 @@ std::vector<double> read_numbers(const tinyxml2::XMLElement& element, const char
   for (const std::string_view word : words(element.Attribute(attribute))) {
     const std::optional<double> value = parse_number(word);
     if (!value) {
-      const bool of_xacro = word.find("${") != std::string_view::npos;
+      const bool is_xacro = word.find("${") != std::string_view::npos;
       refuse_attribute(element, attribute, place,
                        in_quotes(word) + " is not a number" +
-                           (of_xacro ? "; expand the file with xacro first" : ""));
+                           (is_xacro ? "; expand the file with xacro first" : ""));
     }
     const bool allowed = std::isfinite(*value) || (may_be_infinite && !std::isnan(*value));
-    if (!allowed) refuse_attribute(element, attribute, place, "it must be finite");
+    if (!allowed) refuse_attribute(element, attribute, place, "wanted finite numbers");
     values.push_back(*value);
   }
   return values;
@@ -87,7 +87,7 @@ const tinyxml2::XMLElement& needed_child(const tinyxml2::XMLElement& parent, con
                                          const XmlPlace& place) {
   const tinyxml2::XMLElement* child = parent.FirstChildElement(name);
   if (child == nullptr) {
-    refuse(place, parent, tag(parent) + " has no <" + name + ">; it must hold one");
+    refuse(place, parent, tag(parent) + " has no <" + name + ">; wanted one");
   }
   if (child->NextSiblingElement(name) != nullptr) {
     refuse(place, *child, tag(parent) + " holds " + tag(*child) + " twice; wanted it once");

@@ -15,8 +15,8 @@ const Description& description_of(const ForceProfile* /*of*/) {
                  "Shape of the force over time: constant, steps, lines or sine")
           .field("points", &S::points,
                  "Points of steps and lines: [[time on the path in s, force in N], ...]")
-          .more("Before the first point, kind steps uses the task's force. Kind lines "
-                "interpolates from the task's force at time 0.")
+          .more("Kind steps uses the task's force until the first point. Kind lines starts with a"
+                " line from the task's force at time 0 to the first point.")
           .field("amplitude", &S::amplitude,
                  "Amplitude of the sine about the force of the task [{N}]",
                  {.least = 0})
@@ -26,10 +26,11 @@ const Description& description_of(const ForceProfile* /*of*/) {
           .field("start", &S::start,
                  "Time on the path when the sine begins [{s}]",
                  {.least = 0})
-          .more("Until then the force is constant.")
+          .more("Before this time the force is constant.")
           .field("preview", &S::preview,
-                 "Plans know the future target force; false: plans assume that the present target"
-                 " force stays");
+                 "Whether plans use the future target force; false: plans assume a constant "
+                 "target force")
+          .more("The assumed constant is the target force at the present time.");
   return all;
 }
 
@@ -39,7 +40,7 @@ const Words& words_of(ForceProfile::Kind /*of*/) {
       "ForceProfileKind",
       "Shape of the target force over the time on the path.",
       {{"constant"},
-       {"steps", "Jump to the force of a point at the time of that point"},
+       {"steps", "At the time of each point, the force jumps to the force of the point"},
        {"lines", "Straight lines between points"},
        {"sine", "Sine about the force of the task"}}};
   return all;
@@ -49,15 +50,15 @@ const Description& description_of(const RequiredMargins* /*of*/) {
   using S = RequiredMargins;
   static const Description all =
       Describe<S>("polishing", "RequiredMargins",
-                  "Stability margins that fit_gains() requires, in addition to the delays and "
-                  "filters of the loop.")
+                  "Stability margins that the gains from fit_gains() must have, in a control loop"
+                  " that already contains the usual delays and filters.")
           .field("delay", &S::delay,
-                 "Delay of the commands that the loop must tolerate [{s}]",
+                 "Extra delay of commands that the control loop must tolerate [{s}]",
                  {.least = 0})
           .field("gain", &S::gain,
-                 "Factor on the torque of any single joint that the loop must tolerate",
+                 "Factor on the torque of any one joint that the control loop must tolerate",
                  {.least = 0, .open = true})
-          .more("The loop must also tolerate the inverse of the factor.");
+          .more("The control loop must also tolerate the inverse of the factor.");
   return all;
 }
 
@@ -114,13 +115,13 @@ const Description& description_of(const PathSpec* /*of*/) {
           .field("rate", &S::rate,
                  "Angular rate of the circle or spiral [{rad/s}]")
           .field("start_up", &S::start_up,
-                 "Time until the circle has its full radius, or the spiral its full growth rate "
-                 "[{s}]",
+                 "Time until a circle reaches its full radius, or a spiral its full rate of "
+                 "growth [{s}]",
                  {.least = 0, .open = true})
           .field("pitch", &S::pitch,
                  "Mean distance between two turns of the spiral [{m}]",
                  {.least = 0, .open = true})
-          .more("The mean is taken from the centre to the largest radius.")
+          .more("The mean is computed over all turns from the centre to the largest radius.")
           .field("width", &S::width,
                  "Length of the zigzag along the first tangent [{m}]",
                  {.least = 0, .open = true})
@@ -134,10 +135,9 @@ const Description& description_of(const PathSpec* /*of*/) {
                  "Highest speed along a straight line of the zigzag or between points [{m/s}]",
                  {.least = 0, .open = true})
           .field("points", &S::points,
-                 "Points [[u, w], ...] along the tangents [{m}], or a CSV file with columns u and"
-                 " w")
-          .in_code("Points (u, w) along the two tangents [m]")
-          .more("Straight lines lead from the centre through the points. The path comes to rest "
+                 "Points [[u, w], ...] along the two tangents [{m}]; in files also a CSV file "
+                 "with columns u and w")
+          .more("The path leads from the centre through the points in straight lines, and stops "
                 "at each point.");
   return all;
 }
@@ -178,7 +178,8 @@ const Words& words_of(ControllerKind /*of*/) {
       "Controller of a run.",
       {{"mpc", "Model predictive control (MpcController)"},
        {"baseline", "Impedance with force feedback, no optimisation (make_impedance_controller())"},
-       {"admittance", "Admittance from force error to targets of joint positions (make_admittance_controller())"}}};
+       {"admittance", "Admittance: the force error moves the targets of the joint positions "
+        "(make_admittance_controller())"}}};
   return all;
 }
 
@@ -192,9 +193,10 @@ const Description& description_of(const RunSpec* /*of*/) {
                  "Robot to use instead of the robot that the task names")
           .field("controller", &S::controller)
           .field("plant", &S::plant,
-                 "Plant to simulate; MuJoCo if this build has it")
+                 "Plant to simulate; by default MuJoCo, if this build has it")
           .field("check_reach", &S::check_reach,
-                 "Check the reach before the run, and throw Error if there is a problem")
+                 "Check before the run by statics whether the arm can do the task; throw Error if"
+                 " it cannot")
           .field("reach", &S::reach)
           .field("plan_rate", &S::plan_rate,
                  "Recording rate of the plans of the MPC (0: no recording) [{Hz}]")
@@ -228,10 +230,11 @@ const Description& description_of(const Setting* /*of*/) {
                  "Position of the tool at the start, in the world [{m}]")
           .required()
           .field("p_center", &S::p_center,
-                 "Position of the tool in contact at the path's origin, in the world [{m}]")
+                 "Position of the tool when it touches the surface at the path's origin, in the "
+                 "world [{m}]")
           .required()
           .field("reach_end", &S::reach_end,
-                 "Schedule time at the end of the reach [{s}]")
+                 "Schedule time at the end of the phase Reach [{s}]")
           .field("touch", &S::touch,
                  "Schedule time of the planned contact [{s}]")
           .field("ramp_end", &S::ramp_end,
@@ -239,7 +242,7 @@ const Description& description_of(const Setting* /*of*/) {
           .field("track_end", &S::track_end,
                  "Schedule time at the end of the path [{s}]")
           .field("assumed_rotors", &S::assumed_rotors,
-                 "Armature that Task.assume_rotors added to each joint, by joint name [{kg m^2 "
+                 "Rotor inertia that Task.assume_rotors added to joints, by joint name [{kg m^2 "
                  "(kg)}]")
           .field("home", &S::home,
                  "Move from Task.home to q_start; none if the run begins at q_start");
@@ -262,10 +265,10 @@ const Description& description_of(const Waving* /*of*/) {
   using S = Waving;
   static const Description all =
       Describe<S>("polishing", "Waving",
-                  "Oscillation of a surface that is attached to a frame of the robot. The frame "
-                  "moves from its placement at the start by the translation shift * s and the "
-                  "rotation vector turn * s. Here s = sin(2 pi frequency t), where t is the time "
-                  "since contact. The amplitude grows smoothly during start_up.")
+                  "Oscillation of a surface that is attached to a frame of the robot. At the time"
+                  " t after contact, the frame has moved from its placement at the start by the "
+                  "translation shift * s and the rotation vector turn * s, with s = sin(2 pi "
+                  "frequency t). The amplitude grows smoothly during start_up.")
           .field("shift_world", &S::shift_world,
                  "Amplitude of the translation, [x, y, z] in world axes [{m}]")
           .key("shift")
@@ -279,10 +282,10 @@ const Description& description_of(const Waving* /*of*/) {
                  "Time from contact to the full amplitude [{s}]",
                  {.least = 0, .open = true})
           .field("position", &S::position,
-                 "Weight on the distance of the frame's origin from its target [{1/m^2}]",
+                 "Weight on the position error of the frame that carries the surface [{1/m^2}]",
                  {.least = 0})
           .field("rotation", &S::rotation,
-                 "Weight on the angle between the frame and its target [{1/rad^2}]",
+                 "Weight on the rotation error of the frame that carries the surface [{1/rad^2}]",
                  {.least = 0});
   return all;
 }
@@ -291,27 +294,29 @@ const Description& description_of(const Weights* /*of*/) {
   using S = Weights;
   static const Description all =
       Describe<S>("polishing", "Weights",
-                  "Cost weights, per second of horizon. If the weight of a term is doubled, the "
-                  "other terms cause half the error in that term.")
+                  "Cost weights. Costs are integrated over the horizon in seconds. Doubling the "
+                  "weight of a term halves the part of its error that is caused by the other "
+                  "terms.")
           .field("force", &S::force,
                  "Weight on errors of the normal force [{1/N^2}]",
                  {.least = 0})
           .field("position", &S::position,
-                 "Weight on the tool's distance from the path (auto: fitted to the arm) [{1/m^2}]",
+                 "Weight on the tool's distance from the path (automatic: fitted to the arm) "
+                 "[{1/m^2}]",
                  {.least = 0})
-          .in_code("Weight on the tool's distance from the path (none: fitted to the arm) [1/m^2]")
-          .more("fit_gains() fits the weight. During the reach, the target is the point above the"
-                " surface.")
+          .more("The function fit_gains() chooses the automatic weight. In the phase Reach, the "
+                "weight is on the distance from a point above the surface.")
           .word("auto")
           .field("approach", &S::approach,
                  "Weight on errors of the tool's normal speed in approach and retreat [{s^2/m^2}]",
                  {.least = 0})
           .field("rotation", &S::rotation,
-                 "Weight on the tool's orientation relative to the start [{1/rad^2}]",
+                 "Weight on the rotation of the tool from its orientation at the start "
+                 "[{1/rad^2}]",
                  {.least = 0})
           .more("With a smaller weight the wrist turns more.")
           .field("posture", &S::posture,
-                 "Weight on joint angles relative to the start [{1/rad^2}]",
+                 "Weight on joint angles relative to the starting posture [{1/rad^2}]",
                  {.least = 0})
           .more("A larger weight keeps the elbow in place but costs accuracy.")
           .field("velocity", &S::velocity,
@@ -319,10 +324,11 @@ const Description& description_of(const Weights* /*of*/) {
                  {.least = 0})
           .more("A larger weight damps more but lets the tool lag on fast paths.")
           .field("torque", &S::torque,
-                 "Weight on torques relative to the torques that hold the start [{1/Nm^2}]",
+                 "Weight on torques relative to the torques that hold the starting posture "
+                 "[{1/Nm^2}]",
                  {.least = 0})
           .field("terminal", &S::terminal,
-                 "Duration by which the weights are multiplied for the terminal cost [{s}]",
+                 "Duration that multiplies the weights in the terminal cost [{s}]",
                  {.least = 0});
   return all;
 }
@@ -334,21 +340,19 @@ const Description& description_of(const Verdict* /*of*/) {
                   "Requirements on a run for the outcome \"polished\". They apply to the plant's "
                   "true force and position, from the end of the ramp to the end of the path.")
           .field("contact_share", &S::contact_share,
-                 "Smallest allowed fraction of the time in contact",
+                 "Smallest allowed time in contact, as a fraction of the whole time",
                  {.least = 0, .most = 1})
           .field("force_rmse", &S::force_rmse,
-                 "Largest allowed rms error of the force, as a fraction of the task's force; or "
-                 "never",
+                 "Largest allowed rms force error, as a fraction of the task's force (or never)",
                  {.least = 0, .open = true, .infinite = true})
-          .in_code("Largest allowed rms error of the force, as a fraction of the task's force")
           .more("The force is averaged over 10 ms. The value never (infinite) allows any error.")
           .field("path_share", &S::path_share,
                  "Smallest allowed fraction of the path's length on which the tip is over its "
                  "target",
                  {.least = 0, .most = 1})
-          .more("The tip is over its target if their distance along the surface is at most the "
-                "tip's radius. The length of a path without end is the length that the tool "
-                "travels in Task.polish_duration.");
+          .more("The tip is over its target if its distance to the target along the surface is at"
+                " most the tip's radius. For a path without end, the length is the distance that "
+                "the tool travels in Task.polish_duration.");
   return all;
 }
 
@@ -356,22 +360,24 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("polishing", "Task",
-                  "Task of polishing a surface along a path: all keys of a task file, with their "
-                  "defaults.")
+                  "Task of polishing a surface along a path. The members are all keys of a task "
+                  "file, with their defaults.")
           .field("robot", &S::robot,
                  "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "Starting posture, also the target of the null space (search: find one for the "
-                 "surface)")
-          .more("The value is a posture's name in the robot's settings, or search, which calls "
-                "find_posture(). If empty: the robot's default posture, or a search if the robot "
-                "has none. If the robot does not have the posture of a named surface, that "
-                "posture is searched, too.")
+                 "Starting posture: a name from the robot's settings, or search (find one for the"
+                 " surface)")
+          .more("The starting posture is also the posture target in the null space. The search is"
+                " made by find_posture(). If the name is empty, the robot's default posture is "
+                "used, or a search if the robot has no default posture. A posture is also "
+                "searched if the robot lacks the posture that belongs to a named surface.")
           .field("assume_rotors", &S::assume_rotors,
-                 "Add an armature of 2 ms * effort / velocity to joints whose rotor is missing")
+                 "Add a rotor inertia (armature) of 2 ms * effort / velocity to joints whose "
+                 "rotor is missing")
           .more("Effort and velocity are the limits of the joint. The armature is added in plans "
                 "and plant. A rotor counts as missing if torque noise alone drives the joint "
-                "beyond its speed limit. If false, a note names these joints.")
+                "beyond its speed limit. If assume_rotors is false, a note names the joints "
+                "without a rotor.")
           .field("force", &S::force,
                  "Normal force that the tool presses with [{N}]",
                  {.least = 0, .open = true})
@@ -380,12 +386,13 @@ const Description& description_of(const Task* /*of*/) {
                  "Frame of the tool; its origin is the centre of the round tip")
           .key("frame")
           .field("tool_axis", &S::tool_axis,
-                 "Pressing direction [x, y, z] in the tool's frame (auto: away from the arm)",
+                 "Pressing direction [x, y, z] in the tool's frame (automatic: away from the arm)",
                  {.direction = true})
-          .in_code("Pressing direction in the tool's frame (none: away from the arm)")
-          .more("The automatic direction is z or -z of a frame from robot.yaml, else the axis of "
-                "the last joint; see pressing_direction(). The vector need not have unit length. "
-                "A stated starting posture must agree with the direction within search.tilt.")
+          .more("If robot.yaml defines the tool's frame, the automatic direction is the frame's z"
+                " or -z axis. Otherwise it is the axis of the last joint; see "
+                "pressing_direction(). The vector need not have unit length. In a stated starting"
+                " posture, the angle between the pressing direction and the direction into the "
+                "surface must be at most search.tilt.")
           .key("axis")
           .word("auto")
           .field("tip_radius", &S::tip_radius,
@@ -395,39 +402,34 @@ const Description& description_of(const Task* /*of*/) {
              " word can replace all keys and set posture, normal and point:\ntable, board, "
              "board_x, board_y, board_minus_y, tilt_45.", "surface")
           .field("surface_frame", &S::surface_frame,
-                 "Frame of the robot that carries the surface, such as its other hand; or world")
-          .in_code("Frame of the robot that carries the surface, such as its other hand; empty: "
-                   "the world")
-          .more("The surface may be a plate in that hand. Normal and point of the surface are in "
-                "the axes of this frame.")
+                 "Frame that carries the surface: world, or a frame of the robot such as its "
+                 "other hand")
+          .more("An empty name also means the world. The surface may be a plate in the other "
+                "hand. Normal and point of the surface are in the axes of this frame.")
           .key("frame")
           .word("world")
-          .field("normal_world", &S::normal_world,
+          .field("normal_base", &S::normal_base,
                  "Normal of the surface [x, y, z], towards the robot",
                  {.direction = true})
-          .more("The normal is in the axes of the frame that carries the surface; without such a "
-                "frame, in world axes. It points out of the material and need not have unit "
-                "length.")
+          .more("The normal is in the axes of `surface_frame`, and points out of the material. It"
+                " need not have unit length.")
           .key("normal")
-          .field("point_world", &S::point_world,
+          .field("point_base", &S::point_base,
                  "Position [x, y, z] of any point on the surface [{m}]; or under_tool: "
                  "`clearance` below the tool")
-          .in_code("Position of any point on the surface [m]; none: `clearance` below the tool at"
-                   " the start")
-          .more("The position is in the axes of the frame that carries the surface; without such "
-                "a frame, in world axes. The value under_tool refers to the tool at the start.")
+          .more("The position is in the frame `surface_frame`. Without a value (under_tool), the "
+                "point is below the tool's position at the start.")
           .key("point")
           .word("under_tool")
           .field("extent", &S::extent,
                  "Width of the surface beyond the path on all four sides (or endless) [{m}]",
                  {.least = 0, .infinite = true})
-          .in_code("Width of the surface beyond the path on all four sides [m]")
-          .more("The surface is a square about the path's origin. The value endless (infinite) "
-                "makes it a whole plane.")
+          .more("The surface is a square about the path's origin. The value endless is infinite: "
+                "the surface is then a whole plane.")
           .word("endless")
           .field("friction", &S::friction,
-                 "Coulomb friction coefficient (replaced by disturbances.surface_friction if "
-                 "stated)",
+                 "Coulomb friction coefficient, unless disturbances.surface_friction states "
+                 "another one",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
                  "Stiffness of the surface in the plant [{N/m}]",
@@ -436,36 +438,36 @@ const Description& description_of(const Task* /*of*/) {
                  "Damping of the surface in the plant [{Ns/m}]",
                  {.least = 0})
           .field("shape", &S::shape,
-                 "Shape of the surface: a plane, or a curved shape about its point.\nThe path is "
-                 "projected onto the surface along the normal at that point.")
+                 "Shape of the surface: a plane, or a curved shape about `point`.\nThe path is "
+                 "projected onto the surface along the normal at `point`.")
           .field("waving", &S::waving,
-                 "Oscillation of the frame that carries the surface, if it is a frame of the "
-                 "robot.")
+                 "Oscillation of the surface, if a frame of the robot carries it.")
           .field("search", &S::search,
                  "Requirements on a starting posture that is found by a search.")
           .field("home", &S::home,
-                 "Posture where a run begins, if it differs from the start of the task.\nFrom "
-                 "there the joints move straight to the start, in a phase `home`.")
+                 "Posture in which a run begins, if it differs from the starting posture of the "
+                 "task.\nThe joints first move straight to the starting posture, in a phase "
+                 "`home`.")
           .field("standing", &S::standing,
                  "Feet and ground of a robot with a floating base.")
           .field("path", &S::path,
-                 "Path in the plane of the surface. The path begins at rest at the point under "
-                 "the start.")
+                 "Path in the plane of the surface. The path begins at rest at the point below "
+                 "the tool's position at the start.")
           .field("force_profile", &S::force_profile,
                  "Target force as a function of the time on the path. Before the path, the force "
                  "rises to `force`.")
           .group("Reach above the surface, approach until contact, ramp the force, polish, retreat.", "phases")
           .field("clearance", &S::clearance,
-                 "Distance between tool and surface at the end of the reach [{m}]",
+                 "Distance between tool and surface at the end of the phase Reach [{m}]",
                  {.least = 0, .open = true})
           .field("reach_duration", &S::reach_duration,
-                 "Duration of the reach [{s}]",
+                 "Duration of the phase Reach [{s}]",
                  {.least = 0, .open = true})
           .field("approach_speed", &S::approach_speed,
                  "Speed towards the surface [{m/s}]",
                  {.least = 0, .open = true})
           .field("touch_force", &S::touch_force,
-                 "Force that the tool presses with as soon as contact is made [{N}]",
+                 "Pressing force of the tool right after contact [{N}]",
                  {.least = 0})
           .more("This force keeps the tool from rebounding. The ramp starts at this force.")
           .field("ramp_duration", &S::ramp_duration,
@@ -501,17 +503,18 @@ const Description& description_of(const Task* /*of*/) {
           .field("timing", &S::timing,
                  "When a new plan is used: fixed (after solver_delay), measured (after its "
                  "computing time) or thread")
-          .more("With measured, simulations delay the plan by its computing time, too. With "
+          .more("With measured, a simulation also delays the plan by its computing time. With "
                 "thread, a separate thread computes plans, and a plan is used as soon as it is "
                 "ready.")
           .field("solver_delay", &S::solver_delay,
-                 "Time from a measurement to the use of the plan that starts from it [{s}]",
+                 "Time from a measurement to the use of the plan computed from the measurement "
+                 "[{s}]",
                  {.least = 0})
           .field("command_delay", &S::command_delay,
-                 "Assumed delay from a command to its torque [{s}]",
+                 "Assumed delay from a torque command to the torque in the joint [{s}]",
                  {.least = 0, .most = 0.1})
-          .more("The delay is rounded to ticks. Plans and feedback start from the state that the "
-                "torques already sent lead to.")
+          .more("The delay is rounded to ticks. Plans and feedback start from a state that is "
+                "predicted from the torques already sent.")
           .field("measurement_delay", &S::measurement_delay,
                  "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
@@ -532,26 +535,27 @@ const Description& description_of(const Task* /*of*/) {
           .field("friction_speed", &S::friction_speed,
                  "Sliding speed below which friction fades to zero in plans [{m/s}]",
                  {.least = 0, .open = true})
-          .more("Plans with steps of 10 ms do not tolerate a smaller value than 0.1 m/s.")
+          .more("If the steps of plans are 10 ms, the value must be at least 0.1 m/s.")
           .field("torque_cutoff", &S::torque_cutoff,
                  "Cutoff of the torque lag in plans (0: no lag) [{rad/s}]",
                  {.least = 0})
-          .more("The lag of the plant is a key of disturbances.")
+          .more("The key disturbances.torque_cutoff sets the lag of the plant.")
           .field("force_sensor", &S::force_sensor,
                  "Use the force sensor; false: estimate the force from torques and joint motion")
-          .more("The estimate is relative to the estimate in free air just before contact.")
+          .more("The estimated force is relative to its value in free air just before contact.")
           .field("axes", &S::axes,
                  "Axes of contact and force: surface, local (fixed to the tool) or world")
           .field("weights", &S::weights,
-                 "Cost weights, per second of horizon. Only their ratios matter.\nA larger weight"
-                 " reduces the error of its own term and increases the errors of the other terms.")
+                 "Cost weights; costs are integrated over the horizon in seconds. Only ratios of "
+                 "weights matter.\nA larger weight reduces the error of its own term and "
+                 "increases the errors of the other terms.")
           .field("constraints", &S::constraints,
                  "Hard constraints of plans; `never` switches a constraint off.")
           .field("model_error", &S::model_error,
                  "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("surface_estimate", &S::surface_estimate,
-                 "Estimation of the surface from the path of the tip. Plans use the estimate only"
-                 " if `axes` is surface.")
+                 "Estimation of the surface from the motion of the tip. Plans use the estimate "
+                 "only if `axes` is surface.")
           .field("friction_estimate", &S::friction_estimate,
                  "Friction coefficient between tool and surface that plans assume, and its "
                  "estimation.")
@@ -564,9 +568,9 @@ const Description& description_of(const Task* /*of*/) {
                  "Normal force above which the tool counts as in contact [{N}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("The noise of the force is measured in free air. If six standard deviations of "
-                "the noise exceed the threshold, the mean force over 5 ms is used. Contact then "
-                "requires that the mean exceeds both the threshold and six standard deviations of"
-                " the mean.")
+                "the noise exceed the threshold, the force is averaged over 5 ms. Contact then "
+                "requires that the average exceeds both the threshold and six standard deviations"
+                " of the average.")
           .group("")
           .field("fallback", &S::fallback,
                  "Controller after a fault: gravity compensation, a damper, and a spring of "
@@ -577,10 +581,10 @@ const Description& description_of(const Task* /*of*/) {
                  "Gains of the controller `admittance`: force loop, inverse kinematics and joint "
                  "position loop.")
           .field("disturbances", &S::disturbances,
-                 "Disturbances that the controller does not know.\nOne word can replace all keys:"
-                 " none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of "
-                 "these words, only keys that differ from the preset are needed.")
-          .in_code("Disturbances that the controller does not know");
+                 "Disturbances that the controller does not know.\nIn a task file, one word can "
+                 "replace all keys: none, sensors, mismatch or joint_friction.\nWith the key "
+                 "`preset` and one of these words, only keys that differ from the preset are "
+                 "needed.");
   return all;
 }
 
@@ -588,8 +592,8 @@ const Description& description_of(const NamedSurface* /*of*/) {
   using S = NamedSurface;
   static const Description all =
       Describe<S>("polishing", "NamedSurface",
-                  "Surface with a name, its normal, and a starting posture of the robot that fits"
-                  " it.")
+                  "Named surface: its normal, and a starting posture of the robot that suits the "
+                  "surface.")
           .result()
           .field("name", &S::name,
                  "Name of the surface")

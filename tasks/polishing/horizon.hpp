@@ -1,4 +1,4 @@
-// The knots that a task's plans have.
+// Knots of the plans (MPC horizons) of a task.
 #pragma once
 
 #include <cmath>

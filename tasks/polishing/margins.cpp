@@ -12,10 +12,11 @@
 namespace burnish::polishing {
 namespace {
 
-/// Of surfaces, how much stiffer than stated they may be: the controller does not know it.
-constexpr double stiffer = 3.0;
+/// Stiffness ratio, actual over stated stiffness of the surface, that the gains must tolerate; the
+/// controller cannot measure it. Chosen by hand.
+constexpr double stiffness_factor = 3.0;
 
-/// The loops of both situations.
+/// Control loops in free air and in contact with the surface.
 struct Loops {
   LoopAnalysis air, contact;
 
@@ -31,11 +32,11 @@ std::optional<Loops> loops_of(const Task& task, const Setting& setting, const Lo
   try {
     return Loops{{spec, chain, free_phase(spec)}, {spec, chain, pressing_phase(spec)}};
   } catch (const Error&) {
-    return std::nullopt;  // no plan from the start: the run says why
+    return std::nullopt;  // the start has no plan; the run reports the reason
   }
 }
 
-/// The joint with the least room, of both situations.
+/// Returns the joint with the smallest gain margin, in free air or in contact.
 GainRange narrowest(const TaskMargins& margins, bool above) {
   std::vector<GainRange> all = margins.air.gains;
   all.insert(all.end(), margins.contact.gains.begin(), margins.contact.gains.end());
@@ -50,13 +51,14 @@ std::string rounded(double value, const char* format) {
   return text;
 }
 
-/// "0.1 or less (joint 'a')", for the end of the range that was looked at.
+/// Returns the text of one end of a gain range: "0.1 or less (joint_a)". If the search ended at its
+/// bound, the text contains `beyond`, such as " or less".
 std::string range_end(const std::string& joint, double gain, bool is_bound, const char* beyond) {
   return rounded(gain, "%.2g") + (is_bound ? beyond : "") + " (" + joint + ")";
 }
 
-/// By how much a chain's velocities are later than torques [s], beyond what plans know of motors. A
-/// difference is half a tick old.
+/// Returns the delay from torques to measured velocities [s], without the motor lag that plans
+/// model. Velocities from differences of positions are half a tick old.
 double lag_of(const LoopChain& chain, double tick_period) {
   double lag = chain.command_delay;
   if (chain.difference_velocity) lag += 0.5 * tick_period;
@@ -64,12 +66,14 @@ double lag_of(const LoopChain& chain, double tick_period) {
   return lag;
 }
 
-/// The task with the gains that the fit begins with. They were tuned with Talos' right arm.
+/// Returns the task with the gains from which the fit starts. They were tuned with the right arm of
+/// Talos.
 Task with_first_gains(Task task) {
   ModelErrorOptions& error = task.model_error;
-  // A force error's loop is slower than a force sensor's filter, see ModelErrorOptions.
+  // The estimate of the force error must be slower than the filter of the force sensor, see
+  // ModelErrorOptions.
   if (!error.bandwidth) error.bandwidth = error.kind == ModelErrorKind::Force ? 50.0 : 120.0;
-  if (!error.boost) error.boost = 6.0;
+  if (!error.transient_scale) error.transient_scale = 6.0;
   const bool observes = error.kind == ModelErrorKind::Torque;
   if (!error.lag) error.lag = observes ? lag_of(usual_chain(task), 1.0 / task.tick_rate) : 0.0;
   if (!error.force_gain) error.force_gain = observes ? 0.5 : 0.0;
@@ -77,21 +81,23 @@ Task with_first_gains(Task task) {
   return task;
 }
 
-/// A choice of the gains that a task has not: finds the fastest one that the loops tolerate.
+/// Fit of the gains that a task does not state. The fit selects the fastest gains that the loops
+/// tolerate.
 class Fit {
  public:
   Fit(const Task& task, const Setting& setting, const RequiredMargins& required)
       : first_(with_first_gains(task)),
         task_(first_),
         setting_(setting),
-        fits_boost_(!task.model_error.boost),
+        fits_transient_scale_(!task.model_error.transient_scale),
         fits_bandwidth_(!task.model_error.bandwidth),
         fits_position_(!task.weights.position),
         fits_force_gain_(!task.model_error.force_gain),
         required_(required) {}
 
-  /// False where no choice has the required margins, or where there are none; then the task is the
-  /// slowest that was tried, or as it was.
+  /// Fits the gains to the required margins. Returns false in two cases: no choice has these
+  /// margins (task() then has the slowest gains), or margins cannot be computed (task() then has
+  /// the initial gains).
   bool find() {
     if (fits_force_gain_) task_.model_error.force_gain = 0.0;
     const bool found = find_without_force();
@@ -104,52 +110,55 @@ class Fit {
 
  private:
   bool find_without_force() {
-    constexpr std::array raised{10.0, 3.0, 1.0};        // times weights.position
-    constexpr std::array lowered{0.3, 0.1, 0.03};       // the same, as the last resort
-    constexpr std::array slowed{0.7, 0.5, 0.35, 0.25};  // times model_error.bandwidth
-    for (const double share : raised)
-      if ((fits_position_ || share == 1.0) && try_position(share)) return true;
+    constexpr std::array raised{10.0, 3.0, 1.0};  // tried factors of weights.position
+    // Tried factors of weights.position, after `raised` and `slowed`.
+    constexpr std::array lowered{0.3, 0.1, 0.03};
+    constexpr std::array slowed{0.7, 0.5, 0.35, 0.25};  // tried factors of model_error.bandwidth
+    for (const double factor : raised)
+      if ((fits_position_ || factor == 1.0) && try_position(factor)) return true;
     if (!has_loops_) return false;
     if (fits_bandwidth_)
-      for (const double share : slowed)
-        if (try_bandwidth(share)) return true;
+      for (const double factor : slowed)
+        if (try_bandwidth(factor)) return true;
     if (fits_position_)
-      for (const double share : lowered)
-        if (try_position(share)) return true;
+      for (const double factor : lowered)
+        if (try_position(factor)) return true;
     return false;
   }
-  /// The largest one that the other gains bear, on stiffer surfaces too; 0 where they bear none.
+  /// Sets the largest force gain that the loop tolerates with the other gains, on the stated
+  /// surface and on a stiffer one; 0 if none is tolerated.
   void find_force_gain() {
-    constexpr std::array shares{1.0, 0.7, 0.5};
+    constexpr std::array factors{1.0, 0.7, 0.5};  // tried factors of model_error.force_gain
     LoopChain chain = usual_chain(task_);
-    chain.stiffness *= stiffer;
+    chain.stiffness *= stiffness_factor;
     const MpcSpec spec = make_mpc(task_, setting_);
     const LoopAnalysis stiff(spec, chain, pressing_phase(spec));
     ModelErrorOptions& error = task_.model_error;
-    for (const double share : shares) {
-      error.force_gain = share * *first_.model_error.force_gain;
+    for (const double factor : factors) {
+      error.force_gain = factor * *first_.model_error.force_gain;
       if (loops_->contact.tolerates(error, required_.delay, required_.gain) &&
           stiff.tolerates(error, required_.delay, required_.gain))
         return;
     }
     error.force_gain = 0.0;
   }
-  bool try_position(double share) {
-    task_.weights.position = share * *first_.weights.position;
+  bool try_position(double factor) {
+    task_.weights.position = factor * *first_.weights.position;
     loops_ = loops_of(task_, setting_, usual_chain(task_));
     has_loops_ = loops_.has_value();
-    return has_loops_ && try_boosts();
+    return has_loops_ && try_transient_scales();
   }
-  bool try_bandwidth(double share) {
-    task_.model_error.bandwidth = share * *first_.model_error.bandwidth;
-    return try_boosts();
+  bool try_bandwidth(double factor) {
+    task_.model_error.bandwidth = factor * *first_.model_error.bandwidth;
+    return try_transient_scales();
   }
-  bool try_boosts() {
-    constexpr std::array shares{1.0, 0.5, 0.3, 0.1, 0.0};  // of what the boost adds to 1
-    const double most = *first_.model_error.boost;
-    return std::any_of(shares.begin(), shares.end(), [&](double share) {
-      if (share < 1.0 && (!fits_boost_ || most <= 1.0)) return false;
-      task_.model_error.boost = 1.0 + share * (most - 1.0);
+  bool try_transient_scales() {
+    // Tried factors of transient_scale - 1.
+    constexpr std::array fractions{1.0, 0.5, 0.3, 0.1, 0.0};
+    const double max_scale = *first_.model_error.transient_scale;
+    return std::any_of(fractions.begin(), fractions.end(), [&](double fraction) {
+      if (fraction < 1.0 && (!fits_transient_scale_ || max_scale <= 1.0)) return false;
+      task_.model_error.transient_scale = 1.0 + fraction * (max_scale - 1.0);
       return loops_->tolerate(task_.model_error, required_);
     });
   }
@@ -157,7 +166,7 @@ class Fit {
   const Task first_;
   Task task_;
   const Setting& setting_;
-  bool fits_boost_, fits_bandwidth_, fits_position_, fits_force_gain_;
+  bool fits_transient_scale_, fits_bandwidth_, fits_position_, fits_force_gain_;
   RequiredMargins required_;
   std::optional<Loops> loops_;
   bool has_loops_ = true;
@@ -166,14 +175,14 @@ class Fit {
 }  // namespace
 
 std::string TaskMargins::text() const {
-  const GainRange least = narrowest(*this, false), most = narrowest(*this, true);
-  const bool is_far = delay() >= LoopAnalysis::longest_delay;
+  const GainRange lower = narrowest(*this, false), upper = narrowest(*this, true);
+  const bool is_far = delay() >= LoopAnalysis::max_delay;
   return rounded(1e3 * delay(), "%.1f ms") + (is_far ? " or more" : "") + " of extra delay (" +
          (air.delay < contact.delay ? "in free air" : "in contact") + "), gains of " +
-         range_end(least.joint, least.below, least.below <= LoopAnalysis::smallest_gain,
+         range_end(lower.joint, lower.below, lower.below <= LoopAnalysis::smallest_gain,
                    " or less") +
          " to " +
-         range_end(most.joint, most.above, most.above >= LoopAnalysis::largest_gain, " or more");
+         range_end(upper.joint, upper.above, upper.above >= LoopAnalysis::largest_gain, " or more");
 }
 
 LoopChain chain_of(const Disturbances& disturbances, double stiffness, double damping) {
@@ -211,14 +220,15 @@ std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
 }
 
 FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required) {
-  if (task.model_error.boost && task.model_error.bandwidth && task.weights.position) return {};
+  if (task.model_error.transient_scale && task.model_error.bandwidth && task.weights.position)
+    return {};
   const ModelErrorOptions stated = task.model_error;
   Fit fit(task, setting, required);
   FittedGains result{.meets = fit.find()};
   const Task& before = fit.first();
   task = fit.has_loops() ? fit.task() : before;
   if (!fit.has_loops()) {
-    // Neither is good for a loop that is not known.
+    // Discards the fitted lag and force gain, because no loop could be analysed with them.
     task.model_error.lag = stated.usual_lag();
     task.model_error.force_gain = stated.usual_force_gain();
     return {};
@@ -228,7 +238,8 @@ FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins&
       result.changes += (result.changes.empty() ? "" : ", ") + std::string(key) + " " +
                         number(now) + " in place of " + number(was);
   };
-  note("model_error.boost", *before.model_error.boost, *task.model_error.boost);
+  note("model_error.transient_scale", *before.model_error.transient_scale,
+       *task.model_error.transient_scale);
   note("model_error.bandwidth", *before.model_error.bandwidth, *task.model_error.bandwidth);
   note("model_error.force_gain", *before.model_error.force_gain, *task.model_error.force_gain);
   note("weights.position", *before.weights.position, *task.weights.position);

@@ -5,15 +5,16 @@
 #include <limits>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/base/error.hpp"
 #include "polishing/descriptions.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-constexpr int max_rows = 10'000;  // of a zigzag
+constexpr int max_rows = 10'000;  // largest number of rows of a zigzag; chosen by hand
 
-/// From 0 to 1 within unit time, at rest at both ends with no acceleration there.
+/// Smooth motion from 0 to 1 in unit time. Speed and acceleration are zero at both ends.
 struct Blend {
   double value, rate, curvature;
 };
@@ -24,9 +25,10 @@ Blend blend(double s) {
           60.0 * s * (1.0 - s) * (1.0 - 2.0 * s)};
 }
 
-/// Beyond these a path has more points, or takes longer, than anything that walks along it can do.
-constexpr double longest = 100.0, shortest = 1e-6;  // m, m/s
-constexpr double fastest = 1e4;                     // rad/s
+/// Limits of lengths, speeds and rates. With larger values, a path has too many points or takes too
+/// long to check. Chosen by hand.
+constexpr double max_length = 100.0, min_length = 1e-6;  // lengths [m] and speeds [m/s]
+constexpr double max_rate = 1e4;                         // angular rate of circles [rad/s]
 
 void positive(double value, const char* name) {
   if (!(value > 0.0) || !std::isfinite(value))
@@ -34,15 +36,15 @@ void positive(double value, const char* name) {
                 "; wanted a positive number");
 }
 
-/// Of lengths and speeds.
+/// Throws Error for a length or speed that is out of range.
 void within_reason(double value, const char* name) {
   positive(value, name);
-  if (value < shortest || value > longest)
+  if (value < min_length || value > max_length)
     throw Error("path: " + std::string(name) + " is " + number(value) + "; wanted a number from " +
-                number(shortest) + " to " + number(longest));
+                number(min_length) + " to " + number(max_length));
 }
 
-/// r(t) times the unit circle at angle(t).
+/// Returns the point with these polar coordinates r(t) and angle(t), with its derivatives.
 PlanarPoint polar(double r, double dr, double ddr, double angle, double w, double dw) {
   const Eigen::Vector2d e(std::cos(angle), std::sin(angle)), n(-e.y(), e.x());
   return {r * e, dr * e + r * w * n, (ddr - r * w * w) * e + (2.0 * dr * w + r * dw) * n};
@@ -50,9 +52,7 @@ PlanarPoint polar(double r, double dr, double ddr, double angle, double w, doubl
 
 }  // namespace
 
-std::string name_of(PathKind kind) {
-  return words_of(kind).words[static_cast<std::size_t>(kind)].word;
-}
+std::string name_of(PathKind kind) { return words_of(kind).words[to_size(kind)].word; }
 
 PathKind parse_path(const std::string& name) {
   return static_cast<PathKind>(words_of(PathKind{}).value_of(name));
@@ -63,18 +63,18 @@ Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<do
     case PathKind::Circle:
       within_reason(spec.radius, "radius");
       positive(spec.start_up, "start_up");
-      if (!(std::abs(spec.rate) <= fastest))
+      if (!(std::abs(spec.rate) <= max_rate))
         throw Error("path: rate is " + number(spec.rate) + "; wanted a finite number of at most " +
-                    number(fastest));
+                    number(max_rate));
       break;
     case PathKind::Spiral:
       positive(spec.start_up, "start_up");
       within_reason(spec.radius, "radius");
       within_reason(spec.pitch, "pitch");
       positive(spec.rate, "rate");
-      if (spec.rate > fastest)
+      if (spec.rate > max_rate)
         throw Error("path: rate is " + number(spec.rate) + "; wanted a finite number of at most " +
-                    number(fastest));
+                    number(max_rate));
       break;
     case PathKind::ZigZag: {
       within_reason(spec.width, "width");
@@ -96,19 +96,19 @@ Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<do
     }
     case PathKind::Points:
       within_reason(spec.speed, "speed");
-      if (spec.points.empty()) throw Error("path: there are no points");
+      if (spec.points.empty()) throw Error("path: points is empty; wanted at least one point");
       corners_ = spec.points;
       for (const Eigen::Vector2d& p : corners_) {
         if (!p.allFinite()) throw Error("path: a point is not finite");
-        if (p.norm() > longest)
+        if (p.norm() > max_length)
           throw Error("path: a point is " + number(p.norm()) +
-                      " m from the centre; wanted at most " + number(longest) + " m");
+                      " m from the centre; wanted at most " + number(max_length) + " m");
       }
       corners_.insert(corners_.begin(), Eigen::Vector2d::Zero());
       break;
   }
   if (corners_.empty()) return;
-  // The blend's largest rate is 15/8 of its mean.
+  // The peak rate of a Blend is 15/8 of its mean rate.
   double time = 0.0;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     if (i > 0) time += std::max(0.05, (corners_[i] - corners_[i - 1]).norm() / spec.speed * 1.875);
@@ -133,7 +133,7 @@ PlanarPoint Path::circle(double t) const noexcept {
 }
 
 PlanarPoint Path::spiral(double t) const noexcept {
-  // Out to the radius and back again, by a wave whose phase starts smoothly.
+  // The radius varies as 1 - cos(phase), out and back; the phase starts smoothly.
   const double T = spec_.start_up;
   const double turns = spec_.radius / spec_.pitch;
   const double w = spec_.rate / (2.0 * turns);
@@ -149,8 +149,7 @@ PlanarPoint Path::spiral(double t) const noexcept {
 PlanarPoint Path::along_points(double t) const noexcept {
   if (t >= times_.back())
     return {corners_.back(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
-  const auto next =
-      static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), t) - times_.begin());
+  const auto next = to_size(std::upper_bound(times_.begin(), times_.end(), t) - times_.begin());
   const double T = times_[next] - times_[next - 1];
   const Blend s = blend((t - times_[next - 1]) / T);
   const Eigen::Vector2d step = corners_[next] - corners_[next - 1];

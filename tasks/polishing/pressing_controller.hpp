@@ -1,5 +1,5 @@
-// A controller that makes a new plan at every tick, and a robot that stands still and presses: what
-// is timed where ticks are.
+// Controller that computes a plan at every tick, to measure the computing time of ticks. Its
+// measurements are those of a robot at rest that presses.
 #pragma once
 
 #include <string>
@@ -11,8 +11,9 @@ namespace burnish::polishing {
 
 class PressingController {
  public:
-  /// For polishing::reference_problem with `tool`; plans at 1 kHz, 30 N wanted and measured. Of the
-  /// options those of threads are taken.
+  /// Creates a controller for `problem`, made by polishing::reference_problem() with `tool`. It
+  /// plans at 1 kHz; target and measured force are 30 N. Of `threads`, only the thread options are
+  /// used.
   PressingController(const ProblemSpec& problem, const std::string& tool,
                      const DdpOptions& threads = {})
       : controller_(spec(problem, tool, threads)) {
@@ -30,8 +31,8 @@ class PressingController {
   const FaultReport& fault() const { return controller_.fault(); }
 
  private:
-  static constexpr double force = 30.0;   ///< N, of the reference problem
-  static constexpr double period = 1e-3;  ///< s
+  static constexpr double force = 30.0;   ///< Force of the reference problem [N].
+  static constexpr double period = 1e-3;  ///< Period of ticks and plans [s].
 
   static MpcSpec spec(const ProblemSpec& problem, const std::string& tool,
                       const DdpOptions& threads) {

@@ -14,14 +14,14 @@
 namespace burnish::polishing {
 namespace {
 
-/// s until the path is over or repeats itself.
+/// Returns the time until the path ends or repeats itself [s].
 double time_on_path(const Task& task, const Path& path) {
   constexpr double turn = 2.0 * std::numbers::pi;
   const PathSpec& spec = task.path;
   double time = std::min(task.polish_duration, path.duration());
   if (spec.kind == PathKind::Circle && spec.rate != 0.0)
     time = std::min(time, spec.start_up + turn / std::abs(spec.rate));
-  if (spec.kind == PathKind::Spiral)  // out and back
+  if (spec.kind == PathKind::Spiral)  // to the radius and back
     time = std::min(time, spec.start_up + 2.0 * turn * spec.radius / (spec.pitch * spec.rate));
   return time;
 }
@@ -36,15 +36,15 @@ void visit_path(pressing::ReachWalk& walk, const Task& task, const Setting& sett
   const long steps = std::lround(std::ceil(end / dt));
   for (long i = 0; i <= steps; ++i) {
     const Eigen::Vector2d here = path.at(std::min(end, static_cast<double>(i) * dt)).p;
-    // A quick path takes more than one stop within dt.
+    // A fast path is checked at several points within dt.
     const double length = (here - before).norm(), s_before = s;
     s += length;
     while (visited + options.spacing <= s || (i == steps && visited < s)) {
       visited = std::min(s, visited + options.spacing);
-      const double share = length > 0.0 ? (visited - s_before) / length : 1.0;
-      const Eigen::Vector2d point = before + std::max(0.0, share) * (here - before);
+      const double fraction = length > 0.0 ? (visited - s_before) / length : 1.0;
+      const Eigen::Vector2d point = before + std::max(0.0, fraction) * (here - before);
       if (!walk.visit({point_on(task, setting, {.p = point}).p_world, visited,
-                       task.force_profile.most(task.force)}))
+                       task.force_profile.max_force(task.force)}))
         return;
     }
     before = here;
@@ -54,20 +54,20 @@ void visit_path(pressing::ReachWalk& walk, const Task& task, const Setting& sett
 }  // namespace
 
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options) {
-  // The walk knows surfaces that stand still while the arm moves.
+  // ReachWalk supports only surfaces that are fixed in the world.
   if (!task.surface_frame.empty()) return {};
   pressing::ReachWalk walk(setting.robot.model, setting.scene, setting.q_start, options);
   const Eigen::Vector3d p_above = setting.p_center + task.clearance * setting.scene.surface.normal;
-  const bool there = walk.visit_line(setting.p_start, p_above, -task.clearance) &&
-                     walk.visit_line(p_above, setting.p_center, 0.0);
-  if (there) visit_path(walk, task, setting, options);
+  const bool reaches_center = walk.visit_line(setting.p_start, p_above, -task.clearance) &&
+                              walk.visit_line(p_above, setting.p_center, 0.0);
+  if (reaches_center) visit_path(walk, task, setting, options);
   return walk.report();
 }
 
 namespace {
 
-ReachReport look_at_home(const HomeMove& move, const Setting& setting,
-                         const ReachOptions& options) {
+ReachReport check_home_move(const HomeMove& move, const Setting& setting,
+                            const ReachOptions& options) {
   return pressing::check_home_move(move, setting.robot.model, setting.scene, options);
 }
 
@@ -75,17 +75,17 @@ ReachReport look_at_home(const HomeMove& move, const Setting& setting,
 
 std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,
                                  const ReachOptions& options) {
-  constexpr double is_start = 0.01;  // rad (m)
+  constexpr double min_distance = 0.01;  // motions below this distance are omitted [rad or m]
   std::vector<FreeHome> found;
   if (task.standing.stands() || !task.surface_frame.empty()) return found;
   for (const auto& [name, posture] : setting.robot.postures) {
     try {
       const auto move =
           pressing::home_move({.posture = name}, setting.robot, setting.q_start, setting.scene);
-      if (move->farthest > is_start && look_at_home(*move, setting, options).ok())
+      if (move->farthest > min_distance && check_home_move(*move, setting, options).ok())
         found.push_back({name, move->duration()});
     } catch (const Error&) {
-      continue;  // beyond a joint's limits, or of another variant's joints
+      continue;  // beyond joint limits, or with joints that this variant lacks
     }
   }
   std::stable_sort(found.begin(), found.end(),
@@ -95,14 +95,14 @@ std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,
 
 ReachReport check_home(const Task& task, const Setting& setting, const ReachOptions& options) {
   if (!setting.home) return {};
-  ReachReport report = look_at_home(*setting.home, setting, options);
+  ReachReport report = check_home_move(*setting.home, setting, options);
   if (report.ok()) return report;
   const std::vector<FreeHome> others = free_homes(task, setting, options);
   report.text += others.empty()
-                     ? "; wanted another home, such as one on the near side of the surface "
+                     ? "; wanted another home, such as a posture on the near side of the surface "
                        "(home.posture, home.joints)"
-                     : "; wanted another home: from the posture " + in_quotes(others[0].posture) +
-                           " the way is free";
+                     : "; wanted another home: the motion from the posture " +
+                           in_quotes(others[0].posture) + " is free of collisions";
   return report;
 }
 
@@ -115,20 +115,20 @@ Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
 FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options) {
   const pressing::PressingPlace place{task.tool,
                                       task.tool_axis,
-                                      task.normal_world,
-                                      task.point_world,
+                                      task.normal_base,
+                                      task.point_base,
                                       task.tip_radius,
                                       task.clearance,
-                                      task.force_profile.most(task.force)};
+                                      task.force_profile.max_force(task.force)};
   return pressing::search_posture(
       place, robot.model, pressing::known_postures(robot), options, [&](const Eigen::VectorXd& q) {
         const Setting setting = make_setting(task, robot, q);
         ReachReport report = check_reach(task, setting, options.reach);
         if (!report.ok() || !setting.home) return report;
-        const ReachReport way = look_at_home(*setting.home, setting, options.reach);
-        if (way.ok()) return report;
-        report.problem = way.problem;
-        report.text = way.text + "; wanted another home";
+        const ReachReport move = check_home_move(*setting.home, setting, options.reach);
+        if (move.ok()) return report;
+        report.problem = move.problem;
+        report.text = move.text + "; wanted another home";
         return report;
       });
 }

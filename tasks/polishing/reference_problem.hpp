@@ -1,4 +1,4 @@
-// The polishing problem that solvers are compared on: press with 30 N along z, draw a circle.
+// Benchmark problem for solvers: press with 30 N along z and draw a circle.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,9 @@
 
 namespace burnish::polishing {
 
-/// A 1D contact along world z at the height of `frame` at q0, gains (0, 50), `Classical`; N knots
-/// of 10 ms; weights of the reference problem. Starts at (q0, 0).
+/// Returns the problem with `knots` knots of 10 ms and the initial state (q0, 0). The contact is
+/// one-dimensional, along world z at the height of `frame` at q0. It has the gains (0, 50) and
+/// `Classical` acceleration.
 inline ProblemSpec reference_problem(const Model& model, const std::string& frame,
                                      const Eigen::VectorXd& q0, int knots) {
   const int nv = model.nv;
@@ -45,11 +46,11 @@ inline ProblemSpec reference_problem(const Model& model, const std::string& fram
                       .penalty = Penalty::barrier(limits.lower, limits.upper)});
   const int base = model.joints.front().kind == JointKind::FreeFlyer ? 6 : 0;
   if (nv > base) {
-    const Eigen::VectorXd fastest = 0.1 * model.velocity_limit.tail(nv - base);
+    const Eigen::VectorXd max_velocity = 0.1 * model.velocity_limit.tail(nv - base);
     common.push_back({.name = "velocity limits",
                       .residual = residual::JointVelocity{},
                       .weight = 1e2,
-                      .penalty = Penalty::barrier(-fastest, fastest)});
+                      .penalty = Penalty::barrier(-max_velocity, max_velocity)});
   }
   spec.terminal = common;
   for (CostTerm& term : spec.terminal) term.weight *= 0.1;
@@ -67,7 +68,8 @@ inline ProblemSpec reference_problem(const Model& model, const std::string& fram
   return spec;
 }
 
-/// u0 of that problem.
+/// Returns the control with which the robot stays at rest in the initial state and presses with 30
+/// N.
 inline Eigen::VectorXd static_control(const Problem& problem) {
   return problem
       .quasi_static(0,

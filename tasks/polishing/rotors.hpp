@@ -1,4 +1,4 @@
-// Joints of a task whose rotors are missing in the robot's description.
+// Joints of a task whose description in the robot file lacks a rotor inertia.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace burnish::polishing {
 
-/// See burnish::light_joints(): at the start, under the task's disturbances. Those that
-/// Task::assume_rotors has given a rotor are none.
+/// Returns the light joints at the start posture under the task's disturbances, see
+/// burnish::light_joints(). Joints that received a rotor inertia by Task::assume_rotors do not
+/// appear.
 std::vector<LightJoint> light_joints(const Task& task, const Setting& setting);
 
-/// "joint 'wrist' 0.019 kg m^2, joint ...": what Task::assume_rotors added.
+/// Returns the rotor inertias that Task::assume_rotors added: "joint 'wrist' 0.019 kg m^2, ...".
 std::string assumed_rotors_text(const Setting& setting);
 
 }  // namespace burnish::polishing

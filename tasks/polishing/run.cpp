@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/closed_loop.hpp"
@@ -18,13 +19,13 @@
 namespace burnish::polishing {
 namespace {
 
-/// The pieces of a run that live as long as it does.
+/// Controller of a run, with the times of the run.
 struct Pieces {
   std::unique_ptr<Controller> controller;
-  MpcController* mpc = nullptr;  ///< the same, where it is one
-  double period = 0.0;           ///< s between its ticks
-  double planned_end = 0.0;      ///< s, of the run
-  double patience = 0.0;         ///< s that contact may come later than planned
+  MpcController* mpc = nullptr;  ///< The controller if it is an MpcController, else null.
+  double period = 0.0;           ///< Period of the controller's ticks [s].
+  double planned_end = 0.0;      ///< Planned end of the run [s].
+  double patience = 0.0;         ///< Longest time by which contact may be late [s].
 };
 
 Pieces make_controller(const RunSpec& spec, const Setting& setting) {
@@ -52,17 +53,17 @@ Pieces make_controller(const RunSpec& spec, const Setting& setting) {
   return pieces;
 }
 
-/// Follows a run: when its path began and whether it is over.
+/// Progress of a run: when its path started, and whether the run is over.
 class Watch {
  public:
   Watch(const RunSpec& spec, const Pieces& pieces) : spec_(spec), pieces_(pieces) {}
 
-  /// About when the run will be over, s.
+  /// Returns the expected end of the run [s].
   double end() const {
     return track_begin_ < 0.0 ? pieces_.planned_end
                               : track_begin_ + spec_.task.polish_duration + after_path();
   }
-  /// Whether it goes on after `now`.
+  /// Returns whether the run continues after `now`.
   bool goes_on(double now, const Command& command) {
     if (track_begin_ < 0.0 && command.phase == number_of(Phase::Track)) track_begin_ = now;
     if (track_begin_ < 0.0) return now < pieces_.planned_end + pieces_.patience;
@@ -78,16 +79,16 @@ class Watch {
 
   const RunSpec& spec_;
   const Pieces& pieces_;
-  double track_begin_ = -1.0;  ///< s; negative: not yet
+  double track_begin_ = -1.0;  ///< Start of the path; negative before the start [s].
 };
 
-/// Whether a window holds a row: those of long runs are far apart.
+/// Returns whether the trace has a row within the window. In a long run, rows are far apart.
 bool has_rows(const Trace& trace, double start, double end) {
   const Trace::Column time = trace.column("time");
   return (time.array() >= start && time.array() <= end).any();
 }
 
-/// From where the start of the path is over to a little before its end.
+/// Computes the metrics on the path. The window excludes the start of the path and its end.
 void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
                   RunResult& result) {
   if (watch.track_begin() < 0.0) return;
@@ -97,7 +98,7 @@ void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch&
   MetricsSpec metrics;
   metrics.start = watch.track_begin() + (grows ? path.start_up : 0.0) + 0.2;
   metrics.end = std::min(end.time, path_end) - (watch.tracked(end.time) ? 0.2 : 0.01);
-  // A run that is too short for all of this is measured from the start of its path.
+  // For a short run, the window begins at the start of the path.
   if (metrics.end - metrics.start < 0.5) {
     metrics.start = watch.track_begin();
     metrics.end = std::min(end.time, path_end) - 0.02;
@@ -110,22 +111,23 @@ void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch&
   metrics.tool_start_world = (surface_placement(model, q_begin, setting.scene.surface).inverse() *
                               frame_placement(model, q_begin, spec.task.tool))
                                  .linear();
-  Trace room;
-  result.metrics = measure(seen_from_surface(result.trace, room), model, metrics);
+  Trace buffer;
+  result.metrics = measure(seen_from_surface(result.trace, buffer), model, metrics);
 }
 
-/// All of the path that there was, from the ramp's end on.
+/// Computes the metrics of the verdict on the path, which begins after the force ramp.
 void judge(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
            RunResult& result) {
   const double begin = watch.track_begin();
   const double last = std::min(end.time, begin + spec.task.polish_duration);
   if (begin < 0.0 || !has_rows(result.trace, begin, last)) return;
-  Trace room;
-  result.verdict = verdict_figures(spec.task, result.setting, seen_from_surface(result.trace, room),
-                                   begin, last);
+  Trace buffer;
+  result.verdict = verdict_figures(spec.task, result.setting,
+                                   seen_from_surface(result.trace, buffer), begin, last);
 }
 
-/// `failure`: what the verdict says, empty if nothing.
+/// Returns the outcome of a run in one sentence. `failure`: reason why the run did not pass the
+/// verdict; empty: it passed.
 std::string outcome_of(const Task& task, const RunResult& result, const Watch& watch,
                        const pressing::RunEnd& end, const std::string& failure) {
   const std::string when = " at " + number(end.time) + " s";
@@ -133,7 +135,7 @@ std::string outcome_of(const Task& task, const RunResult& result, const Watch& w
   if (const std::string trouble = pressing::trouble_of(result, end, phase); !trouble.empty())
     return trouble;
   if (watch.track_begin() < 0.0)
-    return "no contact was made: the run was given up" + when + ", in phase " + phase;
+    return "no contact was made: the run was stopped" + when + ", in phase " + phase;
   if (!failure.empty()) return failure;
   if (!watch.tracked(end.time)) return "the path was not followed to its end: the run ended" + when;
   char text[80];
@@ -145,15 +147,13 @@ std::string outcome_of(const Task& task, const RunResult& result, const Watch& w
 }
 
 void refuse_blocked_home(const Task& task, const Setting& setting, const ReachOptions& options) {
-  const ReachReport way = check_home(task, setting, options);
-  if (!way.ok()) throw Error("the way from home to the start is not free: " + way.text);
+  const ReachReport move = check_home(task, setting, options);
+  if (!move.ok()) throw Error("the motion from home to the start is not possible: " + move.text);
 }
 
 }  // namespace
 
-std::string name_of(ControllerKind kind) {
-  return words_of(kind).words[static_cast<std::size_t>(kind)].word;
-}
+std::string name_of(ControllerKind kind) { return words_of(kind).words[to_size(kind)].word; }
 
 RunResult run_task(const RunSpec& spec) {
   check_task(spec.task);
@@ -196,9 +196,8 @@ RunResult run_task(const RunSpec& spec) {
       result.verdict && !beyond.empty())
     failure = failure.empty() ? "not polished: " + beyond : failure + "; " + beyond;
   result.outcome = outcome_of(spec.task, result, watch, end, failure);
-  result.polished = result.plant_status <= Status::NotConverged &&
-                    result.fault.kind == FaultKind::None && !result.interrupted &&
-                    watch.tracked(end.time) && failure.empty();
+  result.polished = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
+                    !result.interrupted && watch.tracked(end.time) && failure.empty();
   return result;
 }
 

@@ -7,7 +7,7 @@ namespace burnish::polishing {
 const Description& description_of(const VerdictFigures* /*of*/) {
   static const Description all = [] {
     Describe<VerdictFigures> figures("polishing", "VerdictFigures",
-                                     "What Verdict is about, as it was in a run.");
+                                     "Metrics of a run, to compare with Verdict.");
     each_verdict_figure([&](const FigureEntry& entry, auto member, auto, bool) {
       figures.field(entry.name, member, described_as(entry).c_str());
     });

@@ -1,4 +1,4 @@
-// Figures of runs of the task, described by their table.
+// Descriptions of the metrics of a run's verdict, from their table.
 #pragma once
 
 #include "polishing/descriptions.hpp"

@@ -1,4 +1,4 @@
-// A task with everything resolved: the robot, where it starts, the scene.
+// Setting of a polishing task: robot, start posture, scene and times.
 #include <algorithm>
 #include <cmath>
 
@@ -42,16 +42,18 @@ LightJointOptions light_options(const Task& task) {
   return {plant_step(period), period, task.limits.joint_speed_ratio};
 }
 
-/// Throws Error where a curved surface ends, as seen along its normal, before the path does, or
-/// falls off too steeply for a path that is drawn as seen from there.
+/// Throws Error if the path leaves a curved surface, seen along the normal at the origin of the
+/// path. Also throws Error if the surface is steeper than 70 degrees somewhere on the path.
 void check_path_on(const Setting& setting, const Task& task) {
   if (task.shape.is_flat()) return;
   if (task.axes != ForceAxes::Surface)
     throw EntryError("axes",
-                     std::string(task.axes == ForceAxes::Local ? "the tool's own" : "the world's") +
-                         ", on a " + task.shape.text() + "; wanted surface, whose axes follow it");
-  constexpr double steepest = 0.35;  // cosine: 70 degrees
-  constexpr int count = 400;
+                     std::string(task.axes == ForceAxes::Local ? "the tool's" : "the world's") +
+                         " axes do not turn with the normal of a " + task.shape.text() +
+                         "; wanted surface");
+  // Cosine of the steepest slope, about 70 degrees; chosen by hand.
+  constexpr double min_cosine = 0.35;
+  constexpr int count = 400;  // number of points checked along the path
   const Surface surface = surface_of(setting.scene.surface);
   const Path path(task.path);
   const double end = std::min(task.polish_duration, path.duration());
@@ -60,24 +62,23 @@ void check_path_on(const Setting& setting, const Task& task) {
     const Eigen::Vector3d on =
         surface.along_normal(setting.scene.surface.point + setting.surface_axes.leftCols<2>() * p);
     const SurfaceDistance at = surface.at(on);
-    if (std::abs(at.distance) < 1e-9 && at.normal.dot(setting.surface_axes.col(2)) > steepest)
+    if (std::abs(at.distance) < 1e-9 && at.normal.dot(setting.surface_axes.col(2)) > min_cosine)
       continue;
-    throw EntryError("path",
-                     "it leaves the " + task.shape.text() + ": at [" + number(p.x()) + ", " +
-                         number(p.y()) +
-                         "] m from its origin there is no surface under it, or one that is "
-                         "steeper than 70 degrees; wanted a smaller path or a larger shape");
+    throw EntryError("path", "the path leaves the " + task.shape.text() + ": at [" + number(p.x()) +
+                                 ", " + number(p.y()) +
+                                 "] m from the path's origin, the surface ends or is steeper than "
+                                 "70 degrees; wanted a smaller path or a larger shape");
   }
 }
 
 void check_home(const Task& task) {
   if (!task.home.is_stated()) return;
   const auto refuse = [](const std::string& what) {
-    throw EntryError("home", "a move of the joints " + what + "; wanted none");
+    throw EntryError("home", "the motion from home " + what + "; wanted no key 'home'");
   };
-  if (task.standing.stands()) refuse("keeps no balance, and this robot stands on its feet");
+  if (task.standing.stands()) refuse("does not keep the balance of a robot that stands");
   if (!task.surface_frame.empty())
-    refuse("is not checked against a surface that the robot carries, here at " +
+    refuse("cannot be checked for collisions with a surface that the robot carries, here at " +
            in_quotes(task.surface_frame));
 }
 
@@ -86,14 +87,15 @@ void check_carrier(const Task& task, const Model& model) {
   std::vector<std::string> frames;
   for (const Frame& frame : model.frames) frames.push_back(frame.name);
   if (!model.has_frame(task.surface_frame))
-    throw EntryError("surface.frame", "frame " + in_quotes(task.surface_frame) +
-                                          " is none of robot " + in_quotes(model.name) +
+    throw EntryError("surface.frame", "robot " + in_quotes(model.name) + " has no frame " +
+                                          in_quotes(task.surface_frame) +
                                           did_you_mean(task.surface_frame, frames));
 }
 }  // namespace
 
 namespace {
-/// A posture that was not searched is the user's, and the tool's axis too.
+/// Checks the pressing direction Task::tool_axis at the start. Postures found by search need no
+/// check.
 Setting checked_axis(const Task& task, Setting setting) {
   if (!task.tool_axis) return setting;
   const Model& model = setting.robot.model;
@@ -111,15 +113,14 @@ Setting make_setting(const Task& task, const Robot& robot) {
   const bool searched = searches_posture(task, robot);
   if (searched && !task.surface_frame.empty())
     throw EntryError("posture",
-                     "none is searched for a surface that the robot carries; wanted one of the "
-                     "robot's settings");
+                     "the search does not support a surface that the robot carries; wanted a "
+                     "posture of the robot's settings");
   if (searched && task.standing.stands()) {
     if (task.posture == searched_posture)
       throw EntryError("posture",
-                       "none is searched for a robot that stands; wanted one of the robot's "
-                       "settings, with the tool before the surface");
-    return checked_axis(task,
-                        make_setting(task, robot, robot.reference_configuration()));  // no other
+                       "the search does not support a robot that stands; wanted a posture of the "
+                       "robot's settings, with the tool in front of the surface");
+    return checked_axis(task, make_setting(task, robot, robot.reference_configuration()));
   }
   if (!searched)
     return checked_axis(
@@ -155,17 +156,17 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   SceneSpec scene;
   scene.tip = {task.tool, task.tip_radius};
   scene.surface.frame = task.surface_frame;
-  scene.surface.normal = task.normal_world;
+  scene.surface.normal = task.normal_base;
   scene.surface.shape = task.shape;
   scene.surface.friction = task.friction;
   scene.surface.stiffness = task.stiffness;
   scene.surface.damping = task.damping;
   scene.supports = pressing::supports_at(robot.model, task.standing, q_start);
-  if (task.point_world) {
-    scene.surface.point = *task.point_world;
+  if (task.point_base) {
+    scene.surface.point = *task.point_base;
     s.scene = checked_scene(s.robot.model, scene);
   } else {
-    s.scene = scene_under_tip(s.robot.model, s.q_start, task.normal_world, scene, task.clearance);
+    s.scene = scene_under_tip(s.robot.model, s.q_start, task.normal_base, scene, task.clearance);
   }
   const Eigen::Vector3d n = s.scene.surface.normal;
   s.surface_axes = Reference::surface_with_normal(n).rotation;

@@ -22,31 +22,32 @@
 namespace burnish::polishing {
 namespace {
 
-/// What the surface is fixed in.
+/// Returns the anchor of the surface: the frame that carries the surface, or the world.
 Anchor carrier(const Task& task) {
   return task.surface_frame.empty() ? Anchor(Anchor::World) : Anchor(task.surface_frame);
 }
 
-/// Brings what carries the surface along its motion.
+/// Returns costs for the task Task::waving: the frame that carries the surface should follow its
+/// stated motion.
 std::vector<CostTerm> waving_costs(const Task& task, const Setting& setting) {
   if (task.surface_frame.empty()) return {};
   const Eigen::Isometry3d start =
       surface_placement(setting.robot.model, setting.q_start, setting.scene.surface);
-  const auto share = [waving = task.waving, touch = setting.touch](double time) {
+  const auto wave = [waving = task.waving, touch = setting.touch](double time) {
     const double t = std::max(0.0, time - touch);
     return pressing::smooth(t / waving.start_up) *
            std::sin(2.0 * std::numbers::pi * waving.frequency * t);
   };
   const Signal place = Signal::over_time(
-      3, [share, start, way = task.waving.shift_world](double t, Eigen::Ref<Eigen::VectorXd> p) {
-        p = start.translation() + share(t) * way;
+      3, [wave, start, shift = task.waving.shift_world](double t, Eigen::Ref<Eigen::VectorXd> p) {
+        p = start.translation() + wave(t) * shift;
       });
   const Signal rotation = Signal::over_time(
-      4, [share, start, turn = task.waving.turn_world](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
+      4, [wave, start, turn = task.waving.turn_world](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
         const double angle = turn.norm();
         const Eigen::Vector3d axis =
             angle > 0.0 ? Eigen::Vector3d(turn / angle) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
-        xyzw = (Eigen::Quaterniond(Eigen::AngleAxisd(share(t) * angle, axis)) *
+        xyzw = (Eigen::Quaterniond(Eigen::AngleAxisd(wave(t) * angle, axis)) *
                 Eigen::Quaterniond(start.linear()))
                    .normalized()
                    .coeffs();
@@ -64,9 +65,10 @@ struct Builder {
   const Setting& setting;
   const Model& model;
   std::shared_ptr<const Path> path;
-  /// s of the schedule that plans may know the force until: without preview, now.
-  std::shared_ptr<const std::atomic<double>> known = {};
-  /// What the feet hold, as contacts.
+  /// Latest time of the schedule from which plans may take the target force [s]. Without preview,
+  /// this is the current time. Null: no limit.
+  std::shared_ptr<const std::atomic<double>> preview_end = {};
+  /// Contacts of the feet.
   std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
 
   Eigen::VectorXd state_target() const {
@@ -76,39 +78,42 @@ struct Builder {
     if (filtered > 0) x.tail(filtered) = rest_torque();
     return x;
   }
-  /// Holds the start against gravity.
+  /// Returns the torque that holds the start posture against gravity.
   Eigen::VectorXd rest_torque() const {
     RigidBody body(model);
-    if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+    if (!is_usable(body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv))))
       throw Error("the starting posture cannot be evaluated");
     return pressing::torque_on_supports(model, body, setting.scene.supports, body.gravity_torque());
   }
-  /// The same of the entries that have motors.
+  /// Returns the entries of rest_torque() that have motors.
   Eigen::VectorXd rest_control() const {
     const Eigen::VectorXd torque = rest_torque();
     return task.standing.stands() ? Eigen::VectorXd(torque.tail(model.nv - 6)) : torque;
   }
   Signal position() const {
-    // Copies: the signal outlives this builder.
+    // Captures copies, because the signal outlives this builder.
     return Signal::over_time(
         3, [task = task, setting = setting, path = path](double t, Eigen::Ref<Eigen::VectorXd> p) {
           p = task_point(task, setting, *path, t).p_world;
         });
   }
   Signal force() const {
-    return Signal::over_time(1, [task = task, setting = setting, path = path, known = known](
-                                    double t, Eigen::Ref<Eigen::VectorXd> f) {
-      if (known && t > setting.ramp_end) t = std::clamp(t, setting.ramp_end, known->load());
-      f[0] = task_point(task, setting, *path, t).force;
-    });
+    return Signal::over_time(
+        1, [task = task, setting = setting, path = path, preview_end = preview_end](
+               double t, Eigen::Ref<Eigen::VectorXd> f) {
+          if (preview_end && t > setting.ramp_end)
+            t = std::clamp(t, setting.ramp_end, preview_end->load());
+          f[0] = task_point(task, setting, *path, t).force;
+        });
   }
-  /// What places are from and axes are fixed in: the world, or what carries the surface.
+  /// Returns the reference with these axes, fixed in the frame that carries the surface; in the
+  /// world if no frame carries it.
   Reference on_surface(const Eigen::Matrix3d& axes) const {
     const Anchor of = carrier(task);
     return {of, of, axes};
   }
-  /// Of the tool, against what carries the surface: that of the start, turned with the normal of
-  /// where it shall be.
+  /// Returns the target rotation of the tool, relative to the frame that carries the surface. It is
+  /// the rotation at the start; on curved surfaces, it turns with the normal at the target.
   Signal rotation() const {
     const Eigen::Matrix3d start =
         (surface_placement(model, setting.q_start, setting.scene.surface).inverse() *
@@ -132,7 +137,7 @@ struct Builder {
     rows.segment(model.nv, model.nv).setConstant(w.velocity);
     if (task.torque_cutoff > 0.0) rows.tail(model.nv).setConstant(w.torque);
     if (task.standing.stands()) {
-      rows.head<3>().setZero();  // where the base is, balance says
+      rows.head<3>().setZero();  // balance costs determine the position of the base
       rows.segment<3>(3).setConstant(task.standing.base);
     }
     std::vector<CostTerm> terms{
@@ -150,9 +155,9 @@ struct Builder {
     return pressing::place_cost("position", task.tool, position(), on_surface(setting.surface_axes),
                                 *task.weights.position, normal_weight);
   }
-  /// Speed along the normal of the tool that goes off the surface, m/s over the schedule's time.
-  /// Where the surface is nobody knows better than the tool that lies on it: a height to go to
-  /// would press a tool that found it nearer than expected.
+  /// Returns the speed of the tool along the normal during the retreat, over the schedule's time
+  /// [m/s]. With a target height instead, the tool would press into a surface that is higher than
+  /// modelled.
   Signal retreat_speed() const {
     return Signal::over_time(
         6, [task = task, begin = setting.track_end](double t, Eigen::Ref<Eigen::VectorXd> v) {
@@ -167,7 +172,7 @@ struct Builder {
         {Anchor::Tool, carrier(task), Reference::surface_with_normal(n).rotation},
         task.weights.approach);
   }
-  /// Of where the path ends.
+  /// Returns the surface normal at the end of the path.
   Eigen::Vector3d last_normal() const {
     return task_point(task, setting, *path, setting.track_end).normal_world;
   }
@@ -186,9 +191,9 @@ struct Builder {
     pressing::keep_standing(model, task.standing, feet, result);
     if (!contact) return result;
     result.contacts.insert(result.contacts.begin(), "surface");
-    const double least = task.force_profile.least(task.force);
-    result.constraints.push_back(pressing::force_limit(force(), std::min(task.touch_force, least),
-                                                       task.force, task.constraints));
+    const double min_force = task.force_profile.min_force(task.force);
+    result.constraints.push_back(pressing::force_limit(
+        force(), std::min(task.touch_force, min_force), task.force, task.constraints));
     return result;
   }
 };
@@ -197,9 +202,10 @@ struct Builder {
 
 namespace {
 
-/// The tip's centre where the tip touches the surface above or below a point of the tangent plane,
-/// and its velocity: with s on the surface, n its normal and H how that bends,
-///   s' = t - n0 (n . t) / (n . n0),   p = s + r n,   p' = s' + r H s'.
+/// Computes the tip centre p over a point t of the tangent plane, and its velocity p'. The point is
+/// projected along the plane's normal n0 onto the surface, where s is its image, n the normal there
+/// and H the derivative of n:
+///   s' = t' - n0 (n . t') / (n . n0),   p = s + r n,   p' = s' + r H s'.
 void put_on(const Surface& surface, const Eigen::Vector3d& n0, double radius,
             const Eigen::Vector3d& in_plane, const Eigen::Vector3d& rate, TaskPoint& point) {
   const Eigen::Vector3d s = surface.along_normal(in_plane);
@@ -207,7 +213,7 @@ void put_on(const Surface& surface, const Eigen::Vector3d& n0, double radius,
   const Eigen::Vector3d s_rate = rate - n0 * (at.normal.dot(rate) / at.normal.dot(n0));
   point.normal_world = at.normal;
   point.p_world = s + radius * at.normal;
-  point.v_world = s_rate + radius * at.bend * s_rate;
+  point.v_world = s_rate + radius * at.hessian * s_rate;
 }
 
 }  // namespace
@@ -224,8 +230,9 @@ TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& 
   const Eigen::Vector3d in_plane = result.p_world - task.tip_radius * n;
   const Eigen::Vector3d rate = result.v_world, acceleration = result.a_world;
   put_on(surface, n, task.tip_radius, in_plane, rate, result);
-  // The acceleration by a step along the path, whose error is of its square.
-  constexpr double dt = 1e-4;
+  // Acceleration from a central difference of velocities along the path; the error is of second
+  // order.
+  constexpr double dt = 1e-4;  // step of the difference; chosen by hand [s]
   TaskPoint ends[2];
   for (const int side : {0, 1}) {
     const double t = side == 0 ? -dt : dt;
@@ -245,8 +252,8 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
     result.p_world =
         setting.p_start + pressing::smooth(time / setting.reach_end) * (p_above - setting.p_start);
   } else if (time < setting.touch) {
-    const double share = (time - setting.reach_end) / (setting.touch - setting.reach_end);
-    result.p_world = p_above - share * task.clearance * n;
+    const double fraction = (time - setting.reach_end) / (setting.touch - setting.reach_end);
+    result.p_world = p_above - fraction * task.clearance * n;
     result.v_world = -task.approach_speed * n;
   } else if (time < setting.track_end) {
     result = on_surface(time - setting.ramp_end);
@@ -266,7 +273,7 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
 }
 
 namespace {
-/// Whether plans are given the surface as it is known at the tool.
+/// Returns whether plans use a surface that is curved or estimated at the tool.
 bool follows_surface(const Task& task) {
   return task.axes == ForceAxes::Surface &&
          (task.surface_estimate.enabled || !task.shape.is_flat());
@@ -297,12 +304,12 @@ ContactSpec surface_contact(const Task& task, const Setting& setting) {
 }
 PressingTask pressing_task(const Task& task, const Setting& setting,
                            const std::shared_ptr<const Path>& path,
-                           const std::shared_ptr<std::atomic<double>>& known) {
+                           const std::shared_ptr<std::atomic<double>>& preview_end) {
   PressingTask pressing{
       .touch = {Touch::Free, Touch::Due, Touch::Wanted, Touch::Wanted, Touch::Leaving},
       .limits = task.tool_limits};
-  pressing.target = [task, setting, path, known](double time) {
-    if (known) *known = std::max(time, setting.ramp_end);
+  pressing.target = [task, setting, path, preview_end](double time) {
+    if (preview_end) *preview_end = std::max(time, setting.ramp_end);
     const TaskPoint point = task_point(task, setting, *path, time);
     return TaskTarget{point.p_world, point.force};
   };
@@ -315,7 +322,7 @@ PressingTask pressing_task(const Task& task, const Setting& setting,
 }  // namespace
 
 namespace {
-/// How the controller works, whatever it aims at.
+/// Sets all options of the controller that do not depend on the target.
 void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = 1.0 / task.tick_rate;
@@ -338,16 +345,17 @@ void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
 }  // namespace
 
 MpcSpec make_mpc(const Task& task, const Setting& setting) {
-  if (!task.model_error.boost || !task.model_error.bandwidth || !task.weights.position) {
+  if (!task.model_error.transient_scale || !task.model_error.bandwidth || !task.weights.position) {
     Task fitted = task;
     (void)fit_gains(fitted, setting);
     return make_mpc(fitted, setting);
   }
   const Model& model = setting.robot.model;
   const auto path = std::make_shared<const Path>(task.path);
-  std::shared_ptr<std::atomic<double>> known;
-  if (!task.force_profile.preview) known = std::make_shared<std::atomic<double>>(setting.ramp_end);
-  const Builder build{task, setting, model, path, known};
+  std::shared_ptr<std::atomic<double>> preview_end;
+  if (!task.force_profile.preview)
+    preview_end = std::make_shared<std::atomic<double>>(setting.ramp_end);
+  const Builder build{task, setting, model, path, preview_end};
 
   MpcSpec mpc;
   mpc.problem.model = model;
@@ -370,7 +378,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
           task.surface_frame.empty()
               ? std::vector<CostTerm>{build.place(0.0), build.move("retreat", build.retreat_speed(),
                                                                    build.last_normal())}
-              // A speed is one in the world; this surface has one of its own.
+              // A cost on the speed in the world would be wrong, because this surface moves.
               : std::vector<CostTerm>{build.place(1.0)},
           false)};
   problem.terminal = build.everywhere();
@@ -379,7 +387,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   problem.terminal_constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
   problem.horizon = {horizon_of(task, "reach")};
 
-  // The phases of Phase, in its order.
+  // One entry per phase, in the order of the enum Phase.
   mpc.schedule = {
       {.stage = "reach", .duration = setting.reach_end},
       {.stage = "approach", .duration = setting.touch - setting.reach_end, .until = "contact"},
@@ -389,8 +397,8 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
   mpc.tool = task.tool;
   mpc.base = task.surface_frame;
-  mpc.normal_world = setting.scene.surface.normal;
-  mpc.task = pressing_task(task, setting, path, known);
+  mpc.normal_base = setting.scene.surface.normal;
+  mpc.task = pressing_task(task, setting, path, preview_end);
   set_controller(task, model, mpc);
   pressing::set_standing(task.standing, mpc);
   return mpc;
@@ -398,12 +406,12 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
 
 std::string wants_plans(const Task& task) {
   if (!task.surface_frame.empty())
-    return "surface.frame: controllers without a plan know no surface that the robot carries, here "
-           "at " +
-           in_quotes(task.surface_frame) + "; wanted none, or the controller mpc";
+    return "surface.frame: controllers without a plan do not support a surface that the robot "
+           "carries, here at " +
+           in_quotes(task.surface_frame) + "; wanted no surface.frame, or the controller mpc";
   if (task.standing.stands())
-    return "standing.feet: controllers without a plan keep no balance; wanted a fixed base without "
-           "feet, or the controller mpc";
+    return "standing.feet: controllers without a plan do not keep balance; wanted a fixed base "
+           "without feet, or the controller mpc";
   return {};
 }
 
@@ -413,7 +421,7 @@ PressingPath pressing_path(const Task& task, const Setting& setting) {
   PressingPath pressed;
   pressed.tool = task.tool;
   pressed.normal_world = setting.scene.surface.normal;
-  // Their clock starts with the path.
+  // In controllers without plans, time counts from the start of the path.
   pressed.task = [task, setting, path](double t) {
     TaskPoint point = task_point(task, setting, *path, setting.ramp_end + std::max(0.0, t));
     return point;

@@ -19,14 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 using document::Reader;
 
-/// Of the task and the surface's name, which says posture and normal too.
+/// Reads the name of the surface. The name also determines posture and normal.
 void read_surface_name(Task& task, const Reader& reader) {
   std::vector<std::string> names;
   for (const NamedSurface& surface : named_surfaces()) names.push_back(surface.name);
   put_on(task, reader.word(names));
 }
 
-/// Numbers, or the name of a table beside the file; what a command line names lies where it runs.
+/// Reads points of a path from numbers or from a CSV table. The path of the CSV file is relative to
+/// the task file. In an override on the command line, it is relative to the working folder.
 void read_points(PathSpec& path, const Reader& reader) {
   const Description& description = description_of(&path);
   if (reader.is_list()) return document::read_entry(description.field("points"), &path, reader);
@@ -47,14 +48,15 @@ bool is_multiple(double large, double small) {
   return ratio > 0.5 && std::abs(ratio - std::round(ratio)) < 1e-6 * ratio;
 }
 
-/// What a run is asked for has an end, and fits into memory.
+/// Throws Error for durations and rates with which a run would take too long or too much memory.
+/// The limits are chosen by hand.
 void check_times(const Task& task) {
-  constexpr double most_time = 1e5;  // s
-  constexpr double most_rate = 1e5;  // Hz
-  constexpr double most_steps = 5e8;
-  if (task.tick_rate > most_rate)
+  constexpr double max_time = 1e5;       // largest duration of a phase [s]
+  constexpr double max_tick_rate = 1e5;  // largest rate of ticks [Hz]
+  constexpr double max_steps = 5e8;      // largest number of plant steps
+  if (task.tick_rate > max_tick_rate)
     refuse_together("controller.tick_rate is " + number(task.tick_rate) + " Hz; wanted at most " +
-                    number(most_rate) + " Hz");
+                    number(max_tick_rate) + " Hz");
   const double approach = task.clearance / task.approach_speed;
   const double late = task.tool_limits.late_contact_time;
   double sum = 0.0;
@@ -65,20 +67,20 @@ void check_times(const Task& task) {
         std::pair("phases.polish_duration", task.polish_duration),
         std::pair("phases.retreat_duration", task.retreat_duration),
         std::pair("limits.late_contact_time", std::isinf(late) ? 0.0 : late)}) {
-    if (!(time <= most_time))
+    if (!(time <= max_time))
       refuse_together(std::string(name) + " is " + number(time) + " s; wanted at most " +
-                      number(most_time) + " s");
+                      number(max_time) + " s");
     sum += time;
   }
-  // Plants take steps of half a millisecond at the longest.
+  // A plant takes steps of at most 0.5 ms.
   const double steps = sum * std::max(task.tick_rate, 2000.0);
-  if (steps > most_steps)
+  if (steps > max_steps)
     refuse_together("phases of " + number(sum) + " s at controller.tick_rate of " +
                     number(task.tick_rate) + " Hz are " + number(steps) +
-                    " steps; wanted at most " + number(most_steps));
+                    " steps; wanted at most " + number(max_steps));
 }
 
-/// That the plan's knots can be.
+/// Throws Error if the knots of plans are impossible or would make the loop unstable.
 void check_knots(const Task& task) {
   pressing::check_contact_step(task.step, "controller.contact_kd", task.contact_kd);
   if (task.standing.stands())
@@ -95,12 +97,13 @@ void check_knots(const Task& task) {
     return;
   }
   if (!is_multiple(task.horizon, task.step))
-    refuse_together("the horizon of " + number(task.horizon) + " s is no multiple of its step of " +
-                    number(task.step) + " s; wanted a whole number of steps");
+    refuse_together("controller.horizon of " + number(task.horizon) +
+                    " s is not a multiple of controller.step of " + number(task.step) +
+                    " s; wanted a whole number of steps");
   if (task.horizon / task.step > static_cast<double>(max_knots))
-    refuse_together("the horizon of " + number(task.horizon) + " s has more than " +
+    refuse_together("controller.horizon of " + number(task.horizon) + " s has more than " +
                     std::to_string(max_knots) + " steps of " + number(task.step) +
-                    " s; wanted at most that many");
+                    " s; wanted at most " + std::to_string(max_knots) + " steps");
 }
 
 }  // namespace
@@ -118,15 +121,15 @@ const std::vector<NamedSurface>& named_surfaces() {
 
 void put_on(Task& task, const std::string& surface) {
   std::vector<std::string> names;
-  for (const NamedSurface& known : named_surfaces()) {
-    names.push_back(known.name);
-    if (known.name != surface) continue;
-    task.posture = known.posture;
-    task.normal_world = known.normal_world;
-    task.point_world.reset();
+  for (const NamedSurface& named : named_surfaces()) {
+    names.push_back(named.name);
+    if (named.name != surface) continue;
+    task.posture = named.posture;
+    task.normal_base = named.normal_world;
+    task.point_base.reset();
     return;
   }
-  throw Error("surface " + in_quotes(surface) + " is not known; wanted " + files::either(names) +
+  throw Error("unknown surface " + in_quotes(surface) + "; wanted " + files::either(names) +
               did_you_mean(surface, names));
 }
 
@@ -143,11 +146,10 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
         .word("force_profile", "kind")
         .word("home", "posture");
     pressing::read_presets<Task>(form, "surface.friction");
-    form.gone("weights", "position_limits", "constraints.joint_margin, which plans keep")
-        .gone("weights", "velocity_limits", "constraints.joint_speed, which plans keep")
-        .gone("weights", "torque_limits", "constraints.torque, which plans keep");
-    // Limits are of the tool, the controller and the task; what a file says first is most asked
-    // for.
+    form.gone("weights", "position_limits", "constraints.joint_margin, which limits plans")
+        .gone("weights", "velocity_limits", "constraints.joint_speed, which limits plans")
+        .gone("weights", "torque_limits", "constraints.torque, which limits plans");
+    // Order of the limits in the file, by how often they are used.
     form.first("limits",
                {"force", "force_window", "tool_speed", "joint_speed_ratio", "joint_margin", "stale",
                 "bad", "contact_lost", "contact_threshold", "late_contact_travel",
@@ -157,9 +159,9 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
   return all;
 }
 
-files::Said<Task> parse_said_task(const std::string& text, const std::string& name,
-                                  const std::vector<files::Override>& overrides) {
-  files::Said<Task> said = files::parse_said<Task>(text, name, overrides);
+files::SpecTexts<Task> parse_said_task(const std::string& text, const std::string& name,
+                                       const std::vector<files::Override>& overrides) {
+  files::SpecTexts<Task> said = files::parse_said<Task>(text, name, overrides);
   try {
     check_task(said.spec);
   } catch (const Error& error) {
@@ -178,7 +180,7 @@ Task parse_task(const std::string& text, const std::string& name,
 }
 
 void override_task(Task& task, const std::vector<std::string>& overrides) {
-  files::Said<Task> said{.spec = task};
+  files::SpecTexts<Task> said{.spec = task};
   files::change(said, overrides);
   task = said.spec;
 }
@@ -201,10 +203,11 @@ void check_task(const Task& task) {
   } catch (const Error& error) {
     refuse_together(error.what());
   }
-  const double most = task.force_profile.most(task.force);
-  if (task.tool_limits.force <= most)
-    refuse_together("the force of " + number(most) + " N reaches limits.force of " +
-                    number(task.tool_limits.force) + " N; wanted less");
+  const double max_force = task.force_profile.max_force(task.force);
+  if (task.tool_limits.force <= max_force)
+    refuse_together("limits.force is " + number(task.tool_limits.force) +
+                    " N; wanted more than the largest force of the task, " + number(max_force) +
+                    " N");
   const Path path(task.path);
 }
 

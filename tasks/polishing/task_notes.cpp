@@ -10,45 +10,49 @@
 namespace burnish::polishing {
 namespace {
 
-/// What the plan knows of the motors' lag against what they have; a cutoff of 0 is no lag. Less
-/// than a factor of two, or 2.5 ms, does not show.
+/// Adds a note if the motor lag of plans differs from that of the plant. A cutoff of 0 means no
+/// lag. Differences by less than a factor of two, or by less than 2.5 ms, have no visible effect.
 void note_lag(const Task& task, std::vector<std::string>& notes) {
   const double planned = task.torque_cutoff, real = task.disturbances.torque_cutoff;
-  const auto lag = [](double cutoff) { return cutoff > 0.0 ? 1.0 / cutoff : 0.0; };  // s
+  const auto lag = [](double cutoff) { return cutoff > 0.0 ? 1.0 / cutoff : 0.0; };  // lag [s]
   const double longer = std::max(lag(planned), lag(real));
   const double shorter = std::min(lag(planned), lag(real));
   if (longer - shorter <= 2.5e-3 || longer < 2.0 * shorter) return;
   const auto words = [](double cutoff) {
-    return cutoff > 0.0 ? "lag by " + number(cutoff) + " rad/s" : std::string("do not lag");
+    return cutoff > 0.0 ? "have a cutoff of " + number(cutoff) + " rad/s"
+                        : std::string("have no lag");
   };
-  const bool imagined = lag(planned) > lag(real);
-  notes.push_back("the controller plans with motors that " + words(planned) +
-                  " (controller.torque_cutoff), and the plant's " + words(real) +
+  const bool plans_more_lag = lag(planned) > lag(real);
+  notes.push_back("the motors of the controller's model " + words(planned) +
+                  " (controller.torque_cutoff), and the plant's motors " + words(real) +
                   " (disturbances.torque_cutoff): " +
-                  (imagined ? "planning with a lag that is not there overshoots"
-                            : "torques that come later than planned oscillate") +
-                  "; set both alike unless that is the experiment");
+                  (plans_more_lag ? "a modelled lag that the plant does not have causes overshoot"
+                                  : "torques that come later than planned cause oscillation") +
+                  "; set both to the same value unless the difference is intended");
 }
 
-/// The estimate of the force's error is a loop around the controller's delays.
+/// Adds a note if the bandwidth of the force-error estimate is too large for the delays in its
+/// loop.
 void note_force_error(const Task& task, std::vector<std::string>& notes) {
-  constexpr double most = 50.0;  // rad/s, see ModelErrorOptions
+  constexpr double max_bandwidth = 50.0;  // see ModelErrorOptions [rad/s]
   const ModelErrorOptions& error = task.model_error;
-  if (error.kind != ModelErrorKind::Force || !error.bandwidth || *error.bandwidth <= most) return;
-  notes.push_back("model_error.kind is force with a bandwidth of " + number(*error.bandwidth) +
-                  " rad/s: behind a filtered force sensor that rings; " + number(most) +
-                  " rad/s are well");
+  if (error.kind != ModelErrorKind::Force || !error.bandwidth || *error.bandwidth <= max_bandwidth)
+    return;
+  notes.push_back("model_error.bandwidth of " + number(*error.bandwidth) +
+                  " rad/s oscillates with model_error.kind force and a filtered force sensor; use "
+                  "at most " +
+                  number(max_bandwidth) + " rad/s");
 }
 
-/// A path that ends, but not in the time that it is given.
+/// Adds a note if the path takes longer than Task::polish_duration.
 void note_short_time(const Task& task, std::vector<std::string>& notes) {
   const double whole = path_time(task);
   if (whole <= (1.0 + 1e-9) * task.polish_duration) return;
   const std::string wanted = number(std::ceil(10.0 * whole) / 10.0);
   notes.push_back("the path takes " + wanted + " s, and phases.polish_duration is " +
                   number(task.polish_duration) +
-                  " s: the run is cut short and judged by that part; " + wanted +
-                  " s are the whole path");
+                  " s: the run is cut short, and the verdict covers that part only; set " + wanted +
+                  " s for the whole path");
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace burnish::polishing {
 namespace {
 
-/// m along the tip's way on the path until `time`, as seen along the normal at the path's origin,
-/// by points `step` s apart.
+/// Returns the length of the tip's path until `time` [s], projected along the normal at the origin
+/// of the path [m]. The length is computed from points every `step` seconds.
 double path_length(const Task& task, const Setting& setting, double time, double step) {
   const Path path(task.path);
   const auto place = [&](double t) {
@@ -19,8 +19,8 @@ double path_length(const Task& task, const Setting& setting, double time, double
   };
   double length = 0.0;
   Eigen::Vector2d before = place(0.0);
-  constexpr double most_points = 1e6;
-  const long count = std::lround(std::clamp(time / step, 1.0, most_points));
+  constexpr double max_points = 1e6;
+  const long count = std::lround(std::clamp(time / step, 1.0, max_points));
   for (long i = 1; i <= count; ++i) {
     const Eigen::Vector2d p = place(time * static_cast<double>(i) / static_cast<double>(count));
     length += (p - before).norm();
@@ -29,13 +29,14 @@ double path_length(const Task& task, const Setting& setting, double time, double
   return length;
 }
 
-/// The three columns of a place, per row.
+/// Returns the position in three successive columns of a row.
 Eigen::Vector3d place(const Trace& trace, int first_column, int row) {
   return {trace.at(row, first_column), trace.at(row, first_column + 1),
           trace.at(row, first_column + 2)};
 }
 
-/// m of the target's way along which the tool was nearer to it than its radius, across the normal.
+/// Returns the length of the target's path on which the tool was at most its tip radius away from
+/// the target [m]. Both are measured perpendicular to the normal.
 double covered_length(const Task& task, const Setting& setting, const Trace& trace, double begin,
                       double end) {
   const int tool = trace.index("tool_x_world"), target = trace.index("target_x_world");
@@ -56,7 +57,7 @@ double covered_length(const Task& task, const Setting& setting, const Trace& tra
   return length;
 }
 
-std::string percent(double share) { return number(std::round(1e4 * share) / 1e2) + " %"; }
+std::string percent(double fraction) { return number(std::round(1e4 * fraction) / 1e2) + " %"; }
 
 }  // namespace
 
@@ -72,14 +73,14 @@ VerdictFigures verdict_figures(const Task& task, const Setting& setting, const T
   const Trace::Column time = trace.column("time");
   const double whole = path_time(task);
   const double step = trace.rows() > 1 ? time[1] - time[0] : whole;
-  // The last means reach into the retreat.
+  // Excludes the last averaging window, because it extends into the retreat.
   spec.end = std::max(std::min(begin + step, end), end - 0.5 * spec.average);
   const Metrics metrics = measure(trace, setting.robot.model, spec);
   VerdictFigures figures;
   figures.contact_share = 1.0 - metrics.without_contact;
   figures.force_rmse = metrics.force_rmse;
   const double length = path_length(task, setting, whole, step);
-  // A path that stays where it begins is as far as its time.
+  // For a path of zero length, path_share is the fraction of time instead.
   figures.path_share = length > 0.0 ? covered_length(task, setting, trace, begin, end) / length
                                     : (whole > 0.0 ? (end - begin) / whole : 1.0);
   figures.path_share = std::clamp(figures.path_share, 0.0, 1.0);
@@ -89,7 +90,7 @@ VerdictFigures verdict_figures(const Task& task, const Setting& setting, const T
 }
 
 std::string beyond_limits(const Model& model, const Trace& trace, double end) {
-  double farthest = 1e-3;  // rad (m)
+  double largest = 1e-3;  // largest violation so far; starts at the tolerance [rad or m]
   std::string text;
   const int time = trace.index("time");
   for (const Joint& joint : model.joints) {
@@ -98,8 +99,8 @@ std::string beyond_limits(const Model& model, const Trace& trace, double end) {
     for (int row = 0; row < trace.rows() && trace.at(row, time) <= end; ++row) {
       const double q = trace.at(row, column);
       const double beyond = std::max(model.q_lower[k] - q, q - model.q_upper[k]);
-      if (!(beyond > farthest)) continue;
-      farthest = beyond;
+      if (!(beyond > largest)) continue;
+      largest = beyond;
       text = "joint " + in_quotes(joint.name) + " was " + number(std::round(1e4 * beyond) / 1e4) +
              (joint.kind == JointKind::Prismatic ? " m" : " rad") + " beyond its limit at " +
              number(trace.at(row, time)) + " s";
@@ -113,7 +114,7 @@ bool is_cut_short(const Task& task) { return path_time(task) > task.polish_durat
 std::string cut_short_text(const Task& task, const VerdictFigures& figures) {
   if (!is_cut_short(task)) return "";
   return "cut short: " + percent(figures.path_share) + " of the path in " +
-         number(task.polish_duration) + " s, and all of it takes " +
+         number(task.polish_duration) + " s; the whole path takes " +
          number(std::round(10.0 * path_time(task)) / 10.0) + " s";
 }
 
@@ -124,16 +125,17 @@ std::string verdict_failure(const Task& task, const VerdictFigures& figures) {
   const std::string cut_short = cut_short_text(task, figures);
   if (!(figures.contact_share >= wanted.contact_share))
     add("in contact for " + percent(figures.contact_share) +
-        " of the time on the path (verdict.contact_share wants " + percent(wanted.contact_share) +
-        ")");
+        " of the time on the path (verdict.contact_share requires " +
+        percent(wanted.contact_share) + ")");
   if (!(figures.force_rmse <= wanted.force_rmse * task.force))
     add("the force was off by " + number(std::round(1e3 * figures.force_rmse) / 1e3) + " N rms, " +
         percent(figures.force_rmse / task.force) + " of " + number(task.force) +
         " N (verdict.force_rmse allows " + percent(wanted.force_rmse) + ")");
   if (!(figures.path_share >= wanted.path_share * figures.path_allowed))
-    add("the tool was over " + percent(figures.path_share) + " of the path" +
-        (cut_short.empty() ? "" : ", of which its time allows " + percent(figures.path_allowed)) +
-        " (verdict.path_share wants " + percent(wanted.path_share) + ")");
+    add("the tool followed " + percent(figures.path_share) + " of the path" +
+        (cut_short.empty() ? ""
+                           : ", while its time is enough for " + percent(figures.path_allowed)) +
+        " (verdict.path_share requires " + percent(wanted.path_share) + ")");
   if (text.empty()) return text;
   return "not polished: " + text + (cut_short.empty() ? "" : "; " + cut_short);
 }

@@ -1,4 +1,4 @@
-// Whether a run did what its task is for: its figures beside those that the task asks for.
+// Verdict on a run: comparison of its metrics with the limits of the task.
 #pragma once
 
 #include <string>
@@ -7,27 +7,28 @@
 
 namespace burnish::polishing {
 
-/// s that the path takes: until its last point, or for as long as the task polishes where it has no
-/// end.
+/// Returns the duration of the path up to its last point [s]. For a path that never ends, this is
+/// Task::polish_duration.
 double path_time(const Task& task);
 
-/// Of a trace of ClosedLoop, its rows from `begin` to `end` (s), which are of Phase::Track.
-/// `normal` is the surface's as it is. Throws Error where there are no rows.
+/// Computes the metrics from the rows of a ClosedLoop trace between `begin` and `end` [s], all in
+/// Phase::Track. Throws Error if there are no such rows.
 VerdictFigures verdict_figures(const Task& task, const Setting& setting, const Trace& trace,
                                double begin, double end);
 
-/// "joint 'a' was 0.12 rad beyond its limit at 3 s": the farthest in a trace, from its first row to
-/// `end` (s), by more than a milliradian (millimetre), which no stop of a joint allows. Empty:
-/// none.
+/// Returns the largest violation of a joint limit until `end` [s], as "joint 'a' was 0.12 rad
+/// beyond its limit at 3 s". Empty if all violations are below 1 mrad or 1 mm. A real robot would
+/// hit the mechanical stop of the joint.
 std::string beyond_limits(const Model& model, const Trace& trace, double end);
-/// Whether the time on the path ends before the path.
+/// Returns whether Task::polish_duration is shorter than the path.
 bool is_cut_short(const Task& task);
-/// "cut short: 3 % of the path in 1.5 s, and all of it takes 30.9 s"; empty if it is not.
+/// Returns "cut short: 3 % of the path in 1.5 s; the whole path takes 30.9 s"; empty if the path is
+/// not cut short.
 std::string cut_short_text(const Task& task, const VerdictFigures& figures);
 
-/// Empty where the figures are what the task asks for; otherwise a sentence that begins with "not
-/// polished: " and has every figure that is not. A run that is cut short is judged by as much of
-/// the path as its time allows.
+/// Returns an empty text if all metrics are within the limits of the task. Otherwise returns "not
+/// polished: " with each metric outside its limit. If the run is cut short, only the part of the
+/// path within Task::polish_duration counts.
 std::string verdict_failure(const Task& task, const VerdictFigures& figures);
 
 }  // namespace burnish::polishing

@@ -14,8 +14,9 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
     pressing::read_presets<Task>(form, "surface.friction");
     const std::string fixed = "the robot's base is fixed";
     form.without("disturbances", pressing::disturbances_of_standing(), fixed)
-        .without("limits", {"base_lost", "support_way"}, fixed)
-        .without("constraints", {"joint_torque_rate"}, "plans of this task know no lag of torques");
+        .without("limits", {"base_lost", "support_slip"}, fixed)
+        .without("constraints", {"joint_torque_rate"},
+                 "plans of this task do not model the lag of torques");
     form.first("limits", {"force", "slip"});
     return form;
   }();

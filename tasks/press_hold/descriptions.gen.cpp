@@ -10,53 +10,53 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("press_hold", "Task",
-                  "Task of pressing at a point while the rest of the arm moves aside: all keys of"
-                  " a task file, with their defaults.")
+                  "Task of pressing at a point while the rest of the arm moves aside. The members"
+                  " are all keys of a task file, with their defaults.")
           .field("robot", &S::robot,
                  "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "Starting posture (search: find one for the surface)")
-          .more("The value is a posture's name in the robot's settings, or search. If empty: the "
-                "robot's default posture, or a search if the robot has none.")
+                 "Starting posture: a name from the robot's settings, or search (find one for the"
+                 " surface)")
+          .more("If empty, the robot's default posture is used, or a search if the robot has no "
+                "default posture.")
           .field("force", &S::force,
                  "Normal force that the tool presses with [{N}]",
                  {.least = 0, .open = true})
           .field("aside", &S::aside,
-                 "Offsets of joints from the start when the arm is aside [{rad (m)}]: {joint: "
+                 "Offsets from the starting posture that move the arm aside [{rad (m)}]: {joint: "
                  "offset, ...}")
           .group("", "tool")
           .field("tool", &S::tool,
                  "Frame of the tool; its origin is the centre of the round tip")
           .key("frame")
           .field("tool_axis", &S::tool_axis,
-                 "Pressing direction [x, y, z] in the tool's frame (auto: away from the arm)",
+                 "Pressing direction [x, y, z] in the tool's frame (automatic: away from the arm)",
                  {.direction = true})
-          .in_code("Pressing direction in the tool's frame (none: away from the arm)")
-          .more("The automatic direction is z or -z of a frame from robot.yaml, else the axis of "
-                "the last joint; see pressing_direction(). The vector need not have unit length. "
-                "A stated starting posture must agree with the direction within search.tilt.")
+          .more("If robot.yaml defines the tool's frame, the automatic direction is the frame's z"
+                " or -z axis. Otherwise it is the axis of the last joint; see "
+                "pressing_direction(). The vector need not have unit length. In a stated starting"
+                " posture, the angle between the pressing direction and the direction into the "
+                "surface must be at most search.tilt.")
           .key("axis")
           .word("auto")
           .field("tip_radius", &S::tip_radius,
                  "Radius of the round tip [{m}]",
                  {.least = 0, .open = true})
           .group("The surface lies at the distance `clearance` from the tool at the start. The "
-             "controller knows its normal.", "surface")
+             "controller knows the surface's normal.", "surface")
           .field("normal_world", &S::normal_world,
                  "Normal of the surface [x, y, z] in world axes, towards the robot",
                  {.direction = true})
           .more("The normal points out of the material. It need not have unit length.")
           .key("normal")
           .field("extent", &S::extent,
-                 "Width of the surface beyond the point on all four sides (or endless) [{m}]",
+                 "Distance from the pressed point to the surface's four edges (or endless) [{m}]",
                  {.least = 0, .open = true, .infinite = true})
-          .in_code("Width of the surface beyond the point on all four sides [m]")
-          .more("The surface is a square about the point. The value endless (infinite) makes it a"
-                " whole plane.")
+          .more("The value endless is infinite: the surface is then a whole plane.")
           .word("endless")
           .field("friction", &S::friction,
-                 "Coulomb friction coefficient (replaced by disturbances.surface_friction if "
-                 "stated)",
+                 "Coulomb friction coefficient, unless disturbances.surface_friction states "
+                 "another one",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
                  "Stiffness of the surface in the plant [{N/m}]",
@@ -74,7 +74,7 @@ const Description& description_of(const Task* /*of*/) {
                  "Speed towards the surface [{m/s}]",
                  {.least = 0, .open = true})
           .field("touch_force", &S::touch_force,
-                 "Force that the tool presses with as soon as contact is made [{N}]",
+                 "Pressing force of the tool right after contact [{N}]",
                  {.least = 0})
           .field("ramp_duration", &S::ramp_duration,
                  "Duration of the ramp from touch_force to force [{s}]",
@@ -93,15 +93,15 @@ const Description& description_of(const Task* /*of*/) {
                  "Rate of torque commands and of new plans [{Hz}]",
                  {.least = 100, .most = 1e4})
           .field("command_delay", &S::command_delay,
-                 "Assumed delay from a command to its torque [{s}]",
+                 "Assumed delay from a torque command to the torque in the joint [{s}]",
                  {.least = 0, .most = 0.1})
-          .more("The delay is rounded to ticks. Plans and feedback start from the state that the "
-                "torques already sent lead to.")
+          .more("The delay is rounded to ticks. Plans and feedback start from a state that is "
+                "predicted from the torques already sent.")
           .field("measurement_delay", &S::measurement_delay,
                  "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
           .field("posture_weight", &S::posture_weight,
-                 "Weight on joint angles relative to their reference [{1/rad^2}]",
+                 "Weight on errors of joint angles relative to the motion aside [{1/rad^2}]",
                  {.least = 0, .open = true})
           .more("For comparison, the weight on the tool's position is 1e4 1/m^2.")
           .field("constraints", &S::constraints,
@@ -115,18 +115,18 @@ const Description& description_of(const Task* /*of*/) {
                  "Normal force above which the tool counts as in contact [{N}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("The noise of the force is measured in free air. If six standard deviations of "
-                "the noise exceed the threshold, the mean force over 5 ms is used. Contact then "
-                "requires that the mean exceeds both the threshold and six standard deviations of"
-                " the mean.")
+                "the noise exceed the threshold, the force is averaged over 5 ms. Contact then "
+                "requires that the average exceeds both the threshold and six standard deviations"
+                " of the average.")
           .field("slip", &S::slip,
-                 "Largest distance that the tool may slide along the surface from its point [{m}]",
+                 "Largest distance that the tool may slide away from the pressed point [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .group("")
           .field("disturbances", &S::disturbances,
-                 "Disturbances that the controller does not know.\nOne word can replace all keys:"
-                 " none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of "
-                 "these words, only keys that differ from the preset are needed.")
-          .in_code("Disturbances that the controller does not know");
+                 "Disturbances that the controller does not know.\nIn a task file, one word can "
+                 "replace all keys: none, sensors, mismatch or joint_friction.\nWith the key "
+                 "`preset` and one of these words, only keys that differ from the preset are "
+                 "needed.");
   return all;
 }
 
@@ -139,10 +139,12 @@ const Description& description_of(const Setting* /*of*/) {
                  "Robot of the task")
           .required()
           .field("q_start", &S::q_start,
-                 "Configuration at the start, nq; the posture's reference begins there")
+                 "Configuration at the start, nq entries; also the first reference of the joint "
+                 "angles")
           .required()
           .field("q_aside", &S::q_aside,
-                 "Configuration when the arm is aside, nq; the posture's reference ends there")
+                 "Configuration with the arm moved aside, nq entries, where the reference of the "
+                 "joint angles ends")
           .required()
           .field("scene", &S::scene,
                  "Tip and surface as the controller assumes them")
@@ -156,7 +158,7 @@ const Description& description_of(const Setting* /*of*/) {
           .field("touch", &S::touch,
                  "Schedule time of the planned contact [{s}]")
           .field("ramp_end", &S::ramp_end,
-                 "Schedule time at the end of the ramp [{s}]")
+                 "Schedule time at the end of the force ramp [{s}]")
           .field("hold_end", &S::hold_end,
                  "Schedule time at the end of the hold [{s}]");
   return all;
@@ -171,9 +173,10 @@ const Description& description_of(const RunSpec* /*of*/) {
           .field("setting", &S::setting,
                  "Task with all settings filled in; none: computed by make_setting()")
           .field("plant", &S::plant,
-                 "Plant to simulate; MuJoCo if this build has it")
+                 "Plant to simulate; by default MuJoCo, if this build has it")
           .field("check_reach", &S::check_reach,
-                 "Check the reach before the run, and throw Error if there is a problem")
+                 "Check before the run by statics whether the robot can do the task; throw Error "
+                 "if it cannot")
           .field("plan_rate", &S::plan_rate,
                  "Recording rate of plans (0: no recording) [{Hz}]")
           .field("progress", &S::progress,

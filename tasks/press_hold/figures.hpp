@@ -1,4 +1,5 @@
-// The rows of the table of figures that are of this task: see report/figures.hpp.
+// Table of the figures (measured quantities) of press_hold; report/figures.hpp describes such
+// tables.
 #pragma once
 
 #include "burnish/tasks/press_hold/press_hold.hpp"
@@ -6,16 +7,20 @@
 
 namespace burnish::press_hold {
 
-/// Calls see(entry, member) for each figure of the hold; their full names have "hold." in front.
+/// Calls see(entry, member) for each figure of the hold. The full name of a figure is "hold."
+/// followed by the name of its entry.
 template <class See>
 void each_hold_figure(const See& see) {
   using H = HoldFigures;
   using namespace figure_units;
-  see(FigureEntry{"moved_aside", joint,
-                  "largest way of a joint from the ramp's end to the hold's (m where it slides)",
-                  "moved aside", 2},
+  see(
+      FigureEntry{
+          "moved_aside", joint,
+          "largest motion of a joint from the end of the ramp to the end of the hold (m for "
+          "prismatic joints)",
+          "largest joint displacement", 2},
       &H::moved_aside);
-  see(FigureEntry{"slip", metre, "farthest that the tool was off its point along the surface",
+  see(FigureEntry{"slip", metre, "largest distance of the tool from its point along the surface",
                   "slip of the tool"},
       &H::slip);
 }

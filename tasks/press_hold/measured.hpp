@@ -1,11 +1,12 @@
-// The window of a run over which the force is judged.
+// Time window of a run over which the force is measured.
 #pragma once
 
 namespace burnish::press_hold {
 
-// Chosen: the transient of the ramp lasts 0.1 to 0.2 s on the robots that ship.
-inline constexpr double after_ramp = 0.2;       ///< Begin of the window after the ramp [s].
-inline constexpr double before_retreat = 0.02;  ///< End of the window before the retreat [s].
-inline constexpr double least_measured = 0.5;   ///< Least time from ramp to retreat [s].
+// Chosen by hand: on the shipped robots, the force settles 0.1 to 0.2 s after the ramp.
+inline constexpr double after_ramp = 0.2;  ///< Time from the end of the ramp to the window [s].
+inline constexpr double before_retreat = 0.02;  ///< Time from the window to the retreat [s].
+/// Smallest time from the end of the ramp to the retreat [s].
+inline constexpr double min_measured = 0.5;
 
 }  // namespace burnish::press_hold

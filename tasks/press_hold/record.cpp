@@ -12,7 +12,7 @@ pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
   record.force = number(task.force) + " N";
   record.surface_axes = setting.surface_axes;
   record.origin_world = setting.p_hold;
-  record.phase = 2;  // aside, of phase_names()
+  record.phase = 2;  // phase "aside", see phase_names()
   record.phase_title = "while it moves aside";
   record.update_period = 1.0 / task.tick_rate;
   record.metrics = result.metrics;

@@ -1,4 +1,4 @@
-// What files and page say of a run of press_hold.
+// Record of a press_hold run, for the files of the run and its HTML page.
 #pragma once
 
 #include "burnish/tasks/press_hold/press_hold.hpp"

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/tasks/press_hold/press_hold.hpp"
 #include "press_hold/measured.hpp"
 #include "pressing/closed_run.hpp"
@@ -9,7 +10,7 @@
 namespace burnish::press_hold {
 namespace {
 
-/// First row of a phase or of a later one.
+/// Returns the first row of a phase or of any later phase.
 int first_row(const Trace& trace, int phase) {
   const Trace::Column phases = trace.column("phase");
   return static_cast<int>(
@@ -17,7 +18,7 @@ int first_row(const Trace& trace, int phase) {
       phases.begin());
 }
 
-/// While the posture goes aside and stays there.
+/// Measures force and slip between the end of the ramp and the end of the hold.
 void measure_hold(RunResult& result) {
   const Trace& trace = result.trace;
   const Setting& setting = result.setting;
@@ -25,7 +26,7 @@ void measure_hold(RunResult& result) {
   const int begin = first_row(trace, 2), end = first_row(trace, 4);
   const Trace::Column time = trace.column("time");
   const double last = end - begin < 2 ? 0.0 : time[end - 1];
-  if (!(last - time[begin] > least_measured - before_retreat)) return;
+  if (!(last - time[begin] > min_measured - before_retreat)) return;
   MetricsSpec spec;
   spec.start = time[begin] + after_ramp;
   spec.end = last - before_retreat;
@@ -44,16 +45,16 @@ void measure_hold(RunResult& result) {
 }
 
 std::string outcome_of(const RunResult& result, const pressing::RunEnd& end) {
-  const std::string& phase = phase_names()[static_cast<std::size_t>(end.phase)];
+  const std::string& phase = phase_names()[to_size(end.phase)];
   if (const std::string trouble = pressing::trouble_of(result, end, phase); !trouble.empty())
     return trouble;
   if (!result.hold)
-    return "the point was not held to the end: the run ended at " + number(end.time) +
-           " s, in phase " + phase;
+    return "the hold was not completed: the run ended at " + number(end.time) + " s, in phase " +
+           phase;
   char text[120];
-  std::snprintf(text, sizeof text, "held: %.1f s, %.2f rad aside, %.2f N rms off, %.2f mm of slip",
-                end.time, result.hold->moved_aside, result.metrics->force_rmse,
-                1e3 * result.hold->slip);
+  std::snprintf(text, sizeof text,
+                "held: %.1f s, %.2f rad aside, rms force error %.2f N, slip %.2f mm", end.time,
+                result.hold->moved_aside, result.metrics->force_rmse, 1e3 * result.hold->slip);
   return text;
 }
 
@@ -73,30 +74,29 @@ RunResult run_task(const RunSpec& spec) {
   if (spec.check_reach) refuse_out_of_reach(task, setting);
   MpcController mpc(make_mpc(task, setting));
   const double end = setting.hold_end + task.retreat_duration;
-  const double longest = end + pressing::patience(task.tool_limits.late_contact_time);
+  const double max_duration = end + pressing::patience(task.tool_limits.late_contact_time);
   pressing::ClosedRun run{.controller = mpc,
                           .period = 1.0 / task.tick_rate,
                           .model = setting.robot.model,
                           .scene = setting.scene,
                           .disturbances = task.disturbances,
                           .q_start = setting.q_start,
-                          .longest = longest,
+                          .longest = max_duration,
                           .plant = spec.plant,
                           .mpc = &mpc,
                           .plan_step = 0.01,
                           .plan_rate = spec.plan_rate};
-  // The schedule's clock stands still while contact is late.
+  // Ends by the time of the schedule, whose clock stops while contact is late.
   run.goes_on = [&](double now, const Command&) {
-    return mpc.schedule().time() < end && now < longest;
+    return mpc.schedule().time() < end && now < max_duration;
   };
   run.end = [end] { return end; };
   run.progress = spec.progress;
   const pressing::RunEnd ended = pressing::run_closed_loop(run, result);
   measure_hold(result);
   result.outcome = outcome_of(result, ended);
-  result.done = result.plant_status <= Status::NotConverged &&
-                result.fault.kind == FaultKind::None && !result.interrupted &&
-                result.hold.has_value() && mpc.schedule().time() >= end;
+  result.done = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
+                !result.interrupted && result.hold.has_value() && mpc.schedule().time() >= end;
   return result;
 }
 

@@ -7,7 +7,7 @@ namespace burnish::press_hold {
 const Description& description_of(const HoldFigures* /*of*/) {
   static const Description all = [] {
     Describe<HoldFigures> figures("press_hold", "HoldFigures",
-                                  "Of the time from the end of the ramp to the end of the hold.");
+                                  "Figures from the end of the ramp to the end of the hold.");
     each_hold_figure([&](const FigureEntry& entry, auto member) {
       figures.field(entry.name, member, described_as(entry).c_str());
     });

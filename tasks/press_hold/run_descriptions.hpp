@@ -1,4 +1,4 @@
-// Figures of runs of the task, described by their table.
+// Description of the figures in press_hold/figures.hpp.
 #pragma once
 
 #include "press_hold/descriptions.hpp"

@@ -1,8 +1,9 @@
-// The task as stages over time, events and watches.
+// Stages of press_hold over time, with events and monitors.
 #include <algorithm>
 
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/press_hold/press_hold.hpp"
@@ -15,7 +16,7 @@
 namespace burnish::press_hold {
 namespace {
 
-/// What pressing watches, and how far the tool slips from its point.
+/// Monitor of a PressingTask that also limits the slip of the tool from its point of contact.
 class Holding final : public MpcTask {
  public:
   Holding(std::unique_ptr<MpcTask> pressing, const MpcSpec& spec, const Task& task,
@@ -46,25 +47,26 @@ class Holding final : public MpcTask {
   int tool_;
   Eigen::Matrix<double, 3, 2> tangents_;
   Eigen::Vector3d p_hold_;
-  double limit_;  ///< m
+  double limit_;  ///< Largest allowed slip [m].
 };
 
-/// Force at a time of the schedule, N.
+/// Returns the target force at a time of the schedule [N].
 double force_at(const Task& task, const Setting& setting, double time) {
   if (time < setting.touch || time >= setting.hold_end) return 0.0;
   return task.touch_force + (task.force - task.touch_force) *
                                 pressing::smooth((time - setting.touch) / task.ramp_duration);
 }
 
-/// The posture's reference, at rest before and behind its way.
+/// Returns the target of the state over time: a smooth motion from q_start to q_aside, at rest
+/// before and after.
 Signal posture(const Task& task, const Setting& setting) {
   const Eigen::Index nq = setting.q_start.size(), nv = setting.robot.model.nv;
   return Signal::over_time(
       static_cast<int>(nq + nv),
-      [from = setting.q_start, way = Eigen::VectorXd(setting.q_aside - setting.q_start),
+      [from = setting.q_start, displacement = Eigen::VectorXd(setting.q_aside - setting.q_start),
        begin = setting.ramp_end, T = task.aside_duration](double t, Eigen::Ref<Eigen::VectorXd> x) {
         x.setZero();
-        x.head(from.size()) = from + pressing::smooth((t - begin) / T) * way;
+        x.head(from.size()) = from + pressing::smooth((t - begin) / T) * displacement;
       });
 }
 
@@ -77,11 +79,11 @@ std::vector<Stage> stages(const Task& task, const Setting& setting) {
       pressing::place_cost("point", task.tool, setting.p_hold,
                            Reference::world(setting.surface_axes), 1e4, 0.0)};
   common.push_back(pressing::torque_cost(pressing::rest_torque(model, setting.q_start), 1e-4));
-  std::vector<Constraint> kept = pressing::joint_limits(model, task.constraints, setting.q_start);
-  for (Constraint& most : pressing::torque_limits(model, task.constraints))
-    kept.push_back(std::move(most));
+  std::vector<Constraint> limits = pressing::joint_limits(model, task.constraints, setting.q_start);
+  for (Constraint& torque : pressing::torque_limits(model, task.constraints))
+    limits.push_back(std::move(torque));
   const auto stage = [&](const char* name, CostTerm own) {
-    Stage result{.name = name, .costs = common, .constraints = kept, .step = 0.01};
+    Stage result{.name = name, .costs = common, .constraints = limits, .step = 0.01};
     result.costs.push_back(std::move(own));
     return result;
   };
@@ -100,24 +102,26 @@ std::vector<Stage> stages(const Task& task, const Setting& setting) {
   return all;
 }
 
-/// Where the posture's reference goes.
-Eigen::VectorXd way_aside(const Task& task, const Model& model, Eigen::VectorXd q) {
+/// Returns `q` with the joints moved by the amounts in task.aside.
+Eigen::VectorXd moved_aside(const Task& task, const Model& model, Eigen::VectorXd q) {
   std::vector<std::string> names;
   for (const Joint& joint : model.joints)
     if (joint.nq == 1) names.push_back(joint.name);
-  for (const auto& [name, way] : task.aside) {
+  for (const auto& [name, displacement] : task.aside) {
     const std::string entry = "aside." + name;
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw EntryError(entry, in_quotes(name) + " is no joint of robot " + in_quotes(model.name) +
-                                  " with one position" + did_you_mean(name, names));
+      throw EntryError(entry, "robot " + in_quotes(model.name) + " does not have a joint " +
+                                  in_quotes(name) + " with one position" +
+                                  did_you_mean(name, names));
     const int at =
         std::find_if(model.joints.begin(), model.joints.end(),
                      [&wanted = name](const Joint& joint) { return joint.name == wanted; })
             ->q_index;
-    q[at] += way;
+    q[at] += displacement;
     if (q[at] < model.q_lower[at] || q[at] > model.q_upper[at])
-      throw EntryError(entry, "joint " + in_quotes(name) + " would go from " + number(q[at] - way) +
-                                  " to " + number(q[at]) + ", beyond its limits of " +
+      throw EntryError(entry, "joint " + in_quotes(name) + " would move from " +
+                                  number(q[at] - displacement) + " to " + number(q[at]) +
+                                  "; wanted a target within its limits, " +
                                   number(model.q_lower[at]) + " to " + number(model.q_upper[at]));
   }
   return q;
@@ -182,20 +186,23 @@ bool has_joint(const Model& model, const std::string& name) {
                      [&](const Joint& joint) { return joint.nq == 1 && joint.name == name; });
 }
 
-/// The third joint from the base that carries the tool, or the last one of fewer.
+/// Returns the third of the joints that carry the tool, counted from the base; the last one if
+/// there are fewer.
 const Joint& third_joint(const Model& model, const std::string& tool) {
-  const int body = model.frames[static_cast<std::size_t>(model.frame_index(tool))].body;
+  const int body = model.frames[to_size(model.frame_index(tool))].body;
   const Joint* last = nullptr;
   int count = 0;
   for (const int v : model.support(body)) {
-    const auto j = static_cast<std::size_t>(model.joint_of_v[static_cast<std::size_t>(v)]);
+    const auto j = to_size(model.joint_of_v[to_size(v)]);
     if (model.joints[j].nq != 1) continue;
     last = &model.joints[j];
     if (++count == 3) break;
   }
   if (last == nullptr)
-    throw EntryError("aside", "robot " + in_quotes(model.name) +
-                                  " has no joint with one position below its tool; wanted one");
+    throw EntryError(
+        "aside",
+        "robot " + in_quotes(model.name) +
+            " does not have a joint with one position between base and tool; wanted at least one");
   return *last;
 }
 
@@ -208,23 +215,23 @@ std::vector<std::string> fit_to_robot(Task& task, const Robot& robot) {
   if (!task.posture.empty() && task.posture != searched_posture &&
       !robot.postures.contains(task.posture)) {
     changes.push_back("posture: " + of_robot + in_quotes(task.posture) +
-                      "; one was found for the surface");
+                      "; a posture was found for the surface");
     task.posture = searched_posture;
   }
   if (task.aside.empty() || std::any_of(task.aside.begin(), task.aside.end(),
                                         [&](const auto& of) { return has_joint(model, of.first); }))
     return changes;
-  const auto [stated, way] = *task.aside.begin();
+  const auto [stated, displacement] = *task.aside.begin();
   task.aside.clear();
   const Joint& joint = third_joint(model, task.tool);
   const double q = make_setting(task, robot).q_start[joint.q_index];
   const double above = model.q_upper[joint.q_index] - q, below = q - model.q_lower[joint.q_index];
-  const double room = way > 0.0 ? above : below;
-  const bool turns_back = room < std::abs(way) && std::max(above, below) > room;
-  const double size = std::min(std::abs(way), 0.9 * std::max(above, below));
-  task.aside[joint.name] = (way > 0.0) != turns_back ? size : -size;
-  changes.push_back("aside: " + of_robot + "joint " + in_quotes(stated) + "; " +
-                    in_quotes(joint.name) + " goes by " + number(task.aside[joint.name]) +
+  const double distance = displacement > 0.0 ? above : below;  // distance to the joint limit
+  const bool reverses = distance < std::abs(displacement) && std::max(above, below) > distance;
+  const double size = std::min(std::abs(displacement), 0.9 * std::max(above, below));
+  task.aside[joint.name] = (displacement > 0.0) != reverses ? size : -size;
+  changes.push_back("aside: " + of_robot + "joint " + in_quotes(stated) + "; joint " +
+                    in_quotes(joint.name) + " moves instead, by " + number(task.aside[joint.name]) +
                     (joint.kind == JointKind::Prismatic ? " m" : " rad"));
   return changes;
 }
@@ -240,7 +247,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
     pressing::check_tool_axis(frame_placement(robot.model, setting.q_start, task.tool).linear() *
                                   task.tool_axis->normalized(),
                               setting.scene.surface.normal, task.search.tilt);
-  setting.q_aside = way_aside(task, robot.model, setting.q_start);
+  setting.q_aside = moved_aside(task, robot.model, setting.q_start);
   return setting;
 }
 
@@ -284,7 +291,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
     return std::make_unique<Holding>(pressing(spec), spec, task, setting);
   };
   mpc.tool = task.tool;
-  mpc.normal_world = setting.scene.surface.normal;
+  mpc.normal_base = setting.scene.surface.normal;
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = mpc.update_period = 1.0 / task.tick_rate;
   mpc.command_delay = task.command_delay;
@@ -292,7 +299,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.limits = task.limits;
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error.bandwidth = 150.0;
-  mpc.model_error.boost = 1.0;
+  mpc.model_error.transient_scale = 1.0;
   return mpc;
 }
 

@@ -14,13 +14,13 @@ Task read_task(const std::filesystem::path& file, const std::vector<std::string>
 
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides) {
-  const files::Said<Task> said = files::parse_said<Task>(text, name, overrides);
+  const files::SpecTexts<Task> said = files::parse_said<Task>(text, name, overrides);
   files::placed(said.texts, [&] { check_task(said.spec); });
   return said.spec;
 }
 
 void override_task(Task& task, const std::vector<std::string>& overrides) {
-  files::Said<Task> said{.spec = task};
+  files::SpecTexts<Task> said{.spec = task};
   files::change(said, overrides);
   task = said.spec;
 }
@@ -33,25 +33,27 @@ void check_task(const Task& task) {
   if (task.touch_force > task.force)
     throw EntryError("phases.touch_force", "it is " + number(task.touch_force) +
                                                " N, more than the force of " + number(task.force) +
-                                               " N; wanted at most that");
+                                               " N; wanted at most " + number(task.force) + " N");
   if (task.tool_limits.force <= task.force)
-    throw EntryError("force", "it is " + number(task.force) + " N and reaches limits.force of " +
-                                  number(task.tool_limits.force) + " N; wanted less");
-  constexpr double longest = 1e4;  // s
+    throw EntryError("force", "it is " + number(task.force) +
+                                  " N; wanted less than limits.force, " +
+                                  number(task.tool_limits.force) + " N");
+  constexpr double max_duration = 1e4;  // longest duration [s]
   for (const auto& [key, time] : {std::pair("ramp_duration", task.ramp_duration),
                                   std::pair("aside_duration", task.aside_duration),
                                   std::pair("hold_duration", task.hold_duration),
                                   std::pair("retreat_duration", task.retreat_duration),
                                   std::pair("clearance", task.clearance / task.approach_speed)})
-    if (!(time <= longest))
-      throw EntryError(std::string("phases.") + key,
-                       "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
+    if (!(time <= max_duration))
+      throw EntryError(
+          std::string("phases.") + key,
+          "it takes " + number(time) + " s; wanted at most " + number(max_duration) + " s");
   const double measured = task.aside_duration + task.hold_duration;
-  if (!(measured >= least_measured))
+  if (!(measured >= min_measured))
     throw EntryError("phases.hold_duration",
-                     "it is " + number(task.hold_duration) + " s and with phases.aside_duration " +
-                         number(measured) + " s; wanted at least " + number(least_measured) +
-                         " s together, over which the force is judged");
+                     "it is " + number(task.hold_duration) + " s, and " + number(measured) +
+                         " s together with phases.aside_duration; wanted at least " +
+                         number(min_measured) + " s together, to measure the force");
 }
 
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "dynamics/integration.hpp"
 #include "pressing/admittance_loop.hpp"
@@ -22,13 +23,13 @@ AdmittanceSpec checked(const Model& model, AdmittanceSpec spec) {
   return spec;
 }
 
-/// Joint commands on their way, which all take equally long.
+/// Queue that delays joint commands by a constant time.
 class DelayLine {
  public:
-  /// `delay`: ticks; a command comes every `every` ticks.
+  /// `delay`: delay [ticks]. A command must be sent every `every` ticks.
   DelayLine(const Model& model, long delay, long every)
       : delay_(delay),
-        slots_(static_cast<std::size_t>(delay / every + 2),
+        slots_(to_size(delay / every + 2),
                {0, {model.q_neutral, Eigen::VectorXd::Zero(model.nv)}}) {}
 
   void clear() noexcept { first_ = count_ = 0; }
@@ -39,7 +40,7 @@ class DelayLine {
     slot.command.v = command.v;
     ++count_;
   }
-  /// What arrives at a tick; null: nothing.
+  /// Removes and returns the command that arrives at this tick; null if none arrives.
   const JointCommand* arrived(long tick) noexcept {
     if (count_ == 0 || slots_[first_].due > tick) return nullptr;
     const JointCommand& command = slots_[first_].command;
@@ -75,15 +76,15 @@ class AdmittanceController final : public Controller {
   AdmittanceSpec spec_;
   Tree tree_;
   ContactDynamics dynamics_;
-  long every_;  ///< ticks per period of the outer loop
+  long every_;  ///< Period of the outer loop [ticks].
   pressing::PathFollower follower_;
   pressing::AdmittanceLoop outer_;
   DelayLine line_;
   Command command_;
-  JointCommand wanted_;  ///< of the inner loop, now
+  JointCommand wanted_;  ///< Current target of the inner loop (joint control).
   long tick_ = 0;
   bool started_ = false;
-  bool saturated_ = false;  ///< a torque reached its limit at the last tick
+  bool saturated_ = false;  ///< True if a torque exceeded its limit at the last tick.
   Eigen::VectorXd effort_limit_, zero_, error_, integral_, response_, step_, tau_;
   Eigen::MatrixXd M_;
 };
@@ -119,15 +120,15 @@ void AdmittanceController::reset() noexcept {
 
 const Command& AdmittanceController::tick(const Measurement& measurement) noexcept {
   command_.status = dynamics_.forward(measurement.q, measurement.v, zero_);
-  if (command_.status > Status::NotConverged) return command_;
+  if (!is_usable(command_.status)) return command_;
   if (!measurement.tool_force_world.allFinite()) {
     command_.status = Status::NotFinite;
     return command_;
   }
   M_ = dynamics_.mass_matrix();
   Status status = run_outer(measurement);
-  if (status <= Status::NotConverged) status = run_inner(measurement);
-  if (status > Status::NotConverged) command_.status = status;
+  if (is_usable(status)) status = run_inner(measurement);
+  if (!is_usable(status)) command_.status = status;
   ++tick_;
   return command_;
 }
@@ -135,7 +136,7 @@ const Command& AdmittanceController::tick(const Measurement& measurement) noexce
 Status AdmittanceController::run_outer(const Measurement& measurement) noexcept {
   if (!started_) {
     const Status status = outer_.reset(measurement.q);
-    if (status > Status::NotConverged) return status;
+    if (!is_usable(status)) return status;
     wanted_.q = measurement.q;
     wanted_.v.setZero();
     started_ = true;
@@ -149,13 +150,14 @@ Status AdmittanceController::run_outer(const Measurement& measurement) noexcept 
   const TaskPoint target = follower_.ahead(spec_.gains.delay);
   const Status status = outer_.step(target, measurement.tool_force_world,
                                     follower_.phase() != Phase::Approach, !saturated_, M_);
-  if (status <= Status::NotConverged) line_.send(tick_, outer_.command());
+  if (is_usable(status)) line_.send(tick_, outer_.command());
   return status;
 }
 
-/// Between two commands the joints go on as the last one says.
+/// Runs the joint controller. Between two commands, its target moves on with the velocity of the
+/// last command.
 Status AdmittanceController::run_inner(const Measurement& measurement) noexcept {
-  const double dt = spec_.path.period, most = spec_.gains.joint_integral_limit;
+  const double dt = spec_.path.period, limit = spec_.gains.joint_integral_limit;
   if (const JointCommand* arrived = line_.arrived(tick_)) {
     wanted_.q = arrived->q;
     wanted_.v = arrived->v;
@@ -163,7 +165,8 @@ Status AdmittanceController::run_inner(const Measurement& measurement) noexcept 
   difference_configuration(tree_, measurement.q.data(), wanted_.q.data(), error_.data());
   for (int i = 0; i < tree_.nv; ++i) {
     if (!saturated_)
-      integral_[i] = std::clamp(integral_[i] + spec_.gains.joint_ki * dt * error_[i], -most, most);
+      integral_[i] =
+          std::clamp(integral_[i] + spec_.gains.joint_ki * dt * error_[i], -limit, limit);
     response_[i] = spec_.gains.joint_kp * error_[i] +
                    spec_.gains.joint_kd * (wanted_.v[i] - measurement.v[i]) + integral_[i];
   }

@@ -33,7 +33,7 @@ Status AdmittanceLoop::reset(const Eigen::VectorXd& q) noexcept {
   force_.setZero();
   integral_ = speed_ = 0.0;
   const Status status = body_.update(q, zero_);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   q_ = command_.q = q;
   command_.v.setZero();
   return status;
@@ -45,7 +45,7 @@ Status AdmittanceLoop::step(const TaskPoint& target, const Eigen::Vector3d& forc
                             bool pressing, bool may_integrate,
                             const Eigen::MatrixXd& mass_matrix) noexcept {
   const Status status = body_.update(q_, zero_);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   body_.frame_derivatives(tool_, Reference::centered(), motion_);
   J_ = motion_.jacobian.topRows(3);
   force_ += (1.0 - std::exp(-gains_.force_cutoff * period_)) * (force_world - force_);
@@ -64,7 +64,7 @@ Status AdmittanceLoop::step(const TaskPoint& target, const Eigen::Vector3d& forc
   return Status::Ok;
 }
 
-/// Of the tool, kg: 1 / (n^T J M^-1 J^T n).
+/// Returns the effective mass of the tool along n, 1 / (n^T J M^-1 J^T n) [kg].
 double AdmittanceLoop::inertia_along(const Eigen::Vector3d& n,
                                      const Eigen::MatrixXd& mass_matrix) noexcept {
   multiply(J_.transpose(), n, step_);
@@ -76,7 +76,8 @@ double AdmittanceLoop::inertia_along(const Eigen::Vector3d& n,
   return 1.0 / inverse;
 }
 
-/// By the admittance, implicit in the speed, so that no damping is too much for the period.
+/// Returns the next speed along the normal, by an implicit Euler step of the admittance, which is
+/// stable for any damping.
 double AdmittanceLoop::normal_speed(const TaskPoint& target, double inertia,
                                     bool may_integrate) noexcept {
   const double excess = force_.dot(target.normal_world) - target.force;
@@ -89,8 +90,9 @@ double AdmittanceLoop::normal_speed(const TaskPoint& target, double inertia,
   return speed_;
 }
 
-/// Into step_, rad/s (m/s): the tool's velocity by damped least squares, the posture in what that
-/// leaves free; all slower where a joint would be too fast.
+/// Computes the joint velocities step_ [rad/s (m/s)] for a velocity of the tool by damped least
+/// squares. The null space moves towards the posture. If a joint would exceed its velocity limit,
+/// all velocities are scaled down.
 void AdmittanceLoop::solve_joints(const Eigen::Vector3d& v_tool) noexcept {
   difference_configuration(tree_, q_.data(), posture_.data(), homing_.data());
   homing_ *= gains_.posture_gain;

@@ -1,5 +1,5 @@
-// The outer loop of a controller in two: force error in, joint positions out. It moves a robot of
-// its own, the commanded one, which has no noise and no lag.
+// Outer loop of the admittance controller: computes joint commands from the force error. The loop
+// integrates its own model of the robot (the commanded robot), which has no noise and no lag.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -10,25 +10,27 @@
 
 namespace burnish::pressing {
 
-/// Where the joints shall be, and how fast.
+/// Desired joint positions and velocities.
 struct JointCommand {
-  Eigen::VectorXd q;  ///< nq
-  Eigen::VectorXd v;  ///< nv
+  Eigen::VectorXd q;  ///< Configuration (nq).
+  Eigen::VectorXd v;  ///< Velocity (nv).
 };
 
 class AdmittanceLoop {
  public:
-  /// `period`: s, of its own. Throws Error for an unknown frame.
+  /// `period`: time between two calls of step() [s]. Throws Error for an unknown frame.
   AdmittanceLoop(const Model& model, const PressingPath& path, const AdmittanceGains& gains,
                  double period);
 
-  /// Starts at a configuration, at rest.
+  /// Resets the commanded robot to the configuration `q` at rest.
   Status reset(const Eigen::VectorXd& q) noexcept;
-  /// Contact was made: what was integrated is forgotten, and the tool stops along the normal.
+  /// Handles the first contact: clears the integral of the force error and stops the tool along the
+  /// normal.
   void touch() noexcept;
-  /// One period further. `pressing`: the force counts, else the speed of the approach;
-  /// `may_integrate`: no torque is at its limit; `mass_matrix`: nv x nv, of the robot. The command
-  /// is that at its begin. Nothing happens unless the status is Ok.
+  /// Advances the commanded robot by one period; command() returns the command at the start of the
+  /// period. `pressing`: true to control the force, false to control the speed of the approach.
+  /// `may_integrate`: true if no torque is at its limit. `mass_matrix`: mass matrix of the robot,
+  /// nv x nv. If the returned status is an error, the command is unchanged.
   Status step(const TaskPoint& target, const Eigen::Vector3d& force_world, bool pressing,
               bool may_integrate, const Eigen::MatrixXd& mass_matrix) noexcept;
   const JointCommand& command() const noexcept { return command_; }
@@ -41,17 +43,17 @@ class AdmittanceLoop {
   AdmittanceGains gains_;
   double period_, approach_speed_;
   Tree tree_;
-  RigidBody body_;  ///< the commanded one
+  RigidBody body_;  ///< Commanded robot.
   int tool_;
   FrameDerivatives motion_;
   JointCommand command_;
-  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();  ///< N, world, behind the low-pass
-  double integral_ = 0.0;                            ///< N
-  double speed_ = 0.0;                               ///< m/s, along the normal
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();  ///< Low-pass filtered force, world axes [N].
+  double integral_ = 0.0;                            ///< Integral term of the force error [N].
+  double speed_ = 0.0;                               ///< Speed along the normal [m/s].
   Eigen::VectorXd q_, zero_, posture_, velocity_limit_, homing_, step_, inverse_M_Jt_;
   Eigen::MatrixXd J_;
-  Eigen::LLT<Eigen::Matrix3d> damped_;  ///< of J J^T + ik_damping^2
-  Eigen::LLT<Eigen::MatrixXd> factor_;  ///< of the mass matrix
+  Eigen::LLT<Eigen::Matrix3d> damped_;  ///< Factorization of J J^T + ik_damping^2.
+  Eigen::LLT<Eigen::MatrixXd> factor_;  ///< Factorization of the mass matrix.
 };
 
 }  // namespace burnish::pressing

@@ -17,7 +17,7 @@ bool is_of_loop(const Model& model, const std::string& frame) {
                      [&](const Loop& loop) { return loop.first == frame || loop.second == frame; });
 }
 
-/// How much a name looks like that of a tool's frame; 0: not at all.
+/// Returns a rank that is higher the more a name looks like the frame of a tool; 0: not at all.
 int likeness(const std::string& name) {
   int rank = 6;
   for (const char* word : {"tcp", "tool", "flange", "grasp", "_ee", "end_effector"}) {
@@ -27,13 +27,13 @@ int likeness(const std::string& name) {
   return 0;
 }
 
-/// "; its own frames are a, b; links at its ends are c, d", what there is of them, after links and
-/// frames whose names look like those of tools.
+/// Returns "; frames named like a tool: a; other frames: b, c; end links: d". Empty lists are left
+/// out.
 std::string frames_of(const Model& model, bool of_tool) {
   const auto listed = [](const std::string& what, const std::vector<std::string>& names) {
-    constexpr std::size_t most = 8;
-    std::string text = names.empty() ? "" : "; " + what + " are ";
-    for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    constexpr std::size_t max_names = 8;
+    std::string text = names.empty() ? "" : "; " + what + ": ";
+    for (std::size_t i = 0; i < std::min(max_names, names.size()); ++i)
       text += (i == 0 ? "" : ", ") + names[i];
     return text;
   };
@@ -56,23 +56,24 @@ std::string frames_of(const Model& model, bool of_tool) {
   std::stable_sort(likely.begin(), likely.end(), [](const std::string& a, const std::string& b) {
     return likeness(a) > likeness(b);
   });
-  return listed("frames that may be its tool's", likely) + listed("its own frames", frames) +
-         listed("links at its ends", links);
+  return listed("frames named like a tool", likely) +
+         listed(likely.empty() ? "frames" : "other frames", frames) + listed("end links", links);
 }
 
 }  // namespace
 
 std::string none_of(const Model& model, const std::string& frame, bool of_tool) {
   std::vector<std::string> names;
-  for (const Frame& known : model.frames) names.push_back(known.name);
+  for (const Frame& existing : model.frames) names.push_back(existing.name);
   const std::string near = did_you_mean(frame, names);
-  return in_quotes(frame) + " is none of robot " + in_quotes(model.name) +
+  return in_quotes(frame) + " does not exist on robot " + in_quotes(model.name) +
          (near.empty() ? frames_of(model, of_tool) : near);
 }
 
 namespace {
 
-/// Refuses a robot of which nothing has a mass, or a joint moves none.
+/// Rejects a robot without mass, and a robot with a joint that moves no mass. Returns other robots
+/// unchanged.
 Robot simulable(Robot robot) {
   about("robot", [&] { require_simulable(robot.model); });
   return robot;
@@ -84,7 +85,7 @@ Robot load_floating(const std::string& robot, const std::vector<std::string>& lo
   RobotOverrides overrides;
   overrides.locked = locked;
   Robot loaded = about("robot", [&] { return load_robot(robot, overrides); });
-  // A description may have a floating base of its own, as those in MJCF do.
+  // An MJCF file itself can contain a floating base.
   if (!loaded.model.joints.empty() && loaded.model.joints.front().kind == JointKind::FreeFlyer)
     return simulable(std::move(loaded));
   overrides.base = Base::FreeFlyer;
@@ -97,8 +98,9 @@ Robot load_arm(const std::string& robot, const std::string& tool, bool stands) {
   Robot loaded = stands ? load_floating(robot)
                         : simulable(about("robot", [&] { return load_robot(robot, overrides); }));
   if (!loaded.model.has_frame(tool))
-    throw EntryError("tool.frame", "the tool's frame " + none_of(loaded.model, tool, true) +
-                                       "; wanted one of its frames, as tool.frame or --tool FRAME");
+    throw EntryError("tool.frame",
+                     "the tool's frame " + none_of(loaded.model, tool, true) +
+                         "; wanted a frame of the robot in tool.frame or --tool FRAME");
   return loaded;
 }
 
@@ -106,8 +108,8 @@ void refuse_floating_base(const Model& model) {
   for (const Joint& joint : model.joints)
     if (joint.kind == JointKind::FreeFlyer)
       throw EntryError("robot", "the base of robot " + in_quotes(model.name) +
-                                    " floats free, and nothing would hold it while it presses; "
-                                    "wanted a fixed base, as a variant of its settings may have");
+                                    " floats free, and this task has no feet that hold it; wanted "
+                                    "a fixed base, such as a variant in the robot's settings");
 }
 
 Eigen::VectorXd start_posture(const Robot& robot, const std::string& posture,
@@ -120,25 +122,26 @@ Eigen::VectorXd start_posture(const Robot& robot, const std::string& posture,
   });
 }
 
-void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal, double most) {
-  const double off = std::atan2(axis.cross(normal).norm(), -axis.dot(normal));
-  if (off <= most) return;
-  throw EntryError("tool.axis",
-                   "in the start posture it is " + number(off) +
-                       " rad off the direction into the surface; wanted at most " + number(most) +
-                       " rad (search.tilt): the axis that this posture presses along, or another "
-                       "posture");
+void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal, double max_angle) {
+  const double angle = std::atan2(axis.cross(normal).norm(), -axis.dot(normal));
+  if (angle <= max_angle) return;
+  throw EntryError(
+      "tool.axis",
+      "in the start posture, the angle between the axis and the direction into the surface is " +
+          number(angle) + " rad; wanted at most " + number(max_angle) +
+          " rad (search.tilt): another axis, or another start posture");
 }
 
 std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd& q,
                                             const Disturbances& disturbances,
                                             const LightJointOptions& options) {
-  // A description without one rotor has none: joints that are nearly as light move besides.
-  constexpr double nearly = 1.25;
+  // Joints up to 1.25 times the inertia of a light joint get an armature too. If one joint is
+  // light, the description probably states no rotor inertias at all. Chosen by hand.
+  constexpr double nearly_light = 1.25;
   std::map<std::string, double> added;
   if (light_joints(model, q, disturbances, options).empty()) return added;
   LightJointOptions wide = options;
-  wide.joint_speed_ratio /= nearly;
+  wide.joint_speed_ratio /= nearly_light;
   for (const LightJoint& light : light_joints(model, q, disturbances, wide)) {
     if (!std::isfinite(light.armature)) continue;
     model.armature[light.v] += light.armature;
@@ -148,12 +151,12 @@ std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd&
 }
 
 std::vector<Eigen::VectorXd> known_postures(const Robot& robot) {
-  std::vector<Eigen::VectorXd> known;
+  std::vector<Eigen::VectorXd> postures;
   for (const auto& [name, posture] : robot.postures) {
     Eigen::VectorXd q = robot.posture(name);
-    if (q.size() == robot.model.nq) known.push_back(std::move(q));
+    if (q.size() == robot.model.nq) postures.push_back(std::move(q));
   }
-  return known;
+  return postures;
 }
 
 }  // namespace burnish::pressing

@@ -1,4 +1,4 @@
-// The arm of a task that presses: loaded, and the posture that it starts from.
+// Loads the robot of a pressing task and selects the starting posture.
 #pragma once
 
 #include <functional>
@@ -9,39 +9,41 @@
 
 namespace burnish::pressing {
 
-/// Of a URDF file, which has no settings, only the joints that carry the tool move: the others are
-/// held at zero. One that stands moves all of them, and its base. Throws EntryError: "robot" as
-/// load_robot() refuses it, "tool.frame" for a frame that the robot has not.
+/// Loads a robot. If `robot` is a URDF file, which has no settings, only the joints that carry the
+/// tool move; the others are locked at zero. With `stands`, all joints and the base move. Throws
+/// EntryError for "robot" if load_robot() fails, and for "tool.frame" if the robot does not have
+/// the frame.
 Robot load_arm(const std::string& robot, const std::string& tool, bool stands = false);
 
-/// "'x' is none of robot 'y'", with the nearest known name of a frame or, where none is near, with
-/// those that its files add, sites among them, and the links at its ends, of many the first.
-/// `of_tool`: after frames whose names look like those of tools.
+/// Returns "'x' does not exist on robot 'y'" with the nearest name of a frame. If no name is near,
+/// the text lists the end links and the first frames or sites that the robot's files define.
+/// `of_tool`: true to list frames whose name suggests a tool first.
 std::string none_of(const Model& model, const std::string& frame, bool of_tool = false);
 
-/// With a base that floats, whatever its files say of it, and these joints locked. Throws
-/// EntryError, "robot", as load_robot() refuses it.
+/// Loads a robot with a floating base, even if its files fix the base. The joints `locked` are
+/// locked. Throws EntryError for "robot" if load_robot() fails.
 Robot load_floating(const std::string& robot, const std::vector<std::string>& locked = {});
 
-/// Throws EntryError, "robot", where the base floats free.
+/// Throws EntryError for "robot" if the base is floating.
 void refuse_floating_base(const Model& model);
 
-/// nq: the posture of that name; of the robot's default if it is empty; what `search` finds for
-/// searched_posture, and where the robot has no default. Throws EntryError, "posture".
+/// Returns the posture named `posture` (nq), or the default posture if the name is empty. Calls
+/// `search` in two cases: for the name searched_posture, and for an empty name if the robot has no
+/// default posture. Throws EntryError for "posture".
 Eigen::VectorXd start_posture(const Robot& robot, const std::string& posture,
                               const std::function<Eigen::VectorXd()>& search);
 
-/// Throws EntryError, "tool.axis", where the direction that a tool presses in is more than `most`
-/// [rad] off the way into a surface, against its normal. Both in the same axes, of length one.
-void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal, double most);
+/// Throws EntryError for "tool.axis" if the angle between the pressing direction `axis` and the
+/// inward normal `-normal` exceeds `max_angle` [rad]. Both are unit vectors in one set of axes.
+void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal, double max_angle);
 
-/// Adds an armature of 2 ms * effort / velocity to each light joint of the model (light_joints())
-/// whose effort and speed are limited; what was added, by joint [kg m^2 (kg)].
+/// Adds an armature of 2 ms * effort limit / velocity limit to each light joint (light_joints())
+/// that has both limits. Returns the added armature by joint [kg m^2 (kg)].
 std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd& q,
                                             const Disturbances& disturbances,
                                             const LightJointOptions& options);
 
-/// Of the robot's named postures, to search from.
+/// Returns the named postures of the robot, as starting points of a search.
 std::vector<Eigen::VectorXd> known_postures(const Robot& robot);
 
 }  // namespace burnish::pressing

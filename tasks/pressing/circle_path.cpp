@@ -7,8 +7,8 @@
 namespace burnish {
 namespace {
 
-/// A growth from 0 to 1 over unit time, at rest and without acceleration at both ends, with its
-/// first two derivatives.
+/// Growth from 0 to 1 over unit time, with its first two derivatives. Velocity and acceleration are
+/// zero at both ends.
 struct Growth {
   double value, rate, acceleration;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "pressing/standing_terms.hpp"
 
@@ -17,12 +18,13 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Passes ticks through and notes how long they took: every nth where `ticks` of them are many.
+/// Controller that forwards ticks to another controller and measures their computing time. `ticks`:
+/// expected number of ticks. If it exceeds a million, only every nth tick is measured.
 class Stopwatch final : public Controller {
  public:
   Stopwatch(Controller& timed, double ticks)
-      : timed_(&timed), every_(static_cast<long>(std::max(1.0, std::ceil(ticks / most)))) {
-    times_.reserve(static_cast<std::size_t>(ticks / static_cast<double>(every_)) + 2);
+      : timed_(&timed), every_(static_cast<long>(std::max(1.0, std::ceil(ticks / max_times)))) {
+    times_.reserve(to_size(ticks / static_cast<double>(every_)) + 2);
   }
   int nv() const override { return timed_->nv(); }
   bool carries_payload() const noexcept override { return timed_->carries_payload(); }
@@ -42,7 +44,7 @@ class Stopwatch final : public Controller {
   const std::vector<double>& times() const { return times_; }
 
  private:
-  static constexpr double most = 1e6;  ///< times that are kept, about: 8 MB
+  static constexpr double max_times = 1e6;  ///< Approximate largest number of stored times, 8 MB.
 
   Controller* timed_;
   long every_, ticks_ = 0;
@@ -54,13 +56,13 @@ TickTimes summarise(std::vector<double> times, double period) {
   if (times.size() < 2) return result;
   times.erase(times.begin());
   std::sort(times.begin(), times.end());
-  const auto rank = [&](double share) {
+  const auto quantile = [&](double fraction) {
     const auto n = static_cast<double>(times.size());
-    return times[static_cast<std::size_t>(std::max(1.0, std::ceil(share * n))) - 1];
+    return times[to_size(std::max(1.0, std::ceil(fraction * n))) - 1];
   };
   result.count = static_cast<int>(times.size());
-  result.median = rank(0.5);
-  result.p99 = rank(0.99);
+  result.median = quantile(0.5);
+  result.p99 = quantile(0.99);
   result.maximum = times.back();
   for (const double time : times) {
     result.mean += time / result.count;
@@ -73,23 +75,24 @@ std::optional<BaseEstimatorOptions> estimator_of(const ClosedRun& run) {
   return run.standing != nullptr ? base_estimator(*run.standing) : std::nullopt;
 }
 
-/// How long the plant goes on after a fault [s]: until an arm has come to rest.
+/// Returns for how long the plant continues after a fault [s].
 double after_fault_of(const ClosedRun& run) {
-  constexpr double arm = 0.3;
+  constexpr double arm_stops = 0.3;  // time in which an arm comes to rest [s]
   if (run.mpc == nullptr) return 0.0;
-  return run.standing != nullptr && run.standing->stands() ? run.standing->after_fault : arm;
+  return run.standing != nullptr && run.standing->stands() ? run.standing->after_fault : arm_stops;
 }
 
-/// Rows of a trace: 100 s of the plants' usual steps, 130 MB for six joints.
-constexpr double most_rows = 200e3;
+/// Largest number of rows in a trace: 100 s of the usual plant step, 130 MB for six joints.
+constexpr double max_rows = 200e3;
 
-/// Plans of a record: 1000 s of the usual 20 Hz.
-constexpr double most_plans = 20e3;
+/// Largest number of recorded plans: 1000 s at the usual 20 Hz.
+constexpr double max_plans = 20e3;
 
-/// Steps until the run is over.
+/// Steps the closed loop until the run ends.
 RunEnd advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanRecorder* plans,
                TaskRun& result) {
-  constexpr int between = 100;  // plant steps from one call of the progress function to the next
+  // Number of plant steps between two calls of the progress function.
+  constexpr int progress_every = 100;
   std::optional<RunEnd> fault;
   const auto here = [&] { return RunEnd{plant.time(), loop.command().phase}; };
   const auto goes_on = [&] {
@@ -98,15 +101,15 @@ RunEnd advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanR
   };
   for (long step = 0; goes_on(); ++step) {
     const Status status = loop.step();
-    // What fails after a fault is no news.
+    // Ignores failures of the plant after a fault, because the fault causes them.
     if (!fault) result.plant_status = worst(result.plant_status, status);
     if (plans != nullptr) plans->look(loop.measurement().time, loop.command());
-    if (status > Status::NotConverged) break;
+    if (!is_usable(status)) break;
     if (!fault && run.mpc != nullptr && run.mpc->fault().kind != FaultKind::None) {
       fault = here();
       continue;
     }
-    if (step % between != 0 || !run.progress) continue;
+    if (step % progress_every != 0 || !run.progress) continue;
     result.interrupted = !run.progress(plant.time(), run.end());
     if (result.interrupted) break;
   }
@@ -124,12 +127,12 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   std::optional<PlanRecorder> plans;
   if (run.mpc != nullptr)
     plans.emplace(*run.mpc, run.plan_step, run.solver_delay,
-                  std::min(run.plan_rate, most_plans / run.end()));
+                  std::min(run.plan_rate, max_plans / run.end()));
   ClosedLoopOptions options;
   options.control_period = run.period;
   options.max_duration = run.longest + after_fault_of(run);
   options.support_sensors = run.standing == nullptr || run.standing->force_sensors;
-  options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
+  options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / max_rows));
   Stopwatch stopwatch(run.controller, options.max_duration / run.period);
   std::unique_ptr<Controller> from_home;
   if (run.home != nullptr)
@@ -143,7 +146,7 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   result.plant_status = loop.reset(from_home ? run.home->corners.front() : run.q_start,
                                    Eigen::VectorXd::Zero(run.model.nv));
   RunEnd end{plant->time(), loop.command().phase};
-  if (result.plant_status <= Status::NotConverged)
+  if (is_usable(result.plant_status))
     end = advance(run, loop, *plant, plans ? &*plans : nullptr, result);
   result.wall_time = seconds_since(begin);
   if (run.mpc != nullptr) result.fault = run.mpc->fault();
@@ -158,7 +161,8 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
 
 namespace {
 
-/// "; the fastest joint before: 'knee', 120 rad/s", of the last row that is finite.
+/// Returns the fastest joint in the last row with finite velocities, as "; the fastest joint
+/// before: 'knee', 120 rad/s".
 std::string fastest_joint(const Trace& trace) {
   for (int row = trace.rows() - 1; row >= 0; --row) {
     std::string joint, unit;
@@ -175,7 +179,8 @@ std::string fastest_joint(const Trace& trace) {
       unit = column.unit;
     }
     if (finite && !joint.empty())
-      return "; the fastest before: " + in_quotes(joint) + ", " + number(fastest) + " " + unit;
+      return "; the fastest joint before: " + in_quotes(joint) + ", " + number(fastest) + " " +
+             unit;
   }
   return "";
 }
@@ -184,18 +189,19 @@ std::string fastest_joint(const Trace& trace) {
 
 std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase) {
   const std::string when = " at " + number(end.time) + " s";
-  if (result.plant_status > Status::NotConverged)
+  if (!is_usable(result.plant_status))
     return "the plant failed" + when + ": " + std::string(describe(result.plant_status)) +
            fastest_joint(result.trace);
   if (result.fault.kind != FaultKind::None)
     return result.fault.text() +
-           (result.standing ? fell(*result.standing) ? "; it fell" : "; it stands" : "");
+           (result.standing ? fell(*result.standing) ? "; the robot fell" : "; the robot stands"
+                            : "");
   if (result.interrupted) return "interrupted" + when + ", in phase " + phase;
   return "";
 }
 
 double patience(double limit) {
-  constexpr double usual = 3.0;
+  constexpr double usual = 3.0;  // usual time [s]; chosen by hand
   return std::isfinite(limit) ? std::max(usual, limit) : usual;
 }
 

@@ -1,4 +1,4 @@
-// A task in closed loop with a plant, step by step until it is over, and what that leaves.
+// Runs a task in closed loop with a plant until the task ends, and records the run.
 #pragma once
 
 #include "burnish/mpc/mpc.hpp"
@@ -9,47 +9,48 @@
 
 namespace burnish::pressing {
 
-/// What is run. References outlive the run.
+/// Inputs of run_closed_loop(). Referenced objects must outlive the run.
 struct ClosedRun {
   Controller& controller;
-  double period;  ///< s between its ticks
+  double period;  ///< Time between ticks of the controller [s].
   const Model& model;
-  const SceneSpec& scene;  ///< as the controller knows it
+  const SceneSpec& scene;  ///< Nominal scene, which the controller assumes.
   const Disturbances& disturbances;
-  const Eigen::VectorXd& q_start;  ///< nq, at rest
-  /// From where the run begins in place of q_start; null: there.
+  const Eigen::VectorXd& q_start;  ///< Configuration at the start (nq), at rest.
+  /// Move from the robot's home posture to q_start; null: the run begins at q_start.
   const HomeMove* home = nullptr;
-  double longest;  ///< longest simulated time, without what follows a fault [s]
+  double longest;  ///< Longest simulated time, without the time after a fault [s].
   PlantKind plant = PlantKind::Ideal;
-  /// How the robot stands, where its task says so: what holds it at first, whether its base is
-  /// estimated and its feet have sensors, and for how long a run goes on after a fault.
+  /// Standing of the task; null for a fixed base. It determines the hoist, the estimation of the
+  /// base, the force sensors of the feet, and for how long a run continues after a fault.
   const Standing* standing = nullptr;
-  /// The controller, where it is one, with the knots' step, delay (s) and at most the rate (Hz) of
-  /// the plans that are recorded.
+  /// The controller if it is an MpcController, else null. The next three members are used only with
+  /// MPC: step of the knots [s], delay of plans [s], highest rate of recorded plans [Hz].
   MpcController* mpc = nullptr;
   double plan_step = 0.0, solver_delay = 0.0, plan_rate = 0.0;
   std::function<bool(double now, const Command& last)> goes_on = {};
-  std::function<double()> end = {};  ///< s, about
+  std::function<double()> end = {};  ///< Approximate end of the run [s].
   RunProgress progress = {};
 };
 
-/// Where a run ended, or had a fault.
+/// State at the first fault of a run, or at its end.
 struct RunEnd {
-  double time = 0.0;  ///< s
-  int phase = 0;      ///< of the last command
+  double time = 0.0;  ///< Time of the plant [s].
+  int phase = 0;      ///< Phase of the last command.
 };
 
-/// Runs until goes_on() says no, the plant fails, a fault came and what comes after it is over, or
-/// the progress function stops it.
-/// Throws Error for a plant that is not there and disturbances that do not fit.
+/// Runs the loop until goes_on() returns false, the plant fails, the time after a fault has passed,
+/// or the progress function stops the run. Throws Error for an unavailable plant and for invalid
+/// disturbances.
 RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result);
 
-/// What came in between: the plant's failure, the fault with what became of a robot that stood, or
-/// the interruption ("in phase ..."); empty: none of them.
+/// Returns a sentence about what ended the run early: a failure of the plant, a fault, or an
+/// interruption ("in phase ..."). Empty if nothing did. After a fault of a standing robot, the
+/// sentence says whether the robot fell.
 std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase);
 
-/// s that contact may come later than planned: longer than the controller waits (`limit`, s), if it
-/// has a limit.
+/// Returns the time by which contact may be late before the run ends [s]: 3 s, or `limit` if it is
+/// finite and longer. `limit`: time for which the controller waits for contact [s].
 double patience(double limit);
 
 }  // namespace burnish::pressing

@@ -7,10 +7,11 @@
 namespace burnish {
 namespace {
 
-constexpr double deviations = 6.0;           // that noise does not reach
-constexpr double median_of_normal = 0.6745;  // of |x|, x of deviation 1
-constexpr std::size_t enough_blocks = 8;     // to know a deviation
-constexpr std::size_t most_blocks = 200;     // that are learned from
+// All values were chosen by hand, except the median.
+constexpr double deviations = 6.0;  // multiple of the standard deviation that noise does not reach
+constexpr double median_of_normal = 0.6745;  // median of |x| for a standard normal x
+constexpr std::size_t min_blocks = 8;        // smallest number of blocks for an estimate of noise
+constexpr std::size_t max_blocks = 200;      // largest number of blocks in the estimate of noise
 
 }  // namespace
 
@@ -22,8 +23,8 @@ void RunningMedian::add(double size) noexcept {
 ContactDetector::ContactDetector(double threshold, int window)
     : threshold_(threshold),
       window_(Eigen::VectorXd::Zero(std::max(1, window))),
-      sample_strays_(most_blocks),
-      mean_strays_(most_blocks) {}
+      sample_strays_(max_blocks),
+      mean_strays_(max_blocks) {}
 
 void ContactDetector::reset() noexcept {
   count_ = 0;
@@ -39,12 +40,13 @@ void ContactDetector::add(double force, bool in_air) noexcept {
   const Eigen::Index filled = std::min<Eigen::Index>(count_, window_.size());
   mean_ = window_.head(filled).mean();
   last_ = force;
-  if (in_air) learn(force);
+  if (in_air) add_noise(force);
 }
 
-/// Differences to some blocks before, so that an offset of the sensor is no noise and what its
-/// filter remembers hides none; medians, so that a touch is no noise either.
-void ContactDetector::learn(double force) noexcept {
+/// Adds differences between a block and the block four blocks earlier. In these differences, an
+/// offset of the sensor cancels, and the sensor's filter does not correlate the two blocks. The
+/// medians of the differences ignore a short touch.
+void ContactDetector::add_noise(double force) noexcept {
   if (in_block_ == 0) first_ = force;
   block_sum_ += force;
   if (++in_block_ < window_.size()) return;
@@ -59,7 +61,7 @@ void ContactDetector::learn(double force) noexcept {
   in_block_ = 0;
 }
 
-bool ContactDetector::knows_noise() const noexcept { return mean_strays_.count() >= enough_blocks; }
+bool ContactDetector::knows_noise() const noexcept { return mean_strays_.count() >= min_blocks; }
 
 double ContactDetector::deviation() const noexcept {
   return sample_strays_.value() / median_of_normal;
@@ -82,13 +84,13 @@ bool ContactDetector::touches() const noexcept {
 
 bool ContactDetector::is_lost(double wanted) const noexcept {
   if (!knows_noise() || is_quiet()) return last_ < threshold_;
-  const double least = std::min(deviations * mean_deviation(), 0.5 * wanted);
-  return mean_ < std::max(threshold_, least);
+  const double min_force = std::min(deviations * mean_deviation(), 0.5 * wanted);
+  return mean_ < std::max(threshold_, min_force);
 }
 
 double ContactDetector::above_noise(double limit, int samples) const noexcept {
   if (!knows_noise()) return limit;
-  // A shorter mean strays further, at most as a sample does.
+  // The mean over fewer samples has a larger deviation, but at most that of white noise.
   const double shorter = deviation() / std::sqrt(static_cast<double>(std::max(1, samples)));
   const double strays =
       samples < window_.size() ? std::max(mean_deviation(), shorter) : mean_deviation();

@@ -1,4 +1,4 @@
-// Touch and loss of contact, told from the noise of a force sensor.
+// Detects touch and loss of contact in the noisy signal of a force sensor.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,11 +9,11 @@
 
 namespace burnish {
 
-/// The median of sizes that come one by one, until there are as many as it has room for. A few that
-/// do not belong to the others do not move it. Allocates when it is made.
+/// Running median of the first `capacity` values that are added; later values are ignored. Only the
+/// constructor allocates.
 class RunningMedian {
  public:
-  explicit RunningMedian(std::size_t room) { sorted_.reserve(room); }
+  explicit RunningMedian(std::size_t capacity) { sorted_.reserve(capacity); }
   void clear() noexcept { sorted_.clear(); }
   void add(double size) noexcept;
   std::size_t count() const noexcept { return sorted_.size(); }
@@ -23,48 +23,53 @@ class RunningMedian {
   std::vector<double> sorted_;
 };
 
-/// Reads the force along a surface's normal, sample by sample. In the air it finds out how far the
-/// force strays by itself, and what counts as contact has to stand out from that:
-/// - with a quiet sensor (the threshold is above six deviations of a sample) one sample is enough,
-/// - with a noisy one it is the mean over a window that counts, against the threshold or six
-///   deviations of such means, whichever is larger,
-/// - as long as the noise is not known, all samples of a window have to be above the threshold.
+/// Detector of contact from samples of the force along a surface's normal. While the tool is in the
+/// air, the detector estimates the noise of the sensor. A contact force must exceed the noise:
+/// - Quiet sensor (six standard deviations of a sample are below the threshold): one sample must
+///   exceed the threshold.
+/// - Noisy sensor: the mean over a window must exceed the threshold and six standard deviations of
+///   such means.
+/// - Noise not yet estimated: all samples of a window must exceed the threshold.
 class ContactDetector {
  public:
-  /// threshold: N that count as contact; window: samples, at least 1.
+  /// `threshold`: force that counts as contact [N]. `window`: number of samples, at least 1.
   ContactDetector(double threshold, int window);
 
   void reset() noexcept;
-  /// force: N; in_air: nothing should touch, so that what is felt is noise. Allocates nothing.
+  /// Adds a sample `force` [N]. `in_air`: true if the tool should not touch, so that the sample is
+  /// only noise. Does not allocate.
   void add(double force, bool in_air) noexcept;
 
   bool touches() const noexcept;
-  /// Whether there is no contact where `wanted` N are asked for: half of them is never noise.
+  /// Returns whether contact is lost while the controller commands the force `wanted` [N]. A force
+  /// of half of `wanted` or more always counts as contact.
   bool is_lost(double wanted) const noexcept;
-  /// What a mean over `samples` samples may not exceed without being a force: `limit`, or more
-  /// where noise reaches that far. N.
+  /// Returns the largest mean over `samples` samples that noise alone can explain, at least `limit`
+  /// [N].
   double above_noise(double limit, int samples) const noexcept;
-  bool knows_noise() const noexcept;
-  /// N: what is compared with needed(), the newest sample or a mean.
+  bool knows_noise() const noexcept;  ///< Whether the noise has been estimated.
+  /// Force to compare with needed(): the newest sample, or the mean of a noisy sensor [N].
   double felt() const noexcept { return !knows_noise() || is_quiet() ? last_ : mean_; }
-  double needed() const noexcept;  ///< least force that counts as contact [N]
+  double needed() const noexcept;  ///< Smallest force that counts as contact [N].
 
  private:
-  double deviation() const noexcept;       ///< N, of a sample
-  double mean_deviation() const noexcept;  ///< N, of a mean over the window
+  double deviation() const noexcept;       ///< Standard deviation of a sample [N].
+  double mean_deviation() const noexcept;  ///< Standard deviation of a mean over the window [N].
   bool is_quiet() const noexcept;
-  void learn(double force) noexcept;
+  void add_noise(double force) noexcept;
 
   double threshold_;
-  Eigen::VectorXd window_;  ///< a ring of samples
+  Eigen::VectorXd window_;  ///< Ring buffer of samples.
   long count_ = 0;
-  double mean_ = 0.0, last_ = 0.0;  ///< N, over the window, and its newest sample
-  // Of the samples in the air, block by block.
+  double mean_ = 0.0, last_ = 0.0;  ///< Mean over the window and newest sample [N].
+  // Statistics of the samples in the air, in blocks of the window's length.
   Eigen::Index in_block_ = 0;
   double block_sum_ = 0.0, first_ = 0.0;
-  std::array<double, 4> block_means_{};  ///< a ring, N
+  std::array<double, 4> block_means_{};  ///< Ring buffer of the means of blocks [N].
   std::size_t blocks_ = 0;
-  RunningMedian sample_strays_, mean_strays_;  ///< N, from some blocks before
+  /// Medians of the differences from the mean of the block four blocks earlier [N]. sample_strays_:
+  /// for the first sample of a block; mean_strays_: for the mean of a block.
+  RunningMedian sample_strays_, mean_strays_;
 };
 
 }  // namespace burnish

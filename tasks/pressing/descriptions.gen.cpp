@@ -57,7 +57,8 @@ const Description& description_of(const AdmittanceGains* /*of*/) {
                  "Integral gain of the inner loop (0: no integral) [{1/s^3}]",
                  {.least = 0})
           .field("joint_integral_limit", &S::joint_integral_limit,
-                 "Largest correction by the integral of the inner loop [{rad/s^2}]",
+                 "Largest correction of joint accelerations by the integral of the inner loop "
+                 "[{rad/s^2}]",
                  {.least = 0});
   return all;
 }
@@ -66,18 +67,19 @@ const Description& description_of(const AdmittanceSpec* /*of*/) {
   using S = AdmittanceSpec;
   static const Description all =
       Describe<S>("sim", "AdmittanceSpec",
-                  "Controller in two loops, as for arms with a position interface. The outer loop"
-                  " turns the force error into a motion of the tool along the surface's normal n."
-                  " Inverse kinematics turn this motion into joint positions q_c, which the inner"
-                  " loop tracks. Outer loop: l (mass dv_n/dt + damping v_n) = (f - f_path) + ki *"
-                  " integral of (f - f_path). f is the low-pass filtered force along n, v_n the "
-                  "commanded speed along n, and l the tool's inertia along n. The tool's velocity"
-                  " is v_n n along n, and v_path + path_gain (p_path - p) along the surface. Here"
-                  " p is the tip's position at q_c. Damped least squares compute dq_c/dt from the"
-                  " tool's velocity. Inner loop, `delay` later: tau = M (joint_kp (q_c - q) + "
-                  "joint_kd (dq_c/dt - v) + joint_ki * integral of (q_c - q)) + b. M is the mass "
-                  "matrix and b the bias torques. Both integrals are bounded, restart at contact,"
-                  " and pause while a torque is at its limit.")
+                  "Controller with two loops, as for arms with a position interface. The outer "
+                  "loop turns the force error into a motion of the tool along the surface's "
+                  "normal n. Inverse kinematics turn this motion into joint positions q_c, which "
+                  "the inner loop tracks. Outer loop: l (mass dv_n/dt + damping v_n) = (f - "
+                  "f_path) + ki * integral of (f - f_path). f is the low-pass filtered force "
+                  "along n, v_n the commanded speed along n, and l the tool's inertia along n. "
+                  "The tool's velocity is v_n n along n, and v_path + path_gain (p_path - p) "
+                  "along the surface. f_path, p_path and v_path are the targets of force, "
+                  "position and velocity, and p is the tip's position at q_c. Damped least "
+                  "squares compute dq_c/dt from the tool's velocity. Inner loop, `delay` later: "
+                  "tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + joint_ki * integral of "
+                  "(q_c - q)) + b. M is the mass matrix and b the bias torques. Both integrals "
+                  "are bounded, restart at contact, and pause while a torque is at its limit.")
           .field("path", &S::path,
                  "Approach, force and path of the tool")
           .field("gains", &S::gains,
@@ -89,27 +91,26 @@ const Description& description_of(const HomeSpec* /*of*/) {
   using S = HomeSpec;
   static const Description all =
       Describe<S>("pressing", "HomeSpec",
-                  "Posture at which a run begins. From there the robot moves to the start of its "
-                  "task.")
+                  "Home posture, in which a run begins. The robot moves from home to the start of"
+                  " its task.")
           .field("posture", &S::posture,
-                 "Named posture in which the run begins (none: the run begins at the start of the"
-                 " task)")
-          .in_code("Named posture in which the run begins (empty: the run begins at the start of "
-                   "the task)")
+                 "Named posture in which the run begins (without a name: in the starting posture "
+                 "of the task)")
           .word("none")
           .field("joints", &S::joints,
-                 "Joint positions that differ from the posture: {joint: rad (m), ...}")
-          .in_code("Joint positions that differ from the posture, in rad (m)")
-          .more("Without a posture, all other joints are as at the start.")
+                 "Joint positions that differ from the named posture, in rad (m): {joint: "
+                 "position, ...}")
+          .more("If no posture is named, all other joints have their positions at the start of "
+                "the task.")
           .field("speed_ratio", &S::speed_ratio,
-                 "Highest joint speed of the move, as a fraction of the velocity limits",
+                 "Highest joint speed of the move from home, as a fraction of the velocity limits",
                  {.least = 0.01, .most = 1})
           .field("duration", &S::duration,
-                 "Duration of the move (auto: as short as the limits allow, at least 1 s) [{s}]",
+                 "Duration of the move (automatic: as short as the limits allow, at least 1 s) "
+                 "[{s}]",
                  {.least = 0, .open = true})
-          .in_code("Duration of the move (none: as short as the limits allow, at least 1 s) [s]")
-          .more("The limits are the fraction speed_ratio of the velocity limits and 0.8 of the "
-                "effort limits.")
+          .more("The limits are speed_ratio times the velocity limits and 0.8 times the effort "
+                "limits.")
           .word("auto");
   return all;
 }
@@ -123,16 +124,16 @@ const Description& description_of(const HomeMove* /*of*/) {
                   " from each corner to the next and stop at each corner.")
           .field("corners", &S::corners,
                  "Configurations at the corners, nq each: home first, the start of the task last")
-          .more("If a straight move would touch the surface, there is a corner between them, "
-                "where the tool is lifted off the surface.")
+          .more("If a straight move would touch the surface, a corner in between lifts the tool "
+                "off the surface.")
           .field("durations", &S::durations,
                  "Durations of the moves from each corner to the next [{s}]")
           .field("settle", &S::settle,
                  "Time at rest between the move and the task [{s}]")
           .field("farthest_joint", &S::farthest_joint,
-                 "Name of the joint that moves farthest (an entry of v)")
+                 "Name of the entry of v that moves farthest")
           .field("farthest", &S::farthest,
-                 "Distance that `farthest_joint` moves [{rad (m)}]");
+                 "Distance that the joint `farthest_joint` moves [{rad (m)}]");
   return all;
 }
 
@@ -140,8 +141,9 @@ const Description& description_of(const ImpedanceGains* /*of*/) {
   using S = ImpedanceGains;
   static const Description all =
       Describe<S>("sim", "ImpedanceGains",
-                  "Gains of the impedance controller. They act on the tool's position error along"
-                  " the surface, on the force error along the normal, and on the posture error.")
+                  "Gains of the impedance controller. The gains act on the tool's position error "
+                  "along the surface, on the force error along the normal, and on the posture "
+                  "error.")
           .field("kp", &S::kp,
                  "Proportional gain on the position error along the surface [{1/s^2}]",
                  {.least = 0})
@@ -165,10 +167,10 @@ const Description& description_of(const ImpedanceGains* /*of*/) {
                  "Largest correction by the integral of the force error [{N}]",
                  {.least = 0})
           .field("posture_kp", &S::posture_kp,
-                 "Proportional gain of the posture in the null space [{1/s^2}]",
+                 "Proportional gain on the posture error in the null space [{1/s^2}]",
                  {.least = 0})
           .field("posture_kd", &S::posture_kd,
-                 "Derivative gain of the posture in the null space [{1/s}]",
+                 "Derivative gain on the posture error in the null space [{1/s}]",
                  {.least = 0});
   return all;
 }
@@ -179,12 +181,13 @@ const Description& description_of(const ImpedanceSpec* /*of*/) {
       Describe<S>("sim", "ImpedanceSpec",
                   "Baseline controller without optimal control: an impedance of the tool in the "
                   "world. It has feedforward of the target force, integrals of the force and "
-                  "position errors, and a posture in the null space. The controller computes the "
-                  "acceleration a = a_path + kp e + kd de/dt + ki_position * integral of e - "
-                  "kd_normal v_n n and the force f = f_path + ki * integral of (f_path - "
-                  "f_measured). The tool's inertia and Jacobian turn a and f into torques. Here n"
-                  " is the surface's normal, e the tool's position error along the surface, and "
-                  "v_n the tool's velocity along n. All forces are along n. Both integrals are "
+                  "position errors, and control of the posture in the null space. The controller "
+                  "computes the acceleration a = a_path + kp e + kd de/dt + ki_position * "
+                  "integral of e - kd_normal v_n n and the force f = f_path + ki * integral of "
+                  "(f_path - f_measured). The tool's inertia and Jacobian turn a and f into "
+                  "torques. Here n is the surface's normal, e the tool's position error along the"
+                  " surface, and v_n the tool's velocity along n. a_path and f_path are the "
+                  "targets of acceleration and force. All forces are along n. Both integrals are "
                   "bounded, restart at contact, and pause while a torque is at its limit.")
           .field("path", &S::path,
                  "Approach, force and path of the tool")
@@ -201,7 +204,7 @@ const Words& words_of(PlantKind /*of*/) {
   static const Words all{
       "pressing",
       "PlantKind",
-      "Kind of plant. A plant simulates the robot that a run controls, and its contacts.",
+      "Kind of plant. A plant simulates a robot and the contacts of the robot.",
       {{"mujoco", "MuJoCo, a physics engine that shares no code with this library"},
        {"ideal", "contact dynamics of this library, with a rigid surface"}}};
   return all;
@@ -222,8 +225,8 @@ const Description& description_of(const TaskPoint* /*of*/) {
           .field("force", &S::force,
                  "Force along the surface's normal [{N}]")
           .field("normal_world", &S::normal_world,
-                 "Unit normal of the surface at this point; zero: the normal of the controller is"
-                 " used");
+                 "Unit normal of the surface at this point; zero: the controller's constant "
+                 "normal is used");
   return all;
 }
 
@@ -252,9 +255,9 @@ const Description& description_of(const PressingPath* /*of*/) {
   using S = PressingPath;
   static const Description all =
       Describe<S>("sim", "PressingPath",
-                  "Task of a controller without a plan, in three phases: approach the surface "
-                  "until contact, ramp up the force, then follow the path. The phases are "
-                  "Approach, Ramp and Track of Phase.")
+                  "Task of a controller that makes no plans, in three phases: approach the "
+                  "surface until contact, ramp up the force, then follow the path. In the "
+                  "enumeration Phase, they are called Approach, Ramp and Track.")
           .field("tool", &S::tool,
                  "Frame of the tool; its origin follows the path")
           .field("normal_world", &S::normal_world,
@@ -265,7 +268,7 @@ const Description& description_of(const PressingPath* /*of*/) {
           .more("The function must not throw. During approach and ramp, the target is the start "
                 "of the path.")
           .field("posture", &S::posture,
-                 "Target posture of the null space, nq")
+                 "Target posture for the motion in the null space, nq entries")
           .field("period", &S::period,
                  "Time between two ticks [{s}]",
                  {.least = 0, .open = true})
@@ -291,9 +294,10 @@ const Words& words_of(Touch /*of*/) {
       "Touch",
       "Contact between tool and surface that is expected in a phase.",
       {{"free", "no contact: a large force is a fault, a smaller force is sensor noise"},
-       {"due", "contact is about to be made; the phase has SchedulePhase.until \"contact\""},
+       {"due", "the tool approaches until contact; the phase has SchedulePhase.until \"contact\""},
        {"wanted", "the tool presses"},
-       {"leaving", "contact ends: the tool is free once it has come off, or after ToolLimits.release"}}};
+       {"leaving", "the tool leaves the surface; it counts as free without force, or after "
+        "ToolLimits.release"}}};
   return all;
 }
 
@@ -321,19 +325,20 @@ const Description& description_of(const ToolLimits* /*of*/) {
           .field("late_contact_travel", &S::late_contact_travel,
                  "Largest travel along the normal after the planned time of contact [{m}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The surface may lie this far behind its assumed position. The travel of the tool"
-                " counts from when the schedule's clock stopped to wait for contact. The clock "
-                "stops at SchedulePhase.hold before the planned contact.")
+          .more("The limit is the largest distance of the surface behind its assumed position. "
+                "The travel counts from the time at which the schedule's clock stopped to wait "
+                "for contact. The clock stops at SchedulePhase.hold before the planned contact.")
           .field("late_contact_time", &S::late_contact_time,
                  "Longest wait for contact after the planned time of contact [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The wait counts from when the schedule's clock stopped to wait for contact.")
+          .more("The wait begins when the schedule's clock stops to wait for contact.")
           .field("unexpected_force", &S::unexpected_force,
                  "Largest mean force in free space over force_window [{N}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("The limit applies to phases without contact. It also applies to a retreat after "
-                "the force fell below the contact threshold, or after the time `release`. If "
-                "noise is larger, the limit is six standard deviations of the mean.")
+                "the force fell below the contact threshold, or after the time `release`. If six "
+                "standard deviations of the noise of the mean exceed this limit, they replace the"
+                " limit.")
           .field("release", &S::release,
                  "Longest time until a retreating tool counts as free [{s}]",
                  {.least = 0, .open = true, .infinite = true});
@@ -362,7 +367,7 @@ const Description& description_of(const PlanLimits* /*of*/) {
           .field("joint_torque_rate", &S::joint_torque_rate,
                  "Largest rate of torques, as a fraction of the effort limits per second [{1/s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The constraint requires a torque_cutoff.");
+          .more("The constraint requires plans with a torque lag (torque_cutoff).");
   return all;
 }
 
@@ -370,10 +375,11 @@ const Description& description_of(const TaskTarget* /*of*/) {
   using S = TaskTarget;
   static const Description all =
       Describe<S>("pressing", "TaskTarget",
-                  "Recorded target of the tool at one time of the schedule. The costs of the "
-                  "problem determine the motion, not this target.")
+                  "Recorded target of the tool at one time of the schedule. The recorded target "
+                  "has no effect on the motion, which the costs of the problem determine.")
           .field("p_world", &S::p_world,
-                 "Position of the tool in the world; if MpcSpec.base is set, in its axes [{m}]")
+                 "Position of the tool in the frame MpcSpec.base (without such a frame: in the "
+                 "world) [{m}]")
           .field("force", &S::force,
                  "Force along the normal (0: no contact) [{N}]")
           .more("Without contact, plans assume no friction.");
@@ -384,13 +390,13 @@ const Description& description_of(const PressedSurface* /*of*/) {
   using S = PressedSurface;
   static const Description all =
       Describe<S>("pressing", "PressedSurface",
-                  "Surface that a round tip presses on, as the task assumes it before the surface"
-                  " is estimated.")
+                  "Assumed position and shape of the surface under a round tip. The online "
+                  "estimate of the surface starts from these assumptions.")
           .field("shape", &S::shape,
                  "Shape of the surface about its point")
-          .field("point_world", &S::point_world,
+          .field("point_base", &S::point_base,
                  "Point on the surface [{m}]")
-          .field("normal_world", &S::normal_world,
+          .field("normal_base", &S::normal_base,
                  "Normal of the surface at its point",
                  {.direction = true})
           .more("The normal need not have unit length.")
@@ -417,10 +423,10 @@ const Description& description_of(const PressingTask* /*of*/) {
           .field("limits", &S::limits,
                  "Limits on force and motion at the tool")
           .field("surface", &S::surface,
-                 "Surface that the references of contacts follow; none: references and normal "
+                 "Assumed surface, which is estimated during control; none: surface and normal "
                  "stay constant")
-          .more("The assumed surface is used at first, and the estimated surface as soon as the "
-                "tool slides. The constant references and normal come from the specification.");
+          .more("Plans use the assumed surface at first, and the estimated surface as soon as the"
+                " tool slides. The constant surface and normal come from the specification.");
   return all;
 }
 
@@ -437,7 +443,7 @@ const Description& description_of(const ReachOptions* /*of*/) {
                  "Smallest distance of joints from their limits [{rad (m)}]")
           .field("torque_share", &S::torque_share,
                  "Largest static torque, as a fraction of the effort limits")
-          .more("Motion and feedback need the rest.")
+          .more("The rest of the torque is left for motion and feedback.")
           .field("link_radius", &S::link_radius,
                  "Radius of the segments that represent the arm in the collision check [{m}]")
           .more("See check_reach().");
@@ -469,27 +475,27 @@ const Description& description_of(const ReachReport* /*of*/) {
                  "Problem in one sentence, with place, joint, value and allowed value; empty "
                  "without a problem")
           .field("s", &S::s,
-                 "Distance along the path from its start to the problem [{m}]; negative on the "
-                 "way to the start")
+                 "Distance along the path from its start to the problem [{m}]; negative before "
+                 "the path begins")
           .more("The path of a task that holds a point has length zero.")
           .field("p_world", &S::p_world,
                  "Position of the tool at the problem, in the world [{m}]")
           .field("joint", &S::joint,
                  "Joint that causes the problem")
-          .more("Empty if the problem is of kind Position, or if the tool's own link would touch "
-                "the surface.")
+          .more("The name is empty if the problem is of kind Position, or if the tool's own link "
+                "would touch the surface.")
           .field("value", &S::value,
                  "Value that violates `limit`")
-          .more("Its unit depends on the kind of the problem. Position: position error of the "
-                "tool, m. Joint: position of the joint, rad (m). Torque: torque of the joint, Nm "
-                "(N). Collision: distance from the surface, m.")
+          .more("The value depends on the kind of the problem. Position: position error of the "
+                "tool, in m. Joint: position of the joint, in rad (m). Torque: torque of the "
+                "joint, in Nm (N). Collision: distance from the surface, in m.")
           .field("limit", &S::limit,
                  "Allowed value, in the unit of `value`")
           .field("points", &S::points,
                  "Number of checked points")
           .field("path_length", &S::path_length,
                  "Length of the path [{m}]")
-          .more("For a path that repeats itself, the length of one turn.")
+          .more("For a path that repeats itself, this is the length of one turn.")
           .field("joint_margin", &S::joint_margin,
                  "Smallest distance of a joint from its limit [{rad (m)}]")
           .field("tightest_joint", &S::tightest_joint,
@@ -500,14 +506,14 @@ const Description& description_of(const ReachReport* /*of*/) {
                  "Joint with the largest static torque, as a fraction of its effort limit")
           .field("force_per_torque", &S::force_per_torque,
                  "Ratio of the standard deviations of estimated force and joint torques [{1/m}]")
-          .more("The force is estimated along the normal from joint torques with independent "
-                "errors, in N per Nm. The ratio is the largest over the points on the surface. It"
-                " matters for tasks without a force sensor.")
+          .more("The force along the normal is estimated from joint torques with independent "
+                "errors. The ratio in N per Nm is the largest one over the points on the surface."
+                " The ratio matters for tasks without a force sensor.")
           .field("force_joint", &S::force_joint,
                  "Joint that contributes most to force_per_torque")
           .field("clearance", &S::clearance,
-                 "Smallest distance between the surface and the arm without its tool link [{m}]")
-          .more("Infinite if only the tool link moves.")
+                 "Smallest distance between the surface and the arm, except the tool's link [{m}]")
+          .more("The distance is infinite if only the tool's link moves.")
           .field("tightest_clearance", &S::tightest_clearance,
                  "Joint of the arm that comes closest to the surface");
   return all;
@@ -528,8 +534,7 @@ const Description& description_of(const PostureLimits* /*of*/) {
           .field("body_distance", &S::body_distance,
                  "Smallest distance of the last link from the robot's body [{m}]",
                  {.least = 0})
-          .more("For parts that are close to each other along the arm, a smaller distance is "
-                "enough.");
+          .more("Parts that are close to each other along the arm may have a smaller distance.");
   return all;
 }
 
@@ -553,12 +558,12 @@ const Description& description_of(const PostureOptions* /*of*/) {
           .field("body_distance", &S::body_distance,
                  "Smallest distance between the last link and the robot's body [{m}]")
           .more("Three points between the last joint and the tool represent the last link. The "
-                "lines between the earlier joints of the arm represent the body, together with "
-                "the origins of all links that are not carried by the last two joints. For two "
-                "places on the arm, a distance of `bend` times the arm's length between them is "
-                "enough, as in a compact wrist. This test is coarse and does not replace a "
-                "collision check.")
-          .field("bend", &S::bend,
+                "body is represented by the lines between the earlier joints of the arm, and by "
+                "the origins of all links that the last two joints do not carry. Between two "
+                "places on the arm, a distance of `body_distance_fraction` times the arm's length"
+                " between them is enough, as in a compact wrist. The test is coarse and does not "
+                "replace a collision check.")
+          .field("body_distance_fraction", &S::body_distance_fraction,
                  "Upper limit of body_distance for two places on the arm, as a fraction of the "
                  "arm's length between them")
           .more("With 0.55, two links of equal length may enclose an angle as small as 67 "
@@ -594,20 +599,21 @@ const Description& description_of(const Standing* /*of*/) {
   using S = Standing;
   static const Description all =
       Describe<S>("pressing", "Standing",
-                  "Feet on level ground. They stand at their positions in the starting posture. "
-                  "Plans keep the feet still and limit friction and pressure. The plant's ground "
-                  "can push a foot but not pull it, and has friction.")
+                  "Feet on level ground, at their positions in the starting posture. Plans keep "
+                  "the feet still, and limit the tangential force and the centre of pressure of "
+                  "each foot. The plant's ground can push a foot but not pull it, and has "
+                  "friction.")
           .field("feet", &S::feet,
                  "Frames of the feet; auto: found in the robot's description; none: the base is "
                  "fixed")
-          .more("With auto, the sizes of the feet are found, too.")
+          .more("With auto, the sizes of the feet also come from the description.")
           .word("auto")
           .field("half_x", &S::half_x,
-                 "Half the length of a sole along x of its frame (0: point feet) [{m}]",
+                 "Half the length of a planar foot along x of its frame (0: point feet) [{m}]",
                  {.least = 0})
-          .more("The origin of the frame is the middle of the sole.")
+          .more("The origin of the frame is the middle of the foot's sole.")
           .field("half_y", &S::half_y,
-                 "Half the width of a sole along y of its frame (0: point feet) [{m}]",
+                 "Half the width of a planar foot along y of its frame (0: point feet) [{m}]",
                  {.least = 0})
           .field("radius", &S::radius,
                  "Radius of a point foot [{m}]",
@@ -616,36 +622,29 @@ const Description& description_of(const Standing* /*of*/) {
                  "Coulomb friction coefficient of the plant's ground",
                  {.least = 0})
           .field("stiffness", &S::stiffness,
-                 "Stiffness of the plant's ground under each foot (auto: from the robot's weight)"
-                 " [{N/m}]",
+                 "Stiffness of the ground under each foot in the plant (automatic: from the "
+                 "weight) [{N/m}]",
                  {.least = 0, .open = true})
-          .in_code("Stiffness of the plant's ground under each foot (none: from the robot's "
-                   "weight) [N/m]")
-          .more("If not stated, the ground yields by 0.23 mm under the robot's weight (0.245 mm "
-                "with point feet).")
+          .more("With the automatic stiffness, the ground yields by 0.23 mm under the robot's "
+                "weight (0.245 mm with point feet).")
           .word("auto")
           .field("damping", &S::damping,
-                 "Damping of the plant's ground under each foot (auto: from the stiffness) "
-                 "[{Ns/m}]",
+                 "Damping of the ground under each foot in the plant (automatic: from the "
+                 "stiffness) [{Ns/m}]",
                  {.least = 0, .open = true})
-          .in_code("Damping of the plant's ground under each foot (none: from the stiffness) "
-                   "[Ns/m]")
-          .more("If not stated, the damping is the stiffness times 0.05 s (0.02 s with point "
-                "feet).")
+          .more("The automatic damping is the stiffness times 0.05 s (0.02 s with point feet).")
           .word("auto")
           .field("plan_friction", &S::plan_friction,
                  "Friction coefficient of the ground that plans assume",
                  {.least = 0, .open = true})
           .field("plan_sole", &S::plan_sole,
-                 "Limit of the centre of pressure in plans, as a fraction of half the sides of a "
-                 "sole",
+                 "Largest offset of the centre of pressure in plans, divided by the sole's half "
+                 "sides",
                  {.least = 0, .most = 1})
-          .field("least_load", &S::least_load,
-                 "Smallest load of each foot in plans (auto: 0.09 times the weight per foot) "
-                 "[{N}]",
+          .field("min_load", &S::min_load,
+                 "Smallest load of each foot in plans (automatic: 0.09 times the weight per foot)"
+                 " [{N}]",
                  {.least = 0})
-          .in_code("Smallest load of each foot in plans (none: 0.09 times the weight per foot) "
-                   "[N]")
           .word("auto")
           .field("balance", &S::balance,
                  "Weight on the distance of the centre of mass from its target [{1/m^2}]",
@@ -658,7 +657,7 @@ const Description& description_of(const Standing* /*of*/) {
           .field("momentum", &S::momentum,
                  "Weight on momentum about the centre of mass {per (kg m/s)^2 and (kg m^2/s)^2}",
                  {.least = 0})
-          .field("rubbing", &S::rubbing,
+          .field("internal_forces", &S::internal_forces,
                  "Weight on tangential forces and yaw moments of each foot [{1/N^2}]",
                  {.least = 0})
           .more("This weight discourages internal forces between the feet.")
@@ -672,24 +671,25 @@ const Description& description_of(const Standing* /*of*/) {
                  "Frame of the inertial unit; empty: the body of the base")
           .field("fallback", &S::fallback,
                  "Gains that hold the robot at the start and after a fault")
-          .more("They replace the fallback gains of the task. Light feet on compliant ground need"
-                " low gains.")
+          .more("These gains replace the fallback gains of the task. Light feet on compliant "
+                "ground need low gains.")
           .field("hoist", &S::hoist,
                  "Time at the start in which a hoist transfers the weight to the feet [{s}]",
                  {.least = 0})
           .more("The time is at most `settle`.")
           .field("slip", &S::slip,
-                 "Response of plans to a foot that slips")
+                 "Reaction of plans to a slipping foot")
           .field("settle", &S::settle,
                  "Time for which the posture is held at the start [{s}]",
                  {.least = 0})
           .more("The estimate of the base settles in this time.")
           .field("force_sensors", &S::force_sensors,
-                 "Feet have sensors of force and moment")
+                 "Whether the feet have sensors of force and moment")
           .field("after_fault", &S::after_fault,
                  "Time for which a run continues after a fault [{s}]",
                  {.least = 0})
-          .more("This shows whether the robot falls. The figures of the task end at the fault.");
+          .more("The continued run shows whether the robot falls. The statistics of the task end "
+                "at the fault.");
   return all;
 }
 

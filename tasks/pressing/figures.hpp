@@ -1,4 +1,4 @@
-// The rows of the table of figures that are of a controller's ticks: see report/figures.hpp.
+// Table of the figures of a controller's computing times; report/figures.hpp describes such tables.
 #pragma once
 
 #include "burnish/tasks/pressing/plants.hpp"
@@ -6,20 +6,21 @@
 
 namespace burnish::pressing {
 
-/// Calls see(entry, member) for each figure of the controller's ticks; their full names have
-/// "ticks." in front.
+/// Calls see(entry, member) for each figure of TickTimes. The full name of a figure is "ticks."
+/// followed by the name of its entry.
 template <class See>
 void each_tick_figure(const See& see) {
   using T = TickTimes;
   using namespace figure_units;
-  see(FigureEntry{"count", none, "ticks that were timed: every nth of more than a million", "", 0},
+  see(FigureEntry{"count", none,
+                  "number of timed ticks; of more than a million, only every nth is timed", "", 0},
       &T::count);
-  see(FigureEntry{"period", second, "between two ticks"}, &T::period);
+  see(FigureEntry{"period", second, "time between two ticks"}, &T::period);
   see(FigureEntry{"median", computing, "median computing time of a tick"}, &T::median);
-  see(FigureEntry{"p99", computing, "computing time that 99 % of the ticks stay below"}, &T::p99);
+  see(FigureEntry{"p99", computing, "99th percentile of the computing time of a tick"}, &T::p99);
   see(FigureEntry{"maximum", computing, "longest computing time of a tick"}, &T::maximum);
   see(FigureEntry{"mean", computing, "mean computing time of a tick"}, &T::mean);
-  see(FigureEntry{"late", none, "ticks that took longer than a period", "", 0}, &T::late);
+  see(FigureEntry{"late", none, "number of ticks that took longer than a period", "", 0}, &T::late);
 }
 
 }  // namespace burnish::pressing

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "base/words_in.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "ocp/position_limits.hpp"
@@ -15,12 +16,15 @@ namespace burnish {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double level = 0.1;      // of the base's height: feet are as low as this together
-constexpr double opposite = 0.15;  // of the base's height: how far a pair is from mirrored
-constexpr double ball_share = 0.05, sole_length = 0.2, sole_width = 0.1;  // of the base's height
-constexpr double longest_sole = 0.25, widest_sole = 0.15;                 // of the base's height
+// Fractions of the base's height above the ground, chosen by hand.
+constexpr double level = 0.1;      // largest difference in height between feet
+constexpr double opposite = 0.15;  // largest distance of a foot from its mirrored partner
+// Sizes that are assumed if the description does not have any.
+constexpr double ball_radius = 0.05, sole_length = 0.2, sole_width = 0.1;
+constexpr double longest_sole = 0.25, widest_sole = 0.15;  // largest sizes of a sole
 
-/// How well a frame's name says that it is where a foot touches the ground; 0: not at all.
+/// Returns a score of how much a name looks like a frame at the contact point of a foot; 0: not at
+/// all.
 int score_of(const std::string& name) {
   int score = has_one_of(name, {"sole"})           ? 8
               : has_one_of(name, {"foot", "feet"}) ? 6
@@ -33,14 +37,14 @@ int score_of(const std::string& name) {
   return std::max(score, 0);
 }
 
-/// The end of a branch, at the posture that feet are looked for in.
+/// End of a branch of the robot in the reference posture. The end may be a foot.
 struct End {
-  int body = -1;                                     ///< carries the frame
-  std::vector<int> bodies;                           ///< all that touch the ground
-  int frame = -1;                                    ///< whose name says most of a foot; -1: none
-  double low = infinity;                             ///< height of the lowest point [m]
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< origin of that frame, else of the body [m]
-  int joints = 0;                                    ///< of the leg
+  int body = -1;            ///< Body that carries the frame.
+  std::vector<int> bodies;  ///< Bodies that touch the ground.
+  int frame = -1;           ///< Frame whose name has the best score; -1: none.
+  double low = infinity;    ///< Height of the lowest point [m].
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< Origin of the frame, else of the body [m].
+  int joints = 0;                                    ///< Number of joints of the leg.
 };
 
 class FootSearch {
@@ -59,11 +63,11 @@ class FootSearch {
   std::optional<Feet> find() {
     std::vector<End> ends = low_ends();
     if (ends.empty()) {
-      why_ = "none of its branches ends below its base";
+      why_ = "no branch ends below the base";
       return std::nullopt;
     }
     if (!order(ends)) {
-      // Others hang as low as the feet: those that are named after feet count.
+      // If other branches end as low as the feet, keeps only ends with a name like that of a foot.
       const std::string why = why_;
       std::erase_if(ends, [&](const End& end) { return name_score(end) == 0; });
       if (ends.empty() || !order(ends)) {
@@ -82,19 +86,20 @@ class FootSearch {
     return feet;
   }
 
-  /// Reason for which find() returned nothing.
+  /// Returns the reason why find() returned nothing.
   const std::string& why() const { return why_; }
 
  private:
-  /// Placements of bodies and of the base in the world, and the axes x forwards, z up.
+  /// Computes the placements of bodies and base in the world, and the heading (axes with x forwards
+  /// and z up).
   void place_bodies() {
     bodies_.assign(model_.joints.size(), Eigen::Isometry3d::Identity());
-    std::vector<bool> known(model_.joints.size(), false);
+    std::vector<bool> visited(model_.joints.size(), false);
     for (std::size_t i = 0; i < model_.frames.size(); ++i) {
       const Frame& frame = model_.frames[i];
-      if (frame.body < 0 || known[static_cast<std::size_t>(frame.body)]) continue;
-      known[static_cast<std::size_t>(frame.body)] = true;
-      bodies_[static_cast<std::size_t>(frame.body)] = frames_[i] * frame.placement.inverse();
+      if (frame.body < 0 || visited[to_size(frame.body)]) continue;
+      visited[to_size(frame.body)] = true;
+      bodies_[to_size(frame.body)] = frames_[i] * frame.placement.inverse();
     }
     const bool floats =
         !model_.joints.empty() && model_.joints.front().kind == JointKind::FreeFlyer;
@@ -103,24 +108,21 @@ class FootSearch {
     heading_ = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   }
 
-  const Frame& frame(int i) const { return model_.frames[static_cast<std::size_t>(i)]; }
-  const Eigen::Isometry3d& placement(int frame) const {
-    return frames_[static_cast<std::size_t>(frame)];
-  }
-  const Eigen::Isometry3d& body_at(int body) const {
-    return bodies_[static_cast<std::size_t>(body)];
-  }
-  const Joint& joint(int body) const { return model_.joints[static_cast<std::size_t>(body)]; }
+  const Frame& frame(int i) const { return model_.frames[to_size(i)]; }
+  const Eigen::Isometry3d& placement(int frame) const { return frames_[to_size(frame)]; }
+  const Eigen::Isometry3d& body_at(int body) const { return bodies_[to_size(body)]; }
+  const Joint& joint(int body) const { return model_.joints[to_size(body)]; }
   bool is_root(int body) const { return body < 0 || joint(body).kind == JointKind::FreeFlyer; }
 
-  /// Lowest point of the solids of a body [m]; infinite without any.
+  /// Returns the height of the lowest point of a body's solids [m]; infinite without solids.
   double lowest_solid(int body) const {
     double low = infinity;
     for (const Visual& solid : pressing::solids_of(robot_, {body}))
       low = std::min(low, pressing::lowest_of(solid.shape, body_at(body) * solid.placement));
     return low;
   }
-  /// Lowest point of a body [m]: of its solids, or else of its frames.
+  /// Returns the height of the lowest point of a body's solids, or of its frames if it has no
+  /// solids [m].
   double lowest(int body) const {
     double low = lowest_solid(body);
     if (std::isfinite(low)) return low;
@@ -154,24 +156,24 @@ class FootSearch {
       if (joint(other).parent == body && (rotors_too || !is_rotor(other))) return true;
     return false;
   }
-  /// The rotor of a motor, which some descriptions have as a body beside the link that it drives.
+  /// Returns whether a body is the rotor of a motor, which some descriptions contain as a body.
   bool is_rotor(int body) const {
     if (!is_named(body, {"rotor"}) && joint(body).mass > 0.0) return false;
     const int best = named_frame(body);
     return !carries(body, true) && (best < 0 || score_of(frame(best).name) == 0);
   }
 
-  /// Says which ends of legs only mass and inertia tell.
+  /// Adds a note about legs whose ends were derived from mass and inertia.
   void add_notes(Feet& feet) const {
     if (assumed_.empty()) return;
     feet.notes.push_back(listed("link", assumed_) + (assumed_.size() == 1 ? " has" : " have") +
-                         " neither geometry nor a frame of a foot: where the leg ends was assumed "
-                         "from mass and inertia; a frame for it in robot.yaml goes before that");
+                         " neither geometry nor a frame of a foot: the end of the leg is assumed "
+                         "from mass and inertia; a frame in robot.yaml takes precedence");
   }
 
   End end_at(int body) const {
     End end{.body = body, .bodies = {body}, .low = lowest(body)};
-    // Toes belong to the foot that carries them.
+    // A toe belongs to the foot that carries it.
     const int parent = joint(body).parent;
     if (!is_root(parent) && is_named(body, {"toe"}) && is_named(parent, {"foot", "sole"}) &&
         !is_named(body, {"foot", "sole"})) {
@@ -186,7 +188,7 @@ class FootSearch {
     return end;
   }
 
-  /// Ends of branches that hang lowest, one for each foot.
+  /// Returns the ends of the lowest branches, one for each foot.
   std::vector<End> low_ends() {
     std::vector<End> ends;
     for (int body = 0; body < static_cast<int>(model_.joints.size()); ++body) {
@@ -211,16 +213,17 @@ class FootSearch {
     return ends;
   }
 
-  /// Into pairs from front to rear; false where ends have no mirrored partner, and why.
+  /// Sorts ends into left-right pairs, from front to rear. If an end does not have a mirrored
+  /// partner, returns false and sets why_.
   bool order(std::vector<End>& ends) {
     const std::size_t count = ends.size();
     if (count != 2 && count != 4 && count != 6) {
       why_ = std::to_string(count) + (count == 1 ? " branch ends" : " branches end") + " low:";
-      constexpr std::size_t most = 8;
-      for (std::size_t i = 0; i < std::min(count, most); ++i)
+      constexpr std::size_t max_names = 8;
+      for (std::size_t i = 0; i < std::min(count, max_names); ++i)
         why_ += (i == 0 ? " " : ", ") + name_of(ends[i]);
-      if (count > most) why_ += " and " + std::to_string(count - most) + " more";
-      why_ += "; two, four or six were expected";
+      if (count > max_names) why_ += " and " + std::to_string(count - max_names) + " more";
+      why_ += "; wanted two, four or six such branches";
       return false;
     }
     const auto place = [&](const End& end) -> Eigen::Vector3d {
@@ -230,23 +233,23 @@ class FootSearch {
               [&](const End& a, const End& b) { return place(a).x() > place(b).x(); });
     for (std::size_t i = 0; i < count; i += 2) {
       std::size_t partner = i + 1;
-      double least = infinity;
+      double nearest = infinity;
       for (std::size_t k = i + 1; k < count; ++k) {
         Eigen::Vector3d mirrored = place(ends[k]);
         mirrored.y() = -mirrored.y();
         const double off = (mirrored - place(ends[i])).norm();
-        if (off < least) partner = k;
-        least = std::min(least, off);
+        if (off < nearest) partner = k;
+        nearest = std::min(nearest, off);
       }
       const std::string pair = name_of(ends[i]) + " and " + name_of(ends[partner]);
-      if (least > opposite * height_) {
-        why_ = pair + " end low, but " + number(std::round(1e3 * least) / 1e3) +
-               " m from opposite each other, with at most " +
-               number(std::round(1e3 * opposite * height_) / 1e3) + " m allowed";
+      if (nearest > opposite * height_) {
+        why_ = pair + " end low, but are " + number(std::round(1e3 * nearest) / 1e3) +
+               " m away from mirrored positions; wanted at most " +
+               number(std::round(1e3 * opposite * height_) / 1e3) + " m";
         return false;
       }
       if (ends[partner].joints != ends[i].joints) {
-        why_ = pair + " end low and opposite each other, but after " +
+        why_ = pair + " end low at mirrored positions, but have legs of " +
                std::to_string(ends[i].joints) + " and " + std::to_string(ends[partner].joints) +
                " joints";
         return false;
@@ -257,7 +260,8 @@ class FootSearch {
     return true;
   }
 
-  /// The frame on a body whose name says most of a foot; of several the lowest one; -1: none.
+  /// Returns the frame on a body whose name has the best score, the lowest frame if several have
+  /// it; -1: none.
   int named_frame(int body) const {
     int best = -1;
     const auto is_better = [&](int a, int b) {
@@ -272,10 +276,10 @@ class FootSearch {
     return best;
   }
 
-  /// Axes of the foot that are nearest to x forwards and z up; those of the heading where the
-  /// foot's own are inclined by more than 35 degrees.
+  /// Returns the axes R of a foot, reordered so that x points most nearly forwards and z up. If no
+  /// axis is within 35 degrees of up, returns the heading.
   Eigen::Matrix3d level_axes(const Eigen::Matrix3d& R) const {
-    constexpr double nearest = 0.82;  // cosine
+    constexpr double min_cosine = 0.82;  // cosine of 35 degrees, chosen by hand
     const auto along = [&](const Eigen::Vector3d& wanted, int taken) {
       int axis = -1;
       for (int k = 0; k < 3; ++k)
@@ -286,7 +290,7 @@ class FootSearch {
     };
     const int up = along(Eigen::Vector3d::UnitZ(), -1);
     const Eigen::Vector3d z = R.col(up) * (R(2, up) < 0.0 ? -1.0 : 1.0);
-    if (z.z() < nearest) return heading_;
+    if (z.z() < min_cosine) return heading_;
     const Eigen::Vector3d forwards = heading_.col(0);
     const int ahead = along(forwards, up);
     const Eigen::Vector3d x = R.col(ahead) * (R.col(ahead).dot(forwards) < 0.0 ? -1.0 : 1.0);
@@ -299,18 +303,18 @@ class FootSearch {
     std::vector<pressing::PlacedShape> solids;
     for (const Visual& solid : pressing::solids_of(robot_, end.bodies))
       solids.push_back({solid.shape, Eigen::Isometry3d(axes.transpose()) *
-                                         bodies_[static_cast<std::size_t>(solid.body)] *
-                                         solid.placement});
+                                         bodies_[to_size(solid.body)] * solid.placement});
     return solids;
   }
 
-  /// Adds the frame of a foot at `p` (world, m) with these axes: the named one where it is there to
-  /// `tolerance` [m], else a new one.
+  /// Adds the frame of a foot at position `p` [m] with the given axes, both in the world. If the
+  /// frame of `end` is within `tolerance` [m] of `p`, uses this frame, otherwise adds a new one.
   void put_frame(const End& end, const Eigen::Vector3d& p, const Eigen::Matrix3d& axes,
                  double tolerance, Feet& feet) const {
-    const bool turned = feet.has_soles();  // the axes of a ball's frame are any
+    const bool turned = feet.has_soles();  // a point foot may have axes of any orientation
     if (end.frame >= 0 && frame(end.frame).kind != FrameKind::Joint) {
       const Eigen::Isometry3d& at = placement(end.frame);
+      // Largest norm of the difference of two rotation matrices, chosen by hand.
       constexpr double same = 1e-2;
       if ((at.translation() - p).norm() < tolerance &&
           (!turned || (at.linear() - axes).norm() < same)) {
@@ -328,11 +332,11 @@ class FootSearch {
           {feet.frames.back(), FrameKind::User, end.body, body_at(end.body).inverse() * placed});
   }
 
-  /// Sole of one foot in these axes: what its solids say, else its inertia, else the height of the
-  /// base.
+  /// Returns the sole of a foot in the given axes. Its size comes from the foot's solids, or else
+  /// from its inertia, or else from the height of the base.
   pressing::SoleShape sole(const End& end, const Eigen::Matrix3d& axes, Feet::Size& from) const {
-    constexpr double least = 0.02;  // of the base's height, that a sole is wide
-    if (const auto sole = pressing::sole_of(solids_in(end, axes), least * height_)) {
+    constexpr double min_side = 0.02;  // fraction of the base's height; chosen by hand
+    if (const auto sole = pressing::sole_of(solids_in(end, axes), min_side * height_)) {
       from = Feet::Size::Collision;
       return *sole;
     }
@@ -343,7 +347,7 @@ class FootSearch {
     const Eigen::Matrix3d R = axes.transpose() * body_at(end.body).linear();
     const Eigen::Vector3d box =
         pressing::box_of(foot.mass, R * foot.inertia_at_com * R.transpose());
-    constexpr double shortest_sole = 0.1, narrowest_sole = 0.04;  // of the base's height
+    constexpr double shortest_sole = 0.1, narrowest_sole = 0.04;  // fractions of the base's height
     if (box.x() < shortest_sole * height_ || box.y() < narrowest_sole * height_) return sole;
     from = Feet::Size::Inertia;
     sole.half_x = 0.5 * std::min(box.x(), longest_sole * height_);
@@ -352,8 +356,8 @@ class FootSearch {
     const Eigen::Vector3d com = axes.transpose() * (body_at(end.body) * foot.com);
     const double ankle = (axes.transpose() * body_at(end.body).translation()).z();
     sole.centre.head<2>() = com.head<2>();
-    // A frame below the ankle is on the ground.
-    if (sole.centre.z() > ankle - least * height_)
+    // Assumes that a frame below the ankle is on the ground.
+    if (sole.centre.z() > ankle - min_side * height_)
       sole.centre.z() = std::min(ankle, com.z() - 0.5 * box.z());
     return sole;
   }
@@ -367,53 +371,53 @@ class FootSearch {
       const pressing::SoleShape shape = sole(end, axes, feet.size_from);
       feet.half_x = std::min(feet.half_x, shape.half_x);
       feet.half_y = std::min(feet.half_y, shape.half_y);
-      constexpr double near = 0.1;  // of half the width
+      constexpr double near = 0.1;  // fraction of half the width
       put_frame(end, axes * shape.centre, axes, near * shape.half_y, feet);
     }
     return feet;
   }
 
-  /// Where a link without geometry ends: the tip of a rod from its joint through its centre of mass
-  /// that has its mass and its largest moment of inertia.
+  /// Returns the end of a link without geometry. The link is modelled as a rod from its joint
+  /// through its centre of mass, with the mass and the largest moment of inertia of the link.
   std::optional<Eigen::Vector3d> tip_of(const End& end) const {
     const Joint& link = joint(end.body);
     const Eigen::Vector3d arm = body_at(end.body).linear() * link.com;
-    constexpr double least = 0.02;  // of the base's height
-    if (!(link.mass > 0.0) || arm.norm() < least * height_) return std::nullopt;
+    constexpr double min_arm = 0.02;  // fraction of the base's height; chosen by hand
+    if (!(link.mass > 0.0) || arm.norm() < min_arm * height_) return std::nullopt;
     const double moment = link.inertia_at_com.diagonal().maxCoeff();
     return Eigen::Vector3d(body_at(end.body).translation() + arm +
                            std::sqrt(3.0 * moment / link.mass) * arm.normalized());
   }
 
-  /// The frame of a foot so far above its lowest solid as the middle of a locked wheel or its
-  /// motor.
+  /// Returns whether a foot frame is high above the lowest solid, as the axle of a locked wheel is.
   bool is_above_rounding(const End& end) const {
-    constexpr double widest_ball = 0.2;  // of the base's height
+    constexpr double max_radius = 0.2;  // fraction of the base's height; chosen by hand
     const double radius = end.middle.z() - end.low;
     return name_score(end) >= score_of("toe") && std::isfinite(lowest_solid(end.body)) &&
-           radius > level * height_ && radius < widest_ball * height_;
+           radius > level * height_ && radius < max_radius * height_;
   }
 
   std::optional<Feet> with_balls(const std::vector<End>& ends) {
-    constexpr double near = 2e-3;  // m
+    // Distance of a frame from the centre of a foot [m], chosen by hand.
+    constexpr double near = 2e-3;
     Feet feet;
     feet.radius = infinity;
     for (const End& end : ends) {
-      pressing::BallShape ball{heading_.transpose() * end.middle, ball_share * height_};
+      pressing::BallShape ball{heading_.transpose() * end.middle, ball_radius * height_};
       if (const auto found = pressing::ball_of(solids_in(end, heading_))) {
         ball = *found;
         feet.size_from = Feet::Size::Collision;
       } else if (const auto tip = tip_of(end);
                  tip && name_score(end) == 0 && !std::isfinite(lowest_solid(end.body))) {
         ball.centre = heading_.transpose() * *tip;
-        ball.radius = ball_share * (base_.translation().z() - tip->z());
+        ball.radius = ball_radius * (base_.translation().z() - tip->z());
         ball.centre.z() += ball.radius;
         assumed_.push_back(end.frame < 0 ? joint(end.body).name : frame(end.frame).name);
       } else if (is_above_rounding(end)) {
         ball.radius = end.middle.z() - end.low;
         feet.size_from = Feet::Size::Collision;
       } else if (end.frame < 0 || end.middle.z() > end.low + level * height_) {
-        why_ = name_of(end) + " ends low, but no sphere or frame at its end says where it stands";
+        why_ = name_of(end) + " ends low, but has no sphere or frame at its contact point";
         return std::nullopt;
       }
       feet.radius = std::min(feet.radius, ball.radius);
@@ -424,19 +428,19 @@ class FootSearch {
 
   const Robot& robot_;
   const Model& model_;
-  std::vector<Eigen::Isometry3d> frames_, bodies_;  ///< world
+  std::vector<Eigen::Isometry3d> frames_, bodies_;  ///< Placements in the world.
   Eigen::Isometry3d base_;
   Eigen::Matrix3d heading_;
-  double height_ = 0.0;               ///< of the base above the lowest point [m]
-  std::string why_;                   ///< no feet were found
-  std::vector<std::string> assumed_;  ///< last links whose ends only mass and inertia tell
+  double height_ = 0.0;               ///< Height of the base above the lowest point [m].
+  std::string why_;                   ///< Reason why no feet were found.
+  std::vector<std::string> assumed_;  ///< Links whose ends were derived from mass and inertia.
 };
 
 }  // namespace
 
 std::optional<Feet> find_feet(const Robot& robot, std::string* why) {
   if (robot.model.joints.empty()) {
-    if (why != nullptr) *why = "nothing of it moves";
+    if (why != nullptr) *why = "the robot does not have a joint";
     return std::nullopt;
   }
   FootSearch search(robot);
@@ -466,7 +470,7 @@ std::string feet_text(const Feet& feet) {
   text += " (found), ";
   text += feet.has_soles() ? "soles of " + millimetres(2.0 * feet.half_x) + " x " +
                                  millimetres(2.0 * feet.half_y) + " m"
-                           : "balls of radius " + millimetres(feet.radius) + " m";
+                           : "point feet of radius " + millimetres(feet.radius) + " m";
   switch (feet.size_from) {
     case Feet::Size::Collision:
       return text + ", from collision geometry";

@@ -11,10 +11,10 @@
 namespace burnish::pressing {
 namespace {
 
-/// Part of a row's length that has to be left beside the rows before it. A searched posture is
-/// level to 1e-4 rad, which leaves as much of a row that depends on others; legs that can move
-/// a foot leave 0.05 and more.
-constexpr double independent_part = 3e-3;
+/// Smallest part of a constraint row, as a fraction of its length, that must be independent of the
+/// rows before it. Found postures are level to 1e-4 rad, which leaves this fraction in a dependent
+/// row. For legs that can move a foot in the direction of the row, the fraction is 0.05 or more.
+constexpr double min_independent_fraction = 3e-3;
 
 Directions held_by(const Standing& standing) {
   return standing.has_soles() ? Directions::all() : Directions::linear();
@@ -50,11 +50,11 @@ std::vector<ContactSpec> foot_contacts(const Model& model, const Standing& stand
     feet.push_back(contact.with_gains(0.0, standing.contact_kd));
   }
   if (feet.empty()) return feet;
-  // Loops go first: what follows from them is the feet's.
+  // Loops come first, so that of dependent rows, the rows of feet are left out.
   std::vector<ContactSpec> all = loop_contacts(model);
   all.insert(all.end(), feet.begin(), feet.end());
   const ContactSet set(model, all);
-  for (const RedundantRow& row : diagnose(model, set, q, {}, independent_part).redundant)
+  for (const RedundantRow& row : diagnose(model, set, q, {}, min_independent_fraction).redundant)
     for (ContactSpec& foot : feet)
       if (foot.name == row.contact) foot.directions = without(foot.directions, row.direction);
   return feet;

@@ -1,4 +1,4 @@
-// What feet hold of a robot, by the directions that do not follow from others.
+// Contacts of the feet of a standing robot, without redundant directions.
 #pragma once
 
 #include <string>
@@ -10,14 +10,15 @@
 
 namespace burnish::pressing {
 
-/// One contact per foot, called as its frame: soles hold everything, balls their place. Directions
-/// that follow from those of other feet at q (nq) are left out, the last ones first: legs with too
-/// few joints, such as those without a roll of the ankle, cannot move one foot along them while the
-/// other stands. Throws Error for a q that is no state.
+/// Returns one contact per foot, named as the frame of the foot. Soles hold six directions, point
+/// feet three. Some legs have few joints, for example no ankle roll, and cannot move a foot in some
+/// directions while the other feet stand. Such directions depend on directions of other feet at `q`
+/// (nq) and are left out, the last ones first. Throws Error if `q` is not a configuration.
 std::vector<ContactSpec> foot_contacts(const Model& model, const Standing& standing,
                                        const Eigen::VectorXd& q);
 
-/// The directions that those contacts leave out, by foot: "rx of r_sole"; none: an empty text.
+/// Returns the list of directions that `feet` leave out, such as "turning about x of 'r_sole'";
+/// empty if there are none.
 std::string directions_left_out(const Standing& standing, const std::vector<ContactSpec>& feet);
 
 }  // namespace burnish::pressing

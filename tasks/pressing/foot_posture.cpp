@@ -6,6 +6,7 @@
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
@@ -15,23 +16,24 @@
 namespace burnish::pressing {
 namespace {
 
-/// The turn that leads from R to the target, rad, world axes.
+/// Returns the rotation vector from `R` to `target`, in world axes [rad].
 Eigen::Vector3d turn_to(const Eigen::Matrix3d& target, const Eigen::Matrix3d& R) {
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(target * R.transpose()));
   return turn.angle() * turn.axis();
 }
 
-/// Whether each entry of v (nv) is between a foot and the base, or the base's.
+/// Returns whether each entry of v (nv) belongs to the base or to a joint between the base and a
+/// foot.
 std::vector<bool> entries_of_legs(const Model& model, const Standing& standing) {
-  std::vector<bool> leg(static_cast<std::size_t>(model.nv), false);
+  std::vector<bool> leg(to_size(model.nv), false);
   for (const std::string& foot : standing.feet) {
-    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(foot))];
-    for (const int k : model.support(frame.body)) leg[static_cast<std::size_t>(k)] = true;
+    const Frame& frame = model.frames[to_size(model.frame_index(foot))];
+    for (const int k : model.support(frame.body)) leg[to_size(k)] = true;
   }
   return leg;
 }
 
-/// What is off, and how the robot's motion changes it.
+/// Deviations of feet and trunk from their targets, with the Jacobian.
 class OffPlace {
  public:
   OffPlace(const Model& model, const Standing& standing, const FootPosture& wanted)
@@ -42,9 +44,9 @@ class OffPlace {
     J = Eigen::MatrixXd::Zero(rows, model.nv);
     error = Eigen::VectorXd::Zero(rows);
   }
-  /// False where q is no state.
+  /// Updates J and error for the posture `q`. Returns false if `q` cannot be evaluated.
   bool look(const Eigen::VectorXd& q) {
-    if (body_.update(q, Eigen::VectorXd::Zero(J.cols())) > Status::NotConverged) return false;
+    if (!is_usable(body_.update(q, Eigen::VectorXd::Zero(J.cols())))) return false;
     body_.update_derivatives();
     Eigen::Index row = 0;
     for (std::size_t i = 0; i < feet_.size(); ++i, row += held_)
@@ -88,52 +90,51 @@ void clamp(const Model& model, Eigen::VectorXd& q) {
           std::clamp(q[joint.q_index], model.q_lower[joint.q_index], model.q_upper[joint.q_index]);
 }
 
-/// rad (m) that a joint is to be off its limits where nothing asks for more: of a short range a
-/// part.
-double room_of(const Model& model, const Joint& joint) {
-  constexpr double usual = 0.2, part = 0.1;
-  return std::min(usual, part * (model.q_upper[joint.q_index] - model.q_lower[joint.q_index]));
+/// Returns the margin of a joint to its limits: 0.2, or a tenth of the range if that is smaller
+/// [rad (m)]. Chosen by hand.
+double margin_of(const Model& model, const Joint& joint) {
+  constexpr double usual = 0.2, fraction = 0.1;
+  return std::min(usual, fraction * (model.q_upper[joint.q_index] - model.q_lower[joint.q_index]));
 }
 
-/// A configuration with the joints of the legs moved by `way`, rad (m), within their ranges. Others
-/// come off their limits, at which they could not move.
+/// Returns `from` with all joints of the legs moved by `step` [rad (m)], within their limits. Other
+/// joints move off their limits, so that a search can move them in both directions.
 Eigen::VectorXd bent(const Model& model, const Standing& standing, const Eigen::VectorXd& from,
-                     double way) {
+                     double step) {
   Eigen::VectorXd dq = Eigen::VectorXd::Zero(model.nv);
   for (const std::string& foot : standing.feet) {
-    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(foot))];
+    const Frame& frame = model.frames[to_size(model.frame_index(foot))];
     for (const int k : model.support(frame.body))
-      if (model.joints[static_cast<std::size_t>(model.joint_of_v[k])].nv == 1) dq[k] = way;
+      if (model.joints[to_size(model.joint_of_v[k])].nv == 1) dq[k] = step;
   }
   Eigen::VectorXd q = integrate(model, from, dq);
   clamp(model, q);
   const std::vector<bool> leg = entries_of_legs(model, standing);
   for (const Joint& joint : model.joints) {
     const int k = joint.q_index;
-    if (!ocp::has_position_limit(model, joint) || leg[static_cast<std::size_t>(joint.v_index)])
-      continue;
-    const double room = room_of(model, joint);
-    q[k] = std::clamp(q[k], model.q_lower[k] + room, model.q_upper[k] - room);
+    if (!ocp::has_position_limit(model, joint) || leg[to_size(joint.v_index)]) continue;
+    const double margin = margin_of(model, joint);
+    q[k] = std::clamp(q[k], model.q_lower[k] + margin, model.q_upper[k] - margin);
   }
   return q;
 }
 
-/// Whether the joints of the legs are off their limits.
-bool has_room(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {
+/// Returns whether all joints of the legs keep at least half of margin_of() to their limits.
+bool has_margins(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {
   const std::vector<bool> leg = entries_of_legs(model, standing);
   return std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
-    if (!ocp::has_position_limit(model, joint) || !leg[static_cast<std::size_t>(joint.v_index)])
-      return true;
+    if (!ocp::has_position_limit(model, joint) || !leg[to_size(joint.v_index)]) return true;
     const int k = joint.q_index;
-    const double room = 0.5 * room_of(model, joint);
-    return q[k] >= model.q_lower[k] + room && q[k] <= model.q_upper[k] - room;
+    const double margin = 0.5 * margin_of(model, joint);
+    return q[k] >= model.q_lower[k] + margin && q[k] <= model.q_upper[k] - margin;
   });
 }
 
-/// Nm: all torques that hold it on its feet, as the root of their squares.
+/// Returns the norm of the torques that hold the robot on its feet [Nm]; infinite if q cannot be
+/// evaluated.
 double torque_at(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {
   RigidBody body(model);
-  if (body.update(q, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+  if (!is_usable(body.update(q, Eigen::VectorXd::Zero(model.nv))))
     return std::numeric_limits<double>::infinity();
   return torque_on_supports(model, body, supports_at(model, standing, q), body.gravity_torque())
       .norm();
@@ -152,60 +153,62 @@ std::string base_frame(const Model& model) {
       at = std::find_if(model.frames.begin(), model.frames.end(), is_on);
     if (at != model.frames.end()) return at->name;
   }
-  throw Error("robot " + in_quotes(model.name) + " has a fixed base; wanted one that floats");
+  throw Error("robot " + in_quotes(model.name) + " has a fixed base; wanted a floating base");
 }
 
 std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standing& standing,
                                                const FootPosture& wanted, const Eigen::VectorXd& q,
                                                double tolerance, Eigen::VectorXd* last) {
-  constexpr int most = 200;
-  constexpr double longest = 0.2, damping = 1e-4;
+  constexpr int max_iterations = 200;
+  constexpr double max_step = 0.2;  // largest step of an iteration [rad (m)], chosen by hand
+  constexpr double damping = 1e-4;  // weight of the step relative to squared errors, chosen by hand
   OffPlace off(model, standing, wanted);
   const std::vector<bool> leg = entries_of_legs(model, standing);
-  Eigen::VectorXd goes = Eigen::VectorXd::Ones(model.nv);
-  for (Eigen::Index k = 0; k < goes.size(); ++k)
-    if (!leg[static_cast<std::size_t>(k)]) goes[k] = wanted.others;
+  Eigen::VectorXd step_ratios = Eigen::VectorXd::Ones(model.nv);
+  for (Eigen::Index k = 0; k < step_ratios.size(); ++k)
+    if (!leg[to_size(k)]) step_ratios[k] = wanted.others;
   Eigen::VectorXd at = q;
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     clamp(model, at);
     if (last != nullptr) *last = at;
     if (!off.look(at)) return std::nullopt;
     if (off.error.cwiseAbs().maxCoeff() < tolerance) return at;
-    const Eigen::VectorXd dq = goes.cwiseProduct(
-        damped_step(off.J * goes.asDiagonal(), Eigen::VectorXd::Constant(off.error.size(), damping),
-                    off.error));
-    at = integrate(model, at, dq * std::min(1.0, longest / dq.cwiseAbs().maxCoeff()));
+    const Eigen::VectorXd dq = step_ratios.cwiseProduct(
+        damped_step(off.J * step_ratios.asDiagonal(),
+                    Eigen::VectorXd::Constant(off.error.size(), damping), off.error));
+    at = integrate(model, at, dq * std::min(1.0, max_step / dq.cwiseAbs().maxCoeff()));
   }
   return std::nullopt;
 }
 
 namespace {
 
-/// "; joints 'knee' and 'ankle' came to their limits" of the legs at q; empty: none did.
+/// Returns the leg joints that are at their limits, as "; the search ended at limits of 'knee',
+/// 'ankle'"; empty if there are none.
 std::string joints_at_limits(const Model& model, const Standing& standing,
                              const Eigen::VectorXd& q) {
   constexpr double near = 1e-6;
-  constexpr std::size_t most = 4;
+  constexpr std::size_t max_names = 4;
   if (q.size() != model.nq) return "";
   const std::vector<bool> leg = entries_of_legs(model, standing);
   std::vector<std::string> names;
   for (const Joint& joint : model.joints) {
     const int k = joint.q_index;
-    if (ocp::has_position_limit(model, joint) && leg[static_cast<std::size_t>(joint.v_index)] &&
+    if (ocp::has_position_limit(model, joint) && leg[to_size(joint.v_index)] &&
         (q[k] < model.q_lower[k] + near || q[k] > model.q_upper[k] - near))
       names.push_back(in_quotes(joint.name));
   }
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_names, names.size()); ++i)
     text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > most) text += " and others";
+  if (names.size() > max_names) text += " and others";
   return text.empty() ? "" : "; the search ended at limits of " + text;
 }
 
-/// Placement of a foot whose sole is level, turned about its origin by the smallest angle. A frame
-/// whose z does not point up, as that of a sole does, is left as it is.
+/// Returns the foot turned about its origin by the smallest angle that makes its sole level. A foot
+/// whose z axis does not point up is returned unchanged.
 Eigen::Isometry3d level(Eigen::Isometry3d foot) {
-  constexpr double upwards = 0.7;  // cosine: 45 degrees
+  constexpr double upwards = 0.7;  // cosine of 45 degrees: smallest z of an axis that points up
   const Eigen::Vector3d z = foot.linear().col(2);
   if (z.z() > upwards)
     foot.linear() = Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ()) *
@@ -213,8 +216,8 @@ Eigen::Isometry3d level(Eigen::Isometry3d foot) {
   return foot;
 }
 
-/// The posture that takes the least torque with the base lower by `crouch`, searched from `from`
-/// on; nothing where none was found. `last`: where the search ended.
+/// Returns the posture with the smallest torque in which the base is lower by `crouch`; nothing if
+/// none is found. The search starts at `from`; `last` receives its last iterate.
 std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standing& standing,
                                                 const Eigen::VectorXd& from, double crouch,
                                                 Eigen::VectorXd& last) {
@@ -233,19 +236,19 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
   }
   wanted.base_height = ground + (1.0 - crouch) * (base.translation().z() - ground);
   constexpr double tolerance = 1e-4;
-  // The trunk and the arms stay as they are where the legs alone get there. Straight legs do not
-  // know which way to bend.
+  // Trunk and arms move only if no posture is found with the legs alone. The search starts with
+  // knees bent to either side, because straight legs are singular.
   std::optional<Eigen::VectorXd> best;
-  double least = std::numeric_limits<double>::infinity();
+  double min_torque = std::numeric_limits<double>::infinity();
   for (const double others : {0.0, 0.1, 1.0}) {
     wanted.others = others;
-    for (const double way : {0.0, 0.4, -0.4, 0.8, -0.8}) {
-      auto found = posture_on_feet(model, standing, wanted, bent(model, standing, from, way),
+    for (const double step : {0.0, 0.4, -0.4, 0.8, -0.8}) {
+      auto found = posture_on_feet(model, standing, wanted, bent(model, standing, from, step),
                                    tolerance, &last);
       if (!found) continue;
       const double torque = torque_at(model, standing, *found);
-      if (torque < least) best = std::move(found);
-      least = std::min(least, torque);
+      if (torque < min_torque) best = std::move(found);
+      min_torque = std::min(min_torque, torque);
     }
     if (best) break;
   }
@@ -256,20 +259,20 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
 
 Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing,
                                  const Eigen::VectorXd& from, double crouch) {
-  constexpr double less = 0.7;
-  constexpr int most = 5;  // tries, the last but one at a third of it; then on straight legs
+  constexpr double reduction = 0.7;  // factor on the crouch per try
+  constexpr int tries = 5;           // factors on the crouch: 1, 0.7, 0.49, 0.34, 0
   std::optional<Eigen::VectorXd> first;
   Eigen::VectorXd last;
   double lower = crouch;
-  for (int i = 0; i < most; ++i, lower = i + 1 < most ? lower * less : 0.0) {
+  for (int i = 0; i < tries; ++i, lower = i + 1 < tries ? lower * reduction : 0.0) {
     auto found = posture_lower_by(model, standing, from, lower, last);
-    if (found && has_room(model, standing, *found)) return *found;
+    if (found && has_margins(model, standing, *found)) return *found;
     if (!first) first = std::move(found);
   }
   if (first) return *first;
   throw Error("no posture was found with level feet, an upright base lowered by at most " +
               number(crouch) +
-              " of its height above them (crouch), and the centre of mass above their middle" +
+              " of its height above the feet (crouch), and the centre of mass above their middle" +
               joints_at_limits(model, standing, last) +
               "; wanted a posture in the robot's settings, or another crouch");
 }

@@ -1,4 +1,4 @@
-// Postures of a robot whose feet stay where they are, while its trunk is somewhere else.
+// Inverse kinematics of a standing robot: the feet stay in place and the trunk moves.
 #pragma once
 
 #include <optional>
@@ -10,41 +10,45 @@
 
 namespace burnish::pressing {
 
-/// A frame of the body that the floating base carries, a link of the description where there is
-/// one. Throws Error for a fixed base.
+/// Returns the name of a frame on the body of the floating base, preferably a link's frame. Throws
+/// Error for a fixed base.
 std::string base_frame(const Model& model);
 
-/// Where feet and trunk are to be.
+/// Targets for the feet and the trunk.
 struct FootPosture {
-  std::vector<Eigen::Isometry3d> feet = {};  ///< world, in the order of Standing::feet
-  Eigen::Matrix3d R_base;                    ///< of base_frame(), world
-  Eigen::Vector3d com;                       ///< centre of mass, m, world
-  std::optional<double> base_height = {};    ///< m, of base_frame(), in the place of com.z()
-  /// Part of their way that joints outside the legs go; 1: as far as those of the legs.
+  std::vector<Eigen::Isometry3d> feet = {};  ///< Placements in the world, as in Standing::feet.
+  Eigen::Matrix3d R_base;                    ///< Rotation of base_frame() in the world.
+  Eigen::Vector3d com;                       ///< Centre of mass in the world [m].
+  /// Target height of base_frame(), used in place of com.z() [m].
+  std::optional<double> base_height = {};
+  /// Step ratio of joints outside the legs: 0 keeps them still, 1 moves them as leg joints.
   double others = 1.0;
 };
 
-/// nq: by damped least squares from q on, joints within their ranges; nothing where feet or trunk
-/// stay off their places by more than `tolerance`, m and rad. `last`: set to where it ended, unless
-/// null.
+/// Returns a posture (nq) by damped least squares from `q`, with all joints within their limits.
+/// Returns nothing if feet or trunk miss their targets by more than `tolerance` [m, rad]. If `last`
+/// is not null, it receives the last iterate.
 std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standing& standing,
                                                const FootPosture& wanted, const Eigen::VectorXd& q,
                                                double tolerance = 1e-4,
                                                Eigen::VectorXd* last = nullptr);
 
-/// nq: a posture to stand in. The search begins at `from`, where joints outside the legs stay if
-/// the legs alone suffice. The base is upright as in the neutral configuration, the feet are where
-/// they are there seen from above, with soles turned by the smallest angle until they are level,
-/// the centre of mass is above their middle, and the base lower than there by `crouch` of its
-/// height above the feet, or by less where that leaves a joint of the legs no room to its limits.
-/// Legs may bend to either side: of the postures that are found it is the one that takes the least
-/// torque. Joints outside the legs move where the legs alone do not get there. Throws Error where
-/// none is found.
+/// Returns a standing posture (nq), searched from `from`, with these properties:
+/// - The base has the orientation of the neutral configuration.
+/// - The feet have the horizontal positions of the neutral configuration; soles are turned by the
+///   smallest angle that makes them level.
+/// - The centre of mass is above the midpoint of the feet.
+/// - The base is lower than in the neutral configuration. `crouch` is the difference, as a fraction
+///   of the base's height over the feet. A smaller fraction is used if a leg joint would come close
+///   to its limits.
+/// Joints outside the legs move only if no posture is found with the legs alone. Knees may bend to
+/// either side: of all postures found, the one with the smallest torques is returned. Throws Error
+/// if none is found.
 Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing,
                                  const Eigen::VectorXd& from, double crouch);
 
-/// How much lower the base is at q (nq) than in the neutral configuration, as a fraction of its
-/// height above the lowest foot there.
+/// Returns the crouch at `q` (nq): the difference in base height from the neutral configuration, as
+/// a fraction of the base's neutral height above the lowest foot.
 double crouch_at(const Model& model, const Standing& standing, const Eigen::VectorXd& q);
 
 }  // namespace burnish::pressing

@@ -5,12 +5,15 @@
 #include <limits>
 #include <numbers>
 
+#include "base/to_size.hpp"
+
 namespace burnish::pressing {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Corners of a box, points of both rims of a cylinder, the lowest point of a sphere [m].
+/// Returns points of a solid, among them the lowest ones [m]: the corners of a box, 16 points on
+/// each rim of a cylinder, the lowest point of a sphere. Empty for meshes.
 std::vector<Eigen::Vector3d> low_points(const Shape& shape, const Eigen::Isometry3d& at) {
   std::vector<Eigen::Vector3d> points;
   if (const auto* box = std::get_if<BoxShape>(&shape)) {
@@ -21,9 +24,9 @@ std::vector<Eigen::Vector3d> low_points(const Shape& shape, const Eigen::Isometr
       points.emplace_back(at * p);
     }
   } else if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) {
-    constexpr int around = 16;
-    for (int i = 0; i < around; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / around;
+    constexpr int rim_points = 16;
+    for (int i = 0; i < rim_points; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / rim_points;
       for (const double end : {-0.5, 0.5})
         points.emplace_back(at * Eigen::Vector3d(cylinder->radius * std::cos(angle),
                                                  cylinder->radius * std::sin(angle),
@@ -50,9 +53,7 @@ std::vector<Visual> solids_of(const Robot& robot, const std::vector<int>& bodies
 }
 
 bool turns_freely(const Model& model, int body) {
-  const auto joint = [&](int i) -> const Joint& {
-    return model.joints[static_cast<std::size_t>(i)];
-  };
+  const auto joint = [&](int i) -> const Joint& { return model.joints[to_size(i)]; };
   if (body < 0 || joint(body).kind != JointKind::Continuous) return false;
   for (int at = joint(body).parent; at >= 0; at = joint(at).parent)
     if (joint(at).kind == JointKind::Revolute) return true;
@@ -65,8 +66,9 @@ double lowest_of(const Shape& shape, const Eigen::Isometry3d& in_axes) {
   return lowest;
 }
 
-std::optional<SoleShape> sole_of(const std::vector<PlacedShape>& solids, double least) {
-  // Edges of real soles are rounded, and spheres at their corners differ by so much [m].
+std::optional<SoleShape> sole_of(const std::vector<PlacedShape>& solids, double min_side) {
+  // Height difference within which points count as level [m]. Edges of real soles are rounded, and
+  // spheres at the corners of a foot differ in height by up to 6 mm.
   constexpr double level = 0.006;
   std::vector<Eigen::Vector3d> points;
   double ground = infinity;
@@ -78,7 +80,7 @@ std::optional<SoleShape> sole_of(const std::vector<PlacedShape>& solids, double 
   Eigen::AlignedBox2d spanned;
   for (const Eigen::Vector3d& p : points)
     if (p.z() < ground + level) spanned.extend(p.head<2>());
-  if (spanned.isEmpty() || spanned.sizes().minCoeff() < least) return std::nullopt;
+  if (spanned.isEmpty() || spanned.sizes().minCoeff() < min_side) return std::nullopt;
   const Eigen::Vector2d centre = spanned.center(), half = 0.5 * spanned.sizes();
   return SoleShape{{centre.x(), centre.y(), ground}, half.x(), half.y()};
 }

@@ -1,4 +1,4 @@
-// Size and place of one foot, from its solids or from its mass.
+// Size and position of a foot, from its solids or from its mass and inertia.
 #pragma once
 
 #include <optional>
@@ -8,41 +8,43 @@
 
 namespace burnish::pressing {
 
-/// Collision solids of these bodies; where those have no primitive, primitives of their visuals.
+/// Returns the collision primitives of the bodies; if there are none, the visual primitives of the
+/// bodies.
 std::vector<Visual> solids_of(const Robot& robot, const std::vector<int>& bodies);
 
-/// Whether a body is on a joint without limits where others of its leg have them, as a wheel is:
-/// some files state no limits at all.
+/// Returns whether a body turns about a joint without limits, as a wheel does. Another joint of the
+/// leg must have limits, so that files without any limits are excluded.
 bool turns_freely(const Model& model, int body);
 
-/// Height of the lowest point of a solid [m] along z of `R`, solid placed by `in_axes` in the axes
-/// of `R`. Infinite for meshes.
+/// Returns the height of the lowest point of a solid along z [m]; infinite for meshes. `in_axes`:
+/// placement of the solid, in the axes to which z belongs.
 double lowest_of(const Shape& shape, const Eigen::Isometry3d& in_axes);
 
 /// Rectangle that touches level ground.
 struct SoleShape {
-  Eigen::Vector3d centre;  ///< on the ground [m]
-  double half_x, half_y;   ///< [m]
+  Eigen::Vector3d centre;  ///< Centre on the ground [m].
+  double half_x, half_y;   ///< Half sides [m].
 };
-/// A solid in the axes that the result is wanted in.
+/// Solid with its placement in the axes in which the foot is computed.
 struct PlacedShape {
   Shape shape;
   Eigen::Isometry3d at;
 };
-/// Rectangle around what lies within a few millimetres of the lowest point of `solids`; nothing
-/// where that is shorter or narrower than `least` [m].
-std::optional<SoleShape> sole_of(const std::vector<PlacedShape>& solids, double least);
+/// Returns the rectangle around all points of `solids` that are at most 6 mm above the lowest
+/// point. Returns nothing if a side of the rectangle is shorter than `min_side` [m].
+std::optional<SoleShape> sole_of(const std::vector<PlacedShape>& solids, double min_side);
 
-/// The sphere that is lowest, as a ball: its centre [m] and radius [m]. Nothing where another solid
-/// reaches lower.
+/// Sphere of a point foot.
 struct BallShape {
-  Eigen::Vector3d centre;
-  double radius;
+  Eigen::Vector3d centre;  ///< Centre [m].
+  double radius;           ///< Radius [m].
 };
+/// Returns the lowest of `solids` if it is a sphere, else nothing.
 std::optional<BallShape> ball_of(const std::vector<PlacedShape>& solids);
 
-/// Full sides [m] of the box of uniform density with this mass [kg] and inertia about its centre
-/// [kg m^2], whose sides lie along the axes of `inertia`; zero where no box has them.
+/// Returns the sides of a box of uniform density with this mass [kg] and this inertia about its
+/// centre [kg m^2]; the sides lie along the axes of `inertia` [m]. A side is zero if no box has
+/// this inertia.
 Eigen::Vector3d box_of(double mass, const Eigen::Matrix3d& inertia);
 
 }  // namespace burnish::pressing

@@ -4,6 +4,7 @@
 
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/tasks/pressing/find_feet.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/foot_shape.hpp"
@@ -11,16 +12,15 @@
 namespace burnish::pressing {
 namespace {
 
-/// Says which feet are wheels.
+/// Adds a note for each foot that is a wheel.
 void note_wheels(const Model& model, const std::vector<std::string>& feet,
                  std::vector<std::string>& notes) {
   for (const std::string& foot : feet) {
     if (!model.has_frame(foot)) continue;
-    const int body = model.frames[static_cast<std::size_t>(model.frame_index(foot))].body;
+    const int body = model.frames[to_size(model.frame_index(foot))].body;
     if (turns_freely(model, body))
-      notes.push_back(foot + " turns freely about " +
-                      model.joints[static_cast<std::size_t>(body)].name +
-                      ": lock it to stand on it");
+      notes.push_back(foot + " turns freely about " + model.joints[to_size(body)].name +
+                      ": lock this joint to stand on the foot");
   }
 }
 
@@ -44,7 +44,7 @@ Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::st
         "standing.feet",
         (is_auto ? "no feet were found on robot " + in_quotes(robot.model.name)
                  : "frame " + none_of(robot.model, stated.front()) + ", and no feet were found") +
-            ": " + why + "; wanted the frames that it stands on");
+            ": " + why + "; wanted the frames that the robot stands on");
   robot = with_feet(std::move(robot), *feet);
   notes.push_back((is_auto ? "feet: "
                            : "standing.feet: " + in_quotes(stated.front()) +

@@ -1,4 +1,4 @@
-// What a robot stands on, found in its description where a task does not say it.
+// Search for the feet of a robot in its description, if a task does not state the feet.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace burnish::pressing {
 
-/// Returns `standing`, unchanged unless its feet are `auto` or the robot has none of the stated
-/// frames. In these cases takes feet and sizes from find_feet(), adds the new frames to `robot` and
-/// a sentence to `notes`, and one for each foot that is a wheel. Throws EntryError for
+/// Returns `standing` with its feet. If the stated feet are `auto`, or if the robot lacks all
+/// stated frames, find_feet() determines feet and sizes. New frames are then added to `robot`, and
+/// a sentence to `notes`; each foot that is a wheel adds another sentence. Throws EntryError for
 /// "standing.feet" if no feet are found.
 Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::string>& notes);
 

@@ -19,9 +19,13 @@ double HomeMove::duration() const {
 
 namespace {
 
-constexpr double home_pole = 20.0;        // rad/s: crossover of 60 rad/s, 8 ms of delay take 30 deg
-constexpr double home_tolerance = 0.01;   // rad (m)
-constexpr double longest_lateness = 2.0;  // s
+// Triple pole of the joint controller [rad/s]. Its crossover is at 60 rad/s, where a delay of 8 ms
+// costs 30 degrees of phase margin.
+constexpr double home_pole = 20.0;
+// Limits at the end of the move: largest position error [rad (m)], and longest time to wait until
+// the error is smaller [s]. Chosen by hand.
+constexpr double home_tolerance = 0.01;
+constexpr double max_lateness = 2.0;
 
 class HomeController final : public Controller {
  public:
@@ -43,7 +47,7 @@ class HomeController final : public Controller {
         effort_limit_(model.effort_limit),
         M_(Eigen::MatrixXd::Zero(model.nv, model.nv)) {
     for (std::size_t i = 0; i + 1 < move.corners.size(); ++i)
-      ways_.push_back(difference(model, move.corners[i], move.corners[i + 1]));
+      displacements_.push_back(difference(model, move.corners[i], move.corners[i + 1]));
     command_.normal_world = normal_world.normalized();
     command_.phase = number_of(Phase::Home);
     command_.tau = zero_;
@@ -71,7 +75,7 @@ class HomeController final : public Controller {
     is_over_ = is_over_ || has_ended(time);
     if (is_over_) return then_.tick(measurement);
     command_.status = dynamics_.forward(measurement.q, measurement.v, zero_);
-    if (command_.status > Status::NotConverged) return command_;
+    if (!is_usable(command_.status)) return command_;
     follow(time, measurement);
     before_ = measurement.time;
     return command_;
@@ -81,29 +85,29 @@ class HomeController final : public Controller {
   bool has_ended(double time) const noexcept {
     const double end = move_.duration() + move_.settle - 1e-9;
     return time >= end &&
-           (error_.lpNorm<Eigen::Infinity>() < home_tolerance || time >= end + longest_lateness);
+           (error_.lpNorm<Eigen::Infinity>() < home_tolerance || time >= end + max_lateness);
   }
 
   void follow(double time, const Measurement& measurement) noexcept {
     constexpr double p = home_pole;
     std::size_t leg = 0;
-    for (; leg + 1 < ways_.size() && time >= move_.durations[leg]; ++leg)
+    for (; leg + 1 < displacements_.size() && time >= move_.durations[leg]; ++leg)
       time -= move_.durations[leg];
     const double duration = move_.durations[leg];
-    const Eigen::VectorXd& way = ways_[leg];
+    const Eigen::VectorXd& displacement = displacements_[leg];
     const pressing::Quintic at = pressing::quintic(time / duration);
-    step_ = at.s * way;
+    step_ = at.s * displacement;
     integrate_configuration(tree_, move_.corners[leg].data(), step_.data(), q_.data());
-    if (body_.update(q_, zero_) <= Status::NotConverged)
+    if (is_usable(body_.update(q_, zero_)))
       command_.p_target_world = body_.placement(tool_).translation();
     difference_configuration(tree_, measurement.q.data(), q_.data(), error_.data());
     const double dt = measurement.time - before_;
     for (int i = 0; i < tree_.nv; ++i) {
-      // Stands still where the motor is at its limit.
+      // Anti-windup: the integral stops while the motor torque is at its limit.
       const bool is_free = !(std::abs(command_.tau[i]) >= effort_limit_[i]);
       if (is_free) integral_[i] += dt * error_[i];
-      response_[i] = at.ds2 / (duration * duration) * way[i] + 3.0 * p * p * error_[i] +
-                     3.0 * p * (at.ds / duration * way[i] - measurement.v[i]) +
+      response_[i] = at.ds2 / (duration * duration) * displacement[i] + 3.0 * p * p * error_[i] +
+                     3.0 * p * (at.ds / duration * displacement[i] - measurement.v[i]) +
                      p * p * p * integral_[i];
     }
     tau_ = dynamics_.bias();
@@ -127,9 +131,9 @@ class HomeController final : public Controller {
   Controller& then_;
   Command command_;
   bool started_ = false, is_over_ = false;
-  double begin_ = 0.0, before_ = 0.0;  ///< s, of the first and the last measurement
-  std::vector<Eigen::VectorXd> ways_;  ///< from each corner to the next, nv
-  Eigen::VectorXd q_;                  ///< wanted now, nq
+  double begin_ = 0.0, before_ = 0.0;  ///< Times of the first and the previous measurement [s].
+  std::vector<Eigen::VectorXd> displacements_;  ///< Displacement from each corner to the next (nv).
+  Eigen::VectorXd q_;                           ///< Current target (nq).
   Eigen::VectorXd zero_, error_, integral_, response_, tau_, step_, effort_limit_;
   Eigen::MatrixXd M_;
 };
@@ -143,7 +147,8 @@ std::unique_ptr<Controller> make_home_controller(const Model& model, const HomeM
   if (move.corners.size() < 2 || move.durations.size() + 1 != move.corners.size())
     throw Error("the move has " + std::to_string(move.corners.size()) + " corners and " +
                 std::to_string(move.durations.size()) +
-                " durations; wanted two corners or more, and a duration between each");
+                " durations; wanted at least two corners, and one duration for each motion between "
+                "two corners");
   for (const Eigen::VectorXd& corner : move.corners) check_configuration(model, corner, "corners");
   return std::make_unique<HomeController>(model, move, tool, normal_world, then);
 }

@@ -17,13 +17,14 @@ namespace {
 void refuse_impossible(const Model& model) {
   if (!model.loops.empty())
     throw EntryError("home", "robot " + in_quotes(model.name) +
-                                 " has closed loops, which a straight move of its joints does not "
-                                 "keep; wanted none");
+                                 " has closed loops, which a straight move of its joints would "
+                                 "open; wanted a robot without loops");
   for (const Joint& joint : model.joints)
     if (joint.kind == JointKind::FreeFlyer)
       throw EntryError("home",
                        "the base of robot " + in_quotes(model.name) +
-                           " floats, and a move of its joints keeps no balance; wanted none");
+                           " floats, and a straight move of its joints does not keep balance; "
+                           "wanted a fixed base");
 }
 
 Eigen::VectorXd home_configuration(const HomeSpec& home, const Robot& robot,
@@ -44,9 +45,10 @@ Eigen::VectorXd home_configuration(const HomeSpec& home, const Robot& robot,
       } else if (joint.kind == JointKind::Continuous) {
         q.segment<2>(joint.q_index) << std::cos(value), std::sin(value);
       } else {
-        throw EntryError(
-            "home.joints",
-            "joint " + in_quotes(name) + " has more than one entry; wanted a posture that has it");
+        throw EntryError("home.joints",
+                         "joint " + in_quotes(name) +
+                             " has several position entries; wanted a joint with one, "
+                             "or home.posture");
       }
     }
     if (!found)
@@ -59,79 +61,86 @@ Eigen::VectorXd home_configuration(const HomeSpec& home, const Robot& robot,
 void check_limits(const Model& model, const Eigen::VectorXd& q) {
   const std::string beyond = beyond_limits(model, q);
   if (!beyond.empty())
-    throw EntryError("home", beyond + "; wanted another posture, or home.joints with it");
+    throw EntryError("home", beyond + "; wanted another posture, or other values in home.joints");
 }
 
-/// Time that the leg takes with its fastest joint at its velocity limit [s], and that joint's
-/// entry.
-double time_at_limit(const Model& model, const Eigen::VectorXd& way, int& fastest) {
-  constexpr double usual = 1.0;  // rad/s (m/s), of joints without a velocity limit
-  double most = 0.0;
+/// Returns the shortest time of a leg of the move (the motion between two corners) within the
+/// velocity limits [s]. `fastest`: receives the entry of v that needs this time.
+double time_at_limit(const Model& model, const Eigen::VectorXd& displacement, int& fastest) {
+  // Velocity limit of joints without a stated limit [rad/s (m/s)]. Chosen by hand.
+  constexpr double usual = 1.0;
+  double longest = 0.0;
   for (int k = 0; k < model.nv; ++k) {
     const double limit = model.velocity_limit[k];
-    const double time =
-        quintic_speed * std::abs(way[k]) / (std::isfinite(limit) && limit > 0.0 ? limit : usual);
-    if (time <= most) continue;
-    most = time;
+    const double time = quintic_speed * std::abs(displacement[k]) /
+                        (std::isfinite(limit) && limit > 0.0 ? limit : usual);
+    if (time <= longest) continue;
+    longest = time;
     fastest = k;
   }
-  return most;
+  return longest;
 }
 
-/// By how much a leg must be longer so that its torques stay within their share of the limits.
-/// What the motion takes falls with the square of its duration.
+/// Returns the factor on the duration of a leg of the move (the motion between two corners) that
+/// keeps its torques within 0.8 of the limits. The torques that accelerate the robot fall with the
+/// square of the duration.
 double stretch_for_torque(const Model& model, const Eigen::VectorXd& q_begin,
-                          const Eigen::VectorXd& way, double duration) {
+                          const Eigen::VectorXd& displacement, double duration) {
   constexpr int samples = 40;
-  constexpr double share = 0.8;  // as ReachOptions::torque_share
-  constexpr double least = 0.1;  // of the limit, that the motion is left at the least
-  constexpr double longest = 5.0;
+  constexpr double torque_fraction = 0.8;  // default of ReachOptions::torque_share
+  // Fraction of the limit that is left for the motion; chosen by hand.
+  constexpr double min_fraction = 0.1;
+  constexpr double max_stretch = 5.0;  // largest factor; chosen by hand
   ContactDynamics dynamics(model);
   double stretch = 1.0;
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
   for (int i = 0; i <= samples; ++i) {
     const Quintic at = quintic(static_cast<double>(i) / samples);
-    const Eigen::VectorXd q = integrate(model, q_begin, at.s * way);
-    if (dynamics.forward(q, zero, zero) > Status::NotConverged) continue;
+    const Eigen::VectorXd q = integrate(model, q_begin, at.s * displacement);
+    if (!is_usable(dynamics.forward(q, zero, zero))) continue;
     const Eigen::VectorXd rest = dynamics.bias();
-    if (dynamics.forward(q, at.ds / duration * way, zero) > Status::NotConverged) continue;
+    if (!is_usable(dynamics.forward(q, at.ds / duration * displacement, zero))) continue;
     const Eigen::VectorXd motion =
-        dynamics.bias() - rest + at.ds2 / (duration * duration) * (dynamics.mass_matrix() * way);
+        dynamics.bias() - rest +
+        at.ds2 / (duration * duration) * (dynamics.mass_matrix() * displacement);
     for (int k = 0; k < model.nv; ++k) {
       const double limit = model.effort_limit[k];
       if (!std::isfinite(limit) || limit <= 0.0) continue;
-      const double left = std::max(least * limit, share * limit - std::abs(rest[k]));
+      const double left =
+          std::max(min_fraction * limit, torque_fraction * limit - std::abs(rest[k]));
       stretch = std::max(stretch, std::sqrt(std::abs(motion[k]) / left));
     }
   }
-  return std::min(stretch, longest);
+  return std::min(stretch, max_stretch);
 }
 
-/// Durations of the legs, and the joint that moves most.
+/// Sets the durations of the legs of the move, and the joint that moves most.
 void set_durations(const HomeSpec& home, const Model& model, HomeMove& move) {
-  constexpr double shortest = 1.0;  // s
+  // Shortest duration of a leg of the move [s], chosen by hand.
+  constexpr double min_duration = 1.0;
   double at_limit = 0.0;
   std::string fastest;
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(model.nv);
   for (std::size_t i = 0; i + 1 < move.corners.size(); ++i) {
-    const Eigen::VectorXd way = difference(model, move.corners[i], move.corners[i + 1]);
-    moved += way.cwiseAbs();
+    const Eigen::VectorXd displacement = difference(model, move.corners[i], move.corners[i + 1]);
+    moved += displacement.cwiseAbs();
     int k = 0;
-    const double time = time_at_limit(model, way, k);
+    const double time = time_at_limit(model, displacement, k);
     if (i == 0) fastest = model.v_name(k);
     at_limit += time;
-    const double usual = std::max(shortest, time / home.speed_ratio);
-    move.durations.push_back(usual * stretch_for_torque(model, move.corners[i], way, usual));
+    const double usual = std::max(min_duration, time / home.speed_ratio);
+    move.durations.push_back(usual *
+                             stretch_for_torque(model, move.corners[i], displacement, usual));
   }
   Eigen::Index farthest = 0;
   move.farthest = moved.maxCoeff(&farthest);
   move.farthest_joint = model.v_name(static_cast<int>(farthest));
   if (!home.duration) return;
   if (at_limit > *home.duration)
-    throw EntryError("home.duration",
-                     "it is " + number(*home.duration) + " s, and joint " + in_quotes(fastest) +
-                         " needs " + number(at_limit) +
-                         " s at its velocity limit; wanted at least that, or auto");
+    throw EntryError("home.duration", "it is " + number(*home.duration) + " s, and joint " +
+                                          in_quotes(fastest) + " needs " + number(at_limit) +
+                                          " s at its velocity limit; wanted at least " +
+                                          number(at_limit) + " s, or auto");
   const double scale = *home.duration / move.duration();
   for (double& duration : move.durations) duration *= scale;
 }
@@ -170,21 +179,22 @@ std::optional<HomeMove> home_move(const HomeSpec& home, const Robot& robot,
 
 ReachReport check_home_move(const HomeMove& move, const Model& model, const SceneSpec& scene,
                             const ReachOptions& options) {
-  constexpr double spacing = 0.02;  // rad (m), of the joint that moves most
-  constexpr double most = 1000.0;
+  constexpr double spacing = 0.02;      // step of the joint that moves most [rad (m)]
+  constexpr double max_steps = 1000.0;  // largest number of steps per leg of the move
   ReachWalk walk(model, scene, move.corners.back(), options);
   double passed = 0.0;
   for (std::size_t leg = 0; leg < move.durations.size(); ++leg) {
     const Eigen::VectorXd& from = move.corners[leg];
-    const Eigen::VectorXd way = difference(model, from, move.corners[leg + 1]);
-    const double size = std::ceil(way.cwiseAbs().maxCoeff() / spacing);
-    const int steps = static_cast<int>(std::clamp(size, 1.0, most));
+    const Eigen::VectorXd displacement = difference(model, from, move.corners[leg + 1]);
+    const double size = std::ceil(displacement.cwiseAbs().maxCoeff() / spacing);
+    const int steps = static_cast<int>(std::clamp(size, 1.0, max_steps));
     for (int i = 0; i <= steps; ++i) {
-      const double share = static_cast<double>(i) / steps;
-      const double done = (passed + share * move.durations[leg]) / move.duration();
+      const double fraction = static_cast<double>(i) / steps;
+      const double done = (passed + fraction * move.durations[leg]) / move.duration();
       const std::string where =
-          done == 0.0 ? "at home" : number(std::round(100.0 * done)) + " % of the way from home";
-      if (!walk.pass(integrate(model, from, share * way), where)) return walk.report();
+          done == 0.0 ? "at home"
+                      : number(std::round(100.0 * done)) + " % along the move from home";
+      if (!walk.pass(integrate(model, from, fraction * displacement), where)) return walk.report();
     }
     passed += move.durations[leg];
   }
@@ -192,7 +202,8 @@ ReachReport check_home_move(const HomeMove& move, const Model& model, const Scen
 }
 
 double time_from_home(const std::optional<HomeMove>& move) {
-  constexpr double lateness = 2.0;  // s, see make_home_controller()
+  // Longest wait at the end [s], max_lateness of make_home_controller().
+  constexpr double lateness = 2.0;
   return move ? move->duration() + move->settle + lateness : 0.0;
 }
 

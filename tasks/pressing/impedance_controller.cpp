@@ -13,8 +13,11 @@
 namespace burnish {
 namespace {
 
-constexpr double slow = 1e-3;  // m/s: friction is fed forward in full above this speed of the path
-constexpr double longest_lag = 0.03;  // m
+// Path speed above which the full friction is fed forward [m/s]. Chosen by hand.
+constexpr double min_sliding_speed = 1e-3;
+// Largest distance between the tip and the moving point that pulls it to the surface [m]. Chosen by
+// hand.
+constexpr double max_lag = 0.03;
 
 ImpedanceSpec checked(const Model& model, ImpedanceSpec spec) {
   spec.path = pressing::checked_path(model, spec.path, description_of(&spec), &spec,
@@ -45,14 +48,16 @@ class ImpedanceController final : public Controller {
   pressing::PathFollower follower_;
   FrameDerivatives motion_;
   Command command_;
-  double integral_ = 0.0;   ///< N, of the force's error
-  Eigen::Vector3d pull_;    ///< m/s^2, world, along the surface: the integral of the place's error
-  bool saturated_ = false;  ///< a torque reached its limit at the last tick
-  double lag_ = 0.0;        ///< m, of the tip behind the approaching point
+  double integral_ = 0.0;  ///< Integral term of the force error [N].
+  /// Integral term of the position error along the surface, in world axes [m/s^2].
+  Eigen::Vector3d position_integral_;
+  bool saturated_ = false;  ///< True if a torque exceeded its limit at the last tick.
+  /// Distance of the tip behind the moving point that pulls it to the surface [m].
+  double lag_ = 0.0;
   Eigen::VectorXd effort_limit_, zero_, tau_, posture_torque_, response_, error_;
   Eigen::MatrixXd M_, J_, inverse_M_Jt_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
-  Eigen::LLT<Eigen::Matrix3d> inertia_;  ///< of J M^-1 J^T
+  Eigen::LLT<Eigen::Matrix3d> inertia_;  ///< Factorization of J M^-1 J^T.
 };
 
 ImpedanceController::ImpedanceController(const Model& model, const ImpedanceSpec& spec)
@@ -79,14 +84,14 @@ ImpedanceController::ImpedanceController(const Model& model, const ImpedanceSpec
 
 void ImpedanceController::reset() noexcept {
   integral_ = lag_ = 0.0;
-  pull_.setZero();
+  position_integral_.setZero();
   saturated_ = false;
   follower_.reset(command_);
 }
 
 const Command& ImpedanceController::tick(const Measurement& measurement) noexcept {
   command_.status = update_model(measurement);
-  if (command_.status > Status::NotConverged) return command_;
+  if (!is_usable(command_.status)) return command_;
   const TaskPoint target = follower_.update(measurement, command_);
   integrate(target);
   const Eigen::Vector3d force = tool_force(target);
@@ -103,10 +108,10 @@ const Command& ImpedanceController::tick(const Measurement& measurement) noexcep
 
 Status ImpedanceController::update_model(const Measurement& measurement) {
   Status status = body_.update(measurement.q, measurement.v);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   if (!measurement.tool_force_world.allFinite()) return Status::NotFinite;
   status = dynamics_.forward(measurement.q, measurement.v, zero_);
-  if (status > Status::NotConverged) return status;
+  if (!is_usable(status)) return status;
   body_.frame_derivatives(tool_, Reference::centered(), motion_);
   J_ = motion_.jacobian.topRows(3);
   M_ = dynamics_.mass_matrix();
@@ -119,51 +124,55 @@ Status ImpedanceController::update_model(const Measurement& measurement) {
   return inertia_.info() == Eigen::Success ? status : Status::SingularContacts;
 }
 
-/// The errors of force and place, from contact on.
+/// Integrates the errors of force and position, starting at contact.
 void ImpedanceController::integrate(const TaskPoint& target) {
   if (follower_.phase() == Phase::Approach) return;
   if (follower_.touched()) {
     integral_ = 0.0;
-    pull_.setZero();
+    position_integral_.setZero();
   }
   if (saturated_) return;
-  const double dt = spec_.path.period, most = spec_.gains.position_integral_limit;
+  const double dt = spec_.path.period, limit = spec_.gains.position_integral_limit;
   integral_ += spec_.gains.ki * dt * (target.force - follower_.measured());
   integral_ = std::clamp(integral_, -spec_.gains.integral_limit, spec_.gains.integral_limit);
   const Eigen::Vector3d& n = target.normal_world;
-  pull_ += spec_.gains.ki_position * dt * (target.p_world - body_.placement(tool_).translation());
-  pull_ -= n.dot(pull_) * n;
-  if (const double size = pull_.norm(); size > most) pull_ *= most / size;
+  position_integral_ +=
+      spec_.gains.ki_position * dt * (target.p_world - body_.placement(tool_).translation());
+  position_integral_ -= n.dot(position_integral_) * n;
+  if (const double size = position_integral_.norm(); size > limit)
+    position_integral_ *= limit / size;
 }
 
-/// Wanted of the tip, m/s^2. On the approach a point runs ahead of the tip and draws it along,
-/// critically damped, so that joint friction delays the contact but does not prevent it.
+/// Returns the desired acceleration of the tip [m/s^2]. During the approach, a critically damped
+/// spring pulls the tip after a point that moves at the approach speed. Joint friction can
+/// therefore delay the contact, but not prevent it.
 Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
   const Eigen::Vector3d& n = target.normal_world;
   const Eigen::Vector3d v = body_.velocity(tool_, Reference::centered()).head<3>();
   const Eigen::Vector3d error = target.p_world - body_.placement(tool_).translation();
   const ImpedanceGains& gains = spec_.gains;
   const Eigen::Vector3d wanted =
-      target.a_world + gains.kp * error + gains.kd * (target.v_world - v) + pull_;
+      target.a_world + gains.kp * error + gains.kd * (target.v_world - v) + position_integral_;
   double normal = -gains.kd_normal * n.dot(v);
   if (follower_.phase() == Phase::Approach) {
     const double slower = -spec_.path.approach_speed - n.dot(v);
-    lag_ = std::clamp(lag_ + spec_.path.period * slower, -longest_lag, longest_lag);
+    lag_ = std::clamp(lag_ + spec_.path.period * slower, -max_lag, max_lag);
     normal = gains.kd_normal * slower + 0.25 * gains.kd_normal * gains.kd_normal * lag_;
   }
   return wanted + (normal - n.dot(wanted)) * n;
 }
 
-/// What the tool shall exert, N, world axes.
+/// Returns the desired force of the tool, in world axes [N].
 Eigen::Vector3d ImpedanceController::tool_force(const TaskPoint& target) {
-  // Without joint accelerations, the tip's acceleration is dJ/dt v.
+  // Without joint accelerations, the acceleration of the tip is dJ/dt v.
   const Eigen::Vector3d drift = body_.acceleration(tool_, Reference::centered()).head<3>();
   Eigen::Vector3d force = inertia_.solve(Eigen::Vector3d(acceleration(target) - drift));
   if (follower_.phase() == Phase::Approach) return force;
   force -= (target.force + integral_) * target.normal_world;
   const double speed = target.v_world.norm();
   if (speed > 0.0)
-    force += spec_.friction * target.force * std::min(speed / slow, 1.0) / speed * target.v_world;
+    force += spec_.friction * target.force * std::min(speed / min_sliding_speed, 1.0) / speed *
+             target.v_world;
   return force;
 }
 
@@ -171,13 +180,14 @@ void ImpedanceController::add_posture(const Measurement& measurement) {
   difference_configuration(tree_, measurement.q.data(), spec_.path.posture.data(), error_.data());
   for (int i = 0; i < tree_.nv; ++i)
     response_[i] = spec_.gains.posture_kp * error_[i] - spec_.gains.posture_kd * measurement.v[i];
-  // M response in the null space: M response - J^T L J response.
+  // Adds the torque M response, projected into the null space of the tool: M response - J^T L J
+  // response, with L = (J M^-1 J^T)^-1.
   multiply(M_, response_, posture_torque_);
-  Eigen::Vector3d felt;
-  multiply(J_, response_, felt);
-  inertia_.solveInPlace(felt);
+  Eigen::Vector3d tool_response;
+  multiply(J_, response_, tool_response);
+  inertia_.solveInPlace(tool_response);
   tau_ += posture_torque_;
-  add_product(-1.0, J_.transpose(), felt, tau_);
+  add_product(-1.0, J_.transpose(), tool_response, tau_);
 }
 
 }  // namespace

@@ -5,58 +5,64 @@
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "pressing/arm.hpp"
 
 namespace burnish::pressing {
 namespace {
 
-/// kg m^2 (kg) that a joint has to move. White noise of 0.05 Nm, as the shipped disturbances have
-/// it, drives this against the damping of the hold, 15 1/s, with a deviation of 1 rad/s.
-constexpr double least_inertia = 3e-4;
+/// Smallest inertia of a joint that can be held still [kg m^2 (kg)]. The shipped disturbances have
+/// a white torque noise of 0.05 Nm, and the hold has a damping of 15 1/s. An inertia of this size
+/// then moves with a standard deviation of 1 rad/s.
+constexpr double min_inertia = 3e-4;
 
-/// nv: whether an entry is between a foot and the base, or the base's.
+/// Returns whether each entry of v (nv) belongs to the base or to a joint between the base and a
+/// foot.
 std::vector<bool> legs_of(const Model& model, const Standing& standing) {
-  std::vector<bool> leg(static_cast<std::size_t>(model.nv), false);
+  std::vector<bool> leg(to_size(model.nv), false);
   for (const std::string& foot : standing.feet) {
     if (!model.has_frame(foot)) continue;
-    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(foot))];
-    for (const int k : model.support(frame.body)) leg[static_cast<std::size_t>(k)] = true;
+    const Frame& frame = model.frames[to_size(model.frame_index(foot))];
+    for (const int k : model.support(frame.body)) leg[to_size(k)] = true;
   }
   return leg;
 }
 
-constexpr double finger_mass = 0.01;  // of the robot's, that a finger weighs at most
+/// Largest mass of a finger, as a fraction of the robot's mass. Chosen by hand.
+constexpr double max_finger_mass = 0.01;
 
-/// Whether each joint of the model is one of a finger.
+/// Returns whether each joint of the model belongs to a finger.
 std::vector<bool> are_of_fingers(const Model& model) {
   const std::size_t count = model.joints.size();
-  std::vector<double> carried(count, 0.0);  // kg, the joint's body and all beyond
-  for (std::size_t i = count; i-- > 0;) {   // a parent comes before its children
+  // Mass of the joint's body and of all its descendants [kg].
+  std::vector<double> carried(count, 0.0);
+  for (std::size_t i = count; i-- > 0;) {  // backwards, because parents come before their children
     carried[i] += model.joints[i].mass;
     if (const int parent = model.joints[i].parent; parent >= 0)
-      carried[static_cast<std::size_t>(parent)] += carried[i];
+      carried[to_size(parent)] += carried[i];
   }
-  const double most = finger_mass * model.total_mass();
+  const double max_mass = max_finger_mass * model.total_mass();
   std::vector<int> light_branches(count, 0);
   for (std::size_t i = 0; i < count; ++i)
-    if (const int parent = model.joints[i].parent; parent >= 0 && carried[i] < most)
-      ++light_branches[static_cast<std::size_t>(parent)];
+    if (const int parent = model.joints[i].parent; parent >= 0 && carried[i] < max_mass)
+      ++light_branches[to_size(parent)];
   std::vector<bool> finger(count, false);
   for (std::size_t i = 0; i < count; ++i) {
     const int parent = model.joints[i].parent;
     if (parent < 0) continue;
-    const auto p = static_cast<std::size_t>(parent);
-    finger[i] = finger[p] || (carried[i] < most && light_branches[p] > 1);
+    const auto p = to_size(parent);
+    finger[i] = finger[p] || (carried[i] < max_mass && light_branches[p] > 1);
   }
   return finger;
 }
 
-/// nv: what a torque at that entry alone has to move, kg m^2 (kg).
-Eigen::VectorXd moved_inertia(const Robot& robot) {
+/// Returns the effective inertia of each entry of v (nv) at the reference posture, 1 / (M^-1)_kk
+/// [kg m^2 (kg)].
+Eigen::VectorXd effective_inertia(const Robot& robot) {
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(robot.model.nv);
   ContactDynamics dynamics(robot.model);
-  if (dynamics.forward(robot.reference_configuration(), rest, rest) > Status::NotConverged)
+  if (!is_usable(dynamics.forward(robot.reference_configuration(), rest, rest)))
     throw Error(dynamics.explanation());
   const Eigen::Index n = robot.model.nv;
   return solve_positive(dynamics.mass_matrix(), Eigen::MatrixXd::Identity(n, n))
@@ -71,13 +77,12 @@ std::vector<std::string> light_joints(const Robot& robot, const Standing& standi
   std::vector<std::string> light;
   if (!model.loops.empty()) return light;
   const std::vector<bool> leg = legs_of(model, standing);
-  const Eigen::VectorXd inertia = moved_inertia(robot);
+  const Eigen::VectorXd inertia = effective_inertia(robot);
   const std::vector<bool> finger = are_of_fingers(model);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
-    if (joint.nv != 1 || leg[static_cast<std::size_t>(joint.v_index)]) continue;
-    if (inertia[joint.v_index] < least_inertia ||
-        (finger[i] && model.armature[joint.v_index] == 0.0))
+    if (joint.nv != 1 || leg[to_size(joint.v_index)]) continue;
+    if (inertia[joint.v_index] < min_inertia || (finger[i] && model.armature[joint.v_index] == 0.0))
       light.push_back(joint.name);
   }
   return light;
@@ -88,13 +93,15 @@ Robot light_joints_locked(Robot robot, const std::string& name, const Standing& 
   if (light.empty()) return robot;
   robot = load_floating(name, light);
   std::string text = "locked: joint";
-  constexpr std::size_t most = 4;
-  for (std::size_t i = 0; i < std::min(most, light.size()); ++i)
+  constexpr std::size_t max_names = 4;
+  for (std::size_t i = 0; i < std::min(max_names, light.size()); ++i)
     text += (i == 0 ? light.size() > 1 ? "s " : " " : ", ") + in_quotes(light[i]);
-  if (light.size() > most) text += " and " + std::to_string(light.size() - most) + " others";
-  robot.notes.push_back(text + ": fingers, or joints that move less than " + number(least_inertia) +
-                        " kg m^2 and would shake from motor noise; to leave one free, give it an "
-                        "armature in robot.yaml (joints:)");
+  if (light.size() > max_names)
+    text += " and " + std::to_string(light.size() - max_names) + " others";
+  robot.notes.push_back(text + ": these are fingers, or joints with an inertia below " +
+                        number(min_inertia) +
+                        " kg m^2, which motor noise would shake; an armature in robot.yaml "
+                        "(joints:) keeps a joint free");
   return robot;
 }
 

@@ -8,9 +8,9 @@
 namespace burnish::pressing {
 namespace {
 
-constexpr double touch_window = 5e-3;  // s, of the mean that tells contact from noise
+constexpr double touch_window = 5e-3;  // window of touch_, the ContactDetector [s]; chosen by hand
 
-/// 0 to 1 over unit time, at rest at both ends.
+/// Returns the cubic from 0 to 1 over unit time, at rest at both ends.
 double smooth(double s) {
   s = std::clamp(s, 0.0, 1.0);
   return s * s * (3.0 - 2.0 * s);

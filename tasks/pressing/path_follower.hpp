@@ -1,5 +1,4 @@
-// Where a controller without a plan stands in its task: on the way to the surface, on the way to
-// the force, or on the path.
+// Phases of controllers without plans: approach to the surface, force ramp, path.
 #pragma once
 
 #include <string>
@@ -12,30 +11,33 @@
 
 namespace burnish::pressing {
 
-/// The path with a normal of length one. Throws Error "the <controller>'s ..." for numbers out of
-/// range in all of the specification that it is part of, an empty task, and a posture that is none
-/// of the model's.
+/// Returns `path` with its normal scaled to length one. Throws Error for an empty task, for a
+/// posture that does not fit the model, and for numbers of `spec` that are out of range. The
+/// messages begin with the name of the controller. `spec`: specification that contains `path`,
+/// described by `description`.
 PressingPath checked_path(const Model& model, const PressingPath& path,
                           const Description& description, const void* spec,
                           const std::string& controller);
 
 class PathFollower {
  public:
-  /// A path that is checked.
+  /// `path`: result of checked_path().
   explicit PathFollower(const PressingPath& path);
 
   void reset(Command& command) noexcept;
-  /// Moves on to the next phase where its time has come; what is aimed at now, its normal set.
-  /// Writes what the command says for the record. The measured force is finite.
+  /// Switches to the next phase if its time has come, and returns the current target with its
+  /// normal. Writes phase, target and force estimate to `command`. The measured force must be
+  /// finite.
   TaskPoint update(const Measurement& measurement, Command& command) noexcept;
 
-  /// The last target with place, velocity and normal as they will be `lead` s later.
+  /// Returns the last target, with position, velocity and normal extrapolated by `lead` [s].
   TaskPoint ahead(double lead) const noexcept;
 
   Phase phase() const noexcept { return phase_; }
-  /// Whether contact was made at the last update.
+  /// Returns whether the last update() detected the first contact.
   bool touched() const noexcept { return touched_; }
-  double measured() const noexcept { return measured_; }  ///< N, along the normal, at that update
+  /// Returns the force along the normal that was measured at the last update() [N].
+  double measured() const noexcept { return measured_; }
 
  private:
   Eigen::Vector3d normal_;
@@ -45,11 +47,11 @@ class PathFollower {
   Phase phase_ = Phase::Approach;
   bool touched_ = false;
   TaskPoint target_;
-  double since_ = 0.0;  ///< s in the phase
+  double since_ = 0.0;  ///< Time since the phase began [s].
   double measured_ = 0.0;
 };
 
-/// Whether a torque reaches its limit, nv each.
+/// Returns whether any torque exceeds its limit (nv each). A limit of 0 means no limit.
 bool at_limit(const Eigen::VectorXd& tau, const Eigen::VectorXd& effort_limit) noexcept;
 
 }  // namespace burnish::pressing

@@ -1,3 +1,4 @@
+#include "base/to_size.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 
 namespace burnish {
@@ -8,8 +9,6 @@ const std::vector<std::string>& phase_names() {
   return names;
 }
 
-std::string name_of(Phase phase) {
-  return phase_names()[static_cast<std::size_t>(number_of(phase))];
-}
+std::string name_of(Phase phase) { return phase_names()[to_size(number_of(phase))]; }
 
 }  // namespace burnish

@@ -10,6 +10,7 @@
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
@@ -27,20 +28,21 @@ bool is_limited(const Model& model, const Joint& joint) {
 struct Candidate {
   Eigen::VectorXd q;
   double tilt = 0.0, margin = 0.0, off = 0.0, torque = 0.0;
-  double body = 0.0;            ///< m from the body, where least of what is wanted is left
-  double body_wanted = 0.0;     ///< m, there
-  double manipulability = 0.0;  ///< smallest singular value of the tool's Jacobian, m
+  double body = 0.0;            ///< Distance between the critical parts of the robot [m].
+  double body_wanted = 0.0;     ///< Required distance between these parts [m].
+  double manipulability = 0.0;  ///< Smallest singular value of the tool's Jacobian [m].
 };
 
-/// How the axis and the middle of the joints' ranges count against each other.
+/// Weights of two aims in a search step: the axis of the tool, and the middle of the joint ranges.
 struct Balance {
-  double damping;  ///< rad; more leaves the axis further off, infinity where it is
-  double middle;   ///< share of the way to the middle that a step goes
+  double damping;  ///< Damping of the axis error; infinite: the axis is ignored [rad].
+  double middle;  ///< Fraction of the distance to the middle of the joint ranges that a step moves.
 };
+// Chosen by hand.
 constexpr Balance balances[] = {{0.05, 0.0}, {0.05, 0.02}, {1.0, 0.05}};
 
-/// What a search is given.
-struct Searched {
+/// Inputs of a posture search.
+struct SearchInput {
   const PressingPlace& place;
   const Model& model;
   const std::vector<Eigen::VectorXd>& known;
@@ -48,11 +50,11 @@ struct Searched {
   const CheckReach& check_reach;
 };
 
-/// Descends from a start, and judges where it ends.
+/// Search that descends from starting postures and evaluates the results.
 class Search {
  public:
-  /// `press`: the direction that the tool presses in, in its frame, of length one.
-  Search(const Searched& in, Eigen::Vector3d press)
+  /// `press`: unit vector of the pressing direction, in the frame of the tool.
+  Search(const SearchInput& in, Eigen::Vector3d press)
       : place_(in.place),
         options_(in.options),
         known_(in.known),
@@ -71,7 +73,7 @@ class Search {
     }
   }
 
-  /// In the order in which they are tried.
+  /// Returns the starting postures, in the order in which they are tried.
   std::vector<Eigen::VectorXd> starts() const {
     std::vector<Eigen::VectorXd> result = known_;
     result.push_back(q_middle_);
@@ -89,31 +91,34 @@ class Search {
 
   Candidate descend(Eigen::VectorXd q, const Balance& balance) {
     walk(q, balance, 100);
-    // Joints that were stopped at their limits have left the tool a little off its place.
+    // Moves the tool to its position once more, because joints at their limits can leave a position
+    // error.
     if (place_.point_world) walk(q, {std::numeric_limits<double>::infinity(), 0.0}, 50);
     clamp(q);
     unwind(q);
-    return judged(q);
+    return evaluated(q);
   }
 
-  /// Nothing where the candidate meets the conditions of a start, otherwise which one it fails.
+  /// Returns the condition on a starting posture that the candidate violates; empty if it meets all
+  /// conditions.
   std::string complaint(const Candidate& c) const {
     const auto turned = [](double rad) { return number(rad * 57.29577951308232) + " degrees"; };
     if (c.off > options_.reach.tolerance)
-      return "the tool stays " + number(c.off) + " m away from its start above the surface's point";
+      return "the tool stays " + number(c.off) +
+             " m away from its start position above the surface";
     if (c.tilt > options_.tilt_limit)
-      return "the tool's axis stays " + turned(c.tilt) + " off the normal; allowed are " +
-             turned(options_.tilt_limit);
+      return "the tool's axis stays " + turned(c.tilt) +
+             " off the surface's normal; wanted at most " + turned(options_.tilt_limit);
     if (c.margin < options_.joint_margin - 1e-9)
       return "a joint comes within " + number(c.margin) + " rad of its limit; wanted at least " +
-             number(options_.joint_margin);
+             number(options_.joint_margin) + " rad (search.joint_margin)";
     if (c.body < c.body_wanted)
       return "the tool comes within " + number(c.body) +
              " m of the robot's body; wanted at least " + number(c.body_wanted) +
              " m (search.body_distance)";
     return "";
   }
-  /// How far the candidate is from meeting them.
+  /// Returns the weighted sum of the amounts by which the candidate violates the conditions.
   double shortfall(const Candidate& c) const {
     return 10.0 * c.off + std::max(0.0, c.tilt - options_.tilt_limit) +
            std::max(0.0, options_.joint_margin - c.margin) +
@@ -122,44 +127,46 @@ class Search {
 
  private:
   void walk(Eigen::VectorXd& q, const Balance& balance, int iterations) {
-    constexpr double longest = 0.2;  // rad (m) per iteration
+    constexpr double max_step = 0.2;  // largest step of an iteration [rad (m)], chosen by hand
     for (int i = 0; i < iterations; ++i) {
       clamp(q);
       const Eigen::VectorXd dq = step_from(q, balance);
       const double size = dq.cwiseAbs().maxCoeff();
-      q = integrate(model_, q, dq * std::min(1.0, longest / std::max(size, 1e-12)));
+      q = integrate(model_, q, dq * std::min(1.0, max_step / std::max(size, 1e-12)));
       if (size < 1e-5) break;
     }
   }
 
   void evaluate(const Eigen::VectorXd& q) {
-    if (body_.update(q, Eigen::VectorXd::Zero(model_.nv)) > Status::NotConverged)
+    if (!is_usable(body_.update(q, Eigen::VectorXd::Zero(model_.nv))))
       throw Error("a posture of the search cannot be evaluated");
     body_.frame_derivatives(tool_, Reference::centered(), derivatives_);
     placement_ = body_.placement(tool_);
   }
 
-  /// Where the tool's centre shall be, if the surface says so.
+  /// Returns the target of the tool's centre, if the surface has a point.
   std::optional<Eigen::Vector3d> wanted_position() const {
     if (!place_.point_world) return std::nullopt;
     return *place_.point_world - (place_.tip_radius + place_.clearance) * into_;
   }
 
-  /// One damped step: axis and place first, the middle of the ranges in what they leave free.
+  /// Returns one damped step towards the target axis and position. In its null space, joints move
+  /// towards the middle of their ranges.
   Eigen::VectorXd step_from(const Eigen::VectorXd& q, const Balance& balance) {
-    constexpr double place_damping = 0.05;
+    constexpr double place_damping = 0.05;  // damping of the position error; chosen by hand
     evaluate(q);
     const Eigen::Vector3d axis = placement_.linear() * press_;
     const std::optional<Eigen::Vector3d> place = wanted_position();
     const int rows = place ? 6 : 3, nv = model_.nv;
     Eigen::MatrixXd J(rows, nv);
     Eigen::VectorXd error(rows);
-    // The shortest turn from axis to normal; about any line across it where they are opposite.
+    // Shortest rotation from the axis to the inward normal. If the two are opposite, any rotation
+    // axis will do.
     Eigen::Vector3d turn = axis.cross(into_);
     const double sine = turn.norm();
     turn = sine > 1e-9 ? Eigen::Vector3d(turn / sine) : Eigen::Vector3d(axis.unitOrthogonal());
     error.head<3>() = std::atan2(sine, axis.dot(into_)) * turn;
-    // Turns about the axis itself count for nothing.
+    // Removes rotations about the pressing axis, because the task leaves them free.
     J.topRows<3>() = derivatives_.jacobian.bottomRows<3>();
     J.topRows<3>() -= axis * (axis.transpose() * derivatives_.jacobian.bottomRows<3>());
     if (place) {
@@ -190,8 +197,9 @@ class Search {
       }
   }
 
-  /// Turns joints by whole turns to where they are nearest to the middle of their range, or to zero
-  /// where it has no end. Joints that others follow stay.
+  /// Adds whole turns to joints. With limits, the angle nearest to the middle of the range is
+  /// chosen, without limits the angle nearest to zero. Joints that other joints follow are
+  /// unchanged.
   void unwind(Eigen::VectorXd& q) const {
     constexpr double turn = 2.0 * std::numbers::pi;
     for (const Joint& joint : model_.joints) {
@@ -210,11 +218,12 @@ class Search {
     });
   }
 
-  /// A slide may have less way than the margin takes.
+  /// Returns the required margin to the limits of a joint [rad (m)]: the margin of the options, and
+  /// at most a quarter of the range of a prismatic joint, which may be short.
   double margin_of(const Joint& joint) const {
     if (joint.kind != JointKind::Prismatic) return options_.joint_margin;
-    const double way = model_.q_upper[joint.q_index] - model_.q_lower[joint.q_index];
-    return std::min(options_.joint_margin, 0.25 * way);
+    const double range = model_.q_upper[joint.q_index] - model_.q_lower[joint.q_index];
+    return std::min(options_.joint_margin, 0.25 * range);
   }
 
   double smallest_margin(const Eigen::VectorXd& q) const {
@@ -227,38 +236,39 @@ class Search {
     return margin;
   }
 
-  /// Whether a body hangs on another one, or is it.
+  /// Returns whether a body is `other` or one of its descendants.
   bool hangs_on(int body, int other) const {
-    while (body >= 0 && body != other) body = model_.joints[static_cast<std::size_t>(body)].parent;
+    while (body >= 0 && body != other) body = model_.joints[to_size(body)].parent;
     return body == other;
   }
 
-  /// What stands for the last link against what stands for the body, where it is nearest to it
-  /// compared with what is wanted.
+  /// Sets body and body_wanted of a candidate (distance between parts of the robot, and required
+  /// distance). Three points of the last link are compared with the links of the arm and with the
+  /// origins of all other links. The pair with the smallest ratio of distance to required distance
+  /// counts.
   void measure_body(Candidate& c) {
-    const auto joint = [&](int index) -> const Joint& {
-      return model_.joints[static_cast<std::size_t>(index)];
-    };
-    const int last = model_.frames[static_cast<std::size_t>(model_.frame_index(place_.tool))].body;
+    const auto joint = [&](int index) -> const Joint& { return model_.joints[to_size(index)]; };
+    const int last = model_.frames[to_size(model_.frame_index(place_.tool))].body;
     c.body = std::numeric_limits<double>::infinity();
     c.body_wanted = options_.body_distance;
     if (last < 0) return;
     const Eigen::Vector3d tool = placement_.translation(), elbow = origin(last);
-    double most = std::numeric_limits<double>::infinity();
+    double min_ratio = std::numeric_limits<double>::infinity();
     const auto look = [&](double distance, double along) {
-      const double wanted = std::min(options_.body_distance, options_.bend * along);
-      if (!(wanted > 0.0) || distance / wanted >= most) return;
-      most = distance / wanted;
+      const double wanted =
+          std::min(options_.body_distance, options_.body_distance_fraction * along);
+      if (!(wanted > 0.0) || distance / wanted >= min_ratio) return;
+      min_ratio = distance / wanted;
       c.body = distance;
       c.body_wanted = wanted;
     };
-    for (const double share : {1.0 / 3.0, 2.0 / 3.0, 1.0}) {
-      const Eigen::Vector3d p = elbow + share * (tool - elbow);
-      // m along the arm to the origins of joints, towards the base.
+    for (const double fraction : {1.0 / 3.0, 2.0 / 3.0, 1.0}) {
+      const Eigen::Vector3d p = elbow + fraction * (tool - elbow);
+      // Length along the arm from p to the origins of joints, towards the base [m].
       double along = (p - elbow).norm();
       std::vector<double> to_joint(model_.joints.size(), -1.0);
       for (int j = last; j >= 0; j = joint(j).parent) {
-        to_joint[static_cast<std::size_t>(j)] = along;
+        to_joint[to_size(j)] = along;
         if (joint(j).parent < 0) break;
         const Eigen::Vector3d a = origin(j), b = origin(joint(j).parent);
         if (j != last) look_along(p, a, b, along, look);
@@ -268,25 +278,26 @@ class Search {
         if (frame.kind != FrameKind::Link || goes_with_the_tool(frame.body, last)) continue;
         const Eigen::Vector3d at = body_.placement(body_.frame(frame.name)).translation();
         const double to_body =
-            frame.body >= 0 && to_joint[static_cast<std::size_t>(frame.body)] >= 0.0
-                ? to_joint[static_cast<std::size_t>(frame.body)] + (at - origin(frame.body)).norm()
+            frame.body >= 0 && to_joint[to_size(frame.body)] >= 0.0
+                ? to_joint[to_size(frame.body)] + (at - origin(frame.body)).norm()
                 : std::numeric_limits<double>::infinity();
         look((p - at).norm(), to_body);
       }
     }
   }
-  /// Whether a body hangs on the last link or on what carries it, as a finger beside the tool does.
+  /// Returns whether a body descends from the last link or from its parent, as for example a finger
+  /// beside the tool.
   bool goes_with_the_tool(int body, int last) const {
-    const int carrier = model_.joints[static_cast<std::size_t>(last)].parent;
+    const int carrier = model_.joints[to_size(last)].parent;
     return body == carrier ||
            (body >= 0 && (hangs_on(body, last) || (carrier >= 0 && hangs_on(body, carrier))));
   }
   Eigen::Vector3d origin(int joint) {
-    return body_.placement(body_.frame(model_.joints[static_cast<std::size_t>(joint)].name))
-        .translation();
+    return body_.placement(body_.frame(model_.joints[to_size(joint)].name)).translation();
   }
 
-  /// Looks at a straight part of the arm from a, which is `along` m from p, to b.
+  /// Calls `look` for short sections of the straight arm segment from a to b. `along`: length along
+  /// the arm from p to a [m].
   template <class Look>
   static void look_along(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                          const Eigen::Vector3d& b, double along, const Look& look) {
@@ -301,23 +312,25 @@ class Search {
                            const Eigen::Vector3d& b) {
     const Eigen::Vector3d along = b - a;
     const double length = along.squaredNorm();
-    const double share = length > 0.0 ? std::clamp(along.dot(p - a) / length, 0.0, 1.0) : 0.0;
-    return (p - a - share * along).norm();
+    const double fraction = length > 0.0 ? std::clamp(along.dot(p - a) / length, 0.0, 1.0) : 0.0;
+    return (p - a - fraction * along).norm();
   }
 
-  double torque_share() const {
+  /// Returns the largest static torque, with and without the contact force, as a fraction of the
+  /// effort limit.
+  double torque_fraction() const {
     const Eigen::Vector3d push = -place_.force * into_;
     const Eigen::VectorXd weight = body_.gravity_torque();
     const Eigen::VectorXd pressing = weight - derivatives_.jacobian.topRows(3).transpose() * push;
-    double share = 0.0;
+    double fraction = 0.0;
     for (int k = 0; k < model_.nv; ++k)
       if (std::isfinite(model_.effort_limit[k]) && model_.effort_limit[k] > 0.0)
-        share = std::max(
-            share, std::max(std::abs(weight[k]), std::abs(pressing[k])) / model_.effort_limit[k]);
-    return share;
+        fraction = std::max(fraction, std::max(std::abs(weight[k]), std::abs(pressing[k])) /
+                                          model_.effort_limit[k]);
+    return fraction;
   }
 
-  Candidate judged(const Eigen::VectorXd& q) {
+  Candidate evaluated(const Eigen::VectorXd& q) {
     evaluate(q);
     Candidate c{.q = q};
     const Eigen::Vector3d axis = placement_.linear() * press_;
@@ -325,12 +338,13 @@ class Search {
     c.margin = smallest_margin(q);
     measure_body(c);
     if (const auto place = wanted_position()) c.off = (*place - placement_.translation()).norm();
-    // The smallest singular value, without what a decomposition of any size takes to compile.
+    // Computes the smallest singular value from a 3 x 3 eigenvalue problem, which compiles faster
+    // than a singular value decomposition of dynamic size.
     const auto linear = derivatives_.jacobian.topRows(3);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squares(linear * linear.transpose(),
                                                                  Eigen::EigenvaluesOnly);
     c.manipulability = std::sqrt(std::max(0.0, squares.eigenvalues()[0]));
-    c.torque = torque_share();
+    c.torque = torque_fraction();
     return c;
   }
 
@@ -340,29 +354,30 @@ class Search {
   const Model& model_;
   RigidBody body_;
   int tool_;
-  Eigen::Vector3d into_;   ///< unit, into the surface
-  Eigen::Vector3d press_;  ///< unit, in the tool's frame
+  Eigen::Vector3d into_;   ///< Unit vector into the surface, in the world.
+  Eigen::Vector3d press_;  ///< Unit vector of the pressing direction, in the frame of the tool.
   Eigen::VectorXd q_middle_;
-  Eigen::VectorXd reach_;  ///< nv, half of each joint's range: the unit that steps are measured in
+  Eigen::VectorXd reach_;  ///< Half range of each joint, the unit of its steps (nv).
   Eigen::Isometry3d placement_;
   FrameDerivatives derivatives_;
 };
 
-/// Lower is better; see search_posture().
-double score_of(const Candidate& c, double torque_share, double margin) {
-  return c.tilt + torque_share + 0.1 / std::max(margin, 1e-6) +
+/// Returns the score of a candidate, lower is better; see search_posture().
+double score_of(const Candidate& c, double torque_fraction, double margin) {
+  return c.tilt + torque_fraction + 0.1 / std::max(margin, 1e-6) +
          0.1 / std::max(c.manipulability, 1e-6);
 }
 double score_at_start(const Candidate& c) { return score_of(c, c.torque, c.margin); }
 
-/// Different starts often end in the same place.
+/// Returns whether two candidates are the same posture. Different starting postures often lead to
+/// one posture.
 bool same_place(const Model& model, const Candidate& a, const Candidate& b) {
   return std::abs(score_at_start(a) - score_at_start(b)) < 1e-3 &&
          difference(model, a.q, b.q).cwiseAbs().maxCoeff() < 1e-2;
 }
 
-/// Descends from all starts; the ends that meet the conditions, the best first. Without any, `why`
-/// says what the nearest one fails.
+/// Descends from all starting postures. Returns the results that meet the conditions, the best
+/// first. If there are none, `why` receives the condition that the nearest result violates.
 std::vector<Candidate> good_candidates(Search& search, const Model& model, std::string& why) {
   std::vector<Candidate> good;
   std::optional<Candidate> nearest;
@@ -388,20 +403,20 @@ std::vector<Candidate> good_candidates(Search& search, const Model& model, std::
   return good;
 }
 
-/// The best posture from which the tool presses along `axis`, in its frame; without one, `why` says
-/// what is in the way.
-std::optional<FoundPosture> search_along(const Eigen::Vector3d& axis, const Searched& in,
+/// Returns the best posture in which the tool presses along `axis`, given in the frame of the tool.
+/// If there is none, `why` receives the reason.
+std::optional<FoundPosture> search_along(const Eigen::Vector3d& axis, const SearchInput& in,
                                          std::string& why) {
   Search search(in, axis);
   const std::vector<Candidate> good = good_candidates(search, in.model, why);
-  std::string in_the_way;
+  std::string first_problem;
   std::optional<FoundPosture> best;
-  const std::size_t checked = std::min(good.size(), static_cast<std::size_t>(in.options.checked));
+  const std::size_t checked = std::min(good.size(), to_size(in.options.checked));
   for (std::size_t i = 0; i < checked; ++i) {
     const Candidate& c = good[i];
     ReachReport reach = in.check_reach(c.q);
     if (!reach.ok()) {
-      if (in_the_way.empty()) in_the_way = reach.text;
+      if (first_problem.empty()) first_problem = reach.text;
       continue;
     }
     const double score = score_of(c, reach.torque_share, reach.joint_margin);
@@ -409,29 +424,32 @@ std::optional<FoundPosture> search_along(const Eigen::Vector3d& axis, const Sear
     best = {c.q, score, c.tilt, std::move(reach), static_cast<int>(good.size())};
   }
   if (!best && checked > 0)
-    why = "of " + std::to_string(checked) +
-          " that suit its normal none leads along the path; from the best one, " + in_the_way;
+    why = "none of " + std::to_string(checked) +
+          " postures that suit the surface's normal permits the path; the best of them fails: " +
+          first_problem;
   return best;
 }
 
-/// Which way the tool was taken to look, and whether the other way would do.
-std::string about_axis(const Eigen::Vector3d& axis, const Searched& in) {
+/// Returns a clause that names the pressing axis of the search and says whether the opposite axis
+/// has a posture.
+std::string about_axis(const Eigen::Vector3d& axis, const SearchInput& in) {
   const std::string tool = "; the tool " + in_quotes(in.place.tool);
   if (in.place.tool_axis) return tool + " presses along " + axis_text(axis);
   std::string unused;
-  return tool + " is taken to press along " + axis_text(axis) +
+  return tool + " is assumed to press along " + axis_text(axis) +
          (search_along(-axis, in, unused)
               ? ", and with " + axis_text(-axis) + " a posture is found"
               : ", and with " + axis_text(-axis) + " none is found either");
 }
 
-/// Looser limits of the search with which a posture is found: "; with search.body_distance=0.1 a
-/// posture is found". Empty if there is none.
-std::string about_looser_limits(const Eigen::Vector3d& axis, const Searched& in) {
+/// Returns looser limits with which the search succeeds, as "; with search.body_distance=0.1 a
+/// posture is found"; empty if there are none.
+std::string about_looser_limits(const Eigen::Vector3d& axis, const SearchInput& in) {
   struct Looser {
-    double body_distance, joint_margin;  ///< m, rad
+    double body_distance, joint_margin;  ///< Limits [m], [rad].
   };
-  // Chosen: what arms that find none as shipped need; links are about 0.05 m thick.
+  // Values that helped arms for which the default limits allow no posture, chosen by hand. Links of
+  // these arms are about 0.05 m thick.
   for (const Looser& looser : {Looser{0.15, 0.15}, {0.1, 0.15}, {0.1, 0.05}}) {
     PostureOptions options = in.options;
     options.body_distance = std::min(options.body_distance, looser.body_distance);
@@ -454,7 +472,7 @@ std::string about_looser_limits(const Eigen::Vector3d& axis, const Searched& in)
 FoundPosture search_posture(const PressingPlace& place, const Model& model,
                             const std::vector<Eigen::VectorXd>& known,
                             const PostureOptions& options, const CheckReach& check_reach) {
-  const Searched in{place, model, known, options, check_reach};
+  const SearchInput in{place, model, known, options, check_reach};
   const Eigen::Vector3d axis = tool_direction(place.tool, place.tool_axis, model).axis;
   std::string why;
   if (auto found = search_along(axis, in, why)) return *std::move(found);

@@ -1,4 +1,4 @@
-// A starting posture for a surface of any orientation, found rather than given.
+// Search for a starting posture at a surface of any orientation.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,19 @@
 
 namespace burnish::pressing {
 
-/// What is pressed where: the entries of that name that tasks have.
+/// Tool, surface and force of a task for the posture search. Members have the names of the task's
+/// entries.
 struct PressingPlace {
   std::string tool;
   std::optional<Eigen::Vector3d> tool_axis;
-  Eigen::Vector3d normal_world;                ///< any length
-  std::optional<Eigen::Vector3d> point_world;  ///< m, of the surface; none: anywhere
-  double tip_radius, clearance;                ///< m
-  double force;                                ///< N
+  Eigen::Vector3d normal_world;  ///< Normal of the surface, of any length.
+  /// Point of the surface that the tool starts above [m]; none: anywhere.
+  std::optional<Eigen::Vector3d> point_world;
+  double tip_radius, clearance;  ///< Lengths [m].
+  double force;                  ///< Force along the normal [N].
 };
 
-/// With the limits that a task has for it.
+/// Returns the limits for the posture search that a task states.
 template <class Task>
 PostureOptions posture_options_of(const Task& task) {
   return {.tilt_limit = task.search.tilt,
@@ -29,20 +31,22 @@ PostureOptions posture_options_of(const Task& task) {
           .body_distance = task.search.body_distance};
 }
 
-/// Of a task from a starting posture.
+/// Function that checks the reach of a task from a starting posture.
 using CheckReach = std::function<ReachReport(const Eigen::VectorXd& q_start)>;
 
-/// A posture from which the task can be done, the same one for the same input. Damped least squares
-/// from many starts, those that are `known` first, each with three weights, turns the pressing axis
-/// against the normal, draws joints to the middle of their ranges and, where the surface has a
-/// point, puts the tool `clearance` above it. Of the ends that meet the limits of the options and
-/// in whose way check_reach finds nothing, it is the one with the lowest
-///   score = tilt + (largest share of a torque limit that statics take along the path)
+/// Returns a posture from which the task can be done. The result depends only on the arguments.
+/// Damped least squares starts from the postures `known`, from the middle of the joint ranges, and
+/// from random postures, three times each with different weights. It turns the pressing axis
+/// tool_direction() against the normal, and moves joints towards the middle of their ranges. If the
+/// surface has a point, the tool is placed `clearance` above the point.
+/// The results must meet the limits of `options` and pass `check_reach`. Of these, the function
+/// returns the posture with the lowest score:
+///   score = tilt + (largest static torque along the path, as a fraction of the limit)
 ///         + 0.1 rad / (smallest distance to a joint limit along the path)
 ///         + 0.1 m / (smallest singular value of the tool's translational Jacobian at the start).
-/// The tool presses along tool_direction(). Throws Error with one sentence if there is none: which
-/// condition the nearest posture fails, or what is in the best one's way; which tool.axis was
-/// taken, and whether the opposite one has a posture; and looser limits with which one is found.
+/// Throws Error if there is no posture. The message names the condition that the best candidate
+/// violates, or its problem along the path. It also states the pressing axis tool.axis, whether the
+/// opposite axis has a posture, and which looser limits permit one.
 FoundPosture search_posture(const PressingPlace& place, const Model& model,
                             const std::vector<Eigen::VectorXd>& known,
                             const PostureOptions& options, const CheckReach& check_reach);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "pressing/descriptions.gen.hpp"
 #include "pressing/tool_watch.hpp"
 
@@ -15,12 +16,12 @@ void check_tool_limits(const ToolLimits& limits) {
   check_ranges(description_of(&limits), &limits,
                [](const std::string& entry) { return "pressing task: the limit " + entry; });
   if (!(limits.force_window < 1.0))
-    throw Error("pressing task: a force window of " + number(limits.force_window) +
-                " s; wanted less than a second");
+    throw Error("pressing task: the limit force_window is " + number(limits.force_window) +
+                " s; wanted less than 1 s");
 }
 
 SurfaceEstimator estimator_of(const PressedSurface& surface, double tick_period) {
-  return {Surface(surface.shape, surface.point_world, surface.normal_world), surface.tip_radius,
+  return {Surface(surface.shape, surface.point_base, surface.normal_base), surface.tip_radius,
           surface.estimate, tick_period};
 }
 
@@ -30,8 +31,8 @@ class Pressing final : public MpcTask {
       : touch_(task.touch),
         target_(task.target),
         limits_(task.limits),
-        normal_world_(spec.normal_world),
-        normal_at_first_(spec.normal_world),
+        normal_world_(spec.normal_base),
+        normal_at_first_(spec.normal_base),
         tool_(RigidBody(spec.problem.model).frame(spec.tool)),
         base_(spec.base.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.base)),
         detector_(spec.contact_threshold, pressing::samples_of(touch_window, spec.tick_period)),
@@ -44,10 +45,10 @@ class Pressing final : public MpcTask {
 
   std::vector<std::string> events() const override { return {"contact"}; }
   std::vector<WatchedQuantity> watched() const override {
-    // explain() knows their places.
+    // The order must match explain().
     return {{"speed of the tool", "m/s", FaultKind::SpeedLimit},
             {"force in free space", "N", FaultKind::UnexpectedContact},
-            {"way since contact was due", "m", FaultKind::NoContact},
+            {"travel since contact was due", "m", FaultKind::NoContact},
             {"time since contact was due", "s", FaultKind::ContactLate},
             {"force at the tool", "N", FaultKind::ForceLimit},
             {"time without contact", "s", FaultKind::ContactLost}};
@@ -77,7 +78,7 @@ class Pressing final : public MpcTask {
       normal_world_ = base_world_.linear() * (surface_ ? surface_->normal() : normal_at_first_);
     }
     mean_.add(force);
-    // Where nothing is free, what is due shows the noise.
+    // In a schedule without a phase in free space, noise is estimated while contact is due.
     const Touch phase = phase_of(view);
     const bool in_air = phase == Touch::Free || (phase == Touch::Due && !detector_.knows_noise());
     detector_.add(force.dot(normal_world_), in_air);
@@ -86,9 +87,10 @@ class Pressing final : public MpcTask {
       surface_->update(base_world_.inverse() * view.body.placement(tool_).translation(),
                        force.dot(normal_world_), slides);
       normal_world_ = base_world_.linear() * surface_->normal();
-      constexpr double deepest = 0.02;  // m
-      depth_ = slides ? std::clamp(surface_->compliance() * view.command.target_force, 0.0, deepest)
-                      : 0.0;
+      constexpr double max_depth = 0.02;  // largest indentation [m], chosen by hand
+      depth_ = slides
+                   ? std::clamp(surface_->compliance() * view.command.target_force, 0.0, max_depth)
+                   : 0.0;
     }
     return detector_.touches() ? 1U : 0U;
   }
@@ -109,11 +111,10 @@ class Pressing final : public MpcTask {
   }
 
   void explain(std::size_t quantity, std::span<char> clause) const noexcept override {
-    if (quantity < 2 || quantity == 4) return;  // speed and forces say all
+    if (quantity < 2 || quantity == 4) return;  // only late and lost contact have explanations
     const double felt = quantity == 5 ? loss_.felt() : approach_.felt();
     std::snprintf(clause.data(), clause.size(),
-                  "the force came to %.2g N at most; %.2g N count as contact", felt,
-                  detector_.needed());
+                  "the largest force was %.2g N; contact needs %.2g N", felt, detector_.needed());
   }
 
   void aim(double time, Command& command) override {
@@ -125,20 +126,20 @@ class Pressing final : public MpcTask {
   }
 
  private:
-  /// Moves a point along the normal at the path's origin onto the surface as it is known now: that
-  /// is where the tip comes to when it is over it.
+  /// Moves a point along the normal at the origin of the path until it lies on the estimated
+  /// surface.
   void put_on_surface(Eigen::Vector3d& p) const noexcept {
-    constexpr double farthest = 0.1;  // m
-    const Quadric& known = surface_->surface();
-    const double slope = known.gradient(p).dot(normal_at_first_);
-    const double step = -known.value(p) / slope;
-    if (slope > 0.1 && std::abs(step) < farthest) p += step * normal_at_first_;
+    constexpr double max_step = 0.1;  // largest displacement [m], chosen by hand
+    const Quadric& estimated = surface_->surface();
+    const double slope = estimated.gradient(p).dot(normal_at_first_);
+    const double step = -estimated.value(p) / slope;
+    if (slope > 0.1 && std::abs(step) < max_step) p += step * normal_at_first_;
   }
 
-  static constexpr double touch_window = 5e-3;  // s, of the mean that tells contact from noise
+  static constexpr double touch_window = 5e-3;  ///< Window of detector_ [s]. Chosen by hand.
 
   Touch phase_of(const TaskView& view) const noexcept {
-    return touch_[static_cast<std::size_t>(view.schedule.phase())];
+    return touch_[to_size(view.schedule.phase())];
   }
 
   std::vector<Touch> touch_;
@@ -146,10 +147,10 @@ class Pressing final : public MpcTask {
   ToolLimits limits_;
   Eigen::Vector3d normal_world_, normal_at_first_;
   std::optional<SurfaceEstimator> surface_;
-  double depth_ = 0.0;  ///< m, that the surface is pressed in under the tool
+  double depth_ = 0.0;  ///< Indentation of the surface below the tool [m].
   int tool_;
-  int base_;  ///< frame that the surface moves with; -1: the world
-  Eigen::Isometry3d base_world_ = Eigen::Isometry3d::Identity();  ///< its placement
+  int base_;  ///< Frame that the surface moves with; -1: the world.
+  Eigen::Isometry3d base_world_ = Eigen::Isometry3d::Identity();  ///< Placement of `base_`.
   ContactDetector detector_;
   pressing::MeanForce mean_;
   pressing::FreeSpaceWatch free_space_;
@@ -161,9 +162,10 @@ class Pressing final : public MpcTask {
 
 std::unique_ptr<MpcTask> PressingTask::operator()(const MpcSpec& spec) const {
   if (touch.size() != spec.schedule.size())
-    throw Error("pressing task: touch has " + std::to_string(touch.size()) +
-                " entries for a schedule of " + std::to_string(spec.schedule.size()) + " phases");
-  if (!target) throw Error("pressing task: there is no target function");
+    throw Error("pressing task: touch has " + std::to_string(touch.size()) + " entries; wanted " +
+                std::to_string(spec.schedule.size()) + ", one for each of the " +
+                std::to_string(spec.schedule.size()) + " phases of the schedule");
+  if (!target) throw Error("pressing task: target is empty; wanted a function of time");
   check_tool_limits(limits);
   return std::make_unique<Pressing>(*this, spec);
 }

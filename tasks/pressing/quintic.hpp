@@ -1,10 +1,10 @@
-// The polynomial that moves from rest to rest.
+// Quintic polynomial of a motion from rest to rest.
 #pragma once
 
 namespace burnish::pressing {
 
-/// Polynomial of fifth order from 0 to 1, from rest to rest over x = 0 to 1: its value and its
-/// first two derivatives with respect to x.
+/// Quintic polynomial that rises from 0 to 1 over x = 0 to 1, at rest at both ends: value and first
+/// two derivatives with respect to x.
 struct Quintic {
   double s, ds, ds2;
 };
@@ -14,6 +14,6 @@ inline Quintic quintic(double x) {
   return {x * x * x * (10.0 + x * (6.0 * x - 15.0)), 30.0 * x * x * (1.0 - x) * (1.0 - x),
           60.0 * x * (1.0 - x) * (1.0 - 2.0 * x)};
 }
-constexpr double quintic_speed = 1.875;  ///< largest ds
+constexpr double quintic_speed = 1.875;  ///< Largest value of `ds`.
 
 }  // namespace burnish::pressing

@@ -7,6 +7,7 @@
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "burnish/model/state.hpp"
@@ -42,7 +43,7 @@ class ReachWalk::Impl {
       stood_.push_back(body_.placement(body_.frame(support.frame)));
   }
 
-  /// False at the first problem.
+  /// Moves to a stop and checks it. Returns false at the first problem.
   bool visit(const ReachStop& stop) {
     ++report_.points;
     Eigen::VectorXd q = q_;
@@ -70,23 +71,26 @@ class ReachWalk::Impl {
 
  private:
   void evaluate(const Eigen::VectorXd& q) {
-    if (body_.update(q, Eigen::VectorXd::Zero(model_.nv)) > Status::NotConverged)
-      throw Error("the posture on the way cannot be evaluated");
+    if (!is_usable(body_.update(q, Eigen::VectorXd::Zero(model_.nv))))
+      throw Error("a posture of the reach check cannot be evaluated");
     body_.frame_derivatives(tool_, Reference::centered(), derivatives_);
   }
 
-  /// Moves q to where the tool is at `p`; false where it stays off by more than the tolerance.
-  /// Three of the joints' directions carry the tool; in the others orientation and posture count.
+  /// Moves q until the tool is at `p`. Orientation of the tool and posture are kept in the null
+  /// space. Returns false if the tool stays away from `p` by more than the tolerance.
   bool settle(Eigen::VectorXd& q, const Eigen::Vector3d& p, bool within_limits) {
-    constexpr int most = 200;
-    constexpr double damping = 1e-3, longest = 0.2;  // m (rad), rad per iteration
+    constexpr int max_iterations = 200;
+    // Damping of the position error [m (rad)], largest step per iteration [rad (m)], and null-space
+    // gains, chosen by hand.
+    constexpr double damping = 1e-3, max_step = 0.2;
     constexpr double orientation = 0.05, posture = 0.02;
-    for (int iteration = 0; iteration < most; ++iteration) {
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
       evaluate(q);
       const Eigen::Isometry3d placement = body_.placement(tool_);
       const Eigen::Vector3d error = p - placement.translation();
       off_ = error.norm();
-      // A few more iterations draw the null space, so that it does not lag behind the path.
+      // At least three iterations are made, because otherwise the null-space motion would lag
+      // behind the path.
       if (off_ < 0.01 * options_.tolerance && iteration >= 3) return true;
       const Eigen::AngleAxisd turned(
           Eigen::Matrix3d(start_rotation_ * placement.linear().transpose()));
@@ -106,18 +110,20 @@ class ReachWalk::Impl {
           footing.allowed *
               (secondary + damped_step(Jp, Eigen::VectorXd::Constant(Jp.rows(), damping * damping),
                                        wanted - Jp * secondary));
-      dq *= std::min(1.0, longest / std::max(dq.cwiseAbs().maxCoeff(), 1e-12));
+      dq *= std::min(1.0, max_step / std::max(dq.cwiseAbs().maxCoeff(), 1e-12));
       q = integrate(model_, q, dq);
       if (within_limits) clamp(q);
     }
     return off_ < options_.tolerance;
   }
 
-  /// What the feet leave of the joints' freedom, and the way back to where they stood.
+  /// Joint motions that keep the feet in place, and a correction of the feet.
   struct Footing {
-    Eigen::MatrixXd allowed;  ///< nv x freedom, orthonormal columns
-    Eigen::VectorXd back;     ///< nv
-    Eigen::MatrixXd com;      ///< 2 x freedom, of the centre of mass as seen from above
+    /// Orthonormal basis of the motions that keep the feet in place (nv x freedom).
+    Eigen::MatrixXd allowed;
+    Eigen::VectorXd back;  ///< Step that moves the feet back to their starting placements (nv).
+    /// Jacobian of the horizontal position of the centre of mass (2 x freedom).
+    Eigen::MatrixXd com;
   };
   Footing stand(const Eigen::VectorXd& free) {
     Footing footing;
@@ -144,7 +150,7 @@ class ReachWalk::Impl {
     footing.com = body_.com_dq().topRows<2>() * footing.allowed;
     return footing;
   }
-  /// Of a robot that stands, the tool's rows and those of its balance.
+  /// Returns the Jacobian rows of the tool, followed by rows for balance if the robot stands.
   static Eigen::MatrixXd carried(const Eigen::MatrixXd& tool, const Footing& footing) {
     if (footing.com.rows() == 0) return tool;
     Eigen::MatrixXd both(tool.rows() + footing.com.rows(), tool.cols());
@@ -163,8 +169,7 @@ class ReachWalk::Impl {
     return joint.kind == JointKind::Prismatic ? " m" : " rad";
   }
   bool is_sliding(int k) const {
-    return model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(k)])]
-               .kind == JointKind::Prismatic;
+    return model_.joints[to_size(model_.joint_of_v[to_size(k)])].kind == JointKind::Prismatic;
   }
 
   void clamp(Eigen::VectorXd& q) const {
@@ -172,7 +177,7 @@ class ReachWalk::Impl {
       if (is_limited(joint))
         q[joint.q_index] = std::min(std::max(q[joint.q_index], lower(joint)), upper(joint));
   }
-  /// Joints at a limit do not take part in this iteration; the null space draws them off it.
+  /// Returns 0 for joints at a limit, which stay still in this iteration, and 1 for other joints.
   Eigen::VectorXd free_directions(const Eigen::VectorXd& q) const {
     Eigen::VectorXd free = Eigen::VectorXd::Ones(model_.nv);
     for (const Joint& joint : model_.joints)
@@ -216,7 +221,8 @@ class ReachWalk::Impl {
         (stop.where.empty() ? place : stop.where) + ", with the tool at " + at + ", " + what;
   }
 
-  /// With the limits no posture was found: is it they?
+  /// Reports that the tool does not reach a position. If the tool reaches it without joint limits,
+  /// reports the violated joint limit instead.
   void refuse_position(const ReachStop& stop) {
     const double off = off_;
     Eigen::VectorXd q = q_;
@@ -229,29 +235,29 @@ class ReachWalk::Impl {
         const double limit = low ? lower(joint) : upper(joint);
         refuse(ReachProblem::Joint, stop, joint.name, value, limit,
                "joint " + in_quotes(joint.name) + " would be at " + number(value) + unit(joint) +
-                   "; allowed is " + (low ? "at least " : "at most ") + number(limit));
+                   "; wanted " + (low ? "at least " : "at most ") + number(limit));
         return;
       }
     }
     refuse(ReachProblem::Position, stop, "", off, options_.tolerance,
-           "the arm cannot reach: the tool stays " + number(off) + " m away; allowed are " +
-               number(options_.tolerance) + " m");
+           "the arm cannot reach this point: the tool stays " + number(off) +
+               " m away from it; wanted at most " + number(options_.tolerance) + " m");
   }
 
-  /// Joints between the world and the tool link whose origins move, and a frame on each of them.
+  /// Collects the joints between the world and the tool link whose origins move, with a frame on
+  /// the body of each.
   void find_skeleton() {
-    const Frame& tip =
-        model_.frames[static_cast<std::size_t>(model_.frame_index(scene_.tip.frame))];
+    const Frame& tip = model_.frames[to_size(model_.frame_index(scene_.tip.frame))];
     int last = tip.body;
-    // Where the tip is the joint itself, that joint is to come near.
+    // Excludes a joint with its origin at the tip, because the tip touches the surface.
     if (last >= 0 && tip.placement.translation().norm() < options_.link_radius)
-      last = model_.joints[static_cast<std::size_t>(last)].parent;
-    for (int j = last; j >= 0; j = model_.joints[static_cast<std::size_t>(j)].parent) {
-      if (model_.joints[static_cast<std::size_t>(j)].parent < 0) break;
+      last = model_.joints[to_size(last)].parent;
+    for (int j = last; j >= 0; j = model_.joints[to_size(j)].parent) {
+      if (model_.joints[to_size(j)].parent < 0) break;
       for (const Frame& frame : model_.frames) {
         if (frame.body != j) continue;
-        // Of two frames with one name only the first is found by it.
-        const auto found = static_cast<std::size_t>(model_.frame_index(frame.name));
+        // model_.frame_index() finds only the first of two frames with one name.
+        const auto found = to_size(model_.frame_index(frame.name));
         if (&model_.frames[found] != &frame) continue;
         skeleton_.push_back({j, body_.frame(frame.name), frame.placement.inverse().translation()});
         break;
@@ -259,8 +265,9 @@ class ReachWalk::Impl {
     }
   }
 
-  /// m between a point and the surface with its material; negative inside.
-  double room_at(const Eigen::Vector3d& p_world) const {
+  /// Returns the distance between a point and the surface with the material behind it [m]; negative
+  /// inside.
+  double distance_at(const Eigen::Vector3d& p_world) const {
     const SurfaceSpec& surface = scene_.surface;
     const double height = surface_.at(p_world).distance;
     if (std::isinf(surface.extent)) return height;
@@ -270,12 +277,13 @@ class ReachWalk::Impl {
     const double inside = beyond.maxCoeff();
     return inside <= 0.0 ? inside : beyond.cwiseMax(0.0).norm();
   }
-  /// The point between two that is nearest to the material: its distance is convex along a line.
+  /// Returns the position of the point nearest to the material on the line from a to b, as a
+  /// fraction of the line. Ternary search finds it, because the distance is convex along a line.
   double nearest_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 24; ++i) {
       const double third = (high - low) / 3.0;
-      if (room_at(a + (low + third) * (b - a)) < room_at(a + (high - third) * (b - a)))
+      if (distance_at(a + (low + third) * (b - a)) < distance_at(a + (high - third) * (b - a)))
         high -= third;
       else
         low += third;
@@ -284,46 +292,46 @@ class ReachWalk::Impl {
   }
 
   bool tip_stays_outside(const ReachStop& stop) {
-    const double room = room_at(stop.p_world), least = scene_.tip.radius;
-    if (room >= least) return true;
-    refuse(ReachProblem::Collision, stop, "", room, least,
-           "the tool's centre would be " + number(std::abs(room)) +
-               (room < 0.0 ? " m inside the surface" : " m from the surface") +
-               "; allowed are at least " + number(least) + " m, its radius");
+    const double distance = distance_at(stop.p_world), radius = scene_.tip.radius;
+    if (distance >= radius) return true;
+    refuse(ReachProblem::Collision, stop, "", distance, radius,
+           "the tool's centre would be " + number(std::abs(distance)) +
+               (distance < 0.0 ? " m inside the surface" : " m from the surface") +
+               "; wanted at least " + number(radius) + " m outside, the tip's radius");
     return false;
   }
 
-  /// Whether the arm stays outside the surface.
+  /// Returns whether the arm stays outside the surface and its material.
   bool stays_outside(const ReachStop& stop) {
     std::vector<Eigen::Vector3d> origins;
     for (const Node& node : skeleton_) origins.push_back(body_.placement(node.frame) * node.origin);
     for (std::size_t i = 0; i < skeleton_.size(); ++i) {
-      double room = room_at(origins[i]);
+      double distance = distance_at(origins[i]);
       std::size_t nearest = i;
-      // Of an endless surface no part of a link is nearer than its ends.
+      // With an infinite surface, the point of a link nearest to the surface is one of its ends.
       if (i + 1 < skeleton_.size() && std::isfinite(scene_.surface.extent)) {
-        const double share = nearest_between(origins[i], origins[i + 1]);
-        const double between = room_at(origins[i] + share * (origins[i + 1] - origins[i]));
-        if (between < room) {
-          room = between;
-          nearest = share < 0.5 ? i : i + 1;
+        const double fraction = nearest_between(origins[i], origins[i + 1]);
+        const double between = distance_at(origins[i] + fraction * (origins[i + 1] - origins[i]));
+        if (between < distance) {
+          distance = between;
+          nearest = fraction < 0.5 ? i : i + 1;
         }
       }
-      if (!keeps_off(stop, skeleton_[nearest].joint, room)) return false;
+      if (!keeps_off(stop, skeleton_[nearest].joint, distance)) return false;
     }
     return true;
   }
-  bool keeps_off(const ReachStop& stop, int joint, double room) {
-    const std::string& name = model_.joints[static_cast<std::size_t>(joint)].name;
-    if (room - options_.link_radius < report_.clearance) {
-      report_.clearance = room - options_.link_radius;
+  bool keeps_off(const ReachStop& stop, int joint, double distance) {
+    const std::string& name = model_.joints[to_size(joint)].name;
+    if (distance - options_.link_radius < report_.clearance) {
+      report_.clearance = distance - options_.link_radius;
       report_.tightest_clearance = name;
     }
-    if (room >= options_.link_radius) return true;
-    refuse(ReachProblem::Collision, stop, name, room, options_.link_radius,
-           "the arm at joint " + in_quotes(name) + " would be " + number(std::abs(room)) +
-               (room < 0.0 ? " m inside the surface" : " m from the surface") +
-               "; allowed are at least " + number(options_.link_radius) + " m outside of it");
+    if (distance >= options_.link_radius) return true;
+    refuse(ReachProblem::Collision, stop, name, distance, options_.link_radius,
+           "the arm at joint " + in_quotes(name) + " would be " + number(std::abs(distance)) +
+               (distance < 0.0 ? " m inside the surface" : " m from the surface") +
+               "; wanted at least " + number(options_.link_radius) + " m outside");
     return false;
   }
 
@@ -334,43 +342,45 @@ class ReachWalk::Impl {
         torque_on_supports(model_, body_, scene_.supports,
                            Eigen::VectorXd(body_.gravity_torque()) -
                                derivatives_.jacobian.topRows(3).transpose() * (force * normal));
-    if (force > 0.0) look_at_felt_force(normal);
+    if (force > 0.0) note_force_sensitivity(normal);
     for (int k = 0; k < model_.nv; ++k) {
       const double limit = model_.effort_limit[k];
-      const Joint& joint =
-          model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(k)])];
+      const Joint& joint = model_.joints[to_size(model_.joint_of_v[to_size(k)])];
       if (!std::isfinite(limit) || joint.kind == JointKind::FreeFlyer) continue;
-      const double share = std::abs(tau[k]) / limit;
-      if (share > report_.torque_share) {
-        report_.torque_share = share;
+      const double fraction = std::abs(tau[k]) / limit;
+      if (fraction > report_.torque_share) {
+        report_.torque_share = fraction;
         report_.tightest_torque = model_.v_name(k);
       }
-      if (share <= options_.torque_share) continue;
+      if (fraction <= options_.torque_share) continue;
       const std::string load =
           force > 0.0 ? "pressing with " + number(force) + " N" : "the weight of the arm alone";
       refuse(ReachProblem::Torque, stop, model_.v_name(k), std::abs(tau[k]),
              options_.torque_share * limit,
-             load + " takes " + number(std::abs(tau[k])) + (is_sliding(k) ? " N" : " Nm") +
-                 " of joint " + in_quotes(model_.v_name(k)) + "; allowed are " +
+             load + " needs " + number(std::abs(tau[k])) + (is_sliding(k) ? " N" : " Nm") +
+                 " in joint " + in_quotes(model_.v_name(k)) + "; wanted at most " +
                  number(options_.torque_share * limit));
       return false;
     }
     return true;
   }
 
-  /// Of the force that fits torques best, f = (J J^T)^-1 J tau, the part along the normal.
-  void look_at_felt_force(const Eigen::Vector3d& normal) {
-    constexpr double least = 1e-6;  // m^2: a direction that no joint feels gets no force
+  /// Computes the sensitivity of the normal force to torque errors, and keeps the largest one in
+  /// the report. The force is the least-squares force of the joint torques, f = (J J^T)^-1 J tau.
+  void note_force_sensitivity(const Eigen::Vector3d& normal) {
+    // Square of the lever arm below which joint torques cannot determine a force [m^2]. Chosen by
+    // hand.
+    constexpr double damping = 1e-6;
     const Eigen::VectorXd per_torque =
-        damped_step(derivatives_.jacobian.topRows(3), Eigen::Vector3d::Constant(least), normal);
+        damped_step(derivatives_.jacobian.topRows(3), Eigen::Vector3d::Constant(damping), normal);
     if (per_torque.norm() <= report_.force_per_torque) return;
     report_.force_per_torque = per_torque.norm();
-    Eigen::Index most = 0;
-    per_torque.cwiseAbs().maxCoeff(&most);
-    report_.force_joint = model_.v_name(static_cast<int>(most));
+    Eigen::Index joint = 0;
+    per_torque.cwiseAbs().maxCoeff(&joint);
+    report_.force_joint = model_.v_name(static_cast<int>(joint));
   }
 
-  /// A joint's origin, given in a frame on its body.
+  /// Origin of a joint, expressed in a frame on the joint's body.
   struct Node {
     int joint, frame;
     Eigen::Vector3d origin;
@@ -388,10 +398,10 @@ class ReachWalk::Impl {
   bool has_path_;
   Eigen::Matrix3d start_rotation_;
   Eigen::Vector3d start_com_;
-  std::vector<Eigen::Isometry3d> stood_;  ///< of the supports' frames at the start
+  std::vector<Eigen::Isometry3d> stood_;  ///< Starting placements of the supports' frames.
   FrameDerivatives derivatives_;
   std::vector<Node> skeleton_;
-  double off_ = 0.0;  ///< m, of the last settle()
+  double off_ = 0.0;  ///< Position error of the tool after the last settle() [m].
   ReachReport report_;
 };
 
@@ -411,8 +421,9 @@ bool ReachWalk::visit_line(const Eigen::Vector3d& from, const Eigen::Vector3d& t
   const double length = (to - from).norm();
   const int steps = std::max(1, static_cast<int>(std::ceil(length / spacing_)));
   for (int i = 0; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    if (!visit({from + share * (to - from), s_end - (1.0 - share) * length, 0.0})) return false;
+    const double fraction = static_cast<double>(i) / steps;
+    if (!visit({from + fraction * (to - from), s_end - (1.0 - fraction) * length, 0.0}))
+      return false;
   }
   return true;
 }

@@ -1,4 +1,4 @@
-// The walk of a tool to a surface and along it, as check_reach() of a task makes it.
+// Motion of a robot model to a surface and along it, for check_reach() of a task.
 #pragma once
 
 #include <memory>
@@ -8,36 +8,40 @@
 
 namespace burnish::pressing {
 
-/// Where the tool shall be, and whether it presses.
+/// Target position of the tool, with the force at this position.
 struct ReachStop {
   Eigen::Vector3d p_world;
-  double s;                ///< m, see ReachReport
-  double force;            ///< N
-  std::string where = {};  ///< for refusals; empty: as `s` says
+  double s;                ///< Path length at this position, see ReachReport [m].
+  double force;            ///< Force along the normal [N].
+  std::string where = {};  ///< Name of this position in the report; empty: derived from `s`.
 };
 
-/// A posture that is carried from stop to stop. Model, scene and start outlive it. At every stop: a
-/// posture by damped least squares from the one before, the tool's position first, then its
-/// orientation at the start and the starting posture; joint limits; the torques that hold the robot
-/// still there with the force and without, tau = b(q, 0) - J^T f n, against the effort limits; and
-/// the arm outside the surface and the material behind it, which is as wide as the surface and as
-/// deep as can be. For that the arm is a skeleton of straight segments, `link_radius` thick,
-/// between the origins of the joints that carry the tool. Joints fixed to the world and the tool
-/// link, which is to come near, do not count, nor does a last joint whose origin the tip is at.
+/// Posture that is moved from stop to stop along a path, and checked at every stop. Model, scene
+/// and start must outlive it. Damped least squares moves the tool to its position. In the null
+/// space, it restores the starting orientation of the tool and the starting posture. At every stop,
+/// these conditions are checked:
+/// - Joint limits.
+/// - Torques: the torques that hold the robot still, tau = b(q, 0) - J^T f n, are within the effort
+///   limits, with and without the force.
+/// - Collisions: the arm is outside the surface and the material behind it. The material is as wide
+///   as the surface and infinitely deep. The arm consists of straight segments, `link_radius`
+///   thick, between the origins of the joints that carry the tool. Joints on the world, the tool
+///   link, and a last joint with its origin at the tip are not checked.
 class ReachWalk {
  public:
-  /// `has_path`: what is along the path is said to be there.
+  /// `has_path`: true if the report should name positions along the path.
   ReachWalk(const Model& model, const SceneSpec& scene, const Eigen::VectorXd& q_start,
             const ReachOptions& options, bool has_path = true);
   ~ReachWalk();
-  /// False at the first problem, which is in the report.
+  /// Moves to a stop and checks it. Returns false at the first problem, which report() describes.
   bool visit(const ReachStop& stop);
-  /// From one point straight to another, both included; s_end: m, at the second.
+  /// Visits points on a straight line, including both ends. `s_end`: path length at `to` [m].
   bool visit_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double s_end);
-  /// Looks at a posture of its own, with the tool in the air. The tool's centre stays `tip.radius`
-  /// outside the surface. `where`: for refusals, such as "at home".
+  /// Checks the posture `q` with the tool in the air: the centre of the tool must be at least
+  /// `tip.radius` outside the surface. `where`: name of the posture in the report, such as "at
+  /// home".
   bool pass(const Eigen::VectorXd& q, const std::string& where);
-  const Eigen::VectorXd& posture() const;  ///< nq, at the last stop
+  const Eigen::VectorXd& posture() const;  ///< Posture at the last stop (nq).
   ReachReport& report();
 
  private:

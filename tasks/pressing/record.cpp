@@ -43,7 +43,7 @@ void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
                   .true_axes = Reference::surface_with_normal(plant.normal).rotation,
                   .friction = plant.friction,
                   .extent = plant.extent};
-  if (!scene.surface.shape.is_flat()) page.surface.known = surface_of(scene.surface);
+  if (!scene.surface.shape.is_flat()) page.surface.nominal = surface_of(scene.surface);
   if (!plant.shape.is_flat()) add_curved_surface(page, surface_of(plant));
   page.supports = plant_has.supports;
   if (!page.supports.empty()) page.plant_model = plant_model(page.robot.model, disturbances);

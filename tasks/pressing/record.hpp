@@ -1,4 +1,5 @@
-// What runs of all tasks that press leave: the ticks' figures, plots, and their part of the page.
+// Records of runs of all tasks that press or stand: figures of ticks, plots, and the HTML page of a
+// run.
 #pragma once
 
 #include "burnish/sim/disturbances.hpp"
@@ -8,29 +9,29 @@
 namespace burnish::pressing {
 
 nlohmann::ordered_json ticks_json(const TaskRun& run);
-/// Null of a robot that does not stand.
+/// Returns the figures of a standing robot as JSON; null for a robot that does not stand.
 nlohmann::ordered_json standing_json(const TaskRun& run);
 
-/// All files that write_run_files() may write of such a run.
+/// Returns the names of all files that write_run_files() may write for a run.
 std::vector<std::string> run_file_names();
 
-/// What is plotted, which outlives the plots.
+/// Inputs of run_plots(). Referenced objects must outlive the plots.
 struct PlottedRun {
   std::string name;
   const TaskRun& run;
   const Model& model;
   Eigen::Matrix3d surface_axes;
-  Eigen::Vector3d origin_world;  ///< m, that places along the surface are from
-  int phase;                     ///< that has plots of its own
-  std::string phase_title;       ///< "on the path"
-  double update_period;          ///< s, between two plans
-  bool has_estimate = true;      ///< of the force, by the controller
+  Eigen::Vector3d origin_world;  ///< Origin of coordinates along the surface [m].
+  int phase;                     ///< Phase that has its own plots.
+  std::string phase_title;       ///< Title of the plots of `phase`, such as "on the path".
+  double update_period;          ///< Time between two plans [s].
+  bool has_estimate = true;      ///< Whether the controller estimates the force.
 };
-/// force.svg, path.svg, torques.svg, solver.svg.
+/// Returns the plots force.svg, path.svg, torques.svg and solver.svg.
 std::vector<PlotFile> run_plots(const PlottedRun& run);
 
-/// Outcome, fault, surface, plans and rows; the page has its robot and phases already. `scene`: as
-/// the controller knows it.
+/// Adds outcome, fault, surface, plans and rows of the trace to the HTML page of a run. The page
+/// must already contain robot and phases. `scene`: nominal scene, which the controller assumes.
 void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
              const Disturbances& disturbances, int record_every);
 

@@ -17,7 +17,7 @@ Json run_json(const RecordedRun& r) {
             {"fault", fault_json(r.run.fault)}};
   json.update(r.more);
   if (r.metrics) json["metrics"] = metrics_json(*r.metrics);
-  json["figures"] = r.figures.section;  // where the task's own are
+  json["figures"] = r.figures.section;  // section with the figures of this task
   json[r.figures.section] = r.figures.json;
   if (r.run.standing) json["standing"] = standing_json(r.run);
   json["ticks"] = ticks_json(r.run);

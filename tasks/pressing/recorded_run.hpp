@@ -1,5 +1,5 @@
-// The files of a task that its file names: a task says what is its own (RecordedRun), and these
-// write it, with all that runs of all tasks leave.
+// Writing of the files of a run. A task describes its run by a RecordedRun, from which these
+// functions make the parts that all tasks have in common.
 #pragma once
 
 #include <map>
@@ -9,54 +9,56 @@
 
 namespace burnish::pressing {
 
-/// A run that was made.
+/// Specification of a run with its name.
 template <class RunSpec>
 struct NamedRun {
-  std::string name;          ///< on its page
-  std::string command = {};  ///< that makes it again; empty: of its task.yaml
+  std::string name;          ///< Title of the page.
+  std::string command = {};  ///< Command that repeats the run; empty: `burnish run task.yaml`.
   RunSpec spec;
 };
 
-/// Figures of a task's own: a section of metrics.json, and entries of the page.
+/// Figures that only one task has: a section of metrics.json, and entries of the HTML page.
 struct OwnFigures {
   std::string section;
   Json json = nullptr;
   std::vector<PageMetric> page = {};
 };
 
-/// What a task says of a run. References outlive it.
+/// Contents for the files of a run. Referenced objects must outlive it.
 struct RecordedRun {
-  // Of every task, by record_of().
+  // Common to all tasks, set by record_of().
   std::string task, name, command;
   PlantKind plant;
-  Disturbances disturbances;  ///< of the task
-  std::string robot_name;     ///< as the task has it
-  std::string task_file;      ///< its text
-  double deadline;            ///< s; infinite: none
+  Disturbances disturbances;  ///< Disturbances of the task.
+  std::string robot_name;     ///< Robot as named in the task file.
+  std::string task_file;      ///< Text of the task file.
+  double deadline;            ///< Deadline of plans [s]; infinite: none.
   const TaskRun& run;
   bool done;
   const Robot& robot;
-  const Eigen::VectorXd& q_start;  ///< nq
-  const SceneSpec& scene;          ///< as the controller knows it
+  const Eigen::VectorXd& q_start;  ///< Starting posture (nq).
+  const SceneSpec& scene;          ///< Nominal scene, which the controller assumes.
 
-  // Of its own.
-  std::string force = {};  ///< such as "30 N"; empty of what presses none
-  Eigen::Matrix3d surface_axes =
-      Eigen::Matrix3d::Identity();  ///< columns: two tangents and the normal, world
-  Eigen::Vector3d origin_world =
-      Eigen::Vector3d::Zero();                ///< m, that places along the surface are from
-  std::vector<std::string> phase_names = {};  ///< of the numbers in its trace
-  int phase = 0;                              ///< that has plots of its own
-  std::string phase_title = {};               ///< "while it holds"
-  double update_period = 0.0;                 ///< s, between two plans
-  bool has_estimate = true;                   ///< of the force, by the controller
+  // Set by each task.
+  std::string force = {};  ///< Force with unit, such as "30 N"; empty if the task does not press.
+  /// Axes of the surface in the world, as columns: two tangents and the normal.
+  Eigen::Matrix3d surface_axes = Eigen::Matrix3d::Identity();
+  /// Origin of the coordinates along the surface, in the world [m].
+  Eigen::Vector3d origin_world = Eigen::Vector3d::Zero();
+  /// Names of the phases, by their number in the trace.
+  std::vector<std::string> phase_names = {};
+  int phase = 0;                 ///< Phase that has its own plots.
+  std::string phase_title = {};  ///< Title of the plots of `phase`, such as "while it holds".
+  double update_period = 0.0;    ///< Time between two plans [s].
+  bool has_estimate = true;      ///< Whether the controller estimates the force.
   std::optional<Metrics> metrics = {};
   OwnFigures figures = {};
-  Json more = Json::object();                            ///< further entries of metrics.json
-  std::map<std::string, Eigen::VectorXd> postures = {};  ///< nq, that the page can show
+  Json more = Json::object();  ///< Further entries of metrics.json.
+  /// Postures that the HTML page shows (nq), by name.
+  std::map<std::string, Eigen::VectorXd> postures = {};
 };
 
-/// What is the same of all tasks. `task`: its name.
+/// Returns a RecordedRun with the entries that all tasks have in common. `task`: name of the task.
 template <class RunSpec, class RunResult>
 RecordedRun record_of(const std::string& task, const NamedRun<RunSpec>& run,
                       const RunResult& result) {
@@ -75,7 +77,8 @@ RecordedRun record_of(const std::string& task, const NamedRun<RunSpec>& run,
           .scene = result.setting.scene};
 }
 
-/// `each` calls each_..._figure(see) of the task with what it is given.
+/// Returns the figures of a task. `each`: function for which each(see) calls each_..._figure(see)
+/// of the task.
 template <class Figures, class Each>
 OwnFigures own_figures(const std::string& section, const std::optional<Figures>& figures,
                        const Each& each) {
@@ -88,10 +91,10 @@ OwnFigures own_figures(const std::string& section, const std::optional<Figures>&
   return own;
 }
 
-/// Everything in numbers.
+/// Returns the content of metrics.json.
 Json run_json(const RecordedRun& recorded);
 RunPage make_run_page(const RecordedRun& recorded, int record_every);
-/// See write_run_files().
+/// Writes the files of a run, see write_run_files().
 std::vector<std::string> write_run(const RecordedRun& recorded, const RunFilesOptions& options,
                                    const std::filesystem::path& folder, PageWriter& pages);
 

@@ -7,7 +7,7 @@ namespace burnish {
 const Description& description_of(const TickTimes* /*of*/) {
   static const Description all = [] {
     Describe<TickTimes> figures("pressing", "TickTimes",
-                                "Wall clock of a controller's ticks after the first, s.");
+                                "Computing times of a controller's ticks after the first [s].");
     pressing::each_tick_figure([&](const FigureEntry& entry, auto member) {
       figures.field(entry.name, member, described_as(entry).c_str());
     });

@@ -1,4 +1,4 @@
-// Figures of all runs, described by their table: pressing/figures.hpp.
+// Description of the figures in pressing/figures.hpp.
 #pragma once
 
 #include "pressing/descriptions.gen.hpp"

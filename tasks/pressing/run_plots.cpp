@@ -1,4 +1,4 @@
-// Plots of a run: force over time, path in the plane, torques, solver.
+// Plots of a run: force over time, path along the surface, torques, solver.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,19 +16,19 @@ namespace {
 constexpr const char* time_axis = "time [s]";
 constexpr int black = 6;
 
-/// With few enough points for small files.
+/// Returns a curve with at most 3000 of its points.
 Curve thinned(Curve curve) {
-  constexpr Eigen::Index most = 3000;
-  if (curve.x.size() <= most) return curve;
-  Curve few = extremes(curve.x, curve.y, most / 2);
+  constexpr Eigen::Index max_points = 3000;
+  if (curve.x.size() <= max_points) return curve;
+  Curve few = extremes(curve.x, curve.y, max_points / 2);
   curve.x = std::move(few.x);
   curve.y = std::move(few.y);
   return curve;
 }
 
 PlotSpec force_plot(const PlottedRun& run) {
-  Trace room;
-  const Trace& trace = seen_from_surface(run.run.trace, room);
+  Trace storage;
+  const Trace& trace = seen_from_surface(run.run.trace, storage);
   const Eigen::VectorXd time = trace.column("time"), force = along_normal(trace, "tool_force");
   const Eigen::VectorXd target = trace.column("target_force");
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
@@ -56,17 +56,17 @@ PlotSpec force_plot(const PlottedRun& run) {
     add("target", target, black, true);
     plot.panels.push_back(std::move(result_panel));
   };
-  panel("the whole run", 0, time.size(), true);
+  panel("whole run", 0, time.size(), true);
   const auto [first, last] = rows_of_phase(trace, static_cast<double>(run.phase));
-  // The mean of the last rows reaches into the retreat.
+  // Excludes the last rows, because their moving mean contains rows of the retreat.
   const Eigen::Index inside = last - std::lround(0.01 / dt);
   if (inside - first > 1) panel(run.phase_title, first, inside, false);
   return plot;
 }
 
 PlotSpec path_plot(const PlottedRun& run) {
-  Trace room;
-  const Trace& trace = seen_from_surface(run.run.trace, room);
+  Trace storage;
+  const Trace& trace = seen_from_surface(run.run.trace, storage);
   const auto [first, last] = rows_of_phase(trace, static_cast<double>(run.phase));
   PlotSpec plot{.title = "Path of the tool in the surface, " + run.name, .columns = 2};
   plot.panel_width = 560;
@@ -140,7 +140,7 @@ PlotSpec solver_plot(const PlottedRun& run) {
   }
   if (x.empty()) return plot;
   const auto size = static_cast<Eigen::Index>(x.size());
-  Panel panel{.title = "the first plan, at rest, is solved to its end",
+  Panel panel{.title = "the first plan, at rest, is solved to convergence",
               .x_label = time_axis,
               .y_label = "time [ms]",
               .log_y = true};
@@ -148,7 +148,7 @@ PlotSpec solver_plot(const PlottedRun& run) {
                                   .x = Eigen::Map<Eigen::VectorXd>(x.data(), size),
                                   .y = Eigen::Map<Eigen::VectorXd>(y.data(), size)}));
   const double period = 1e3 * run.update_period;
-  panel.curves.push_back({.name = "between two plans",
+  panel.curves.push_back({.name = "time between two plans",
                           .x = Eigen::Vector2d(x.front(), x.back()),
                           .y = Eigen::Vector2d(period, period),
                           .color = black,

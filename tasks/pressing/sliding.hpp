@@ -1,13 +1,14 @@
-// How far what stands or leans has slid.
+// Sliding distance of a round tip on a plane, without its rolling.
 #pragma once
 
 #include <Eigen/Geometry>
 
 namespace burnish::pressing {
 
-/// m, along a plane: how far a ball of this radius at a frame's origin has slid from where it made
-/// contact, n being the plane's normal. What it has rolled, r theta x n with theta its turn, is no
-/// sliding. Without a radius that is the way of the origin.
+/// Returns the displacement along a plane by which a sphere of `radius` [m] has slid since contact
+/// [m]. `normal`: normal of the plane. `contact`, `now`: placements of a frame at the sphere's
+/// centre, at contact and now. Rolling, r theta x n for a rotation theta, is not sliding. With
+/// radius 0, the result is the displacement of the centre.
 inline Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
                             const Eigen::Vector3d& normal, double radius) noexcept {
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.linear() * contact.linear().transpose()));

@@ -18,11 +18,11 @@ Eigen::VectorXd rest_torque(const Model& model, const Eigen::VectorXd& q) {
 }
 
 namespace {
-/// What counts as much of rows within +- limit: the limit, or one where there is none.
+/// Returns the scale of constraint rows with limits +- limit: the limit, or 1 without a limit.
 Eigen::VectorXd scale_of(const Eigen::VectorXd& limit) {
   return limit.unaryExpr([](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; });
 }
-/// Of the joints' entries of v, which are behind those of a base that floats.
+/// Returns the entries of a vector (nv) without those of a floating base, which come first.
 Eigen::VectorXd of_joints(const Model& model, const Eigen::VectorXd& entries) {
   const Joint& first = model.joints.front();
   return first.kind == JointKind::FreeFlyer ? Eigen::VectorXd(entries.tail(model.nv - first.nv))
@@ -33,13 +33,14 @@ void check_start(const Model& model, double margin, const Eigen::VectorXd& q) {
   for (const Joint& joint : model.joints) {
     if (!ocp::has_position_limit(model, joint)) continue;
     const int k = joint.q_index;
-    const double room = std::min(q[k] - model.q_lower[k], model.q_upper[k] - q[k]);
-    if (room < margin - rounding)
-      throw EntryError("constraints.joint_margin",
-                       "joint " + in_quotes(joint.name) + " starts " + number(std::abs(room)) +
-                           (room < 0.0 ? " beyond its limit" : " from its limit") +
-                           "; wanted at least " + number(margin) +
-                           " from it, another start, or constraints.joint_margin of less (never)");
+    const double distance = std::min(q[k] - model.q_lower[k], model.q_upper[k] - q[k]);
+    if (distance < margin - rounding)
+      throw EntryError(
+          "constraints.joint_margin",
+          "joint " + in_quotes(joint.name) + " starts " + number(std::abs(distance)) +
+              (distance < 0.0 ? " beyond its limit" : " from its limit") +
+              "; wanted a distance of at least " + number(margin) +
+              ": another start posture, or a smaller constraints.joint_margin, or never");
   }
 }
 }  // namespace
@@ -71,13 +72,13 @@ Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits) {
 }
 
 std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits) {
-  const Eigen::VectorXd most = of_joints(model, limits.torque * model.effort_limit);
-  if (!std::isfinite(limits.torque) || !std::isfinite(most.minCoeff())) return {};
+  const Eigen::VectorXd max_torque = of_joints(model, limits.torque * model.effort_limit);
+  if (!std::isfinite(limits.torque) || !std::isfinite(max_torque.minCoeff())) return {};
   return {{.name = "torque limits",
            .residual = residual::Control{},
-           .lower = -most,
-           .upper = most,
-           .scale = scale_of(most)}};
+           .lower = -max_torque,
+           .upper = max_torque,
+           .scale = scale_of(max_torque)}};
 }
 
 std::vector<Constraint> torque_rate_limits(const Model& model, const PlanLimits& limits,
@@ -85,21 +86,23 @@ std::vector<Constraint> torque_rate_limits(const Model& model, const PlanLimits&
   if (!std::isfinite(limits.joint_torque_rate)) return {};
   if (!(cutoff > 0.0))
     throw EntryError("constraints.joint_torque_rate",
-                     "rates need torques in the state of plans; wanted a controller.torque_cutoff "
-                     "above 0, such as the motors' own, or never");
-  const Eigen::VectorXd most = of_joints(model, limits.joint_torque_rate * model.effort_limit);
-  if (!std::isfinite(most.minCoeff())) return {};
+                     "a limit of torque rates requires torques in the state of plans; wanted "
+                     "controller.torque_cutoff above 0, such as the cut-off of the motors, or "
+                     "joint_torque_rate: never");
+  const Eigen::VectorXd max_rate = of_joints(model, limits.joint_torque_rate * model.effort_limit);
+  if (!std::isfinite(max_rate.minCoeff())) return {};
   return {{.name = "torque rates",
            .residual = residual::JointTorqueRate{},
-           .lower = -most,
-           .upper = most,
-           .scale = scale_of(most)}};
+           .lower = -max_rate,
+           .upper = max_rate,
+           .scale = scale_of(max_rate)}};
 }
 
-Constraint force_limit(const Signal& force, double least, double scale, const PlanLimits& limits) {
+Constraint force_limit(const Signal& force, double min_force, double scale,
+                       const PlanLimits& limits) {
   Constraint row{.name = "force band",
                  .residual = residual::ContactForce{"surface", {}, force},
-                 .lower = Eigen::VectorXd::Constant(1, -std::min(limits.force_band, least)),
+                 .lower = Eigen::VectorXd::Constant(1, -std::min(limits.force_band, min_force)),
                  .upper = Eigen::VectorXd::Constant(1, limits.force_band),
                  .scale = Eigen::VectorXd::Constant(1, scale)};
   if (std::isfinite(limits.force_band)) return row;

@@ -1,4 +1,4 @@
-// Costs and constraints that stages of tasks which press are made of.
+// Costs and constraints for the stages of pressing tasks.
 #pragma once
 
 #include <algorithm>
@@ -10,48 +10,54 @@
 
 namespace burnish::pressing {
 
-/// From 0 to 1 while s goes there, at rest before and behind.
+/// Returns the quintic smooth step from 0 to 1 over s = 0 to 1; constant outside.
 inline double smooth(double s) {
   s = std::clamp(s, 0.0, 1.0);
   return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
 }
-/// Its derivative.
+/// Returns the derivative of smooth() with respect to s.
 inline double smooth_rate(double s) {
   s = std::clamp(s, 0.0, 1.0);
   return 30.0 * s * s * (1.0 - s) * (1.0 - s);
 }
 
-/// nv, that holds q against gravity.
+/// Returns the joint torques (nv) that hold the robot in `q` against gravity.
 Eigen::VectorXd rest_torque(const Model& model, const Eigen::VectorXd& q);
 
-/// Range and speed of the joints, where they have limits. Throws EntryError for a start outside the
-/// range: a plan would do all to get inside.
+/// Returns constraints on positions and velocities of joints with limits. Throws EntryError if
+/// `q_start` violates a limit, because plans would then ignore all costs to return within the
+/// limit.
 std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limits,
                                      const Eigen::VectorXd& q_start);
-/// Of the controls, where there are effort limits.
+/// Returns constraints on the controls; empty without effort limits.
 std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits);
-/// Rates of the torques of a model with that cut-off [rad/s], where there are effort limits. Throws
-/// EntryError for limits without a cut-off.
+/// Returns constraints on torque rates; empty without effort limits. The rates are those of a
+/// torque model with this cut-off frequency [rad/s]. Throws EntryError for rate limits without a
+/// cut-off frequency.
 std::vector<Constraint> torque_rate_limits(const Model& model, const PlanLimits& limits,
                                            double cutoff);
-/// nv, Nm (N): what may be sent.
+/// Returns the largest torques that the controller may send (nv) [Nm (N)].
 Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits);
-/// Of the force along the normal of the contact "surface": a band about `force`, N over the
-/// schedule's time, whose smallest value while pressing is `least`, or without a band no pull.
-/// `scale`: N that count as much.
-Constraint force_limit(const Signal& force, double least, double scale, const PlanLimits& limits);
-/// Torques to `rest`.
+/// Returns a constraint that keeps the normal force of the contact "surface" in a band around
+/// `force` [N], a signal over the time of the schedule. Without a band, the constraint only forbids
+/// pulling. `min_force`: smallest value of `force` while pressing [N]. `scale`: scale of the
+/// constraint [N].
+Constraint force_limit(const Signal& force, double min_force, double scale,
+                       const PlanLimits& limits);
+/// Returns a cost on the deviation of torques from `rest`.
 CostTerm torque_cost(const Eigen::VectorXd& rest, double weight);
-/// Of the tool's position, m from the reference's origin, along the surface and with a weight of
-/// its own along the normal, the third of the reference's axes.
+/// Returns a cost on the deviation of the tool from `position`, a position relative to the origin
+/// of the reference [m]. `normal_weight`: factor on the weight along the normal, the third axis of
+/// the reference.
 CostTerm place_cost(const std::string& name, const std::string& tool, const Signal& position,
                     const Reference& on_surface, double weight, double normal_weight);
-/// Of the tool's speed in the world along the normal, the third of the reference's axes, at the
-/// tool; `target`: the twist, of which that entry counts.
+/// Returns a cost on the tool's speed in the world along the normal, the third axis of the
+/// reference. Of the twist `target`, only the third entry matters.
 CostTerm normal_speed_cost(const std::string& name, const std::string& tool, const Signal& target,
                            const Reference& on_surface, double weight);
-Eigen::VectorXd normal_twist(double speed);  ///< 6, m/s
-/// Of the force along the normal of the contact "surface".
+/// Returns a twist (6) with this speed along z [m/s].
+Eigen::VectorXd normal_twist(double speed);
+/// Returns a cost on the deviation of the normal force of the contact "surface" from `force` [N].
 CostTerm force_cost(const Signal& force, double weight);
 
 }  // namespace burnish::pressing

@@ -8,6 +8,7 @@
 #include "base/decomposition.hpp"
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/ocp/residual.hpp"
 #include "pressing/arm.hpp"
@@ -21,34 +22,37 @@ const Joint* floating_base(const Model& model) {
   return nullptr;
 }
 
-/// N, when all feet bear alike.
+/// Returns the load of a foot if all feet carry equal loads [N].
 double weight_per_foot(const Model& model, const Standing& standing) {
   return model.total_mass() * model.gravity.norm() / static_cast<double>(standing.feet.size());
 }
 
 struct Ground {
-  double stiffness, damping;  ///< N/m, Ns/m
+  double stiffness, damping;  ///< Stiffness [N/m] and damping [Ns/m].
 };
-/// As it is stated, or as the weight asks for: the ground under a light robot is softer, so that
-/// its light feet do not hammer.
+/// Returns the stated stiffness and damping of the ground, or automatic values that depend on the
+/// weight. Under a light robot, the automatic ground is softer, so that light feet do not bounce.
 Ground ground_of(const Model& model, const Standing& standing) {
-  // Of the shipped tasks: 2e6 N/m under a sole of Talos, 2e5 N/m under a ball of the quadruped.
-  constexpr double sole_way = 2.305e-4, ball_way = 2.4525e-4;  // m
-  constexpr double sole_lag = 0.05, ball_lag = 0.02;           // s
-  const double way = standing.has_soles() ? sole_way : ball_way;
-  const double stiffness = standing.stiffness.value_or(weight_per_foot(model, standing) / way);
+  // Indentation of the ground under the weight [m], and ratio of damping to stiffness [s]. The
+  // values follow from the shipped tasks: 2e6 N/m under a sole of Talos, 2e5 N/m under a point foot
+  // of the quadruped.
+  constexpr double sole_indentation = 2.305e-4, point_indentation = 2.4525e-4;
+  constexpr double sole_lag = 0.05, point_lag = 0.02;
+  const double indentation = standing.has_soles() ? sole_indentation : point_indentation;
+  const double stiffness =
+      standing.stiffness.value_or(weight_per_foot(model, standing) / indentation);
   return {stiffness,
-          standing.damping.value_or(stiffness * (standing.has_soles() ? sole_lag : ball_lag))};
+          standing.damping.value_or(stiffness * (standing.has_soles() ? sole_lag : point_lag))};
 }
 
 }  // namespace
 
 std::string ground_note(const Model& model, const Standing& standing) {
-  constexpr double most = 10.0;
+  constexpr double max_ratio = 10.0;
   Standing by_weight = standing;
   by_weight.stiffness = std::nullopt;
   const double fitting = ground_of(model, by_weight).stiffness;
-  if (!standing.stands() || standing.stiffness.value_or(fitting) < most * fitting) return "";
+  if (!standing.stands() || standing.stiffness.value_or(fitting) < max_ratio * fitting) return "";
   return "standing.stiffness: " + number(*standing.stiffness) + " N/m is " +
          number(std::round(*standing.stiffness / fitting)) +
          " times the value for the robot's weight (auto: " + number(std::round(fitting)) +
@@ -58,35 +62,35 @@ std::string ground_note(const Model& model, const Standing& standing) {
 void check_standing(const Model& model, const Standing& standing) {
   const bool floats = floating_base(model) != nullptr;
   if (!floats && standing.stands())
-    throw EntryError("standing.feet", "robot " + in_quotes(model.name) +
-                                          " has a fixed base; wanted none, or a robot that floats");
-  if (floats && !standing.stands())
-    throw EntryError("robot",
-                     "the base of robot " + in_quotes(model.name) +
-                         " floats free, and nothing holds it while it presses; wanted "
-                         "standing.feet, the frames that it stands on, or a fixed base, as "
-                         "a variant of its settings may have");
-  if (standing.feet == std::vector<std::string>{"auto"})
     throw EntryError("standing.feet",
-                     "it is auto, which only `task: stand` accepts; wanted frames of robot " +
-                         in_quotes(model.name));
+                     "robot " + in_quotes(model.name) +
+                         " has a fixed base; wanted no feet, or a robot with a floating base");
+  if (floats && !standing.stands())
+    throw EntryError(
+        "robot", "the base of robot " + in_quotes(model.name) +
+                     " floats free, and the task states no feet; wanted the frames of the feet "
+                     "(standing.feet), or a fixed base, such as a variant in the robot's settings");
+  if (standing.feet == std::vector<std::string>{"auto"})
+    throw EntryError(
+        "standing.feet",
+        "auto is accepted by `task: stand` only; wanted frames of robot " + in_quotes(model.name));
   for (const std::string& foot : standing.feet)
     if (!model.has_frame(foot)) throw EntryError("standing.feet", "frame " + none_of(model, foot));
   if ((standing.half_x > 0.0) != (standing.half_y > 0.0))
-    throw EntryError("standing.half_x", "half sides of " + number(standing.half_x) + " and " +
-                                            number(standing.half_y) +
-                                            " m; wanted both of a sole, or neither of a ball");
-  constexpr std::size_t balls = 3;  // whose middles span more than a line
-  if (standing.stands() && !standing.has_soles() && standing.feet.size() < balls)
+    throw EntryError("standing.half_x",
+                     "half_x and half_y are " + number(standing.half_x) + " and " +
+                         number(standing.half_y) +
+                         " m; wanted both above 0 (soles) or both 0 (point feet)");
+  constexpr std::size_t min_points = 3;  // fewer than three point feet do not span an area
+  if (standing.stands() && !standing.has_soles() && standing.feet.size() < min_points)
     throw EntryError("standing.feet",
                      std::to_string(standing.feet.size()) + " point feet, on which robot " +
                          in_quotes(model.name) +
-                         " cannot stand still without stepping; wanted three of them, or soles "
-                         "(half_x, half_y)");
+                         " cannot stand still; wanted at least three, or soles (half_x, half_y)");
 }
 
 namespace {
-double degrees_off_up(const Eigen::Isometry3d& at) {
+double degrees_from_vertical(const Eigen::Isometry3d& at) {
   const double angle = std::acos(std::clamp(at.linear()(2, 2), -1.0, 1.0));
   return std::round(angle * 180.0 / std::numbers::pi);
 }
@@ -96,7 +100,7 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
                                      const Eigen::VectorXd& q) {
   std::vector<SupportSpec> supports;
   const Ground ground = ground_of(model, standing);
-  // As far into what gives way as the weight presses them: the robot has been let down already.
+  // Indentation of the compliant ground under the weight [m].
   const double sinks = weight_per_foot(model, standing) / ground.stiffness;
   for (const std::string& foot : standing.feet) {
     SupportSpec support{.frame = foot,
@@ -108,16 +112,16 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
                         .damping = ground.damping};
     const Eigen::Isometry3d at = frame_placement(model, q, foot);
     support.point = at.translation();
-    constexpr double upright = 0.98;  // cosine: 11 degrees
+    constexpr double upright = 0.98;  // cosine of 11 degrees, the largest tilt
     if (standing.has_soles() && !(at.linear()(2, 2) > upright))
-      throw EntryError("standing.feet",
-                       "the sole of " + in_quotes(foot) +
-                           " is not level at the start: z of that "
-                           "frame, which is normal to the sole, is " +
-                           number(degrees_off_up(at)) +
-                           " degrees off the vertical; wanted at most 11 degrees: a posture with "
-                           "level soles, a frame whose z points up from the sole (`frames` of "
-                           "robot.yaml adds one), or point feet (standing.half_x and half_y 0)");
+      throw EntryError(
+          "standing.feet",
+          "the sole of " + in_quotes(foot) +
+              " is not level at the start: z of that frame, which is normal to the sole, is " +
+              number(degrees_from_vertical(at)) +
+              " degrees off the vertical; wanted at most 11 degrees: a posture with level soles, a "
+              "frame whose z points up from the sole (`frames` of robot.yaml adds one), or point "
+              "feet (standing.half_x and half_y 0)");
     support.point.z() += sinks - (standing.has_soles() ? 0.0 : standing.radius);
     supports.push_back(support);
   }
@@ -127,8 +131,7 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
 HoistSpec hoist_of(const Model& model, const Standing& standing) {
   if (!standing.stands()) return {};
   for (const Frame& frame : model.frames)
-    if (frame.body >= 0 &&
-        model.joints[static_cast<std::size_t>(frame.body)].kind == JointKind::FreeFlyer)
+    if (frame.body >= 0 && model.joints[to_size(frame.body)].kind == JointKind::FreeFlyer)
       return {frame.name, std::min(standing.hoist, standing.settle)};
   return {};
 }
@@ -158,15 +161,14 @@ Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
   std::vector<int> driven;
   for (int k = 0; k < model.nv; ++k)
     if (k < base->v_index || k >= base->v_index + base->nv) driven.push_back(k);
-  // The base has no motors: S^T tau + J^T f = needed.
+  // Only joints have motors: S^T tau + J^T f = needed.
   const auto motors = static_cast<Eigen::Index>(driven.size());
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(model.nv, motors + J.rows());
-  for (Eigen::Index i = 0; i < motors; ++i) A(driven[static_cast<std::size_t>(i)], i) = 1.0;
+  for (Eigen::Index i = 0; i < motors; ++i) A(driven[to_size(i)], i) = 1.0;
   A.rightCols(J.rows()) = J.transpose();
   const Eigen::VectorXd solution = least_squares(A, needed);
   Eigen::VectorXd torque = Eigen::VectorXd::Zero(model.nv);
-  for (Eigen::Index i = 0; i < motors; ++i)
-    torque[driven[static_cast<std::size_t>(i)]] = solution[i];
+  for (Eigen::Index i = 0; i < motors; ++i) torque[driven[to_size(i)]] = solution[i];
   return torque;
 }
 
@@ -174,7 +176,7 @@ std::vector<CostTerm> standing_costs(const Model& model, const Standing& standin
                                      const Eigen::VectorXd& q_start) {
   if (!standing.stands()) return {};
   RigidBody body(model);
-  if (body.update(q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+  if (!is_usable(body.update(q_start, Eigen::VectorXd::Zero(model.nv))))
     throw Error("the starting posture cannot be evaluated");
   const Eigen::Vector3d com = body.com();
   return {{.name = "balance", .residual = residual::CenterOfMass{com}, .weight = standing.balance},
@@ -191,17 +193,18 @@ void set_standing(const Standing& standing, MpcSpec& mpc) {
   mpc.slip = standing.slip;
   mpc.slip.radius = standing.has_soles() ? 0.0 : standing.radius;
   mpc.fallback = standing.fallback;
-  // N, that a foot bears whose slip counts: 30 N of the shipped quadruped's 49 N.
-  constexpr double slip_share = 0.612;
-  mpc.slip.load =
-      std::min(mpc.slip.load, slip_share * weight_per_foot(mpc.problem.model, standing));
+  // Smallest load of a foot for which a slip is detected, as a fraction of the mean load of the
+  // feet. It is 30 N of 49 N for the shipped quadruped.
+  constexpr double slip_load = 0.612;
+  mpc.slip.load = std::min(mpc.slip.load, slip_load * weight_per_foot(mpc.problem.model, standing));
 }
 
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
   if (!standing.stands() || !standing.estimate) return std::nullopt;
-  // Of a good unit, with some room, and feet that stand as long as nothing says that they slip.
-  // The ground gives way under them by tenths of a millimetre: soles tilt as the load moves, and
-  // turn on the spot more than they slide, so that yaw is to be held by where the feet stand.
+  // Noise of a good inertial measurement unit, with some margin. Feet count as fixed unless a slip
+  // is detected. The ground yields by tenths of a millimetre: soles tilt as the load moves, and
+  // they turn in place more than they slide. The positions of the feet therefore determine the yaw
+  // of the base.
   BaseEstimatorOptions options{.imu_frame = standing.imu_frame,
                                .gyro_noise = 3e-4,
                                .accelerometer_noise = 5e-3,
@@ -212,33 +215,38 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
                                .gate = 1.0 - 1e-12,
                                .tilt_deviation = 5e-3,
                                .velocity_deviation = 0.01};
-  // A base that is moved faster than this is felt as a push.
-  options.watch.fading = 0.2;
+  // Decay time of the differences between IMU and feet [s]. Faster motions of the base count as
+  // pushes.
+  options.watch.decay_time = 0.2;
   for (const std::string& foot : standing.feet)
     options.feet.push_back({foot, standing.has_soles() ? FootKind::Sole : FootKind::Ball});
   return options;
 }
 
 FootContactOptions foot_contact_options(const Model& model) {
-  constexpr double share = 1e-3;  // 1/sqrt(Hz), of the weight
+  // Force noise per weight of the robot [1/sqrt(Hz)], chosen by hand.
+  constexpr double max_noise = 1e-3;
   FootContactOptions options;
   options.force_noise =
-      std::min(options.force_noise, share * model.total_mass() * model.gravity.norm());
+      std::min(options.force_noise, max_noise * model.total_mass() * model.gravity.norm());
   return options;
 }
 
 Disturbances for_feet(const Model& model, const Standing& standing, Disturbances disturbances) {
-  constexpr double part = 0.022;  // 1 N of the shipped quadruped's 49 N, rounded up
-  constexpr double arm = 0.1;     // m
-  const double most = part * weight_per_foot(model, standing);
-  disturbances.support_force_noise = std::min(disturbances.support_force_noise, most);
-  disturbances.support_moment_noise = std::min(disturbances.support_moment_noise, arm * most);
+  // Largest force noise as a fraction of the mean load of the feet: 1 N of 49 N for the shipped
+  // quadruped, rounded up.
+  constexpr double fraction = 0.022;
+  constexpr double arm = 0.1;  // ratio of moment noise to force noise [m], chosen by hand
+  const double max_noise = fraction * weight_per_foot(model, standing);
+  disturbances.support_force_noise = std::min(disturbances.support_force_noise, max_noise);
+  disturbances.support_moment_noise = std::min(disturbances.support_moment_noise, arm * max_noise);
   return disturbances;
 }
 
-double least_load_of(const Model& model, const Standing& standing) {
-  constexpr double part = 0.09;  // of a foot's part of the weight: 40 N of Talos, of 900 N
-  return standing.least_load.value_or(part * weight_per_foot(model, standing));
+double min_load_of(const Model& model, const Standing& standing) {
+  // Smallest load as a fraction of the mean load of the feet: 40 N for Talos, which weighs 900 N.
+  constexpr double fraction = 0.09;
+  return standing.min_load.value_or(fraction * weight_per_foot(model, standing));
 }
 
 std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing) {
@@ -252,7 +260,7 @@ std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Stand
 
 namespace {
 
-/// The entries of a wrench (6) that a contact holds.
+/// Returns the entries of a wrench (6) for the directions that a contact holds.
 Eigen::VectorXd held_of(const ContactSpec& contact, const Eigen::VectorXd& wrench) {
   Eigen::VectorXd rows(contact.directions.count());
   Eigen::Index row = 0;
@@ -261,38 +269,40 @@ Eigen::VectorXd held_of(const ContactSpec& contact, const Eigen::VectorXd& wrenc
   return rows;
 }
 
-/// What each foot bears along the ground and about its normal.
-std::vector<CostTerm> rubbing_costs(const Standing& standing,
-                                    const std::vector<ContactSpec>& feet) {
+/// Returns costs on the forces of each foot along the ground and on its moment about the normal.
+std::vector<CostTerm> internal_force_costs(const Standing& standing,
+                                           const std::vector<ContactSpec>& feet) {
   std::vector<CostTerm> terms;
-  if (standing.rubbing == 0.0) return terms;
+  if (standing.internal_forces == 0.0) return terms;
   Vector6 weights = Vector6::Zero();
   weights.head<2>().setOnes();
-  // A moment is as bad as the forces at the ends of a sole that make it.
+  // Weight of the moment: it costs as much as the pair of forces at the ends of the sole that would
+  // produce the moment.
   if (standing.has_soles()) weights[5] = 1.0 / (standing.half_x * standing.half_x);
   for (const ContactSpec& foot : feet)
-    terms.push_back({.name = "rubbing of " + foot.name,
+    terms.push_back({.name = "internal forces of " + foot.name,
                      .residual = residual::ContactForce{foot.name},
-                     .weight = standing.rubbing,
+                     .weight = standing.internal_forces,
                      .weights = held_of(foot, weights)});
   return terms;
 }
 
-/// Friction, load and pressure of every foot.
+/// Returns constraints on friction, load and pressure of every foot.
 std::vector<Constraint> standing_constraints(const Model& model, const Standing& standing,
                                              const std::vector<ContactSpec>& feet) {
   std::vector<Constraint> rows;
-  Vector6 least = Vector6::Constant(-std::numeric_limits<double>::infinity());
-  least[2] = least_load_of(model, standing);
-  // N, of a load that is off: twice what a light robot's foot bears.
-  constexpr double most_scale = 100.0, scale_share = 2.04;
-  const double scale = std::min(most_scale, scale_share * weight_per_foot(model, standing));
+  Vector6 lower = Vector6::Constant(-std::numeric_limits<double>::infinity());
+  lower[2] = min_load_of(model, standing);
+  // Scale of the load constraint: about twice the mean load of the feet, at most 100 N. Chosen by
+  // hand.
+  constexpr double max_scale = 100.0, weights_per_foot = 2.04;
+  const double scale = std::min(max_scale, weights_per_foot * weight_per_foot(model, standing));
   for (const ContactSpec& foot : feet) {
     rows.push_back({.name = "friction of " + foot.name,
                     .residual = residual::FrictionCone{foot.name, standing.plan_friction}});
     rows.push_back({.name = "load of " + foot.name,
                     .residual = residual::ContactForce{foot.name},
-                    .lower = held_of(foot, least),
+                    .lower = held_of(foot, lower),
                     .scale = Eigen::VectorXd::Constant(foot.directions.count(), scale)});
     if (!standing.has_soles()) continue;
     rows.push_back(
@@ -308,7 +318,7 @@ std::vector<Constraint> standing_constraints(const Model& model, const Standing&
 
 void keep_standing(const Model& model, const Standing& standing,
                    const std::vector<ContactSpec>& feet, Stage& stage) {
-  for (const CostTerm& term : rubbing_costs(standing, feet)) stage.costs.push_back(term);
+  for (const CostTerm& term : internal_force_costs(standing, feet)) stage.costs.push_back(term);
   for (const Constraint& rows : standing_constraints(model, standing, feet))
     stage.constraints.push_back(rows);
 }

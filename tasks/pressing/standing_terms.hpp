@@ -1,4 +1,4 @@
-// What standing adds to the stages of a task, to its scene and to its plans.
+// Parts of a task that depend on standing: stages, scene, plans, estimation of the base.
 #pragma once
 
 #include <optional>
@@ -15,60 +15,62 @@
 
 namespace burnish::pressing {
 
-/// Throws EntryError for feet that the robot has not, for feet of a robot whose base is fixed, and
-/// for a floating base without feet, naming what the robot has.
+/// Throws EntryError in three cases: a foot does not exist on the robot, a robot with a fixed base
+/// has feet, or a floating base has no feet.
 void check_standing(const Model& model, const Standing& standing);
 
-/// The feet on the ground where they are at q (nq). Throws EntryError for a sole whose z axis does
-/// not point up there.
+/// Returns the feet as supports on the ground, at their positions for `q` (nq). Throws EntryError
+/// for a sole whose z axis does not point up.
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q);
 
-/// A sentence where the stated stiffness is ten times what the weight asks for, or more; else
-/// empty. Light feet hammer on such ground, and a plant's step may be too long for it.
+/// Returns a warning if the stated ground stiffness is at least ten times the automatic one, else
+/// an empty string. On such ground light feet bounce, and the step of the plant may be too long.
 std::string ground_note(const Model& model, const Standing& standing);
 
-/// What holds its base at first.
+/// Returns the hoist that holds the base at the start.
 HoistSpec hoist_of(const Model& model, const Standing& standing);
 
-/// Jacobian of what supports hold at the state of `body`, in world axes at their frames: 6 rows of
-/// a sole, 3 of a ball.
+/// Returns the Jacobian of the directions that supports hold, in world axes at the frames of the
+/// supports, at the state of `body`: 6 rows per sole, 3 rows per point foot.
 Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
                                  const std::vector<SupportSpec>& supports);
 
-/// nv, of which motors and supports bear `needed` (nv: Nm, N) together, the least of both: the
-/// motors' part, zero for the base. Without supports all of it.
+/// Returns motor torques (nv, zero for the base) that, together with forces of the supports,
+/// produce the generalized forces `needed` (nv) [Nm, N]. The result is the least-squares solution
+/// of smallest norm. Without supports, returns `needed`.
 Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
                                    const std::vector<SupportSpec>& supports,
                                    const Eigen::VectorXd& needed);
 
-/// Balance and momentum, 1 being the base's orientation: of every stage and the end.
+/// Returns costs on balance and momentum, for every stage and the end of the horizon.
 std::vector<CostTerm> standing_costs(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q_start);
-/// What a controller is told of them: its supports with their sensors, how it holds the robot at
-/// first and after a fault.
+/// Sets the parts of a controller that depend on standing: supports, sensors of the supports,
+/// settling time, slip response and fallback gains.
 void set_standing(const Standing& standing, MpcSpec& mpc);
 
-/// What tells where the base is, of a base that is not known.
+/// Returns options of the base estimator; nothing if the base is measured or fixed.
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing);
 
-/// When its feet stand. The noise of their sensors is some that is chosen for the robot's weight.
+/// Returns options of the contact detection of feet. The assumed noise of the force sensors is at
+/// most a fraction of the robot's weight.
 FootContactOptions foot_contact_options(const Model& model);
 
-/// `disturbances` with noise of the sensors in the feet, and of their moments, as sensors of a
-/// range for this robot have it: at most 0.022 of a foot's part of the weight, and as much on 0.1
-/// m.
+/// Returns `disturbances` with limited noise of the foot sensors. Force noise is at most 0.022 of
+/// the weight per foot; moment noise is at most this force times 0.1 m. The limit represents
+/// sensors of smaller range on light robots.
 Disturbances for_feet(const Model& model, const Standing& standing, Disturbances disturbances);
 
-/// N, of standing.least_load.
-double least_load_of(const Model& model, const Standing& standing);
+/// Returns the smallest load of each foot in plans: standing.min_load or its automatic value [N].
+double min_load_of(const Model& model, const Standing& standing);
 
-/// Supports with the friction and the soles that plans keep within.
+/// Returns `feet` with the friction and the sole sizes that plans assume.
 std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing);
 
-/// To a stage, not the end: friction, load and pressure of every foot as limits, and what feet do
-/// against each other as a cost. `feet`: of foot_contacts(). A direction that a foot does not hold
-/// carries no force, and its terms are left out.
+/// Adds terms for every foot to a stage: constraints on friction, load and pressure, and costs on
+/// internal forces between the feet. Terms for a direction that a foot does not hold are left out.
+/// The stage must not be the end of the horizon. `feet`: result of foot_contacts().
 void keep_standing(const Model& model, const Standing& standing,
                    const std::vector<ContactSpec>& feet, Stage& stage);
 

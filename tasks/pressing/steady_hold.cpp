@@ -16,10 +16,11 @@ namespace burnish::pressing {
 namespace {
 
 constexpr int base_entries = 6;
-constexpr double velocity_cutoff = 100.0 * std::numbers::pi;  // rad/s, of the shipped disturbances
+// Cut-off frequency of the velocity filter in the shipped disturbances [rad/s].
+constexpr double velocity_cutoff = 100.0 * std::numbers::pi;
 
-/// Stiffness [N/m, Nm/rad] of the ground along the rows of support_jacobian(). A sole stands on its
-/// four corners.
+/// Returns the stiffness [N/m, Nm/rad] of the ground along the rows of support_jacobian(). A sole
+/// stands on its four corners.
 Eigen::VectorXd ground_stiffness(const std::vector<SupportSpec>& feet) {
   std::vector<double> rows;
   for (const SupportSpec& foot : feet) {
@@ -31,7 +32,8 @@ Eigen::VectorXd ground_stiffness(const std::vector<SupportSpec>& feet) {
   return Eigen::Map<const Eigen::VectorXd>(rows.data(), static_cast<Eigen::Index>(rows.size()));
 }
 
-/// The robot on its feet about its start, and what holds it, step by step.
+/// Linearized motion of a standing robot about its start while the fallback holds it, computed step
+/// by step.
 class HeldMotion {
  public:
   HeldMotion(const MpcSpec& mpc, const std::vector<SupportSpec>& feet)
@@ -41,87 +43,90 @@ class HeldMotion {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
     ContactDynamics robot(model);
     RigidBody body(model);
-    if (robot.forward(q, rest, rest) > Status::NotConverged ||
-        body.update(q, rest) > Status::NotConverged)
+    if (!is_usable(robot.forward(q, rest, rest)) || !is_usable(body.update(q, rest)))
       throw Error("the starting posture cannot be evaluated");
     const Eigen::MatrixXd M = robot.mass_matrix();
     const Eigen::MatrixXd J = support_jacobian(model, body, feet);
     const Eigen::MatrixXd K = J.transpose() * ground_stiffness(feet).asDiagonal() * J;
-    const double lag = feet.front().damping / feet.front().stiffness;  // s
-    // Implicit, as ground that is stiff for a light foot asks for.
+    // Ratio of damping to stiffness of the ground [s].
+    const double lag = feet.front().damping / feet.front().stiffness;
+    // Implicit Euler steps, because the ground is stiff for a light foot.
     const Eigen::MatrixXd A = M + step_ * (lag + step_) * K;
-    keeps_ = solve_positive(A, M);
-    sinks_ = -step_ * solve_positive(A, K);
-    moves_ = step_ * solve_positive(A, Eigen::MatrixXd::Identity(model.nv, model.nv));
-    learn_hold(mpc, q);
+    v_by_v_ = solve_positive(A, M);
+    v_by_q_ = -step_ * solve_positive(A, K);
+    v_by_torque_ = step_ * solve_positive(A, Eigen::MatrixXd::Identity(model.nv, model.nv));
+    find_gains(mpc, q);
   }
 
-  /// Whether the motion dies away with `part` of the hold's gains.
-  bool is_steady(double part) const {
-    constexpr double begun = 0.02, end = 0.5;  // s
-    const Eigen::Index n = keeps_.rows();
+  /// Returns whether the motion decays with the gains of the hold times `scale`.
+  bool is_steady(double scale) const {
+    // Averaging window and duration of the simulation [s], chosen by hand.
+    constexpr double window = 0.02, end = 0.5;
+    const Eigen::Index n = v_by_v_.rows();
     const double keep = std::exp(-velocity_cutoff * tick_);
     const int steps = static_cast<int>(std::lround(tick_ / step_));
-    // Every joint is moved a little, in turns.
+    // The motion starts with unit joint velocities of alternating sign.
     Eigen::VectorXd v = Eigen::VectorXd::Zero(n), q = v, last = v, filtered = v, sent = v;
     for (Eigen::Index k = base_entries; k < n; ++k) v[k] = k % 2 == 0 ? 1.0 : -1.0;
     double at_first = 0.0, at_last = 0.0;
     for (double time = 0.0; time < end; time += tick_) {
-      const Eigen::VectorXd acts = sent;
+      const Eigen::VectorXd torque = sent;
       filtered = keep * filtered + (1.0 - keep) * (q - last) / tick_;
       last = q;
-      sent = -part * (stiffens_ * q + damps_ * filtered);
+      sent = -scale * (stiffness_ * q + damping_ * filtered);
       for (int i = 0; i < steps; ++i) {
-        v = keeps_ * v + sinks_ * q + moves_ * acts;
+        v = v_by_v_ * v + v_by_q_ * q + v_by_torque_ * torque;
         q += step_ * v;
       }
       const double fastest = v.cwiseAbs().maxCoeff();
       if (!std::isfinite(fastest)) return false;
-      if (time < begun) at_first = std::max(at_first, fastest);
-      if (time > end - begun) at_last = std::max(at_last, fastest);
+      if (time < window) at_first = std::max(at_first, fastest);
+      if (time > end - window) at_last = std::max(at_last, fastest);
     }
     return at_last < at_first;
   }
 
  private:
-  /// The hold's torques by the joints' speeds, of which those by their places are a multiple.
-  void learn_hold(const MpcSpec& mpc, const Eigen::VectorXd& q) {
-    const Eigen::Index n = keeps_.rows();
+  /// Computes the damping matrix of the hold column by column; the stiffness matrix is a multiple
+  /// of it.
+  void find_gains(const MpcSpec& mpc, const Eigen::VectorXd& q) {
+    const Eigen::Index n = v_by_v_.rows();
     std::vector<int> driven;
     for (int k = base_entries; k < n; ++k) driven.push_back(k);
     Holding holding(mpc, driven);
-    const Eigen::Matrix<double, 6, Eigen::Dynamic> none(6, 0);  // sensors: what stands, stands
+    // Without sensors, all feet count as standing.
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> none(6, 0);
     Eigen::VectorXd rest(n), moved(n), v = Eigen::VectorXd::Zero(n);
     holding.torque(q, v, true, none, rest);
-    damps_ = Eigen::MatrixXd::Zero(n, n);
+    damping_ = Eigen::MatrixXd::Zero(n, n);
     for (const int k : driven) {
       v[k] = 1.0;
       holding.torque(q, v, true, none, moved);
-      damps_.col(k) = rest - moved;
+      damping_.col(k) = rest - moved;
       v[k] = 0.0;
     }
-    stiffens_ = mpc.fallback.stiffness / std::max(mpc.fallback.damping, 1e-9) * damps_;
+    stiffness_ = mpc.fallback.stiffness / std::max(mpc.fallback.damping, 1e-9) * damping_;
   }
 
-  double tick_, step_;                     ///< s
-  Eigen::MatrixXd keeps_, sinks_, moves_;  ///< next v by v, q and torque
-  Eigen::MatrixXd stiffens_, damps_;       ///< torque by q and v
+  double tick_, step_;                             ///< Periods of controller and plant [s].
+  Eigen::MatrixXd v_by_v_, v_by_q_, v_by_torque_;  ///< Derivatives of the next velocity.
+  Eigen::MatrixXd stiffness_, damping_;            ///< Negative derivatives of the hold's torque.
 };
 
 }  // namespace
 
 Fallback steady_fallback(const MpcSpec& mpc, const std::vector<SupportSpec>& feet) {
-  // Times the gains, that has to be steady; the second where nothing has the first.
+  // Gain margins. The second one is used if no scale has the first one. Chosen by hand.
   constexpr std::array margins{2.0, 1.0};
-  constexpr std::array parts{1.0, 0.7, 0.5, 0.35};  // with less, a robot sags into its knees
+  constexpr std::array scales{1.0, 0.7, 0.5, 0.35};  // with smaller gains, a robot sags
   Fallback fallback = mpc.fallback;
   if (feet.empty() || !mpc.problem.model.loops.empty()) return fallback;
   const HeldMotion motion(mpc, feet);
   for (const double margin : margins)
-    for (const double part : parts) {
-      if (!motion.is_steady(margin * part)) continue;
-      fallback.stiffness *= part;
-      fallback.damping *= part;
+    for (const double scale : scales) {
+      if (!motion.is_steady(margin * scale)) continue;
+      fallback.stiffness *= scale;
+      fallback.damping *= scale;
       return fallback;
     }
   return fallback;

@@ -1,4 +1,4 @@
-// How firmly a robot on its feet may be held before its own feet begin to shake.
+// Gains with which a standing robot can be held without shaking feet.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace burnish::pressing {
 
-/// Returns mpc.fallback, with stiffness and damping scaled down where the hold on `feet` would not
-/// be stable. The hold uses the mass matrix of the robot on rigid feet. On compliant ground a light
-/// foot is accelerated at once, but the velocity feedback is late: heavy robots with light feet
-/// oscillate. The motion about the start is linearized: open mass matrix, springs and dampers of
-/// the ground, motors one tick late, velocities from differences behind a low-pass of 50 Hz. It
-/// decays with twice the returned gains; where no scale achieves that, with the returned gains.
-/// Returns mpc.fallback unchanged for robots with loops. Throws Error for a start that cannot be
+/// Returns mpc.fallback, with stiffness and damping scaled down if the hold on `feet` would be
+/// unstable. The hold assumes rigid feet. On compliant ground, delayed velocity feedback makes
+/// heavy robots with light feet oscillate.
+/// The stability test simulates the linearized motion about the start. It includes springs and
+/// dampers of the ground, motors that act one tick late, and velocities from differences behind a
+/// low-pass of 50 Hz. The motion must decay even with twice the returned gains; if no scale
+/// achieves this, it must decay with the returned gains. If that fails too, mpc.fallback is
+/// returned unchanged. Robots with loops are not tested. Throws Error for a start that cannot be
 /// evaluated.
 Fallback steady_fallback(const MpcSpec& mpc, const std::vector<SupportSpec>& feet);
 

@@ -1,4 +1,4 @@
-// What numbers of tasks on feet have to be together: durations, ticks, plans.
+// Consistency checks of task entries: durations, ticks, plans, delays.
 #pragma once
 
 #include <string>
@@ -9,41 +9,44 @@
 
 namespace burnish::pressing {
 
-/// Entries and the s that they take. Throws EntryError for one that takes longer than 1e4 s.
+/// Checks pairs of an entry's name and its duration [s]. Throws EntryError for a duration above 1e4
+/// s.
 void check_durations(const std::vector<std::pair<std::string, double>>& durations);
 
-/// Throws EntryError, of `controller.step`, for plans in whose steps (s) a contact that is held
-/// with the damping kd (1/s) of the entry `named` does not come to rest: errors grow from 2 / kd
-/// on.
+/// Throws EntryError for `controller.step` if the step of plans [s] is at least 2 / kd. With such a
+/// step, errors of the contact grow from knot to knot. `kd`: damping of the contact [1/s]; `named`:
+/// entry that states `kd`.
 void check_contact_step(double step, const std::string& named, double kd);
 
-/// When plans are made, and over which knots that grow.
+/// Times of plans and their knots.
 struct PlanTimes {
-  double tick_rate, update_rate;       ///< Hz
-  double solver_delay, horizon, step;  ///< s
+  double tick_rate, update_rate;       ///< Rates [Hz].
+  double solver_delay, horizon, step;  ///< Times [s].
   int knots;
 };
-/// Throws EntryError, of the section `controller`, for updates between ticks, plans that would be
-/// used after the next one, and knots that do not fit into the horizon.
+/// Throws EntryError for `controller` in three cases: updates fall between ticks, the delay exceeds
+/// the time between two updates, or the knots do not fit into the horizon.
 void check_plan_times(const PlanTimes& times);
 
-/// Those of a task.
+/// Returns the PlanTimes of a task.
 template <class Task>
 PlanTimes plan_times_of(const Task& task) {
   return {task.tick_rate, task.update_rate, task.solver_delay, task.horizon, task.step, task.knots};
 }
 
-/// Adds a sentence where a friction of the surface that is not its default has no effect, because
-/// disturbances say another. `key`: such as "surface.friction".
+/// Adds a note if a stated `friction` of the surface has no effect because the disturbances state
+/// another value. `key`: entry of `friction`, such as "surface.friction"; `usual`: default of this
+/// entry.
 void note_friction(const std::string& key, double friction, double usual,
                    const Disturbances& disturbances, std::vector<std::string>& notes);
 
-/// Delays that the controller knows of, s.
-struct KnownDelays {
+/// Delays that the controller assumes [s].
+struct AssumedDelays {
   double command, measurement;
 };
-/// Adds a sentence where they are off those of the plant by more than they may be unknown.
-void note_delays(const KnownDelays& known, const Disturbances& disturbances,
+/// Adds a note if the sum of the assumed delays differs from the sum of the plant's delays by more
+/// than 2 ms.
+void note_delays(const AssumedDelays& controller, const Disturbances& disturbances,
                  std::vector<std::string>& notes);
 
 }  // namespace burnish::pressing

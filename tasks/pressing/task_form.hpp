@@ -1,4 +1,4 @@
-// What files of tasks that press have in common.
+// Parts that the task files of all pressing tasks have in common.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,10 @@
 
 namespace burnish::pressing {
 
-/// `disturbances: word`, or `preset: word` in that section: all of them but the seed. A preset's
-/// friction of the surface gives way to `friction`, the surface's own key such as
-/// "surface.friction", where the same text or command states it.
+/// Reads `disturbances: word`, or `preset: word` in the section `disturbances`. A preset sets all
+/// disturbances except the seed. `friction`: key of the surface's friction, such as
+/// "surface.friction". A stated value of this key overrides the preset, unless
+/// disturbances.surface_friction is stated too.
 template <class Task>
 void read_presets(files::DescribedFile& form, const std::string& friction = "") {
   form.reads<Task>("disturbances", "preset",
@@ -36,7 +37,7 @@ void read_presets(files::DescribedFile& form, const std::string& friction = "") 
   });
 }
 
-/// Disturbances of what a robot stands on, which a robot with a fixed base does not have.
+/// Returns the disturbances that only robots on feet have.
 inline const std::vector<std::string>& disturbances_of_standing() {
   static const std::vector<std::string> keys{"support_force_noise",
                                              "support_moment_noise",
@@ -53,7 +54,7 @@ inline const std::vector<std::string>& disturbances_of_standing() {
   return keys;
 }
 
-/// Adds a sentence where the plant is exactly what the controller believes it to be.
+/// Adds a note if the plant has no disturbances and therefore equals the controller's model.
 inline void note_ideal_world(const Disturbances& disturbances, std::vector<std::string>& notes) {
   const Disturbances none;
   for (const Field& field : description_of(&none).fields)
@@ -62,11 +63,11 @@ inline void note_ideal_world(const Disturbances& disturbances, std::vector<std::
       return;
   notes.emplace_back(
       "the world is ideal: the plant is the controller's own model, without noise, delays or joint "
-      "friction; `disturbances: mismatch` is what the shipped tasks and `burnish polish` without a "
-      "file have, and `disturbances: none` says that an ideal world is meant");
+      "friction; the shipped tasks and `burnish polish` without a file use `disturbances: "
+      "mismatch`; state `disturbances: none` if an ideal world is intended");
 }
 
-/// Whether the texts state disturbances, `none` included. A seed alone states none.
+/// Returns whether the texts state disturbances; `none` counts, a seed alone does not.
 inline bool states_disturbances(const std::vector<files::Reader>& texts) {
   return std::any_of(texts.begin(), texts.end(), [](const files::Reader& text) {
     const auto section = files::stated(text, "disturbances");

@@ -4,24 +4,27 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 
 namespace burnish::pressing {
 namespace {
 
-/// Offsets along an axis that are shorter decide nothing [m].
-constexpr double decisive = 1e-3;
-/// A tool lies beside the axis that carries it where it is further off [m]; mounts are off by less.
+/// Smallest offset along an axis that can decide the sign of the axis [m]. Chosen by hand.
+constexpr double min_offset = 1e-3;
+/// Distance of a tool from the last joint axis above which it lies beside the axis [m]. Tools
+/// mounted on the axis are nearer.
 constexpr double beside_axis = 0.02;
 
-/// 1 or -1: the side of `axis` that points away from the robot, in the frame of the last joint;
-/// nothing where nothing tells.
+/// Returns the sign, 1 or -1, with which `axis` points away from the robot; nothing if no offset
+/// decides. All vectors are in the frame of the last joint.
 std::optional<double> outward_side(const Joint& last, const Eigen::Vector3d& offset,
                                    const Eigen::Vector3d& axis) {
-  // Across the last axis, the joint before is elsewhere whenever the last joint turns.
+  // Uses only the offset along the last axis, because the rest depends on the angle of the last
+  // joint.
   const Eigen::Vector3d from_joint_before(0.0, 0.0, -last.placement.inverse().translation().z());
   for (const Eigen::Vector3d& outward : {offset, from_joint_before, last.com}) {
     const double along = outward.dot(axis);
-    if (std::abs(along) >= decisive) return along > 0.0 ? 1.0 : -1.0;
+    if (std::abs(along) >= min_offset) return along > 0.0 ? 1.0 : -1.0;
   }
   return std::nullopt;
 }
@@ -31,10 +34,10 @@ std::optional<double> outward_side(const Joint& last, const Eigen::Vector3d& off
 ToolDirection tool_direction(const std::string& frame, const std::optional<Eigen::Vector3d>& axis,
                              const Model& model) {
   if (axis) return {axis->normalized()};
-  const Frame& tool = model.frames[static_cast<std::size_t>(model.frame_index(frame))];
+  const Frame& tool = model.frames[to_size(model.frame_index(frame))];
   if (tool.body < 0) return {-Eigen::Vector3d::UnitZ()};
-  // In the frame of the joint that carries it, which turns about its z.
-  const Joint& joint = model.joints[static_cast<std::size_t>(tool.body)];
+  // Offset and rotation of the tool in the frame of the last joint, whose axis is z.
+  const Joint& joint = model.joints[to_size(tool.body)];
   const Eigen::Vector3d offset = tool.placement.translation();
   const Eigen::Matrix3d R = tool.placement.linear();
   if (tool.kind == FrameKind::User) {
@@ -44,7 +47,7 @@ ToolDirection tool_direction(const std::string& frame, const std::optional<Eigen
   if (offset.head<2>().norm() > beside_axis && std::abs(offset.z()) < 0.5 * offset.norm())
     return {R.transpose() * offset.normalized()};
   const auto side = outward_side(joint, offset, Eigen::Vector3d::UnitZ());
-  // Last resort: flanges are drawn with z, if any axis, out of them.
+  // If nothing decides, uses the frame's own z axis, which usually points outwards at a flange.
   const double by_its_axes = R(2, 2) < 0.0 ? -1.0 : 1.0;
   return {R.transpose() * Eigen::Vector3d(0.0, 0.0, side.value_or(by_its_axes)), side.has_value()};
 }
@@ -61,11 +64,12 @@ void note_tool_direction(const std::string& frame, const std::optional<Eigen::Ve
                          const Model& model, std::vector<std::string>& notes) {
   const ToolDirection direction = tool_direction(frame, axis, model);
   if (direction.decided) return;
-  notes.push_back("nothing tells which way the tool " + in_quotes(frame) +
-                  " looks: along its axis neither the tool, nor the joint before, nor the mass of "
-                  "the link is off the last joint; " +
-                  axis_text(direction.axis) + " is assumed, and " + axis_text(-direction.axis) +
-                  " is the other way");
+  notes.push_back("the description does not determine the sign of the pressing axis of tool " +
+                  in_quotes(frame) +
+                  ": neither the tool, the joint before nor the centre of mass of the link is "
+                  "offset from the last joint along its axis; " +
+                  axis_text(direction.axis) + " is assumed; set " + axis_text(-direction.axis) +
+                  " if the tool presses in the opposite direction");
 }
 
 }  // namespace burnish::pressing

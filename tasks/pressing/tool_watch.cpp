@@ -30,7 +30,8 @@ Reading FreeSpaceWatch::look(Touch phase, double dt, double pushed, const MeanFo
                              const ContactDetector& touch) noexcept {
   const bool leaves = phase == Touch::Leaving;
   leaves_for_ = leaves ? leaves_for_ + dt : 0.0;
-  constexpr double bounce = 0.04;  // s, longer than a tool takes to come back from one
+  // Time that is longer than a bounce of the tool off the surface [s]. Chosen by hand.
+  constexpr double bounce = 0.04;
   off_for_ = leaves && pushed < threshold_ ? off_for_ + dt : 0.0;
   released_ = leaves && (released_ || off_for_ > bounce || leaves_for_ > limits_.release);
   if ((phase != Touch::Free && !released_) || !mean.is_full()) return {};

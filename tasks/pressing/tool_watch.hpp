@@ -1,4 +1,5 @@
-// What is watched at a tool that presses, each part with its own state.
+// Monitors of a pressing tool, which compare with limits: force in free space, late contact, lost
+// contact.
 #pragma once
 
 #include "burnish/tasks/pressing/pressing_task.hpp"
@@ -6,16 +7,17 @@
 
 namespace burnish::pressing {
 
-/// Ticks that a time is, one at least.
+/// Returns the number of ticks in `time` [s], at least 1.
 int samples_of(double time, double tick_period);
 
-/// The mean of the measured force over a window.
+/// Mean of the measured force over a time window.
 class MeanForce {
  public:
   explicit MeanForce(int samples) : ring_(Eigen::Matrix3Xd::Zero(3, samples)) {}
   void reset() noexcept;
   void add(const Eigen::Vector3d& force) noexcept;
-  const Eigen::Vector3d& value() const { return mean_; }  ///< N; of fewer until there are enough
+  /// Returns the mean over the window; over all samples until the window is full [N].
+  const Eigen::Vector3d& value() const { return mean_; }
   int samples() const { return static_cast<int>(ring_.cols()); }
   bool is_full() const { return count_ >= ring_.cols(); }
 
@@ -25,52 +27,59 @@ class MeanForce {
   Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
 };
 
-/// Forces where none are wanted. What leaves begins pressed: it is free once the tool is off, and
-/// stays off for longer than a bounce takes.
+/// Monitor of the force in free space. At the start of the phase Touch::Leaving, the tool still
+/// presses. It counts as free once it has been off the surface for longer than a bounce takes.
 class FreeSpaceWatch {
  public:
   FreeSpaceWatch(const ToolLimits& limits, double contact_threshold)
       : limits_(limits), threshold_(contact_threshold) {}
   void reset() noexcept;
-  /// pushed: N along the normal; the most that noise could be is `touch`'s.
+  /// Updates the monitor and returns the force with its limit. `pushed`: mean force along the
+  /// normal [N]. `touch`: detector that provides the noise level.
   Reading look(Touch phase, double dt, double pushed, const MeanForce& mean,
                const ContactDetector& touch) noexcept;
 
  private:
   ToolLimits limits_;
   double threshold_;
-  double leaves_for_ = 0.0, off_for_ = 0.0;  ///< s
-  bool released_ = false;                    ///< the tool has come off, or should have
+  /// Time in the phase Leaving, and time off the surface [s].
+  double leaves_for_ = 0.0, off_for_ = 0.0;
+  bool released_ = false;  ///< True if the tool has left the surface, or should have.
 };
 
-/// Contact that is due and does not come.
+/// Monitor of contact that comes later than planned.
 class ApproachWatch {
  public:
   explicit ApproachWatch(const ToolLimits& limits) : limits_(limits) {}
   void reset() noexcept { waits_for_ = due_height_ = travel_ = felt_ = 0.0; }
-  /// height: m of the tool along the normal; force: N that is felt along it.
+  /// Updates the monitor. `height`: height of the tool along the normal [m]. `force`: measured
+  /// force along the normal [N].
   void look(bool waits, double dt, double height, double force) noexcept;
-  double felt() const { return felt_; }  ///< N, largest since contact was due
-  Reading travel() const { return {travel_, limits_.late_contact_travel}; }     ///< m
-  Reading lateness() const { return {waits_for_, limits_.late_contact_time}; }  ///< s
+  double felt() const { return felt_; }  ///< Largest force since contact was due [N].
+  /// Returns the tool's travel towards the surface since contact was due, with its limit [m].
+  Reading travel() const { return {travel_, limits_.late_contact_travel}; }
+  /// Returns the time since contact was due, with its limit [s].
+  Reading lateness() const { return {waits_for_, limits_.late_contact_time}; }
 
  private:
   ToolLimits limits_;
   double waits_for_ = 0.0, due_height_ = 0.0, travel_ = 0.0, felt_ = 0.0;
 };
 
-/// Contact that is wanted and lost.
+/// Monitor of the loss of contact.
 class LossWatch {
  public:
   explicit LossWatch(const ToolLimits& limits) : limits_(limits) {}
   void reset() noexcept { lost_for_ = felt_ = 0.0; }
-  /// force: N that is felt along the normal.
+  /// Updates the monitor and returns the time without contact, with its limit. `force`: measured
+  /// force along the normal [N].
   Reading look(bool lost, double dt, double force) noexcept;
-  double felt() const { return felt_; }  ///< N, largest since contact was lost
+  double felt() const { return felt_; }  ///< Largest force since contact was lost [N].
 
  private:
   ToolLimits limits_;
-  double lost_for_ = 0.0, felt_ = 0.0;  ///< s, N
+  /// Time without contact [s], and largest force during this time [N].
+  double lost_for_ = 0.0, felt_ = 0.0;
 };
 
 }  // namespace burnish::pressing

@@ -10,7 +10,7 @@ const Description& description_of(const Weights* /*of*/) {
   using S = Weights;
   static const Description all =
       Describe<S>("push_wall", "Weights",
-                  "Cost weights, per second of horizon.")
+                  "Cost weights. Costs are integrated over the horizon in seconds.")
           .field("force", &S::force,
                  "Weight on errors of the normal force of each hand [{1/N^2}]",
                  {.least = 0})
@@ -20,8 +20,8 @@ const Description& description_of(const Weights* /*of*/) {
           .field("position", &S::position,
                  "Weight on position errors of the hands while they are not in contact [{1/m^2}]",
                  {.least = 0})
-          .more("The weight applies to errors along the wall. Before the approach, it also "
-                "applies to errors along the wall's normal.")
+          .more("The weight applies to errors along the wall. Before the approach, the weight "
+                "also applies to errors along the wall's normal.")
           .field("approach", &S::approach,
                  "Weight on errors of the normal speed of the hands in approach and retreat "
                  "[{s^2/m^2}]",
@@ -32,9 +32,9 @@ const Description& description_of(const Weights* /*of*/) {
                  {.least = 0})
           .more("A tilted hand needs more wrist torque.")
           .field("posture", &S::posture,
-                 "Weight on joint angles relative to the start [{1/rad^2}]",
+                 "Weight on joint angles relative to the starting posture [{1/rad^2}]",
                  {.least = 0})
-          .more("A larger weight hinders leaning.")
+          .more("A larger weight hinders the body from moving towards the wall.")
           .field("range", &S::range,
                  "Weight on joint angles closer than range_margin to a position limit [{1/rad^2}]",
                  {.least = 0})
@@ -45,10 +45,11 @@ const Description& description_of(const Weights* /*of*/) {
                  "Weight on joint velocities [{s^2/rad^2}]",
                  {.least = 0})
           .field("torque", &S::torque,
-                 "Weight on torques relative to the torques that hold the start [{1/Nm^2}]",
+                 "Weight on torques relative to the torques that hold the starting posture "
+                 "[{1/Nm^2}]",
                  {.least = 0})
           .field("terminal", &S::terminal,
-                 "Duration by which the weights are multiplied for the terminal cost [{s}]",
+                 "Duration that multiplies the weights in the terminal cost [{s}]",
                  {.least = 0});
   return all;
 }
@@ -78,30 +79,31 @@ const Description& description_of(const Wall* /*of*/) {
                  "Friction coefficient that plans assume for the wall",
                  {.least = 0, .open = true})
           .field("contact_kd", &S::contact_kd,
-                 "Damping of the contact constraint of the hands (Baumgarte) [{1/s}]",
+                 "Baumgarte damping of the contact constraint of the hands in plans [{1/s}]",
                  {.least = 0});
   return all;
 }
 
-const Description& description_of(const Lean* /*of*/) {
-  using S = Lean;
+const Description& description_of(const ForceSearch* /*of*/) {
+  using S = ForceSearch;
   static const Description all =
-      Describe<S>("push_wall", "Lean",
-                  "Search for the largest force. The force of both hands rises until one of the "
-                  "conditions in Limit ends the search.")
+      Describe<S>("push_wall", "ForceSearch",
+                  "Search for the largest force. The force of both hands rises until a condition "
+                  "of the enumeration Limit ends the search.")
           .field("rate", &S::rate,
                  "Rate of increase of the force of each hand [{N/s}]",
                  {.least = 0, .open = true})
           .field("force_max", &S::force_max,
-                 "Upper limit of the force of each hand, where the search stops [{N}]",
+                 "Force of each hand at which the search stops at the latest [{N}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("With the value never (infinite), the limit is nine tenths of limits.force.")
+          .more("With the value never (infinite), the search stops at nine tenths of "
+                "limits.force.")
           .field("reserve", &S::reserve,
                  "Additional force that the posture must be able to support, as a fraction of the"
                  " force",
                  {.least = 0})
-          .more("The check is static. It uses the same constraints as plans.")
-          .field("give", &S::give,
+          .more("The check is static and uses the constraints of plans.")
+          .field("force_tolerance", &S::force_tolerance,
                  "Largest amount by which the force of the hands may fall below its target [{N}]",
                  {.least = 0, .open = true})
           .more("The force is the mean of both hands over 0.1 s.")
@@ -109,7 +111,7 @@ const Description& description_of(const Lean* /*of*/) {
                  "Largest distance that a hand or foot may slide within about a second [{m}]",
                  {.least = 0, .open = true})
           .more("Slow creep does not count, for example of feet on compliant ground.")
-          .field("share", &S::share,
+          .field("hold_fraction", &S::hold_fraction,
                  "Force held after the search, as a fraction of the force where the search ended",
                  {.least = 0, .most = 1})
           .field("hold_duration", &S::hold_duration,
@@ -124,9 +126,9 @@ const Words& words_of(Limit /*of*/) {
       "Limit",
       "Condition that ended the search for the largest force.",
       {{"none", "none: the search did not end"},
-       {"most", "the force reached Lean.force_max"},
-       {"bear", "the posture could not support the additional force of Lean.reserve"},
-       {"give", "the force of the hands fell behind its target"},
+       {"force_max", "the force reached ForceSearch.force_max"},
+       {"statics", "the posture could not support the additional force of ForceSearch.reserve"},
+       {"tracking", "the force of the hands fell behind its target"},
        {"plan", "plans could not satisfy all their constraints"},
        {"hand", "a hand slipped"},
        {"foot", "a foot slipped"}}};
@@ -137,13 +139,13 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("push_wall", "Task",
-                  "Task of pushing with both hands against a wall: all keys of a task file, with "
-                  "their defaults.")
+                  "Task of pushing with both hands against a wall. The members are all keys of a "
+                  "task file, with their defaults.")
           .field("robot", &S::robot,
                  "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
                  "Starting posture, a name from the robot's settings")
-          .more("Empty: the robot's default posture.")
+          .more("If empty, the robot's default posture is used.")
           .field("force", &S::force,
                  "Normal force that each hand presses with [{N}]",
                  {.least = 0, .open = true})
@@ -154,7 +156,7 @@ const Description& description_of(const Task* /*of*/) {
                  {.least = 0, .open = true})
           .field("wall", &S::wall,
                  "Plane wall at the distance `clearance` from the nearer hand at the start. The "
-                 "controller knows its normal.")
+                 "controller knows the wall's normal.")
           .field("standing", &S::standing,
                  "Feet and ground of a robot with a floating base.")
           .group("Stand, approach until both hands have contact, ramp the force, hold it, search for "
@@ -169,7 +171,7 @@ const Description& description_of(const Task* /*of*/) {
                  "Speed towards the wall [{m/s}]",
                  {.least = 0, .open = true})
           .field("touch_force", &S::touch_force,
-                 "Force that each hand presses with as soon as both hands have contact [{N}]",
+                 "Pressing force of each hand right after both hands have contact [{N}]",
                  {.least = 0, .open = true})
           .field("ramp_duration", &S::ramp_duration,
                  "Duration of the ramp from touch_force to force [{s}]",
@@ -184,7 +186,7 @@ const Description& description_of(const Task* /*of*/) {
                  "Duration of the retreat from the wall to the distance `clearance` [{s}]",
                  {.least = 0, .open = true})
           .group("")
-          .field("lean", &S::lean,
+          .field("force_search", &S::force_search,
                  "Search for the largest force, and the conditions that end the search.")
           .group("", "controller")
           .field("tick_rate", &S::tick_rate,
@@ -194,13 +196,14 @@ const Description& description_of(const Task* /*of*/) {
                  "Rate of new plans, tick_rate divided by an integer [{Hz}]",
                  {.least = 0, .open = true})
           .field("solver_delay", &S::solver_delay,
-                 "Time from a measurement to the use of the plan that starts from it [{s}]",
+                 "Time from a measurement to the use of the plan computed from the measurement "
+                 "[{s}]",
                  {.least = 0})
           .field("command_delay", &S::command_delay,
-                 "Assumed delay from a command to its torque [{s}]",
+                 "Assumed delay from a torque command to the torque in the joint [{s}]",
                  {.least = 0, .most = 0.1})
-          .more("The delay is rounded to ticks. Plans and feedback start from the state that the "
-                "torques already sent lead to.")
+          .more("The delay is rounded to ticks. Plans and feedback start from a state that is "
+                "predicted from the torques already sent.")
           .field("measurement_delay", &S::measurement_delay,
                  "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
@@ -216,8 +219,9 @@ const Description& description_of(const Task* /*of*/) {
           .more("The steps between knots grow to cover the horizon.")
           .group("")
           .field("weights", &S::weights,
-                 "Cost weights, per second of horizon. Only their ratios matter.\nA larger weight"
-                 " reduces the error of its own term and increases the errors of the other terms.")
+                 "Cost weights; costs are integrated over the horizon in seconds. Only ratios of "
+                 "weights matter.\nA larger weight reduces the error of its own term and "
+                 "increases the errors of the other terms.")
           .field("model_error", &S::model_error,
                  "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("constraints", &S::constraints,
@@ -241,16 +245,17 @@ const Description& description_of(const Task* /*of*/) {
                  "Longest time without force at a hand that should press [{s}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("contact_threshold", &S::contact_threshold,
-                 "Mean force of a hand over 10 ms above which the hand counts as in contact [{N}]",
+                 "Force of a hand, averaged over 10 ms, above which the hand counts as in contact"
+                 " [{N}]",
                  {.least = 0, .open = true})
           .more("Contact counts as lost if the force falls below half of this threshold.")
           .field("limits", &S::limits)
           .group("")
           .field("disturbances", &S::disturbances,
-                 "Disturbances that the controller does not know.\nOne word can replace all keys:"
-                 " none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of "
-                 "these words, only keys that differ from the preset are needed.")
-          .in_code("Disturbances that the controller does not know");
+                 "Disturbances that the controller does not know.\nIn a task file, one word can "
+                 "replace all keys: none, sensors, mismatch or joint_friction.\nWith the key "
+                 "`preset` and one of these words, only keys that differ from the preset are "
+                 "needed.");
   return all;
 }
 
@@ -268,14 +273,15 @@ const Description& description_of(const Setting* /*of*/) {
           .field("scene", &S::scene,
                  "Scene as the controller assumes it: feet and hands are supports, the wall is "
                  "the surface")
-          .more("The supports list the feet first. The tip is a ball in the second hand, too "
-                "small to touch the wall.")
+          .more("The feet come before the hands. The scene's tool tip is a ball in the second "
+                "hand, too small to touch the wall.")
           .required()
           .field("wall_axes", &S::wall_axes,
                  "Axes of the wall in the world; the columns are two tangents and the normal")
           .required()
           .field("p_hands", &S::p_hands,
-                 "Positions of the two hands in contact, in the world [{m}]; one column per hand")
+                 "World positions of the two hands when they touch the wall [{m}]; one column per"
+                 " hand")
           .required()
           .field("com", &S::com,
                  "Centre of mass at the start, in the world [{m}]")
@@ -283,18 +289,19 @@ const Description& description_of(const Setting* /*of*/) {
           .field("com_per_force", &S::com_per_force,
                  "Horizontal displacement of the centre of mass per force of each hand, in the "
                  "world [{m/N}]")
-          .more("With this displacement, the centre of pressure under the feet stays where it is.")
+          .more("With this displacement, the centre of pressure under the feet does not move when"
+                " the force changes.")
           .required()
           .field("room", &S::room,
-                 "Distance from the middle of the feet to the centre of pressure at the start, "
-                 "towards the wall [{m}]")
+                 "Distance of the centre of pressure at the start from the middle of the feet, "
+                 "positive towards the wall, at least 0 [{m}]")
           .field("touch", &S::touch,
                  "Schedule time of the planned contact [{s}]")
           .field("ramp_end", &S::ramp_end,
-                 "Schedule time at the end of the ramp [{s}]")
+                 "Schedule time at the end of the force ramp [{s}]")
           .field("hold_end", &S::hold_end,
                  "Schedule time when the hold ends and the search begins [{s}]")
-          .field("lean_end", &S::lean_end,
+          .field("search_end", &S::search_end,
                  "Schedule time at the end of the search for the largest force [{s}]")
           .field("top_end", &S::top_end,
                  "Schedule time at the end of the hold after the search [{s}]")
@@ -314,7 +321,8 @@ const Description& description_of(const RunSpec* /*of*/) {
           .field("plant", &S::plant,
                  "Plant to simulate; must not be ideal, because the ideal plant has no feet")
           .field("check_reach", &S::check_reach,
-                 "Check the reach before the run, and throw Error if there is a problem")
+                 "Check before the run by statics whether the robot can do the task; throw Error "
+                 "if it cannot")
           .field("plan_rate", &S::plan_rate,
                  "Recording rate of plans (0: no recording) [{Hz}]")
           .field("progress", &S::progress,

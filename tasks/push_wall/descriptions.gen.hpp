@@ -20,7 +20,7 @@ namespace burnish::push_wall {
 
 const Description& description_of(const Weights*);
 const Description& description_of(const Wall*);
-const Description& description_of(const Lean*);
+const Description& description_of(const ForceSearch*);
 const Words& words_of(Limit);
 const Description& description_of(const Task*);
 const Description& description_of(const Setting*);

@@ -1,4 +1,4 @@
-// What the task's specification holds, and its file.
+// Description of the specification of push_wall and of its task file.
 #pragma once
 
 #include "files/described_file.hpp"

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <map>
 
+#include "base/to_size.hpp"
 #include "burnish/ocp/problem.hpp"
 #include "burnish/solver/ddp.hpp"
 
 namespace burnish::push_wall {
 namespace {
 
-constexpr double near = 1e-3;  // of a limit's scale
+// Distance below which a limit counts as reached, as a fraction of its scale.
+constexpr double near = 1e-3;
 
 bool is_at(double value, double lower, double upper, double scale) {
   return std::min(value - lower, upper - value) < near * scale;
@@ -33,9 +35,10 @@ PlanAt plan_now(const MpcController& mpc) {
 std::string limits_near(const ProblemSpec& spec, const PlanAt& plan) {
   Problem problem(spec);
   (void)problem.set_torque_bias(plan.torque_error);
-  std::map<std::string, int> met;  // knots
+  // Number of knots at which a constraint is reached, by its name.
+  std::map<std::string, int> reached;
   for (int k = 0; k < static_cast<int>(plan.stages.size()); ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     problem.set_knot(k, plan.stages[i], plan.times[i]);
     const Eigen::VectorXd x = plan.xs.row(k), u = plan.us.row(k);
     const std::vector<double> values = problem.row_values(k, x.data(), u.data());
@@ -43,18 +46,18 @@ std::string limits_near(const ProblemSpec& spec, const PlanAt& plan) {
     for (std::size_t r = 0; r < values.size(); ++r)
       if (is_at(values[r], problem.row_lower(k)[r], problem.row_upper(k)[r],
                 problem.row_scale(k)[r]))
-        ++met[names[r]];
+        ++reached[names[r]];
     const double* const lower = problem.control_lower(k);
     const double* const upper = problem.control_upper(k);
     if (lower == nullptr || upper == nullptr)
-      continue;  // torques are limited by rows, or not at all
+      continue;  // torques are limited by constraints, or unlimited
     const std::vector<std::string> controls = problem.control_names();
     for (int c = 0; c < problem.controls(k); ++c)
       if (is_at(u[c], lower[c], upper[c], problem.control_scale(k)[c]))
-        ++met["torque/" + controls[static_cast<std::size_t>(c)]];
+        ++reached["torque/" + controls[to_size(c)]];
   }
   std::vector<std::pair<int, std::string>> order;
-  for (const auto& [name, knots] : met) order.emplace_back(-knots, name);
+  for (const auto& [name, knots] : reached) order.emplace_back(-knots, name);
   std::sort(order.begin(), order.end());
   std::string text;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i)

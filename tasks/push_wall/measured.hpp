@@ -1,10 +1,10 @@
-// The windows of a run over which forces are judged.
+// Time windows of a run over which forces are measured.
 #pragma once
 
 namespace burnish::push_wall {
 
-// Chosen: forces that were just reached settle within 0.3 s on the robot that ships.
-inline constexpr double settling = 0.3;    ///< Begin of a window after its force was reached [s].
-inline constexpr double least_hold = 0.4;  ///< Least time for which a force is held [s].
+// Chosen by hand: forces settle within 0.3 s on the shipped robot.
+inline constexpr double settling = 0.3;  ///< Time from the end of a force ramp to the window [s].
+inline constexpr double min_hold = 0.4;  ///< Smallest duration of a constant force [s].
 
 }  // namespace burnish::push_wall

@@ -1,29 +1,32 @@
-// What the task watches while it is controlled: contact of both hands, and when the search for the
-// largest force is over.
+// Monitor of the task during control. It detects the contact of both hands, and the end of the
+// search for the largest force.
 #pragma once
 
 #include <array>
 
 #include "burnish/tasks/push_wall/push_wall.hpp"
-#include "pressing/bearing.hpp"
 #include "pressing/sliding.hpp"
+#include "pressing/statics.hpp"
 
 namespace burnish::push_wall {
 
-/// Of the schedule, as phase_names() counts them.
-enum Phase : int { settle, approach, ramp, hold, lean, top, release, retreat };
+/// Phases of the schedule, in the order of phase_names().
+enum Phase : int { settle, approach, ramp, hold, force_search, top, release, retreat };
 
-/// s in which the force comes down from the largest one to the share that is held.
+/// Duration of the ramp down after the search, from the largest force to the held fraction of it
+/// [s]. Chosen by hand.
 inline constexpr double back_duration = 1.5;
 
-/// What the robot may bear at rest within the limits that plans keep: how hard each hand can push.
-pressing::Bearing make_bearing(const Task& task, const Setting& setting);
+/// Returns the statics of the robot within the limits of plans, to compute the largest force of
+/// each hand at rest.
+pressing::Statics make_statics(const Task& task, const Setting& setting);
 
-/// Its events are "contact", both hands above the threshold, and "limit", see Limit.
+/// Monitor with two events. "contact": the force of both hands exceeds the threshold. "limit": a
+/// condition of Limit ends the search.
 class Pushing final : public MpcTask {
  public:
   Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
-          std::shared_ptr<LeanState> lean);
+          std::shared_ptr<SearchState> force_search);
 
   std::vector<std::string> events() const override { return {"contact", "limit"}; }
   std::vector<WatchedQuantity> watched() const override;
@@ -36,32 +39,35 @@ class Pushing final : public MpcTask {
  private:
   struct Hand {
     int frame = -1;
-    double quick = 0.0, touch = 0.0;  ///< N along the normal, means over 5 and 10 ms
-    double without = 0.0;             ///< s without force
-    double felt = 0.0;                ///< N, largest `touch` since contact was due, or was lost
-    Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();  ///< where it was made, world
-    Eigen::Vector3d crept = Eigen::Vector3d::Zero();            ///< m, slid() of about a second ago
+    double quick = 0.0, touch = 0.0;  ///< Normal force, low-passed with 5 and 10 ms [N].
+    double without = 0.0;             ///< Time without contact force [s].
+    double felt = 0.0;  ///< Largest `touch` since contact was due, or since it was lost [N].
+    /// Placement of the hand at first contact.
+    Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();
+    /// Slip by slid(), low-passed with 1 s [m].
+    Eigen::Vector3d slow_slip = Eigen::Vector3d::Zero();
   };
-  void feel(const TaskView& view) noexcept;
-  void creep(const RigidBody& body) noexcept;
+  void filter_forces(const TaskView& view) noexcept;
+  void reset_slow_slip(const RigidBody& body) noexcept;
   bool slides(const TaskView& view, int& hand, int& foot) noexcept;
   double slip_of(const Hand& hand, const RigidBody& body) const noexcept;
   Limit look(const TaskView& view, int& where) noexcept;
-  bool bears(const TaskView& view, double force) noexcept;
+  bool has_static_reserve(const TaskView& view, double force) noexcept;
 
   Task task_;
   Setting setting_;
-  std::shared_ptr<LeanState> lean_;
+  std::shared_ptr<SearchState> search_;
   std::array<Hand, 2> hands_;
-  std::vector<int> feet_;                          ///< frames
-  std::vector<Eigen::Vector3d> p_feet_, p_crept_;  ///< m, world: at first, and a second ago
-  double least_ = 0.0;                             ///< m, height of the centre of mass at the start
-  double behind_ = 0.0;                            ///< N, mean over 0.1 s
-  double infeasible_ = 0.0;                        ///< s that plans could not keep their limits
-  double late_ = 0.0;                              ///< s that contact is late
-  pressing::Bearing bearing_;
-  double asked_ = 0.0;  ///< s since the posture was asked what it bears
-  double short_ = 0.0;  ///< s that it could not bear enough
+  std::vector<int> feet_;  ///< Frames of RigidBody.
+  /// Positions of the feet in the world: at the start, and low-passed with 1 s [m].
+  std::vector<Eigen::Vector3d> p_feet_, p_slow_;
+  double start_height_ = 0.0;  ///< Height of the centre of mass at the start [m].
+  double behind_ = 0.0;        ///< Force error, low-passed with 0.1 s [N].
+  double infeasible_ = 0.0;  ///< Time for which the constraints of plans have been infeasible [s].
+  double late_ = 0.0;        ///< Time by which contact is late [s].
+  pressing::Statics statics_;
+  double unchecked_ = 0.0;  ///< Time since the last check of statics [s].
+  double short_ = 0.0;      ///< Time for which the static reserve has been missing [s].
 };
 
 }  // namespace burnish::push_wall

@@ -1,4 +1,4 @@
-// What files and page say of a run of push_wall.
+// Record of a push_wall run, for the files of the run and its HTML page.
 #pragma once
 
 #include "burnish/tasks/push_wall/push_wall.hpp"

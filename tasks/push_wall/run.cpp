@@ -4,6 +4,7 @@
 
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "pressing/closed_run.hpp"
 #include "pressing/standing_terms.hpp"
@@ -15,7 +16,7 @@
 namespace burnish::push_wall {
 namespace {
 
-/// First row of a phase or of a later one.
+/// Returns the first row of a phase or of any later phase.
 int first_row(const Trace& trace, int phase) {
   const Trace::Column phases = trace.column("phase");
   return static_cast<int>(
@@ -23,7 +24,7 @@ int first_row(const Trace& trace, int phase) {
       phases.begin());
 }
 
-/// True places and forces of hands and feet, row by row of a trace.
+/// True positions and forces of hands and feet, computed from the rows of a trace.
 class Replay {
  public:
   Replay(const Task& task, const RunResult& result)
@@ -39,13 +40,13 @@ class Replay {
   }
   bool go_to(int row) {
     for (int k = 0; k < model_.nq; ++k) q_[k] = trace_.at(row, first_q_ + k);
-    return body_.update(q_, Eigen::VectorXd::Zero(model_.nv)) <= Status::NotConverged;
+    return is_usable(body_.update(q_, Eigen::VectorXd::Zero(model_.nv)));
   }
   Eigen::Vector3d wrench_force(const std::string& frame, int row) const {
     const int at = trace_.index("support_" + frame + "_fx");
     return {trace_.at(row, at), trace_.at(row, at + 1), trace_.at(row, at + 2)};
   }
-  /// N along the normal, of a hand.
+  /// Returns the normal force of a hand [N].
   double force(std::size_t hand, int row) const {
     const Eigen::Vector3d f = wrench_force(task_.hands[hand], row);
     return (body_.placement(hands_[hand]).linear() * f).dot(setting_.wall_axes.col(2));
@@ -53,11 +54,12 @@ class Replay {
   Eigen::Isometry3d hand(std::size_t h) const { return body_.placement(hands_[h]); }
   Eigen::Vector3d foot(std::size_t i) const { return body_.placement(feet_[i]).translation(); }
   Eigen::Vector3d com() const { return body_.com(); }
-  /// Of half its sides, how far the pressure is off the middle of a sole.
+  /// Returns the offset of the centre of pressure from the middle of a sole, as a fraction of the
+  /// sole's half sides.
   double sole_share(std::size_t foot, int row) const {
     const std::string name = "support_" + task_.standing.feet[foot];
     const double load = trace_.at(row, trace_.index(name + "_fz"));
-    if (!task_.standing.has_soles() || !(load > pressing::least_load_of(model_, task_.standing)))
+    if (!task_.standing.has_soles() || !(load > pressing::min_load_of(model_, task_.standing)))
       return 0.0;
     const double mx = trace_.at(row, trace_.index(name + "_mx"));
     const double my = trace_.at(row, trace_.index(name + "_my"));
@@ -76,7 +78,7 @@ class Replay {
   std::vector<int> hands_, feet_;
 };
 
-/// Errors of one hand over rows, and its mean.
+/// Errors and mean of the force of one hand over a range of rows.
 struct ForceError {
   double rmse = 0.0, peak = 0.0, mean = 0.0;
 };
@@ -88,7 +90,8 @@ ForceError force_error(const Eigen::VectorXd& force, const Eigen::VectorXd& targ
           force.segment(begin, size).mean()};
 }
 
-/// Rows from a while after the start of a phase to just before the start of another.
+/// Returns a range of rows: from `after` [s] after the start of the phase `from` to 0.02 s before
+/// the start of the phase `until`.
 std::pair<int, int> window(const Trace& trace, int from, double after, int until) {
   const Trace::Column time = trace.column("time");
   int begin = first_row(trace, from);
@@ -102,7 +105,8 @@ std::pair<int, int> window(const Trace& trace, int from, double after, int until
   return {begin, end};
 }
 
-/// N along the normal of both hands, means over 10 ms; and the places on the way.
+/// Returns the normal forces of both hands for all rows, averaged over 10 ms [N]. Sets the figures
+/// of slip, pressure and motion.
 std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushFigures& figures) {
   const Trace& trace = result.trace;
   const Trace::Column phase = trace.column("phase"), time = trace.column("time");
@@ -117,7 +121,7 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
     for (std::size_t i = 0; i < task.standing.feet.size(); ++i) {
       if (row == 0) start.push_back(at.foot(i));
       figures.foot_slip = std::max(figures.foot_slip, (at.foot(i) - start[i]).head<2>().norm());
-      if (phase[row] >= 1.0)  // once it stands
+      if (phase[row] >= 1.0)  // after the phase `settle`
         figures.sole_share = std::max(figures.sole_share, at.sole_share(i, row));
     }
     const auto in = static_cast<int>(phase[row]);
@@ -130,7 +134,8 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
             figures.hand_slip, pressing::slid(contact[h], at.hand(h), n, task.tip_radius).norm());
     }
     pushes = now;
-    figures.lean = std::max(figures.lean, (result.setting.com - at.com()).dot(n));
+    figures.com_displacement =
+        std::max(figures.com_displacement, (result.setting.com - at.com()).dot(n));
   }
   const double dt = time.size() > 1 ? time[1] - time[0] : 1.0;
   for (Eigen::VectorXd& force : forces)
@@ -138,9 +143,9 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
   return forces;
 }
 
-void measure_push(const Task& task, const LeanState& lean_state, RunResult& result) {
+void measure_push(const Task& task, const SearchState& search_state, RunResult& result) {
   const Trace& trace = result.trace;
-  const auto [begin, end] = window(trace, hold, settling, lean);
+  const auto [begin, end] = window(trace, hold, settling, force_search);
   if (end - begin < 2) return;
   PushFigures figures;
   const std::array<Eigen::VectorXd, 2> forces = replay(task, result, figures);
@@ -157,23 +162,24 @@ void measure_push(const Task& task, const LeanState& lean_state, RunResult& resu
     figures.largest_force = std::min(figures.largest_force, largest.mean);
     figures.largest_rmse = std::max(figures.largest_rmse, largest.rmse);
   }
-  figures.lean_force = std::max(0.0, lean_state.reached.load());
+  figures.search_force = std::max(0.0, search_state.reached.load());
   result.push = figures;
 }
 
-std::string because(const Task& task, const RunResult& result) {
+/// Returns the name of the condition that ended the search for the largest force.
+std::string cause_of(const Task& task, const RunResult& result) {
   const std::string by = result.limited_by.empty() ? "" : " (" + result.limited_by + ")";
   switch (result.limit) {
     case Limit::None:
       return "nothing";
-    case Limit::Most:
-      return "lean.force_max of " + number(force_max(task)) + " N";
-    case Limit::Bear:
-      return "what the posture bears" + by;
-    case Limit::Give:
-      return "hands that fell behind" + by;
+    case Limit::ForceMax:
+      return "force_search.force_max of " + number(force_max(task)) + " N";
+    case Limit::Statics:
+      return "the statics of the posture" + by;
+    case Limit::Tracking:
+      return "hands with a force below the target" + by;
     case Limit::Plan:
-      return "limits that plans could not keep" + by;
+      return "infeasible constraints of plans" + by;
     case Limit::Hand:
       return "a hand that slipped" + by;
     case Limit::Foot:
@@ -183,24 +189,26 @@ std::string because(const Task& task, const RunResult& result) {
 }
 
 std::string outcome_of(const Task& task, const RunResult& result, const pressing::RunEnd& end) {
-  const std::string& phase = phase_names()[static_cast<std::size_t>(end.phase)];
+  const std::string& phase = phase_names()[to_size(end.phase)];
   if (const std::string trouble = pressing::trouble_of(result, end, phase); !trouble.empty())
     return trouble;
   if (!result.push)
-    return "the push was not held to the end: the run ended at " + number(end.time) +
-           " s, in phase " + phase;
+    return "the hold was not completed: the run ended at " + number(end.time) + " s, in phase " +
+           phase;
   char text[160];
   std::snprintf(text, sizeof text,
-                "pushed: %.2f N rms off %.0f N of each hand; %.1f N held, after %.1f N ended by ",
+                "pushed: rms error %.2f N at %.0f N per hand; %.1f N held, after a search up to "
+                "%.1f N, which was limited by ",
                 result.push->force_rmse, task.force, result.push->largest_force,
-                result.push->lean_force);
-  return text + because(task, result);
+                result.push->search_force);
+  return text + cause_of(task, result);
 }
 
-/// Where the plant has the wall: what disturbances do to the surface they do to it.
-SceneSpec with_true_wall(const Task& task, const SceneSpec& known) {
-  SceneSpec scene = known;
-  const SurfaceSpec wall = plant_scene(known, task.disturbances).surface;
+/// Returns the scene with the wall of the plant, to which the disturbances of the surface are
+/// applied.
+SceneSpec with_true_wall(const Task& task, const SceneSpec& nominal) {
+  SceneSpec scene = nominal;
+  const SurfaceSpec wall = plant_scene(nominal, task.disturbances).surface;
   for (std::size_t i = task.standing.feet.size(); i < scene.supports.size(); ++i) {
     scene.supports[i].point = wall.point;
     scene.supports[i].normal = wall.normal;
@@ -218,20 +226,20 @@ RunResult run_task(const RunSpec& spec) {
   result.setting = spec.setting ? *spec.setting : make_setting(task);
   const Setting& setting = result.setting;
   if (spec.check_reach) refuse_out_of_reach(task, setting);
-  const auto lean_state = std::make_shared<LeanState>();
-  MpcSpec mpc_spec = make_mpc(task, setting, lean_state);
+  const auto search_state = std::make_shared<SearchState>();
+  MpcSpec mpc_spec = make_mpc(task, setting, search_state);
   const ProblemSpec problem = mpc_spec.problem;
   MpcController mpc(std::move(mpc_spec));
   const SceneSpec scene = with_true_wall(task, setting.scene);
   const double end = setting.release_end + task.retreat_duration;
-  const double longest = task.standing.settle + end + pressing::patience(task.late_contact);
+  const double max_duration = task.standing.settle + end + pressing::patience(task.late_contact);
   pressing::ClosedRun run{.controller = mpc,
                           .period = 1.0 / task.tick_rate,
                           .model = setting.robot.model,
                           .scene = scene,
                           .disturbances = task.disturbances,
                           .q_start = setting.q_start,
-                          .longest = longest,
+                          .longest = max_duration,
                           .plant = spec.plant,
                           .standing = &task.standing,
                           .mpc = &mpc,
@@ -240,25 +248,23 @@ RunResult run_task(const RunSpec& spec) {
                           .plan_rate = spec.plan_rate};
   std::optional<PlanAt> last;
   run.goes_on = [&](double now, const Command&) {
-    if (!last && lean_state->limit != 0) last = plan_now(mpc);
-    return mpc.schedule().time() < end && now < longest;
+    if (!last && search_state->limit != 0) last = plan_now(mpc);
+    return mpc.schedule().time() < end && now < max_duration;
   };
   run.end = [end] { return end; };
   run.progress = spec.progress;
   const pressing::RunEnd ended = pressing::run_closed_loop(run, result);
-  result.limit = static_cast<Limit>(lean_state->limit.load());
-  const int where = lean_state->where;
-  if (result.limit == Limit::Hand) result.limited_by = task.hands[static_cast<std::size_t>(where)];
-  if (result.limit == Limit::Foot)
-    result.limited_by = task.standing.feet[static_cast<std::size_t>(where)];
-  if (result.limit == Limit::Bear) result.limited_by = make_bearing(task, setting).name(where);
-  if (last && where < 0 && result.limit != Limit::Most)
+  result.limit = static_cast<Limit>(search_state->limit.load());
+  const int where = search_state->where;
+  if (result.limit == Limit::Hand) result.limited_by = task.hands[to_size(where)];
+  if (result.limit == Limit::Foot) result.limited_by = task.standing.feet[to_size(where)];
+  if (result.limit == Limit::Statics) result.limited_by = make_statics(task, setting).name(where);
+  if (last && where < 0 && result.limit != Limit::ForceMax)
     result.limited_by = limits_near(problem, *last);
-  measure_push(task, *lean_state, result);
+  measure_push(task, *search_state, result);
   result.outcome = outcome_of(task, result, ended);
-  result.done = result.plant_status <= Status::NotConverged &&
-                result.fault.kind == FaultKind::None && !result.interrupted &&
-                result.push.has_value() && mpc.schedule().time() >= end;
+  result.done = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
+                !result.interrupted && result.push.has_value() && mpc.schedule().time() >= end;
   return result;
 }
 

@@ -1,10 +1,11 @@
-// The task as stages over time, with the wall, the hands and the feet in their places.
+// Stages of push_wall over time, with contacts and supports of hands and feet.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "ocp/position_limits.hpp"
@@ -17,35 +18,38 @@
 namespace burnish::push_wall {
 namespace {
 
-using Shared = std::shared_ptr<LeanState>;
+using Shared = std::shared_ptr<SearchState>;
 
-/// Both hands, each with its name and number.
+/// Calls see(name, index) for both hands.
 template <class See>
 void each_hand(const Task& task, const See& see) {
-  for (int h = 0; h < 2; ++h) see(task.hands[static_cast<std::size_t>(h)], h);
+  for (int h = 0; h < 2; ++h) see(task.hands[to_size(h)], h);
 }
 
-/// m, world: where the centre of mass is to be while each hand pushes with a force, N. The pressure
-/// goes back to the middle of the feet first, and then the body leans so that it stays there; what
-/// is between is rounded over a centimetre. It leans as a stick does, lower the farther, so that
-/// knees do not go straight.
+/// Returns the target position of the centre of mass in the world [m] while each hand pushes with
+/// `force` [N].
+/// - Small forces: the centre of mass stays, and the centre of pressure moves back to the middle of
+///   the feet.
+/// - Larger forces: the centre of mass moves towards the wall, and the centre of pressure stays.
+/// The transition is rounded over 1 cm. The centre of mass moves on a circle about the ground, so
+/// that the knees stay bent.
 Eigen::Vector3d com_at(const Setting& setting, double force) {
-  constexpr double round = 0.01;  // m
+  constexpr double rounding = 0.01;  // width of the rounding [m]
   const double length = setting.com_per_force.norm();
   if (!(length > 0.0)) return setting.com;
-  const double way = force * length - setting.room;
-  const double lean = 0.5 * (way + std::hypot(way, round));
+  const double beyond = force * length - setting.room;
+  const double shift = 0.5 * (beyond + std::hypot(beyond, rounding));
   const double height = setting.com.z() - setting.scene.supports.front().point.z();
-  const double down = height - std::sqrt(std::max(0.0, height * height - lean * lean));
-  return setting.com + lean / length * setting.com_per_force - down * Eigen::Vector3d::UnitZ();
+  const double down = height - std::sqrt(std::max(0.0, height * height - shift * shift));
+  return setting.com + shift / length * setting.com_per_force - down * Eigen::Vector3d::UnitZ();
 }
 
 struct Builder {
   const Task& task;
   const Setting& setting;
   const Model& model;
-  Shared lean;
-  /// What the feet hold, as contacts.
+  Shared force_search;
+  /// Contacts of the feet.
   std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
 
   Eigen::VectorXd state_target() const {
@@ -53,20 +57,20 @@ struct Builder {
     x.head(model.nq) = setting.q_start;
     return x;
   }
-  /// Where the centre of mass is to be: the more the hands push, the nearer to the wall, so that
-  /// the pressure under the feet stays where it is.
+  /// Returns the target of the centre of mass. Larger forces of the hands move it nearer to the
+  /// wall.
   Signal com() const {
-    return Signal::over_time(
-        3, [task = task, setting = setting, lean = lean](double t, Eigen::Ref<Eigen::VectorXd> p) {
-          p = com_at(setting, force_at(task, setting, *lean, t));
-        });
+    return Signal::over_time(3, [task = task, setting = setting, force_search = force_search](
+                                    double t, Eigen::Ref<Eigen::VectorXd> p) {
+      p = com_at(setting, force_at(task, setting, *force_search, t));
+    });
   }
   Signal hand_force() const {
-    return Signal::over_time(
-        3, [task = task, setting = setting, lean = lean](double t, Eigen::Ref<Eigen::VectorXd> f) {
-          f.setZero();
-          f[2] = force_at(task, setting, *lean, t);
-        });
+    return Signal::over_time(3, [task = task, setting = setting, force_search = force_search](
+                                    double t, Eigen::Ref<Eigen::VectorXd> f) {
+      f.setZero();
+      f[2] = force_at(task, setting, *force_search, t);
+    });
   }
   Signal retreat_speed() const {
     return Signal::over_time(
@@ -80,12 +84,12 @@ struct Builder {
     const Weights& w = task.weights;
     Eigen::VectorXd rows = Eigen::VectorXd::Constant(2 * model.nv, w.posture);
     rows.tail(model.nv).setConstant(w.velocity);
-    rows.head<3>().setZero();  // where the base is, balance says
+    rows.head<3>().setZero();  // the cost "balance" determines the position of the base
     rows.segment<3>(3).setConstant(task.standing.base);
     std::vector<CostTerm> terms{
         {.name = "state", .residual = residual::State{state_target()}, .weights = rows}};
     if (const ocp::PositionLimits range = ocp::position_limits(model); range.lower.size() > 0)
-      terms.push_back({.name = "room of joints",
+      terms.push_back({.name = "margins of joints",
                        .residual = residual::JointPosition{},
                        .weight = w.range,
                        .penalty = Penalty::barrier(range.lower.array() + w.range_margin,
@@ -122,22 +126,22 @@ struct Builder {
             .weights =
                 Eigen::Vector3d(task.weights.friction, task.weights.friction, task.weights.force)};
   }
-  /// Friction, and a band about the force where there is one.
+  /// Adds constraints on the friction of a hand and, if a band is stated, on its force.
   void keep_hand(const std::string& hand, std::vector<Constraint>& rows) const {
     rows.push_back({.name = "friction of " + hand,
                     .residual = residual::FrictionCone{hand, task.wall.plan_friction}});
     const double band = task.constraints.force_band;
     if (!std::isfinite(band)) return;
-    constexpr double free = std::numeric_limits<double>::infinity();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     rows.push_back({.name = "force band of " + hand,
                     .residual = residual::ContactForce{hand, {}, hand_force()},
-                    .lower = Eigen::Vector3d(-free, -free, -band),
-                    .upper = Eigen::Vector3d(free, free, band),
+                    .lower = Eigen::Vector3d(-infinity, -infinity, -band),
+                    .upper = Eigen::Vector3d(infinity, infinity, band),
                     .scale = Eigen::Vector3d::Constant(task.force)});
   }
   Eigen::VectorXd rest_control() const {
     RigidBody body(model);
-    if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+    if (!is_usable(body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv))))
       throw Error("the starting posture cannot be evaluated");
     std::vector<SupportSpec> supports = setting.scene.supports;
     supports.resize(task.standing.feet.size());
@@ -176,30 +180,34 @@ void check_hands(const Model& model, const Task& task) {
       throw EntryError("hands", "frame " + pressing::none_of(model, hand));
 }
 
-/// The wall before the nearer hand, and where both come to it.
+/// Sets the wall at `clearance` from the nearer hand, and the contact points of both hands.
 void place_wall(const Task& task, Setting& s) {
-  constexpr double most = 0.05;  // m that one hand may have farther to go
+  // Largest difference between the hands' distances to the wall [m], chosen by hand.
+  constexpr double max_difference = 0.05;
   const Eigen::Vector3d n = s.wall_axes.col(2);
   Eigen::Vector2d height;
   each_hand(task, [&](const std::string& hand, int h) {
     s.p_hands.col(h) = frame_placement(s.robot.model, s.q_start, hand).translation();
     height[h] = s.p_hands.col(h).dot(n);
   });
-  if (std::abs(height[0] - height[1]) > most)
-    throw EntryError("posture", "hand " + in_quotes(task.hands[height[0] > height[1] ? 0 : 1]) +
-                                    " has " + number(std::abs(height[0] - height[1])) +
-                                    " m farther to the wall than the other; wanted at most " +
-                                    number(most) + " m, another start or another wall.normal");
+  if (std::abs(height[0] - height[1]) > max_difference)
+    throw EntryError("posture",
+                     "hand " + in_quotes(task.hands[height[0] > height[1] ? 0 : 1]) + " is " +
+                         number(std::abs(height[0] - height[1])) +
+                         " m farther from the wall than the other hand; wanted at most " +
+                         number(max_difference) + " m: another start, or another wall.normal");
   const double level = std::min(height[0], height[1]) - task.clearance;
   for (std::size_t h = 0; h < 2; ++h) s.p_hands.col(h) += (level - height[h]) * n;
 }
 
-/// Feet on the ground, hands on the wall.
+/// Returns the scene with the feet on the ground and the hands on the wall, all modelled as
+/// supports.
 SceneSpec make_scene(const Task& task, const Setting& s) {
-  constexpr double smaller = 0.5;  // of the tip, so that the surface itself is never touched
+  // A tip of smaller radius never touches the surface of the scene.
+  constexpr double radius_ratio = 0.5;
   const Eigen::Vector3d n = s.wall_axes.col(2);
   SceneSpec scene;
-  scene.tip = {task.hands[1], smaller * task.tip_radius};
+  scene.tip = {task.hands[1], radius_ratio * task.tip_radius};
   scene.surface.point = s.p_hands.rowwise().mean() - task.tip_radius * n;
   scene.surface.normal = n;
   scene.surface.friction = task.wall.friction;
@@ -218,9 +226,11 @@ SceneSpec make_scene(const Task& task, const Setting& s) {
   return checked_scene(s.robot.model, scene);
 }
 
-/// With the hands' forces F n at r_i from the ground below the centre of mass, whose weight is W:
-/// the moment about there, sum r_i x n F + d x (-W z), has no level part for
-///   d = F (m_y, m_x) -> d_x = -m_y / W, d_y = m_x / W,  m = sum r_i x n.
+/// Returns the horizontal displacement d of the centre of mass, per force F of each hand, that
+/// leaves the centre of pressure in place [m/N]. The hands push with F n at the points r_i, seen
+/// from the ground point below the centre of mass. W is the weight. The moment about the ground
+/// point is F m + d x (-W z) with m = sum r_i x n. Its horizontal part vanishes for d = F / W
+/// (-m_y, m_x, 0).
 Eigen::Vector3d com_per_force(const Setting& s, double weight, double ground) {
   const Eigen::Vector3d below(s.com.x(), s.com.y(), ground);
   Eigen::Vector3d m = Eigen::Vector3d::Zero();
@@ -228,7 +238,7 @@ Eigen::Vector3d com_per_force(const Setting& s, double weight, double ground) {
   return {-m.y() / weight, m.x() / weight, 0.0};
 }
 
-/// See Setting::room.
+/// Returns the value of Setting::room.
 double room_of(const Setting& s, std::size_t feet) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < feet; ++i)
@@ -239,14 +249,14 @@ double room_of(const Setting& s, std::size_t feet) {
 }  // namespace
 
 std::string name_of(Limit limit) {
-  static const std::array<const char*, 7> names{"none", "most", "bear", "give",
-                                                "plan", "hand", "foot"};
-  return names[static_cast<std::size_t>(limit)];
+  static const std::array<const char*, 7> names{"none", "force_max", "statics", "tracking",
+                                                "plan", "hand",      "foot"};
+  return names[to_size(limit)];
 }
 
 const std::vector<std::string>& phase_names() {
-  static const std::vector<std::string> names{"settle", "approach", "ramp",    "hold",
-                                              "lean",   "top",      "release", "retreat"};
+  static const std::vector<std::string> names{"settle",       "approach", "ramp",    "hold",
+                                              "force_search", "top",      "release", "retreat"};
   return names;
 }
 
@@ -260,14 +270,14 @@ Setting make_setting(const Task& task, const Robot& robot) {
   Setting s;
   s.robot = robot;
   s.q_start = pressing::start_posture(robot, task.posture, []() -> Eigen::VectorXd {
-    throw Error("the robot has no default posture; wanted one of its settings");
+    throw Error("the robot does not have a default posture; wanted one in its settings");
   });
   s.wall_axes = Reference::surface_with_normal(task.wall.normal_world.normalized()).rotation;
   place_wall(task, s);
   s.scene = make_scene(task, s);
   RigidBody body(robot.model);
-  if (body.update(s.q_start, Eigen::VectorXd::Zero(robot.model.nv)) > Status::NotConverged)
-    throw EntryError("posture", "it cannot be evaluated");
+  if (!is_usable(body.update(s.q_start, Eigen::VectorXd::Zero(robot.model.nv))))
+    throw EntryError("posture", "the posture cannot be evaluated");
   s.com = body.com();
   s.com_per_force = com_per_force(s, body.mass() * robot.model.gravity.norm(),
                                   s.scene.supports.front().point.z());
@@ -275,8 +285,8 @@ Setting make_setting(const Task& task, const Robot& robot) {
   s.touch = task.settle_duration + task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;
   s.hold_end = s.ramp_end + task.hold_duration;
-  s.lean_end = s.hold_end + (force_max(task) - task.force) / task.lean.rate;
-  s.top_end = s.lean_end + back_duration + task.lean.hold_duration;
+  s.search_end = s.hold_end + (force_max(task) - task.force) / task.force_search.rate;
+  s.top_end = s.search_end + back_duration + task.force_search.hold_duration;
   s.release_end = s.top_end + task.release_duration;
   return s;
 }
@@ -284,7 +294,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
 void refuse_out_of_reach(const Task& task, const Setting& setting) {
   const Model& model = setting.robot.model;
   RigidBody body(model);
-  if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged) return;
+  if (!is_usable(body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)))) return;
   Eigen::VectorXd needed = body.gravity_torque();
   FrameDerivatives at;
   for (const std::string& hand : task.hands) {
@@ -294,36 +304,37 @@ void refuse_out_of_reach(const Task& task, const Setting& setting) {
   std::vector<SupportSpec> feet = setting.scene.supports;
   feet.resize(task.standing.feet.size());
   const Eigen::VectorXd torque = pressing::torque_on_supports(model, body, feet, needed);
-  const Eigen::VectorXd most = pressing::torque_limit(model, task.constraints);
+  const Eigen::VectorXd limit = pressing::torque_limit(model, task.constraints);
   for (int k = 6; k < model.nv; ++k)
-    if (std::abs(torque[k]) > most[k])
-      throw EntryError("force", "pushing with " + number(task.force) + " N at the start takes " +
-                                    number(std::abs(torque[k])) + " Nm of " +
-                                    in_quotes(model.v_name(k)) + ", which has " + number(most[k]) +
-                                    " Nm; wanted less force or another posture");
+    if (std::abs(torque[k]) > limit[k])
+      throw EntryError("force", "pushing with " + number(task.force) + " N at the start needs " +
+                                    number(std::abs(torque[k])) + " Nm in joint " +
+                                    in_quotes(model.v_name(k)) + "; wanted at most " +
+                                    number(limit[k]) + " Nm: a smaller force, or another posture");
 }
 
-double force_at(const Task& task, const Setting& setting, const LeanState& lean, double time) {
+double force_at(const Task& task, const Setting& setting, const SearchState& force_search,
+                double time) {
   if (time < setting.touch || time >= setting.release_end) return 0.0;
-  const double reached = lean.reached;
+  const double reached = force_search.reached;
   const double largest = reached < 0.0 ? force_max(task) : reached;
-  const auto between = [](double from, double to, double share) {
-    return from + (to - from) * pressing::smooth(share);
+  const auto between = [](double from, double to, double fraction) {
+    return from + (to - from) * pressing::smooth(fraction);
   };
   if (time < setting.hold_end)
     return between(task.touch_force, task.force, (time - setting.touch) / task.ramp_duration);
-  if (time < setting.lean_end)
-    return std::min(task.force + task.lean.rate * (time - setting.hold_end), largest);
-  const double held = task.lean.share * largest;
+  if (time < setting.search_end)
+    return std::min(task.force + task.force_search.rate * (time - setting.hold_end), largest);
+  const double held = task.force_search.hold_fraction * largest;
   if (time < setting.top_end)
-    return between(largest, held, (time - setting.lean_end) / back_duration);
+    return between(largest, held, (time - setting.search_end) / back_duration);
   return between(held, task.touch_force, (time - setting.top_end) / task.release_duration);
 }
 
-pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
-  pressing::BearingSpec spec{
+pressing::Statics make_statics(const Task& task, const Setting& setting) {
+  pressing::StaticsSpec spec{
       .feet = setting.scene.supports,
-      .least_load = pressing::least_load_of(setting.robot.model, task.standing),
+      .min_load = pressing::min_load_of(setting.robot.model, task.standing),
       .hands = task.hands,
       .normal_world = setting.wall_axes.col(2),
       .torque_limit = pressing::torque_limit(setting.robot.model, task.constraints)};
@@ -332,10 +343,10 @@ pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
   return {setting.robot.model, spec};
 }
 
-MpcSpec make_mpc(const Task& task, const Setting& setting, Shared lean) {
-  if (!lean) lean = std::make_shared<LeanState>();
+MpcSpec make_mpc(const Task& task, const Setting& setting, Shared force_search) {
+  if (!force_search) force_search = std::make_shared<SearchState>();
   const Model& model = setting.robot.model;
-  const Builder build{task, setting, model, lean};
+  const Builder build{task, setting, model, force_search};
   MpcSpec mpc;
   mpc.problem.model = model;
   mpc.problem.contacts = build.feet;
@@ -346,7 +357,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared lean) {
   }
   pressing::set_standing(task.standing, mpc);
   mpc.supports.insert(mpc.supports.end(), task.hands.begin(), task.hands.end());
-  mpc.support_sensors = true;  // hands hold at times only
+  mpc.support_sensors = true;  // wrenches are needed, because hands are in contact only at times
   mpc.problem.initial_state = build.state_target();
   mpc.problem.stages = build.stages();
   mpc.problem.terminal = build.everywhere();
@@ -360,16 +371,16 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared lean) {
       {.stage = "approach", .duration = setting.touch - task.settle_duration, .until = "contact"},
       {.stage = "push", .duration = task.ramp_duration},
       {.stage = "push", .duration = task.hold_duration},
-      {.stage = "push", .duration = setting.lean_end - setting.hold_end, .until = "limit"},
-      {.stage = "push", .duration = setting.top_end - setting.lean_end},
+      {.stage = "push", .duration = setting.search_end - setting.hold_end, .until = "limit"},
+      {.stage = "push", .duration = setting.top_end - setting.search_end},
       {.stage = "push", .duration = task.release_duration},
       {.stage = "retreat"}};
   for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
-  mpc.task = [task, setting, lean](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
-    return std::make_unique<Pushing>(spec, task, setting, lean);
+  mpc.task = [task, setting, force_search](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
+    return std::make_unique<Pushing>(spec, task, setting, force_search);
   };
   mpc.tool = task.hands[1];
-  mpc.normal_world = setting.wall_axes.col(2);
+  mpc.normal_base = setting.wall_axes.col(2);
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;

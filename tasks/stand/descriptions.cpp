@@ -12,14 +12,15 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
         "angles in rad. A key that is left out has its default.",
         "stand");
     pressing::read_presets<Task>(form);
-    const std::string nothing = "nothing is pressed";
+    const std::string nothing = "the task has no surface to press on";
     form.without("disturbances",
                  {"surface_tilt_deg", "surface_height", "surface_curvature", "surface_shape",
                   "surface_motion", "surface_friction"},
                  nothing)
         .without("model_error", {"sliding_bandwidth", "force_gain"}, nothing)
         .without("constraints", {"force_band"}, nothing)
-        .without("constraints", {"joint_torque_rate"}, "plans of this task know no lag of torques");
+        .without("constraints", {"joint_torque_rate"},
+                 "plans of this task do not model the lag of torques");
     return form;
   }();
   return all;

@@ -11,8 +11,8 @@ const Description& description_of(const Sway* /*of*/) {
   static const Description all =
       Describe<S>("stand", "Sway",
                   "Sway of the trunk: a sine in each direction that begins and ends smoothly. The"
-                  " axes of the sway are level: x forwards as the base points at the start, y to "
-                  "the left, z up.")
+                  " axes of the sway are level: x points forwards (as the base does at the "
+                  "start), y to the left, and z up.")
           .field("shift", &S::shift,
                  "Amplitudes of the motion of the centre of mass along x, y and z [{m}]")
           .field("shift_rate", &S::shift_rate,
@@ -26,10 +26,10 @@ const Description& description_of(const Sway* /*of*/) {
           .field("rise", &S::rise,
                  "Time until the sway has its full amplitude [{s}]",
                  {.least = 0, .open = true})
-          .more("The sway fades out in the same time.")
+          .more("At the end, the sway fades out in the same time.")
           .field("fit", &S::fit,
-                 "Reduce amplitudes that feet or joints do not allow; false: reject such a sway "
-                 "with an error")
+                 "Reduce amplitudes that feet or joints do not allow; false: reject such "
+                 "amplitudes with an error")
           .more("An amplitude is reduced to 0 if needed.");
   return all;
 }
@@ -38,18 +38,19 @@ const Description& description_of(const Weights* /*of*/) {
   using S = Weights;
   static const Description all =
       Describe<S>("stand", "Weights",
-                  "Cost weights, per second of horizon.")
+                  "Cost weights. Costs are integrated over the horizon in seconds.")
           .field("posture", &S::posture,
-                 "Weight on joint angles relative to the start [{1/rad^2}]",
+                 "Weight on joint angles relative to the starting posture [{1/rad^2}]",
                  {.least = 0})
           .field("velocity", &S::velocity,
                  "Weight on joint velocities [{s^2/rad^2}]",
                  {.least = 0})
           .field("torque", &S::torque,
-                 "Weight on torques relative to the torques that hold the start [{1/Nm^2}]",
+                 "Weight on torques relative to the torques that hold the starting posture "
+                 "[{1/Nm^2}]",
                  {.least = 0})
           .field("terminal", &S::terminal,
-                 "Duration by which the weights are multiplied for the terminal cost [{s}]",
+                 "Duration that multiplies the weights in the terminal cost [{s}]",
                  {.least = 0});
   return all;
 }
@@ -58,24 +59,25 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("stand", "Task",
-                  "Task of standing on the feet while the trunk sways: all keys of a task file, "
-                  "with their defaults.")
+                  "Task of standing on the feet while the trunk sways. The members are all keys "
+                  "of a task file, with their defaults.")
           .field("robot", &S::robot,
                  "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "Starting posture (search: find one with bent legs)")
-          .more("The value is a posture's name in the robot's settings, or search. If empty: the "
-                "robot's default posture, or a search if the robot has none.")
+                 "Starting posture: a name from the robot's settings, or search (find one with "
+                 "bent legs)")
+          .more("If empty, the robot's default posture is used, or a search if the robot has no "
+                "default posture.")
           .field("crouch", &S::crouch,
                  "Drop of the base in a searched posture, as a fraction of the base's height",
                  {.least = 0, .most = 1, .below = true})
-          .more("The height is measured above the feet, with straight legs.")
+          .more("The base's height is measured from the feet, with straight legs.")
           .field("standing", &S::standing,
                  "Feet and ground of a robot with a floating base.")
           .field("sway", &S::sway,
-                 "Sway of the trunk: a sine in each direction that begins and ends smoothly.\nIts"
-                 " axes are level: x forwards as the base points at the start, y to the left, z "
-                 "up.")
+                 "Sway of the trunk: a sine in each direction that begins and ends smoothly.\nThe"
+                 " axes are level: x points forwards (as the base does at the start), y to the "
+                 "left, z up.")
           .group("Stand, sway, then stand at the start again.", "phases")
           .field("settle_duration", &S::settle_duration,
                  "Time to stand before the sway [{s}]",
@@ -94,13 +96,14 @@ const Description& description_of(const Task* /*of*/) {
                  "Rate of new plans, tick_rate divided by an integer [{Hz}]",
                  {.least = 0, .open = true})
           .field("solver_delay", &S::solver_delay,
-                 "Time from a measurement to the use of the plan that starts from it [{s}]",
+                 "Time from a measurement to the use of the plan computed from the measurement "
+                 "[{s}]",
                  {.least = 0})
           .field("command_delay", &S::command_delay,
-                 "Assumed delay from a command to its torque [{s}]",
+                 "Assumed delay from a torque command to the torque in the joint [{s}]",
                  {.least = 0, .most = 0.1})
-          .more("The delay is rounded to ticks. Plans and feedback start from the state that the "
-                "torques already sent lead to.")
+          .more("The delay is rounded to ticks. Plans and feedback start from a state that is "
+                "predicted from the torques already sent.")
           .field("measurement_delay", &S::measurement_delay,
                  "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
@@ -116,8 +119,9 @@ const Description& description_of(const Task* /*of*/) {
           .more("The steps between knots grow to cover the horizon.")
           .group("")
           .field("weights", &S::weights,
-                 "Cost weights, per second of horizon. Only their ratios matter.\nA larger weight"
-                 " reduces the error of its own term and increases the errors of the other terms.")
+                 "Cost weights; costs are integrated over the horizon in seconds. Only ratios of "
+                 "weights matter.\nA larger weight reduces the error of its own term and "
+                 "increases the errors of the other terms.")
           .field("model_error", &S::model_error,
                  "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("constraints", &S::constraints,
@@ -129,19 +133,19 @@ const Description& description_of(const Task* /*of*/) {
                  {.least = 0, .open = true, .infinite = true})
           .more("Rolling of point feet does not count.")
           .field("sink", &S::sink,
-                 "Largest relative drop of the centre of mass below its target",
+                 "Largest drop of the centre of mass below its target, divided by its height",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The drop is divided by the height of the centre of mass above the feet.")
+          .more("The height of the centre of mass is measured from the feet.")
           .field("tilt", &S::tilt,
                  "Largest allowed angle between the base and its target [{rad}]",
                  {.least = 0, .open = true, .infinite = true})
           .field("limits", &S::limits)
           .group("")
           .field("disturbances", &S::disturbances,
-                 "Disturbances that the controller does not know.\nOne word can replace all keys:"
-                 " none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of "
-                 "these words, only keys that differ from the preset are needed.")
-          .in_code("Disturbances that the controller does not know");
+                 "Disturbances that the controller does not know.\nIn a task file, one word can "
+                 "replace all keys: none, sensors, mismatch or joint_friction.\nWith the key "
+                 "`preset` and one of these words, only keys that differ from the preset are "
+                 "needed.");
   return all;
 }
 
@@ -155,8 +159,8 @@ const Description& description_of(const Setting* /*of*/) {
           .required()
           .field("standing", &S::standing,
                  "Feet and ground that the robot stands on")
-          .more("Detected feet replace the feet of the task if the task states auto, or only "
-                "frames that the robot does not have.")
+          .more("If the task states auto, or only frames that the robot lacks, detected feet "
+                "replace the feet of the task.")
           .required()
           .field("q_start", &S::q_start,
                  "Configuration at the start, nq")
@@ -164,14 +168,15 @@ const Description& description_of(const Setting* /*of*/) {
           .field("scene", &S::scene,
                  "Scene as the controller assumes it: the feet are supports, the ground is the "
                  "surface")
-          .more("The tip is a small ball in the base that never touches the ground.")
+          .more("The scene's tool tip has no effect: it is a small ball in the base and never "
+                "touches the ground.")
           .required()
           .field("base", &S::base,
-                 "Frame on the body of the floating base")
+                 "Name of a frame on the body of the floating base")
           .required()
           .field("heading", &S::heading,
-                 "Axes of the sway in the world; the columns are forwards (as the base points at "
-                 "the start), left and up")
+                 "Axes of the sway in the world, as columns: forwards (as the base points at the "
+                 "start), left, up")
           .required()
           .field("R_base", &S::R_base,
                  "Axes of the frame `base` at the start, in the world")
@@ -183,7 +188,8 @@ const Description& description_of(const Setting* /*of*/) {
                  "Centre of mass at the start, in the world [{m}]")
           .required()
           .field("sway", &S::sway,
-                 "Sway of the task, reduced to what feet and joints allow if `fit` is true")
+                 "Sway of the task; if Sway.fit is true, the amplitudes are reduced to what feet "
+                 "and joints allow")
           .field("notes", &S::notes,
                  "Settings of the task that were replaced for this robot, one sentence each")
           .field("sway_end", &S::sway_end,
@@ -202,7 +208,8 @@ const Description& description_of(const RunSpec* /*of*/) {
           .field("plant", &S::plant,
                  "Plant to simulate; must not be ideal, because the ideal plant has no feet")
           .field("check_reach", &S::check_reach,
-                 "Check the reach before the run, and throw Error if there is a problem")
+                 "Check before the run by statics whether the robot can do the task; throw Error "
+                 "if it cannot")
           .field("plan_rate", &S::plan_rate,
                  "Recording rate of plans (0: no recording) [{Hz}]")
           .field("progress", &S::progress,

@@ -1,4 +1,4 @@
-// The rows of the table of figures that are of this task: see report/figures.hpp.
+// Table of the figures (measured quantities) of stand; report/figures.hpp describes such tables.
 #pragma once
 
 #include "burnish/tasks/stand/stand.hpp"
@@ -6,40 +6,41 @@
 
 namespace burnish::stand {
 
-/// Calls see(entry, member) for each figure of the sway; their full names have "sway." in front.
+/// Calls see(entry, member) for each figure of the sway. The full name of a figure is "sway."
+/// followed by the name of its entry.
 template <class See>
 void each_sway_figure(const See& see) {
   using S = SwayFigures;
   using namespace figure_units;
-  see(FigureEntry{"com_rmse", metre, "root mean square distance of the centre of mass from its way",
-                  "centre of mass off, rms", 2},
+  see(FigureEntry{"com_rmse", metre,
+                  "root mean square distance of the centre of mass from its target",
+                  "centre of mass error, rms", 2},
       &S::com_rmse);
-  see(FigureEntry{"com_peak", metre, "largest distance of the centre of mass from its way",
-                  "centre of mass off, peak", 2},
+  see(FigureEntry{"com_peak", metre, "largest distance of the centre of mass from its target",
+                  "centre of mass error, peak", 2},
       &S::com_peak);
-  see(FigureEntry{"turn_rmse", angle, "root mean square angle of the base off its way",
-                  "base turned off, rms", 2},
+  see(FigureEntry{"turn_rmse", angle, "root mean square angle of the base from its target",
+                  "base orientation error, rms", 2},
       &S::turn_rmse);
-  see(FigureEntry{"turn_peak", angle, "largest angle of the base off its way",
-                  "base turned off, peak", 2},
+  see(FigureEntry{"turn_peak", angle, "largest angle of the base from its target",
+                  "base orientation error, peak", 2},
       &S::turn_peak);
-  see(FigureEntry{"believed_place", metre,
-                  "root mean square distance of the base from where the controller believes it to "
-                  "be",
-                  "place of the base believed off, rms", 2},
-      &S::believed_place);
-  see(FigureEntry{"believed_turn", angle,
-                  "root mean square angle of the base off what the controller believes",
-                  "turn of the base believed off, rms", 2},
-      &S::believed_turn);
+  see(FigureEntry{"position_estimate_rmse", metre,
+                  "root mean square error of the estimated position of the base",
+                  "base position estimate error, rms", 2},
+      &S::position_estimate_rmse);
+  see(FigureEntry{"orientation_estimate_rmse", angle,
+                  "root mean square error of the estimated orientation of the base",
+                  "base orientation estimate error, rms", 2},
+      &S::orientation_estimate_rmse);
   see(FigureEntry{"foot_slip", metre,
-                  "farthest that a foot was off its start, along the ground; that a ball rolls is "
-                  "none",
+                  "largest distance of a foot from its start along the ground, without the rolling "
+                  "of a point foot",
                   "slip of a foot, without rolling", 2},
       &S::foot_slip);
   see(FigureEntry{"com_end", metre,
-                  "of the centre of mass off its place at the start, when the run ends",
-                  "centre of mass off in the end", 2},
+                  "distance of the centre of mass from its position at the start when the run ends",
+                  "centre of mass error at the end", 2},
       &S::com_end);
 }
 

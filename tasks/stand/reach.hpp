@@ -1,4 +1,4 @@
-// How far the feet and the joints of a robot let its trunk sway.
+// Largest sway that the feet and the joints of a robot permit.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace burnish::stand {
 
-/// The part of the task's sway that the robot can follow. Shifts are at most 0.05 of the height of
-/// the centre of mass, on balls 0.11. A direction in which no posture on the feet moves the trunk
-/// is left out. Others are made smaller until there is a posture on the whole way. The sway stays
-/// as it is for robots with loops, and for one that cannot stand at the start. `setting`: complete
-/// except for its sway.
+/// Returns the task's sway, reduced to a motion that the robot can follow. Shifts are limited to
+/// 0.05 of the height of the centre of mass (0.11 on point feet). A direction is left out if no
+/// posture on the feet moves the trunk in this direction. The amplitudes are then reduced until
+/// every point of the sway has a posture. For robots with loops, and for a robot that cannot stand
+/// at the start, the sway is unchanged. `setting`: complete except for its sway.
 Sway fitted_sway(const Task& task, const Setting& setting);
 
-/// A sentence for directions that Setting::sway leaves out, and one for those that it has smaller.
+/// Returns notes about Setting::sway: one about directions that are left out, one about reduced
+/// directions.
 std::vector<std::string> sway_notes(const Task& task, const Setting& setting);
 
 }  // namespace burnish::stand

@@ -1,4 +1,4 @@
-// What files and page say of a run of stand.
+// Record of a stand run, for the files of the run and its HTML page.
 #pragma once
 
 #include "burnish/tasks/stand/stand.hpp"

@@ -4,6 +4,7 @@
 
 #include "base/degrees.hpp"
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "pressing/closed_run.hpp"
 #include "pressing/standing_terms.hpp"
 #include "report/foot_rows.hpp"
@@ -12,7 +13,7 @@
 namespace burnish::stand {
 namespace {
 
-/// Where the base is in a row of a trace, by the columns of that prefix.
+/// Pose of the base in the rows of a trace, from the columns with a prefix.
 class BaseRows {
  public:
   BaseRows(const Trace& trace, const Model& model, const std::string& prefix)
@@ -31,7 +32,7 @@ class BaseRows {
   int first_;
 };
 
-/// Root mean square and largest of what is added.
+/// Accumulator of the root mean square and the maximum of errors.
 class Errors {
  public:
   void add(double error) {
@@ -47,27 +48,28 @@ class Errors {
   int count_ = 0;
 };
 
-/// The run's rows up to `until` (s), from where the sway begins.
-class Measured {
+/// Evaluation of the rows of a run, starting with the sway.
+class SwayRows {
  public:
-  Measured(const Task& task, RunResult& result)
+  SwayRows(const Task& task, RunResult& result)
       : task_(task),
         setting_(result.setting),
         trace_(result.trace),
         states_(trace_, setting_.robot.model),
         base_(states_.body().frame(setting_.base)),
         truth_(trace_, setting_.robot.model, "q_"),
-        belief_(trace_, setting_.robot.model, "measured_q_") {
+        estimate_(trace_, setting_.robot.model, "measured_q_") {
     for (const std::string& foot : setting_.standing.feet)
       feet_.push_back(states_.body().frame(foot));
   }
 
+  /// Returns the figures of the rows up to `until` [s]; nothing if the sway did not begin.
   std::optional<SwayFigures> figures(double until) {
     const Trace::Column phase = trace_.column("phase"), time = trace_.column("time");
     const Trace::Column tick = trace_.column("tick");
-    double begin = -1.0;  // s, of the sway
+    double begin = -1.0;  // start of the sway [s]; negative: it has not begun
     for (int row = 0; row < trace_.rows() && time[row] <= until; ++row) {
-      if (states_.look(row) > Status::NotConverged) break;
+      if (!is_usable(states_.look(row))) break;
       if (row == 0)
         for (const int foot : feet_) start_.push_back(states_.body().placement(foot));
       if (begin < 0.0 && phase[row] < static_cast<double>(sway)) continue;
@@ -80,24 +82,26 @@ class Measured {
     figures_.com_peak = com_.peak();
     figures_.turn_rmse = turn_.rms();
     figures_.turn_peak = turn_.peak();
-    figures_.believed_place = place_.rms();
-    figures_.believed_turn = believed_.rms();
+    figures_.position_estimate_rmse = position_estimate_.rms();
+    figures_.orientation_estimate_rmse = orientation_estimate_.rms();
     return figures_;
   }
-  /// Whether it lies in the last row that is a state.
+  /// Returns whether the robot lies on the ground in the last row with a valid state.
   bool fell() {
-    constexpr double half = 0.5, most = 1.0;  // of its height; rad
+    // Limits that count as a fall: loss of height as a fraction, and angle of the base [rad].
+    // Chosen by hand.
+    constexpr double max_sunk = 0.5, max_turn = 1.0;
     int row = trace_.rows() - 1;
-    while (row >= 0 && states_.look(row) > Status::NotConverged) --row;
+    while (row >= 0 && !is_usable(states_.look(row))) --row;
     if (row < 0) return false;
     const RigidBody& body = states_.body();
-    const Lying lying = lying_at(setting_, trunk_at(task_, setting_, 0.0), body.com(),
-                                 body.placement(base_).linear());
-    return lying.sunk > half || lying.turned > most;
+    const TrunkFall lying = lying_at(setting_, trunk_at(task_, setting_, 0.0), body.com(),
+                                     body.placement(base_).linear());
+    return lying.sunk > max_sunk || lying.turned > max_turn;
   }
 
  private:
-  /// `since`: s since the sway began.
+  /// Accumulates errors of the trunk and slip of the feet. `since`: time since the sway began [s].
   void look(double since) {
     const RigidBody& body = states_.body();
     const Trunk wanted = trunk_at(task_, setting_, task_.settle_duration + since);
@@ -109,8 +113,8 @@ class Measured {
           figures_.foot_slip, slip_of(start_[i], body.placement(feet_[i]), setting_.standing));
   }
   void compare(int row) {
-    place_.add((truth_.place(row) - belief_.place(row)).norm());
-    believed_.add(turn_between(truth_.axes(row), belief_.axes(row)));
+    position_estimate_.add((truth_.place(row) - estimate_.place(row)).norm());
+    orientation_estimate_.add(turn_between(truth_.axes(row), estimate_.axes(row)));
   }
 
   const Task& task_;
@@ -118,35 +122,35 @@ class Measured {
   const Trace& trace_;
   StateRows states_;
   int base_;
-  BaseRows truth_, belief_;
+  BaseRows truth_, estimate_;
   std::vector<int> feet_;
   std::vector<Eigen::Isometry3d> start_;
-  Errors com_, turn_, place_, believed_;
+  Errors com_, turn_, position_estimate_, orientation_estimate_;
   SwayFigures figures_;
 };
 
 bool sways(const Sway& sway) { return !sway.shift.isZero(0.0) || !sway.turn.isZero(0.0); }
 
 std::string outcome_of(const Task& task, const RunResult& result, const pressing::RunEnd& end) {
-  const std::string& phase = phase_names()[static_cast<std::size_t>(end.phase)];
+  const std::string& phase = phase_names()[to_size(end.phase)];
   const std::string trouble = pressing::trouble_of(result, end, phase);
   if (!trouble.empty()) return trouble;
-  if (result.fell) return "it fell: the run ended at " + number(end.time) + " s, in phase " + phase;
+  if (result.fell)
+    return "the robot fell: the run ended at " + number(end.time) + " s, in phase " + phase;
   if (!result.sway)
-    return "it did not come to sway: the run ended at " + number(end.time) + " s, in phase " +
-           phase;
-  constexpr double unloaded = 0.5;  // N, less is written as 0
-  const double load = result.standing->least_load;
+    return "the sway did not begin: the run ended at " + number(end.time) + " s, in phase " + phase;
+  constexpr double unloaded = 0.5;  // smaller loads are printed as 0 [N]
+  const double load = result.standing->min_load;
   char text[200];
   std::snprintf(text, sizeof text,
-                "stood: %.1f s, the centre of mass %.1f mm and the base %.2f degrees rms off their "
-                "way; each foot bore %.0f N or more and slid %.1f mm at most",
+                "stood: %.1f s, rms error of %.1f mm for the centre of mass and %.2f degrees for "
+                "the base; load of each foot at least %.0f N, slip at most %.1f mm",
                 end.time, 1e3 * result.sway->com_rmse, degrees_per_radian * result.sway->turn_rmse,
                 load, 1e3 * result.sway->foot_slip);
   std::string outcome = text;
-  if (load < unloaded) outcome += "; a foot came off the ground for a time";
+  if (load < unloaded) outcome += "; a foot lost contact with the ground for a time";
   if (sways(task.sway) && !sways(result.setting.sway))
-    outcome += "; no direction could be swayed in";
+    outcome += "; no direction of the sway was possible";
   return outcome;
 }
 
@@ -162,7 +166,7 @@ RunResult run_task(const RunSpec& spec) {
   if (spec.check_reach) refuse_out_of_reach(task, setting);
   MpcController mpc(make_mpc(task, setting));
   const double end = setting.sway_end + task.rest_duration;
-  const double longest = setting.standing.settle + end;
+  const double max_duration = setting.standing.settle + end;
   pressing::ClosedRun run{
       .controller = mpc,
       .period = 1.0 / task.tick_rate,
@@ -170,7 +174,7 @@ RunResult run_task(const RunSpec& spec) {
       .scene = setting.scene,
       .disturbances = pressing::for_feet(model, setting.standing, task.disturbances),
       .q_start = setting.q_start,
-      .longest = longest + 1.0,
+      .longest = max_duration + 1.0,
       .plant = spec.plant,
       .standing = &setting.standing,
       .mpc = &mpc,
@@ -178,20 +182,19 @@ RunResult run_task(const RunSpec& spec) {
       .solver_delay = task.solver_delay + task.command_delay,
       .plan_rate = spec.plan_rate};
   run.goes_on = [&](double now, const Command&) {
-    return mpc.schedule().time() < end && now < longest + 0.5;
+    return mpc.schedule().time() < end && now < max_duration + 0.5;
   };
-  run.end = [longest] { return longest; };
+  run.end = [max_duration] { return max_duration; };
   run.progress = spec.progress;
   const pressing::RunEnd ended = pressing::run_closed_loop(run, result);
   if (result.trace.rows() > 0) {
-    Measured measured(task, result);
+    SwayRows measured(task, result);
     result.sway = measured.figures(ended.time);
     result.fell = measured.fell();
   }
   result.outcome = outcome_of(task, result, ended);
-  result.done = result.plant_status <= Status::NotConverged &&
-                result.fault.kind == FaultKind::None && !result.interrupted && !result.fell &&
-                mpc.schedule().time() >= end;
+  result.done = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
+                !result.interrupted && !result.fell && mpc.schedule().time() >= end;
   return result;
 }
 

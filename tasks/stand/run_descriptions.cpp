@@ -6,9 +6,10 @@ namespace burnish::stand {
 
 const Description& description_of(const SwayFigures* /*of*/) {
   static const Description all = [] {
-    Describe<SwayFigures> figures(
-        "stand", "SwayFigures",
-        "Of the plant's true places, from where the sway begins to the end of the run or a fault.");
+    Describe<SwayFigures> figures("stand", "SwayFigures",
+                                  "Figures of the plant's true positions, from the beginning of "
+                                  "the sway to the end of the run "
+                                  "or a fault.");
     each_sway_figure([&](const FigureEntry& entry, auto member) {
       figures.field(entry.name, member, described_as(entry).c_str());
     });

@@ -1,4 +1,4 @@
-// Figures of runs of the task, described by their table.
+// Description of the figures in stand/figures.hpp.
 #pragma once
 
 #include "pressing/run_descriptions.hpp"

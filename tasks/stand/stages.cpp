@@ -1,4 +1,4 @@
-// The task as stages over time, with the feet on the ground and the trunk on its way.
+// Stages of the task stand over time, with contacts of the feet and targets of the trunk.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +27,7 @@ struct Builder {
   const Task& task;
   const Setting& setting;
   const Model& model;
-  /// What the feet hold, as contacts.
+  /// Contacts of the feet.
   std::vector<ContactSpec> feet = pressing::foot_contacts(model, setting.standing, setting.q_start);
 
   Eigen::VectorXd start_state() const {
@@ -35,7 +35,7 @@ struct Builder {
     x.head(model.nq) = setting.q_start;
     return x;
   }
-  /// `write` takes the trunk and what it writes to.
+  /// Returns a signal whose value write(trunk, out) computes from the target of the trunk.
   template <class Write>
   Signal of_trunk(int size, const Write& write) const {
     return Signal::over_time(
@@ -62,8 +62,8 @@ struct Builder {
     const Weights& w = task.weights;
     Eigen::VectorXd rows = Eigen::VectorXd::Constant(2 * model.nv, w.posture);
     rows.tail(model.nv).setConstant(w.velocity);
-    rows.head<6>().setZero();             // where the base is, balance says, and `turn`
-    rows.segment<6>(model.nv).setZero();  // and how it moves
+    rows.head<6>().setZero();  // the costs "balance" and "turn" determine the pose of the base
+    rows.segment<6>(model.nv).setZero();  // the cost "momentum" determines the velocity of the base
     std::vector<CostTerm> terms{
         {.name = "state", .residual = residual::State{start_state()}, .weights = rows},
         {.name = "turn",
@@ -78,7 +78,7 @@ struct Builder {
   }
   Eigen::VectorXd rest_control() const {
     RigidBody body(model);
-    if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+    if (!is_usable(body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv))))
       throw Error("the starting posture cannot be evaluated");
     return pressing::torque_on_supports(model, body, setting.scene.supports, body.gravity_torque())
         .tail(model.nv - 6);
@@ -95,12 +95,12 @@ struct Builder {
   }
 };
 
-/// Feet on the ground, which is the surface too.
+/// Returns the scene with the feet on the ground. The ground is also the surface of the scene.
 SceneSpec make_scene(const Setting& s) {
-  constexpr double small = 0.005;  // m
+  constexpr double tip_radius = 0.005;  // [m]
   SceneSpec scene;
   scene.supports = pressing::supports_at(s.robot.model, s.standing, s.q_start);
-  scene.tip = {s.base, small};
+  scene.tip = {s.base, tip_radius};
   Eigen::Vector3d ground = Eigen::Vector3d::Zero();
   for (const SupportSpec& foot : scene.supports)
     ground += foot.point / static_cast<double>(scene.supports.size());
@@ -110,21 +110,22 @@ SceneSpec make_scene(const Setting& s) {
   return checked_scene(s.robot.model, scene);
 }
 
-/// x forwards as the base is turned; of a base that looks up or down, the world's.
+/// Returns horizontal axes with x forwards, computed from the yaw of the base.
 Eigen::Matrix3d heading_of(const Eigen::Matrix3d& R_base) {
   const double yaw = std::atan2(R_base(1, 0), R_base(0, 0));
   return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// The task's posture; one that is searched where the robot does not have it, and either has no
-/// postures at all or feet that were found.
+/// Returns the name of the task's posture. If the robot lacks this posture, returns
+/// searched_posture, with a note, in two cases: the robot has no postures at all, or its feet were
+/// found by search.
 std::string posture_of(const Task& task, Setting& s) {
   const bool is_of_another = s.robot.postures.empty() || s.standing.feet != task.standing.feet;
   if (!is_of_another || task.posture.empty() || task.posture == searched_posture ||
       s.robot.postures.contains(task.posture))
     return task.posture;
   s.notes.push_back("posture: robot " + in_quotes(s.robot.model.name) + " does not have " +
-                    in_quotes(task.posture) + "; one was found");
+                    in_quotes(task.posture) + "; a posture was found");
   return searched_posture;
 }
 
@@ -137,7 +138,7 @@ const std::vector<std::string>& phase_names() {
 
 Robot load_task_robot(const Task& task) {
   Robot robot = pressing::load_floating(task.robot);
-  std::vector<std::string> notes;  // make_setting() says them
+  std::vector<std::string> notes;  // not reported here, because make_setting() reports the notes
   const Standing standing = pressing::standing_on(robot, task.standing, notes);
   return pressing::light_joints_locked(std::move(robot), task.robot, standing);
 }
@@ -154,9 +155,9 @@ Setting make_setting(const Task& task, const Robot& robot) {
     const Eigen::VectorXd from =
         s.robot.default_posture.empty() ? model.q_neutral : s.robot.reference_configuration();
     const Eigen::VectorXd q = pressing::crouched_posture(model, s.standing, from, task.crouch);
-    constexpr double same = 0.01;
+    constexpr double tolerance = 0.01;
     const double crouch = pressing::crouch_at(model, s.standing, q);
-    if (crouch < task.crouch - same)
+    if (crouch < task.crouch - tolerance)
       s.notes.push_back("crouch: " + number(std::round(1e3 * crouch) / 1e3) + " in place of " +
                         number(task.crouch) + "; a lower base brings the legs to their limits");
     return q;
@@ -168,8 +169,8 @@ Setting make_setting(const Task& task, const Robot& robot) {
   s.p_base = base.translation();
   s.heading = heading_of(s.R_base);
   RigidBody body(model);
-  if (body.update(s.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
-    throw EntryError("posture", "it cannot be evaluated");
+  if (!is_usable(body.update(s.q_start, Eigen::VectorXd::Zero(model.nv))))
+    throw EntryError("posture", "the posture cannot be evaluated");
   s.com = body.com();
   s.sway = task.sway;
   s.sway_end = task.settle_duration + task.sway_duration;
@@ -222,19 +223,18 @@ std::vector<std::string> setting_notes(const Task& task, const Setting& setting)
   const std::string left = pressing::directions_left_out(setting.standing, mpc.problem.contacts);
   if (!left.empty())
     notes.push_back(
-        "standing.feet: the legs cannot move every foot in every direction by itself; " + left +
-        " follows from the directions that plans hold");
-  const double part = mpc.fallback.damping / setting.standing.fallback.damping;
-  if (part < 1.0)
-    notes.push_back("standing.fallback: " + number(part) +
-                    " of its stiffness and damping is used; with more the feet, which are light "
-                    "beside what they carry, shake on their ground");
+        "standing.feet: the legs cannot move every foot in every direction independently; " + left +
+        " depends on the other directions of the feet, so plans do not constrain it");
+  const double scale = mpc.fallback.damping / setting.standing.fallback.damping;
+  if (scale < 1.0)
+    notes.push_back("standing.fallback: stiffness and damping are multiplied by " + number(scale) +
+                    "; with larger gains, the light feet of this robot would shake on the ground");
   const double noise = task.disturbances.support_force_noise;
   const double used = pressing::for_feet(setting.robot.model, setting.standing, task.disturbances)
                           .support_force_noise;
   if (used < noise)
     notes.push_back("disturbances.support_force_noise: " + number(used) + " N in place of " +
-                    number(noise) + " N, as sensors for feet that bear so little have it");
+                    number(noise) + " N, as for sensors of feet that carry a small load");
   return notes;
 }
 

@@ -13,19 +13,20 @@
 namespace burnish::stand {
 namespace {
 
-/// How far the trunk is off its start: shift (m) and turn (rad), in Setting::heading.
-struct Swung {
+/// Displacement of the trunk from its start, in the axes Setting::heading: shift [m] and turn
+/// [rad].
+struct TrunkOffset {
   Eigen::Vector3d shift, turn;
 };
 
-/// `time`: s since the sway began.
-Swung swung_at(const Task& task, const Sway& s, double time) {
-  const double wide =
+/// Returns the displacement of the trunk at the time `time` after the sway began [s].
+TrunkOffset offset_at(const Task& task, const Sway& s, double time) {
+  const double envelope =
       pressing::smooth(time / s.rise) * pressing::smooth((task.sway_duration - time) / s.rise);
   const auto sine = [&](const Eigen::Vector3d& amplitude, const Eigen::Vector3d& rate) {
     Eigen::Vector3d value;
     for (int i = 0; i < 3; ++i)
-      value[i] = wide * amplitude[i] * std::sin(2.0 * std::numbers::pi * rate[i] * time);
+      value[i] = envelope * amplitude[i] * std::sin(2.0 * std::numbers::pi * rate[i] * time);
     return value;
   };
   return {sine(s.shift, s.shift_rate), sine(s.turn, s.turn_rate)};
@@ -34,13 +35,13 @@ Swung swung_at(const Task& task, const Sway& s, double time) {
 }  // namespace
 
 Trunk trunk_at(const Task& task, const Setting& setting, double time) {
-  constexpr double h = 1e-4;  // s
+  constexpr double h = 1e-4;  // step of central differences [s]
   const double since = time - task.settle_duration;
-  const Swung now = swung_at(task, setting.sway, since);
+  const TrunkOffset now = offset_at(task, setting.sway, since);
   Trunk trunk;
   trunk.com = setting.com + setting.heading * now.shift;
-  trunk.com_velocity = setting.heading * ((swung_at(task, setting.sway, since + h).shift -
-                                           swung_at(task, setting.sway, since - h).shift) /
+  trunk.com_velocity = setting.heading * ((offset_at(task, setting.sway, since + h).shift -
+                                           offset_at(task, setting.sway, since - h).shift) /
                                           (2.0 * h));
   const Eigen::Matrix3d turn = (Eigen::AngleAxisd(now.turn.z(), Eigen::Vector3d::UnitZ()) *
                                 Eigen::AngleAxisd(now.turn.y(), Eigen::Vector3d::UnitY()) *
@@ -60,8 +61,8 @@ double turn_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return Eigen::AngleAxisd(Eigen::Matrix3d(a.transpose() * b)).angle();
 }
 
-Lying lying_at(const Setting& setting, const Trunk& wanted, const Eigen::Vector3d& com,
-               const Eigen::Matrix3d& R_base) {
+TrunkFall lying_at(const Setting& setting, const Trunk& wanted, const Eigen::Vector3d& com,
+                   const Eigen::Matrix3d& R_base) {
   const double height = setting.com.z() - setting.scene.surface.point.z();
   return {(wanted.com.z() - com.z()) / height, turn_between(wanted.base, R_base)};
 }
@@ -77,8 +78,8 @@ Swaying::Swaying(const MpcSpec& spec, Task task, Setting setting)
 }
 
 std::vector<WatchedQuantity> Swaying::watched() const {
-  std::vector<WatchedQuantity> all{{"share of its height that the centre of mass sank", ""},
-                                   {"turn of the base off what it is to be", "rad"}};
+  std::vector<WatchedQuantity> all{{"drop of the centre of mass as a fraction of its height", ""},
+                                   {"angle of the base from its target", "rad"}};
   for (const std::string& foot : setting_.standing.feet)
     all.push_back({"slip of foot " + in_quotes(foot), "m"});
   return all;
@@ -86,7 +87,7 @@ std::vector<WatchedQuantity> Swaying::watched() const {
 
 void Swaying::watch(const TaskView& view, std::span<Reading> out) noexcept {
   const Trunk wanted = trunk_at(task_, setting_, view.schedule.time());
-  const Lying lying =
+  const TrunkFall lying =
       lying_at(setting_, wanted, view.body.com(), view.body.placement(base_).linear());
   out[0] = {lying.sunk, task_.sink};
   out[1] = {lying.turned, task_.tilt};
@@ -94,7 +95,8 @@ void Swaying::watch(const TaskView& view, std::span<Reading> out) noexcept {
     out[2 + i] = {slip_of(start_[i], view.body.placement(feet_[i]), setting_.standing), task_.slip};
 }
 
-/// For the record: the base's place, as the centre of mass would move it.
+/// Sets the target for the record. It is the position that the base would have if it moved with the
+/// centre of mass.
 void Swaying::aim(double time, Command& command) {
   command.p_target_world = setting_.p_base + trunk_at(task_, setting_, time).com - setting_.com;
 }

@@ -1,26 +1,26 @@
-// What the task watches while it is controlled: feet that slip, and a trunk that sinks or tips.
+// Monitor of the task during control. It detects feet that slip, and a trunk that sinks or tips.
 #pragma once
 
 #include "burnish/tasks/stand/stand.hpp"
 
 namespace burnish::stand {
 
-/// Of the schedule, as phase_names() counts them.
+/// Phases of the schedule, in the order of phase_names().
 enum Phase : int { settle, sway, rest };
 
-/// m: how far a foot is off where it was at the start, along the ground.
+/// Returns the distance of a foot from its start along the ground, without rolling [m].
 double slip_of(const Eigen::Isometry3d& start, const Eigen::Isometry3d& now,
                const Standing& standing);
-/// rad.
+/// Returns the angle between two orientations [rad].
 double turn_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 
-/// Whether the trunk is so far off where it is to be that the robot lies.
-struct Lying {
-  double sunk;    ///< of the height of the centre of mass above the feet
-  double turned;  ///< rad
+/// Deviation of the trunk from its target; a large deviation means a fall.
+struct TrunkFall {
+  double sunk;    ///< Loss of height of the centre of mass, as a fraction of its height.
+  double turned;  ///< Angle of the base from its target [rad].
 };
-Lying lying_at(const Setting& setting, const Trunk& wanted, const Eigen::Vector3d& com,
-               const Eigen::Matrix3d& R_base);
+TrunkFall lying_at(const Setting& setting, const Trunk& wanted, const Eigen::Vector3d& com,
+                   const Eigen::Matrix3d& R_base);
 
 class Swaying final : public MpcTask {
  public:
@@ -33,8 +33,8 @@ class Swaying final : public MpcTask {
  private:
   Task task_;
   Setting setting_;
-  int base_;               ///< frame
-  std::vector<int> feet_;  ///< frames
+  int base_;               ///< Frame of RigidBody.
+  std::vector<int> feet_;  ///< Frames of RigidBody.
   std::vector<Eigen::Isometry3d> start_;
 };
 

@@ -11,13 +11,13 @@ Task read_task(const std::filesystem::path& file, const std::vector<std::string>
 
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides) {
-  const files::Said<Task> said = files::parse_said<Task>(text, name, overrides);
+  const files::SpecTexts<Task> said = files::parse_said<Task>(text, name, overrides);
   files::placed(said.texts, [&] { check_task(said.spec); });
   return said.spec;
 }
 
 void override_task(Task& task, const std::vector<std::string>& overrides) {
-  files::Said<Task> said{.spec = task};
+  files::SpecTexts<Task> said{.spec = task};
   files::change(said, overrides);
   task = said.spec;
 }
@@ -28,16 +28,17 @@ void check_task(const Task& task) {
   check_ranges(description_of(&task), &task,
                [](const std::string& entry) { return "the task: " + entry; });
   if (!task.standing.stands())
-    throw EntryError("standing.feet", "there are none; wanted the frames that the robot stands on");
+    throw EntryError("standing.feet",
+                     "no feet are stated; wanted the frames that the robot stands on");
   pressing::check_durations({{"phases.settle_duration", task.settle_duration},
                              {"phases.sway_duration", task.sway_duration},
                              {"phases.rest_duration", task.rest_duration}});
   if (2.0 * task.sway.rise > task.sway_duration)
     throw EntryError("sway.rise",
-                     "it is " + number(task.sway.rise) +
-                         " s, and the sway, which has to come back as smoothly, takes " +
+                     "it is " + number(task.sway.rise) + " s and phases.sway_duration is " +
                          number(task.sway_duration) +
-                         " s (phases.sway_duration); wanted half of that at most");
+                         " s, which must contain one rise and one fall; wanted at most " +
+                         number(0.5 * task.sway_duration) + " s");
   pressing::check_plan_times(pressing::plan_times_of(task));
   pressing::check_contact_step(task.step, "standing.contact_kd", task.standing.contact_kd);
 }

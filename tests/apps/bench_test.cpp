@@ -1,4 +1,4 @@
-// burnish bench from outside: what it measures and counts, bad input. No time is asserted.
+// Tests of the command burnish bench: measurements, allocations and bad input. None asserts a time.
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -10,7 +10,7 @@ using Json = nlohmann::json;
 
 const std::string quick = " --seconds 0.01 --knots 20";
 
-TEST(Bench, MeasuresEveryPartAndAllocatesNothing) {
+TEST(Bench, Arm_IsMeasuredInEveryGroupWithoutAllocation) {
   const Outcome outcome = run("bench arm7 --threads 2 --json" + quick);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
@@ -31,7 +31,7 @@ TEST(Bench, MeasuresEveryPartAndAllocatesNothing) {
       EXPECT_EQ(line["allocations"], 0.0) << line;
     }
     if (line["group"] == "state") {
-      // More than the peak would be an error of counting.
+      // A fraction above 1 would be an error in the count of operations.
       EXPECT_GT(line["peak_share"].get<double>(), 0.0) << line;
       EXPECT_LT(line["peak_share"].get<double>(), 1.0) << line;
     }
@@ -40,11 +40,11 @@ TEST(Bench, MeasuresEveryPartAndAllocatesNothing) {
         EXPECT_GT(line[phase].get<double>(), 0.0) << line;
     }
   }
-  // One thread and two in packs.
+  // The iteration is measured on one thread and on two threads with packs.
   EXPECT_EQ(lines, (std::map<std::string, int>{{"iteration", 2}, {"state", 4}, {"tick", 1}}));
 }
 
-TEST(Bench, PrintsATableToPaste) {
+TEST(Bench, ArmAtAPosture_IsPrintedAsATable) {
   const Outcome outcome = run("bench arm7 --posture ready" + quick);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* words :
@@ -52,18 +52,18 @@ TEST(Bench, PrintsATableToPaste) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
 }
 
-TEST(Bench, TakesAPostureAtWhichTheToolCanPress) {
-  // A pendulum that hangs cannot move its tip up or down.
+TEST(Bench, SingularPosture_IsReplacedUnlessRequested) {
+  // The tip of a hanging pendulum cannot move up or down.
   const Outcome outcome = run("bench pendulum --json" + quick);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(Json::parse(outcome.out)["posture"], "beside hanging");
+  EXPECT_EQ(Json::parse(outcome.out)["posture"], "near hanging");
   const Outcome hanging = run("bench pendulum --posture hanging" + quick);
   EXPECT_EQ(hanging.exit_code, 2);
   for (const char* words : {"posture 'hanging'", "'tip'", "wanted another posture or tool"})
     EXPECT_NE(hanging.err.find(words), std::string::npos) << hanging.err;
 }
 
-TEST(Bench, TakesRobotsThatFloatAndTurnWithoutLimits) {
+TEST(Bench, FloatingBaseAndContinuousJoint_AreMeasured) {
   const Scratch scratch;
   std::string urdf = contents(std::filesystem::path(BURNISH_ROBOTS_DIR) / "arm7" / "arm7.urdf");
   const std::string joint = "\"joint_7\" type=\"revolute\"";
@@ -78,8 +78,8 @@ TEST(Bench, TakesRobotsThatFloatAndTurnWithoutLimits) {
   }
 }
 
-/// In the time of the clock, whatever else the machine does: what is late is no failure.
-TEST(Bench, MeasuresATaskInRealTime) {
+/// Runs the task in real time. A busy machine may miss deadlines; that is not a failure.
+TEST(Bench, Task_IsMeasuredInRealTime) {
   const auto file = std::filesystem::path(BURNISH_ROBOTS_DIR).parent_path() / "tasks/polishing";
   const Outcome outcome =
       run("bench --task " + quoted(file / "table.yaml") +
@@ -107,7 +107,7 @@ TEST(Bench, MeasuresATaskInRealTime) {
   }
 }
 
-TEST(Bench, BadInputIsOneSentence) {
+TEST(Bench, BadInput_IsRefusedInOneSentence) {
   const Outcome both = run("bench arm7 --task table.yaml");
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_NE(both.err.find("--task"), std::string::npos) << both.err;

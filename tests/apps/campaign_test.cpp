@@ -1,4 +1,4 @@
-// Shards, merge and resume from outside: the same files as of one process, no run twice, bad input.
+// Tests of shards, merge and resume: their files equal those of one process, no run is repeated.
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -16,18 +16,18 @@ const std::string seeds = "experiment seeds --quick --quiet --seeds 3 --plant id
 
 std::string to(const fs::path& folder) { return " --out " + quoted(folder); }
 
-bool measured(const fs::path& file) { return file.filename().string().ends_with(".times.json"); }
+bool is_timing(const fs::path& file) { return file.filename().string().ends_with(".times.json"); }
 
-/// Files of a folder by name, but for what was measured.
+/// Returns the contents of a folder's files by name, without the measured times.
 std::map<std::string, std::string> files_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && !measured(entry.path()))
+    if (entry.is_regular_file() && !is_timing(entry.path()))
       files[entry.path().filename().string()] = contents(entry.path());
   return files;
 }
 
-/// What a report is.
+/// Returns the files of a report: all files but the folder's marker and campaign.json.
 std::map<std::string, std::string> report_in(const fs::path& folder) {
   std::map<std::string, std::string> files = files_in(folder);
   files.erase(".burnish");
@@ -35,7 +35,7 @@ std::map<std::string, std::string> report_in(const fs::path& folder) {
   return files;
 }
 
-TEST(Campaign, ShardsMergeToWhatOneProcessWrites) {
+TEST(Campaign, MergedShards_EqualTheFilesOfOneProcess) {
   for (const std::string& experiment : {paper, seeds}) {
     const Scratch scratch;
     const fs::path one = scratch.folder / "one", merged = scratch.folder / "merged";
@@ -53,37 +53,36 @@ TEST(Campaign, ShardsMergeToWhatOneProcessWrites) {
     const Outcome outcome = run("merge" + folders + to(merged));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("results.csv"), std::string::npos);
-    // Beside the runs too, where --force then finds nothing that is not its own.
-    const fs::path part = scratch.folder / "1";
+    // The report may lie beside the runs; --force then finds only files of the program there.
+    const fs::path first = scratch.folder / "1";
     for (const char* number : {"2", "3"})
-      fs::copy(scratch.folder / number / "runs", part / "runs",
+      fs::copy(scratch.folder / number / "runs", first / "runs",
                fs::copy_options::overwrite_existing | fs::copy_options::recursive);
     for (int time = 0; time < 2; ++time)
-      EXPECT_EQ(run("merge --quiet " + quoted(part) + to(part)).exit_code, 0);
-    EXPECT_TRUE(report_in(part) == report_in(one));
-    EXPECT_EQ(run(experiment + "--force" + to(part)).exit_code, 0);
+      EXPECT_EQ(run("merge --quiet " + quoted(first) + to(first)).exit_code, 0);
+    EXPECT_TRUE(report_in(first) == report_in(one));
+    EXPECT_EQ(run(experiment + "--force" + to(first)).exit_code, 0);
     EXPECT_TRUE(results == files_in(one / "runs"));
     EXPECT_TRUE(report_in(merged) == report_in(one));
     EXPECT_GE(report_in(merged).size(), 4U);
   }
 }
 
-TEST(Campaign, ARunThatIsThereIsNotMadeAgain) {
+TEST(Campaign, ResumedExperiment_RepeatsNoFinishedRun) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
   const std::string shard =
       "experiment seeds --quick --seeds 3 --plant ideal --shard 1/2 --resume" + to(out);
   const Outcome first = run(shard);
   EXPECT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_NE(first.out.find("2 of 2 runs, 2 made and 0 there before"), std::string::npos)
-      << first.out;
-  EXPECT_NE(run(shard).out.find("0 made and 2 there before"), std::string::npos);
+  EXPECT_NE(first.out.find("2 of 2 runs, 2 new and 0 from before"), std::string::npos) << first.out;
+  EXPECT_NE(run(shard).out.find("0 new and 2 from before"), std::string::npos);
   for (const auto& [name, text] : files_in(out / "runs")) {
     fs::remove(out / "runs" / name);
     break;
   }
-  EXPECT_NE(run(shard).out.find("1 made and 1 there before"), std::string::npos);
-  // All of it takes the shard's, and so do more seeds.
+  EXPECT_NE(run(shard).out.find("1 new and 1 from before"), std::string::npos);
+  // The whole experiment reuses the runs of the shard, and so do more seeds.
   const Outcome all = run(seeds + "--resume" + to(out));
   EXPECT_EQ(all.exit_code, 0) << all.err;
   EXPECT_EQ(files_in(out / "runs").size(), 3U);
@@ -93,13 +92,13 @@ TEST(Campaign, ARunThatIsThereIsNotMadeAgain) {
   EXPECT_EQ(files_in(out / "runs").size(), 4U);
 }
 
-TEST(Campaign, InterruptedItGoesOnWhereItWas) {
+TEST(Campaign, InterruptedExperiment_ResumesToTheSameFiles) {
   const Scratch scratch;
   const fs::path one = scratch.folder / "one", out = scratch.folder / "out";
   const std::string command =
       "experiment seeds --quick --quiet --seeds 6 --threads 1 --plant ideal";
   ASSERT_EQ(run(command + to(one)).exit_code, 0);
-  // Once asked to end and once killed where it stands, each time after some results.
+  // The first process is interrupted, the second one killed, each after some results.
   for (const auto& [signal, count] : {std::pair("INT", 1), std::pair("KILL", 3)}) {
     const Outcome outcome =
         shell("'" BURNISH_PROGRAM "' " + command + " --resume" + to(out) +
@@ -115,7 +114,7 @@ TEST(Campaign, InterruptedItGoesOnWhereItWas) {
   EXPECT_TRUE(report_in(out) == report_in(one));
 }
 
-TEST(Campaign, ListsItsRuns) {
+TEST(Campaign, List_HasNumberKeyAndNameOfEachRun) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
   const std::string list = run("experiment seeds --quick --seeds 3 --plant ideal --list").out;
@@ -127,7 +126,7 @@ TEST(Campaign, ListsItsRuns) {
             std::string::npos);
 }
 
-TEST(Campaign, PublicRobotsOfAFolderAreSharedToo) {
+TEST(Campaign, RobotsOfAFolder_AreShardedAndResumed) {
   const Scratch scratch;
   scratch.write("checkouts/arm7.urdf", contents(BURNISH_ROBOTS_DIR "/arm7/arm7.urdf"));
   scratch.write("checkouts/robots.yaml", "arms: {Seven: {file: arm7.urdf, tool: flange}}");
@@ -142,12 +141,12 @@ TEST(Campaign, PublicRobotsOfAFolderAreSharedToo) {
   const std::string shard = command + "--shard 2/6 --resume" + to(out);
   const Outcome first = run(shard);
   EXPECT_EQ(first.exit_code, 0) << first.out << first.err;
-  EXPECT_NE(run(shard).out.find("0 made and 1 there before"), std::string::npos);
+  EXPECT_NE(run(shard).out.find("0 new and 1 from before"), std::string::npos);
   EXPECT_NE(list.find(fs::path(files_in(out / "runs").begin()->first).stem().string()),
             std::string::npos);
 }
 
-TEST(Campaign, ShardsThatDoNotGoTogetherAreRefused) {
+TEST(Campaign, IncompatibleShards_AreRefusedByMerge) {
   const Scratch scratch;
   const fs::path first = scratch.folder / "first", second = scratch.folder / "second",
                  other = scratch.folder / "other", merged = scratch.folder / "merged";
@@ -159,14 +158,14 @@ TEST(Campaign, ShardsThatDoNotGoTogetherAreRefused) {
     EXPECT_FALSE(fs::exists(merged));
   };
   refused(quoted(first),
-          "1 of 3 runs are not there, the first of them 'seed 1' (number 2); wanted "
-          "all shards, each with all of its runs (no folder is of 2/2)");
+          "1 of 3 runs are missing, the first is 'seed 1' (number 2); wanted "
+          "all shards, each with all of its runs (no folder holds 2/2)");
   refused(quoted(first) + " " + quoted(other),
           "'" + other.string() +
               "' holds runs of `burnish experiment seeds --seeds 3 --plant "
               "ideal --quick --set force=20`, and '" +
               first.string() + "' of");
-  refused(quoted(scratch.folder), "holds no runs of an experiment: there is no campaign.json");
+  refused(quoted(scratch.folder), "holds no runs of an experiment: it has no file campaign.json");
   const auto replace = [](const fs::path& file, const std::string& what, const std::string& by) {
     const std::string text = std::regex_replace(contents(file), std::regex(what), by);
     std::ofstream(file) << text;
@@ -177,44 +176,46 @@ TEST(Campaign, ShardsThatDoNotGoTogetherAreRefused) {
                                                     "0.1.7, and this is " BURNISH_VERSION);
   replace(second / "campaign.json", "0.1.7", BURNISH_VERSION);
   for (const auto& entry : fs::directory_iterator(second / "runs"))
-    if (measured(entry.path()))
+    if (is_timing(entry.path()))
       replace(entry.path(), "\"kernels\": \"[^\"]*\"", "\"kernels\": \"MMX\"");
   refused(quoted(first) + " " + quoted(second), "kernels for different processors");
   const Outcome mixed = run("merge --mixed " + quoted(first) + " " + quoted(second) + to(merged));
   EXPECT_EQ(mixed.exit_code, 0) << mixed.err;
   EXPECT_NE(contents(merged / "results.md").find("1 with MMX"), std::string::npos);
-  // A folder that is to go on holds what it is about.
+  // A folder that is resumed must hold runs of the same experiment.
   expect_refused(run(seeds + "--set force=20 --shard 1/2 --resume" + to(first)),
-                 "wanted the same words but for --seeds and --first-seed");
+                 "wanted the same options, except --seeds and --first-seed");
 }
 
-TEST(Campaign, BadWordsAreOneSentence) {
+TEST(Campaign, BadArguments_AreRefusedInOneSentence) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
   for (const char* shard : {"0/4", "5/4", "2", "2/4x", "a/b", "-1/2"})
     expect_refused(run(seeds + "--shard " + std::string(shard) + to(out)),
-                   "wanted I/N, number I of N shards, such as 2/4");
-  expect_refused(run("experiment tick --shard 1/2" + to(out)), "it has no --shard");
-  expect_refused(run(seeds + "--resume"), "--resume wants --out");
+                   "wanted I/N, part I of N parts, such as 2/4");
+  expect_refused(run("experiment tick --shard 1/2" + to(out)), "wanted none of --shard");
+  expect_refused(run(seeds + "--resume"),
+                 "--resume needs a folder to continue in; wanted --out DIR");
   expect_refused(run(seeds + "--resume --force" + to(out)), "wanted one of them");
   expect_refused(run(seeds + "--time-limit -1" + to(out)), "--time-limit");
   expect_refused(run(seeds + "--scheduler tcp://a:1 --shard 1/2" + to(out)),
-                 "it goes without --shard");
-  expect_refused(run("experiment tick --scheduler tcp://a:1"), "it has no --shard, --scheduler");
+                 "wanted none of --shard");
+  expect_refused(run("experiment tick --scheduler tcp://a:1"),
+                 "wanted none of --shard, --scheduler");
   expect_refused(run("merge"), "SHARD is required");
   for (const char* command : {"sweep", "tune"}) expect_refused(run(command), "FILE is required");
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(Campaign, ADiskThatIsFullIsOneSentenceAndNothingHalfWritten) {
+TEST(Campaign, FullDisk_IsOneSentenceAndLeavesNoPartialResult) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
-  // Files cannot grow beyond two blocks of 512 bytes: less than a result takes.
+  // Files cannot grow beyond two blocks of 512 bytes, which is less than a result needs.
   const Outcome outcome =
       shell("trap '' XFSZ; ulimit -f 2; '" BURNISH_PROGRAM "' " + seeds + "--threads 1" + to(out));
   expect_refused(outcome, "cannot write '" + (out / "runs").string());
   for (const auto& entry : fs::directory_iterator(out / "runs"))
-    EXPECT_TRUE(measured(entry.path())) << entry.path();
+    EXPECT_TRUE(is_timing(entry.path())) << entry.path();
   EXPECT_EQ(run(seeds + "--resume" + to(out)).exit_code, 0);
 }
 

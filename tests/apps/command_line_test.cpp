@@ -1,4 +1,4 @@
-// burnish, burnish show and burnish check from outside.
+// Tests of the commands burnish, burnish show and burnish check.
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(Program, HelpAndVersion) {
+TEST(Program, HelpAndVersion_ArePrinted) {
   EXPECT_EQ(run("--version").out, "burnish " BURNISH_VERSION "\n");
   for (const std::string arguments : {"--help", "show --help", "check --help", "eval --help"}) {
     const Outcome outcome = run(arguments);
@@ -22,13 +22,13 @@ TEST(Program, HelpAndVersion) {
   EXPECT_NE(bare.err.find("Usage: burnish"), std::string::npos);
 }
 
-TEST(Program, BadUsageIsOneSentence) {
+TEST(Program, BadUsage_IsRefusedInOneSentence) {
   expect_refused(run("chek arm7"), "unknown command 'chek'; did you mean 'check'?");
   expect_refused(run("show"), "ROBOT is required");
   expect_refused(run("show arm7 --lok joint_1"),
                  "unknown argument '--lok'; did you mean '--lock'?");
   expect_refused(run("show arm7 extra"), "unknown argument 'extra'");
-  expect_refused(run("show arm8"), "robot 'arm8' is not known; did you mean 'arm7'?");
+  expect_refused(run("show arm8"), "robot 'arm8' does not exist; did you mean 'arm7'?");
   expect_refused(run("show nowhere.urdf"), "nowhere.urdf: it does not exist");
   expect_refused(run("show arm7 --fixed --free-flyer"), "exclude each other");
   expect_refused(run("show arm7 --lock joint_11"), "did you mean 'joint_1'?");
@@ -41,14 +41,14 @@ TEST(Program, BadUsageIsOneSentence) {
   expect_refused(run("check arm7 --contact tool=tool,kp=1,2"), "kp: it has 2 numbers; wanted 6");
   expect_refused(run("check arm7 --contact tool=tool,kp=1,kp=2"), "key 'kp' is stated twice");
   expect_refused(run("check arm7 --contact tool=tool,reference=local,normal=0,0,1"),
-                 "a normal goes with reference=surface alone");
+                 "a normal requires reference=surface");
   const std::string nope = run("check arm7 --tool nope").err;
   EXPECT_NE(nope.find("frame 'nope' does not exist"), std::string::npos) << nope;
   EXPECT_EQ(nope.find("did you mean"), std::string::npos) << nope;
-  expect_refused(run("check arm7 --contact tool=tool,kp=much"), "kp: 'much' is no number");
+  expect_refused(run("check arm7 --contact tool=tool,kp=much"), "kp: 'much' is not a number");
 }
 
-TEST(Check, AContactIsStatedAsInAFileToo) {
+TEST(CheckCommand, ContactInBraces_EqualsTheContactAsPairs) {
   const std::string check = "check arm7 --states 2 --json --contact ";
   const Outcome pairs = run(check + "tool=tool,normal=0,0.2,1,directions=z,rx,kp=9");
   EXPECT_EQ(pairs.exit_code, 0) << pairs.err;
@@ -58,7 +58,7 @@ TEST(Check, AContactIsStatedAsInAFileToo) {
   EXPECT_EQ(pairs.out, braces.out) << braces.err;
 }
 
-TEST(Show, MarginsOfATool_NameEveryJoint) {
+TEST(ShowCommand, MarginsOfATool_NameEveryJoint) {
   const Outcome outcome = run("show talos:right_arm --tool tool");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* words : {"Margins at tool on a table", "ms of extra delay", "gain of joint",
@@ -85,29 +85,29 @@ TEST(Show, MarginsOfATool_NameEveryJoint) {
   EXPECT_FALSE(Json::parse(run("show talos:right_arm --json").out).contains("margins"));
 }
 
-TEST(Show, DrawsTheTree) {
+TEST(ShowCommand, Robot_IsPrintedAsATreeOfJoints) {
   const Outcome outcome = run("show crane");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   for (const std::string line :
-       {"crane: 10 moving joints, 13 entries in q, 10 in v, 157.74 kg that move\n",
+       {"crane: 10 moving joints, 13 entries in q, 10 in v, 157.74 kg of moving mass\n",
         "  ├─ left_luff_joint     revolute        3  2   -0.7    1.2       0.8     520    14\n",
         "     right_wrist_joint   continuous  11-12  9      -      -       2.5      25   0.8\n",
-        "Held joints\n  left_finger_a_joint left_finger_b_joint\n", "  work (default)\n",
+        "Locked joints\n  left_finger_a_joint left_finger_b_joint\n", "  work (default)\n",
         "Frames in the world at 'work'"}) {
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
   }
-  EXPECT_EQ(outcome.out.find(" \n"), std::string::npos) << "blanks at the end of a line";
+  EXPECT_EQ(outcome.out.find(" \n"), std::string::npos) << "a line ends with a blank";
 }
 
-TEST(Show, OptionsChangeTheRobot) {
+TEST(ShowCommand, BaseAndLockOptions_ChangeTheNumberOfJoints) {
   EXPECT_NE(run("show arm7 --free-flyer").out.find("8 moving joints"), std::string::npos);
   EXPECT_NE(run("show arm7 --lock joint_3 joint_5").out.find("5 moving joints"), std::string::npos);
   EXPECT_NE(run("show arm7 --lock joint_3,joint_5").out.find("5 moving joints"), std::string::npos);
   EXPECT_NE(run("show arm7 --free joint_3").out.find("1 moving joints"), std::string::npos);
 }
 
-TEST(Show, Json) {
+TEST(ShowCommand, JsonOption_PrintsJointsFramesAndPosture) {
   const Outcome outcome = run("show talos:right_arm --posture board_x --json");
   EXPECT_EQ(outcome.exit_code, 0);
   const Json json = Json::parse(outcome.out);
@@ -124,8 +124,8 @@ TEST(Show, Json) {
   }
 }
 
-/// A robot without a name, with a finger that has no mass.
-const char* const odd_robot =
+/// A robot without a name whose finger has no mass.
+const char* const flawed_robot =
     "<robot><link name='base'/><link name='arm'><inertial><origin xyz='0 0 1'/><mass value='1'/>"
     "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>\n"
     "<link name='finger'/><joint name='hinge' type='revolute'><parent link='base'/><child "
@@ -134,9 +134,9 @@ const char* const odd_robot =
     "<joint name='grip' type='continuous'><parent link='arm'/><child "
     "link='finger'/></joint></robot>";
 
-TEST(Show, WarnsOfWhatIsOdd) {
+TEST(ShowCommand, FlawedRobot_IsAWarningAndWithStrictAnError) {
   const Scratch scratch;
-  const std::string file = quoted(scratch.write("odd.urdf", odd_robot));
+  const std::string file = quoted(scratch.write("odd.urdf", flawed_robot));
   const Outcome outcome = run("show " + file);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(lines_of(outcome.err), 2) << outcome.err;
@@ -148,9 +148,9 @@ TEST(Show, WarnsOfWhatIsOdd) {
   EXPECT_EQ(lines_of(strict.err), 2) << strict.err;
 }
 
-TEST(Strict, HoldsForEveryCommandWithARobot) {
+TEST(StrictOption, NamelessRobot_IsRefusedByEveryCommand) {
   const Scratch scratch;
-  std::string nameless = odd_robot;  // every joint of it moves a mass
+  std::string nameless = flawed_robot;  // without the massless joint
   nameless.replace(nameless.find("continuous"), std::string("continuous").size(), "fixed");
   const std::string file = quoted(scratch.write("odd.urdf", nameless));
   const std::string out = " --out " + quoted(scratch.folder / "out");
@@ -166,13 +166,13 @@ TEST(Strict, HoldsForEveryCommandWithARobot) {
     const Outcome outcome = run(command + " --strict");
     EXPECT_EQ(outcome.exit_code, 2) << command;
     EXPECT_NE(outcome.err.find("<robot> has no name"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("strict reading refuses"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("strict reading rejects"), std::string::npos) << outcome.err;
   }
 }
 
-TEST(SingularMass, IsRefusedByWhatSimulates) {
+TEST(SingularMass, MasslessJoint_IsRefusedByCommandsThatSimulate) {
   const Scratch scratch;
-  const std::string file = quoted(scratch.write("odd.urdf", odd_robot));
+  const std::string file = quoted(scratch.write("odd.urdf", flawed_robot));
   const std::string out = " --out " + quoted(scratch.folder / "out");
   const std::string problem =
       quoted(scratch.write("problem.yaml",
@@ -186,17 +186,17 @@ TEST(SingularMass, IsRefusedByWhatSimulates) {
   }
 }
 
-TEST(Show, ReadsPipes) {
+TEST(ShowCommand, RobotInAPipe_IsRead) {
   const std::string program = "'" BURNISH_PROGRAM "' ";
   for (const std::string& command : {"cat | " + program + "show /dev/stdin",
                                      "bash -c \"" + program + "show <(cat)\" 0</dev/stdin"}) {
-    const Outcome outcome = shell("cat | " + command, odd_robot);
+    const Outcome outcome = shell("cat | " + command, flawed_robot);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("2 moving joints"), std::string::npos) << outcome.out;
   }
 }
 
-TEST(Show, ListsAllProblemsOneALine) {
+TEST(ShowCommand, BadUrdf_ListsEachProblemOnALine) {
   const Scratch scratch;
   const Outcome outcome =
       run("show " + quoted(scratch.write(
@@ -209,9 +209,9 @@ TEST(Show, ListsAllProblemsOneALine) {
   EXPECT_NE(outcome.err.find("line 2: link 'b': mass -1 kg is negative"), std::string::npos);
 }
 
-TEST(Show, DraftsSettings) {
+TEST(ShowCommand, WriteSettings_DraftsAFileThatLoads) {
   const Scratch scratch;
-  const std::string file = quoted(scratch.write("odd.urdf", odd_robot));
+  const std::string file = quoted(scratch.write("odd.urdf", flawed_robot));
   const std::string folder = quoted(scratch.folder / "drafted");
   const Outcome outcome = run("show " + file + " --write-settings " + folder);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -226,11 +226,11 @@ TEST(Show, DraftsSettings) {
   EXPECT_EQ(json["joints"][0]["effort_limit"][0], 5.0);
   const Outcome again = run("show " + file + " --write-settings " + folder);
   EXPECT_EQ(again.exit_code, 2);
-  EXPECT_NE(again.err.find("robot.yaml: it is there already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("robot.yaml: the file already exists"), std::string::npos) << again.err;
   expect_refused(run("show arm7 --write-settings " + folder), "a URDF or MJCF file");
 }
 
-TEST(Show, DraftsSettingsOfALeggedRobot_WithItsFeetAndAPostureOnThem) {
+TEST(ShowCommand, WriteSettingsOfALeggedRobot_DraftsFeetAndStandingPosture) {
   const Scratch scratch;
   const std::string file =
       quoted(std::filesystem::path(BURNISH_ROBOTS_DIR) / "quadruped" / "quadruped.urdf");
@@ -243,13 +243,13 @@ TEST(Show, DraftsSettingsOfALeggedRobot_WithItsFeetAndAPostureOnThem) {
         "default_posture: standing\n", "  standing: {", "root_joint: ["})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
   EXPECT_EQ(text.find("  tool: "), std::string::npos)
-      << "a leg with a foot presses nothing" << text;
+      << "a leg with a foot must not become the tool" << text;
   const Json json = Json::parse(run("show --json " + folder).out);
   EXPECT_EQ(json["default_posture"], "standing");
   EXPECT_EQ(json["nv"], 18);
 }
 
-TEST(Show, DraftsNoDefaultPostureBeyondTheLimits) {
+TEST(ShowCommand, WriteSettings_SkipsAPostureBeyondTheLimits) {
   const Scratch scratch;
   const std::string file = quoted(scratch.write(
       "arm.urdf",
@@ -271,7 +271,7 @@ TEST(Show, DraftsNoDefaultPostureBeyondTheLimits) {
       << text;
 }
 
-TEST(Show, DraftsSettingsForATool_WithAPostureForATable) {
+TEST(ShowCommand, WriteSettingsWithATool_DraftsAPostureForATable) {
   const Scratch scratch;
   const std::string file = quoted(scratch.write("arm.urdf", six_joint_arm(with_gripper())));
   const std::string folder = quoted(scratch.folder / "drafted");
@@ -291,13 +291,13 @@ TEST(Show, DraftsSettingsForATool_WithAPostureForATable) {
   EXPECT_EQ(json["default_posture"], "start");
 }
 
-TEST(Show, DraftsSettings_OfAGripper_WithItsToolBetweenTheFingers) {
+TEST(ShowCommand, WriteSettingsOfAGripper_PutsTheToolBetweenTheFingers) {
   const Scratch scratch;
   const std::string file = quoted(scratch.write("arm.urdf", six_joint_arm(with_gripper())));
   EXPECT_EQ(run("show " + file + " --write-settings " + quoted(scratch.folder / "a")).exit_code, 0);
   const std::string text = contents(scratch.folder / "a/robot.yaml");
   EXPECT_NE(text.find("  tool: {parent: tcp, "), std::string::npos) << text;
-  // A joint that leads another keeps its own effort, to which the model adds the follower's.
+  // The drafted effort of a leader is its own; the model adds that of its follower.
   const std::string lift = "<robot name='lift'><link name='base'/>" + finger("outer", "base", 0.0) +
                            finger("inner", "outer_link", 0.0, "<mimic joint='outer'/>") +
                            "</robot>";
@@ -312,7 +312,7 @@ TEST(Show, DraftsSettings_OfAGripper_WithItsToolBetweenTheFingers) {
     EXPECT_EQ(Json::parse(run("show --json " + robot).out)["joints"][0]["effort_limit"][0], 40.0);
 }
 
-TEST(Show, TakesMjcfAndDraftsItsSettings) {
+TEST(ShowCommand, Mjcf_IsReadAndItsSettingsDrafted) {
   const Scratch scratch;
   const std::string file = quoted(scratch.write(
       "dog.xml",
@@ -335,21 +335,21 @@ TEST(Show, TakesMjcfAndDraftsItsSettings) {
   EXPECT_EQ(run("check " + folder + " --states 2").exit_code, 0);
 }
 
-TEST(Check, PassesWithExitCodeZero) {
+TEST(CheckCommand, GoodRobot_PassesWithExitCodeZero) {
   const Outcome outcome = run("check arm7 --states 2");
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.err, "") << "progress is for terminals";
+  EXPECT_EQ(outcome.err, "") << "progress is shown on terminals only";
   EXPECT_NE(outcome.out.find("pass: all 120 rows, worst error "), std::string::npos) << outcome.out;
 }
 
-TEST(Check, NeedsAUrdfFileAndNoMore) {
+TEST(CheckCommand, UrdfFileAlone_Passes) {
   const Outcome outcome =
       run("check '" BURNISH_ROBOTS_DIR "/arm7/arm7.urdf' --tool flange --states 1");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST(Check, CoversCurvedSurfaces) {
+TEST(CheckCommand, CurvedSurfaces_Pass) {
   const Outcome outcome =
       run("check arm7 --surface sphere:0.3 --surface torus:0.1:0.5:hollow --states 1");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -358,19 +358,19 @@ TEST(Check, CoversCurvedSurfaces) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
   expect_refused(
       run("check arm7 --surface spere:0.3"),
-      "surface 'spere:0.3': there is no shape 'spere'; wanted such as sphere:0.3; did you "
+      "surface 'spere:0.3': there is no shape 'spere'; wanted a shape such as sphere:0.3; did you "
       "mean 'sphere'?");
   expect_refused(run("check arm7 --surface sphere:-1"), "its radius is -1 m");
 }
 
-TEST(Check, FailsWithExitCodeOne) {
+TEST(CheckCommand, TooSmallTolerance_FailsWithExitCodeOne) {
   const Outcome outcome = run("check arm7 --states 1 --tolerance 1e-18");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.out.find("FAIL: 120 of 120 rows\n"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find(", differences say "), std::string::npos);
+  EXPECT_NE(outcome.out.find(", finite differences give "), std::string::npos);
 }
 
-TEST(Check, ContactsFromTheCommandLine) {
+TEST(CheckCommand, TwoContactsAsArguments_AreCheckedTogether) {
   const Outcome outcome =
       run("check talos --states 2 --json --contact tool=left_sole_link,kp=100,kd=20,error=log6"
           " --contact tool=tool,base=world,name=pad,normal=0,0.2,1,directions=z,rx,ry,kd=50,"
@@ -389,7 +389,7 @@ TEST(Check, ContactsFromTheCommandLine) {
   EXPECT_TRUE(json["pass"].get<bool>());
 }
 
-TEST(Check, TwoBodiesAndAllAccelerations) {
+TEST(CheckCommand, TwoBodiesAndAllAccelerations_CheckEveryCombination) {
   const Outcome outcome =
       run("check crane --tool left_tip --base right_tip --all-accelerations --states 1 --json");
   EXPECT_EQ(outcome.exit_code, 0);

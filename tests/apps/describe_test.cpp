@@ -1,4 +1,4 @@
-// What the program says about itself: the manual page, completion in shells, the list of robots.
+// Tests of what the program prints about itself: manual page, completion in shells, list of robots.
 #include <algorithm>
 #include <regex>
 
@@ -14,22 +14,22 @@ std::vector<std::string> split_lines(const std::string& text) {
   return lines;
 }
 
-/// The commands that --help lists.
+/// Returns the commands that --help lists.
 std::vector<std::string> listed_commands() {
   std::vector<std::string> names;
-  bool here = false;
+  bool listed = false;
   for (const std::string& line : split_lines(run("--help").out)) {
     if (line == "Subcommands:")
-      here = true;
+      listed = true;
     else if (line.empty())
-      here = false;
-    else if (here)
+      listed = false;
+    else if (listed)
       names.push_back(line.substr(2, line.find(' ', 2) - 2));
   }
   return names;
 }
 
-/// The long options that the help of a command, or of the program, lists.
+/// Returns the long options that the help of a command lists; an empty command is the program.
 std::vector<std::string> listed_options(const std::string& command) {
   std::vector<std::string> names;
   const std::regex option("^  (-[a-z],)?(--[a-z-]+)( .*)?$");
@@ -40,7 +40,7 @@ std::vector<std::string> listed_options(const std::string& command) {
   return names;
 }
 
-/// The source of a section of the manual page, minus signs as they are read.
+/// Returns the source of a section of the manual page, with plain minus signs.
 std::string manual_section(const std::string& name) {
   const std::string page = run("--man").out;
   const std::size_t begin = page.find("\n.SH " + name + "\n");
@@ -54,7 +54,7 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-TEST(ManPage, HasEveryCommandAndOption) {
+TEST(ManPage, Text_HasEveryCommandAndOption) {
   EXPECT_EQ(listed_commands().size(), 13U);
   EXPECT_NE(manual_section("COMMANDS"), "");
   std::vector<std::string> all{""};
@@ -67,28 +67,28 @@ TEST(ManPage, HasEveryCommandAndOption) {
     const std::string text = manual_section(command.empty() ? "OPTIONS" : upper_case(command));
     EXPECT_GE(listed_options(command).size(), 2U);
     for (const std::string& option : listed_options(command)) {
-      if (!command.empty() && option == "--help") continue;  // said once
+      if (!command.empty() && option == "--help") continue;  // listed once for the program
       EXPECT_NE(text.find("\\fB" + option + "\\fR"), std::string::npos) << option;
     }
   }
   EXPECT_NE(run("--man").out.find("\"burnish " BURNISH_VERSION "\""), std::string::npos);
 }
 
-TEST(ManPage, IsSetWithoutWarnings) {
+TEST(ManPage, Groff_FormatsItWithoutWarnings) {
   if (!is_installed("groff")) GTEST_SKIP() << "groff is not installed";
   const Outcome set = shell("groff -man -Tutf8 -ww", run("--man").out);
   EXPECT_EQ(set.exit_code, 0);
   EXPECT_EQ(set.err, "");
-  // Overstruck letters and colours off.
+  // Remove overstruck letters and colours.
   const std::string text = std::regex_replace(set.out, std::regex(".\b|\x1b\\[[0-9;]*m"), "");
   for (const std::string words :
        {"--completion SHELL", "--surface SURFACE ...", "burnish experiment [options] EXPERIMENT",
         "echo '{\"robot\": \"arm7\", \"contacts\": [{\"tool\": \"tool\", \"directions\": \"z\"}],",
-        "--contact tool=left_sole_link --contact tool=right_sole_link \\", "the file's, or 100"})
+        "--contact tool=left_sole_link --contact tool=right_sole_link \\", "from the file, or 100"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
-/// What bash offers for the last of the words, which are those that it splits a line into.
+/// Returns bash's completions for the last word; `words` is a line as bash splits it.
 std::string bash_offers(const std::string& words, const std::string& robots = BURNISH_ROBOTS_DIR) {
   const Scratch scratch;
   const auto script = scratch.write("script", run("--completion bash").out);
@@ -101,7 +101,7 @@ std::string bash_offers(const std::string& words, const std::string& robots = BU
   return outcome.out.substr(0, outcome.out.find('\n'));
 }
 
-TEST(Bash, CompletesCommandsOptionsAndChoices) {
+TEST(BashCompletion, Words_CompleteToCommandsOptionsAndChoices) {
   const std::string program = "\"" BURNISH_PROGRAM "\" ";
   EXPECT_EQ(bash_offers(program + "po"), "polish");
   EXPECT_EQ(bash_offers(program + "\"\""),
@@ -119,18 +119,17 @@ TEST(Bash, CompletesCommandsOptionsAndChoices) {
   EXPECT_EQ(bash_offers(program + "--completion \"\""), "bash zsh fish");
 }
 
-TEST(Bash, CompletesRobotsByNameWhereARobotStands) {
+TEST(BashCompletion, RobotArgument_CompletesToNamesOfRobots) {
   const std::string program = "\"" BURNISH_PROGRAM "\" ";
   EXPECT_EQ(bash_offers(program + "show ta"),
             "talos talos:fixed talos:right_arm talos:two_arms talos:with_plate");
   EXPECT_EQ(bash_offers(program + "show talos : r"), "right_arm");
   EXPECT_EQ(bash_offers(program + "check --tool tool pend"), "pendulum");
-  EXPECT_EQ(bash_offers(program + "show --posture ta"), "")
-      << "a name of something in the robot's file";
-  EXPECT_EQ(bash_offers(program + "polish ta"), "") << "files are left to the shell";
+  EXPECT_EQ(bash_offers(program + "show --posture ta"), "") << "a posture is not a robot";
+  EXPECT_EQ(bash_offers(program + "polish ta"), "") << "the shell completes files itself";
 }
 
-TEST(Completion, EveryOptionIsInEveryShellsScript) {
+TEST(ShellCompletion, Scripts_HaveEveryOption) {
   for (const std::string shell_name : {"bash", "zsh", "fish"}) {
     const std::string script = run("--completion " + shell_name).out;
     for (const std::string& command : listed_commands())
@@ -142,14 +141,14 @@ TEST(Completion, EveryOptionIsInEveryShellsScript) {
   expect_refused(run("--completion tcsh"), "no completion for 'tcsh'; wanted bash, zsh or fish");
 }
 
-TEST(Completion, ZshReadsItsScript) {
+TEST(ShellCompletion, ZshScript_HasValidSyntax) {
   if (!is_installed("zsh")) GTEST_SKIP() << "zsh is not installed";
   const Outcome outcome = shell("zsh -n", run("--completion zsh").out);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST(Completion, FishCompletes) {
+TEST(ShellCompletion, FishScript_CompletesCommandsOptionsAndChoices) {
   if (!is_installed("fish")) GTEST_SKIP() << "fish is not installed";
   const Scratch scratch;
   const auto script = scratch.write("script", run("--completion fish").out);
@@ -165,7 +164,7 @@ TEST(Completion, FishCompletes) {
   EXPECT_EQ(offers("burnish polish --surface ta"), "table\n");
 }
 
-TEST(Robots, AreListedWithTheirVariants) {
+TEST(RobotList, Library_IsListedWithVariants) {
   const Outcome outcome = run("--robots");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
@@ -178,7 +177,7 @@ TEST(Robots, AreListedWithTheirVariants) {
   })) << outcome.out;
 }
 
-TEST(Robots, OneThatCannotBeReadIsNamedAndHidesNoOther) {
+TEST(RobotList, UnreadableRobot_IsNamedAndHidesNoOther) {
   const Scratch scratch;
   std::filesystem::create_directory(scratch.folder / "broken");
   scratch.write("broken/robot.yaml", "urdf: [");

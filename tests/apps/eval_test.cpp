@@ -1,4 +1,4 @@
-// burnish eval from outside: answers, exit codes and refusals.
+// Tests of the command burnish eval: answers, exit codes and refusals.
 #include <Eigen/Core>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -36,7 +36,7 @@ void expect_near(const Json& a, const Json& b, double tolerance, const std::stri
   }
 }
 
-/// The n-th block of JSON in docs/eval.md.
+/// Returns the n-th block of JSON in docs/eval.md.
 std::string documented(int n) {
   const std::string text = contents(repository + "/docs/eval.md");
   std::size_t begin = 0;
@@ -44,7 +44,7 @@ std::string documented(int n) {
   return text.substr(begin, text.find("```", begin) - begin);
 }
 
-TEST(Eval, TheDocumentedExampleIsTheFileAndItsAnswer) {
+TEST(Eval, DocumentedExample_EqualsTheFileAndItsAnswer) {
   EXPECT_EQ(documented(0), contents(repository + "/examples/eval/press.json"));
   const Outcome outcome = run("eval '" + repository + "/examples/eval/press.json'");
   EXPECT_EQ(outcome.exit_code, 0);
@@ -52,7 +52,7 @@ TEST(Eval, TheDocumentedExampleIsTheFileAndItsAnswer) {
   expect_near(Json::parse(outcome.out), Json::parse(documented(1)), 1e-9, "answer");
 }
 
-TEST(Eval, EveryExampleRuns) {
+TEST(Eval, EveryExample_Runs) {
   for (const auto& file : std::filesystem::directory_iterator(repository + "/examples/eval")) {
     const Outcome outcome = run("eval '" + file.path().string() + "'");
     EXPECT_EQ(outcome.exit_code, 0) << file.path() << outcome.err;
@@ -60,7 +60,7 @@ TEST(Eval, EveryExampleRuns) {
   }
 }
 
-TEST(Eval, AllThatCanBeComputedHasItsSize) {
+TEST(Eval, EveryQuantity_HasItsSize) {
   const Json request{
       {"robot", "talos"},
       {"contacts",
@@ -94,7 +94,7 @@ TEST(Eval, AllThatCanBeComputedHasItsSize) {
   EXPECT_EQ(state["forces"][0]["by"], "world");
 }
 
-TEST(Eval, InverseUndoesForward) {
+TEST(Eval, InverseOfForward_ReturnsTheTorques) {
   Json request{{"robot", "arm7"},
                {"contacts", {{{"tool", "tool"}, {"directions", "linear"}}}},
                {"compute", {"forward", "inverse", "bias"}},
@@ -108,7 +108,7 @@ TEST(Eval, InverseUndoesForward) {
   expect_near(inverse["tau"], {0.0, 12.5, 0.0, -3.25, 0.0, 0.0, 0.0}, 1e-10, "tau");
 }
 
-/// 10 N at the tip of an arm, to hold the posture at rest.
+/// Returns a request with a force of 10 N at the tool of an arm at rest.
 Json pressing_with_ten_newtons(const Json& compute) {
   return {{"robot", "arm7"},
           {"contacts",
@@ -120,7 +120,7 @@ Json pressing_with_ten_newtons(const Json& compute) {
           {"states", {{{"q", "ready"}, {"lambda", {10}}}}}};
 }
 
-TEST(Eval, ForcesBesideInverse_AreThoseAskedFor) {
+TEST(Eval, ForcesBesideInverse_AreTheGivenForces) {
   for (const Json& compute : {Json{"inverse", "forces"}, Json{"inverse_derivatives"},
                               Json{"inverse", "acceleration", "diagnosis"}}) {
     const Json state = answer_to(pressing_with_ten_newtons(compute))["states"][0];
@@ -130,7 +130,7 @@ TEST(Eval, ForcesBesideInverse_AreThoseAskedFor) {
   }
 }
 
-TEST(Eval, ForcesBesideForwardAndInverse_AreThoseOfForward) {
+TEST(Eval, ForcesBesideForwardAndInverse_AreTheForwardForces) {
   const Json state = answer_to(pressing_with_ten_newtons({"inverse", "forward"}))["states"][0];
   EXPECT_EQ(state["forces_of"], "forward");
   EXPECT_NEAR(state["forces"][0]["value"][2].get<double>(),
@@ -138,35 +138,36 @@ TEST(Eval, ForcesBesideForwardAndInverse_AreThoseOfForward) {
   EXPECT_GT(std::abs(state["forces"][0]["value"][2].get<double>() - 10.0), 1.0);
 }
 
-TEST(Eval, ForcesOfAnotherMotion_AreRefused) {
+TEST(Eval, GivenMotionOrForceThatForcesIgnore_IsRefused) {
   const auto expect_refused = [](const Json& request, const std::string& words) {
     const Outcome outcome = run("eval -", request.dump());
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
-  expect_refused(pressing_with_ten_newtons({"acceleration"}), "beside an acceleration");
-  expect_refused(pressing_with_ten_newtons({"forces"}), "states[0].lambda: it is stated");
+  expect_refused(pressing_with_ten_newtons({"acceleration"}), "lists forces, and an acceleration");
+  expect_refused(pressing_with_ten_newtons({"forces"}), "states[0].lambda: it is given");
   Json moved = pressing_with_ten_newtons({"forces", "frames"});
   moved["states"][0] = {{"a", {1, 0, 0, 0, 0, 0, 0}}};
-  expect_refused(moved, "states[0].a: it is stated");
+  expect_refused(moved, "states[0].a: it is given");
   moved["states"][0] = {{"q", "ready"}, {"tau", {{"joint_2", 1.0}}}};
   EXPECT_EQ(answer_to(moved)["states"][0]["forces_of"], "forward");
 }
 
-TEST(Eval, StatesOutOfAllSense_AreRefusedOrWarnedOf) {
+TEST(Eval, ImplausibleStates_AreRefusedOrWarnedOf) {
   Json request{{"robot", "arm7"}, {"states", {{{"q", {0, 1e20, 0, 0, 0, 0, 0}}}}}};
   const auto refused = [&](const std::string& options) {
     const Outcome outcome = run("eval " + options + "-", request.dump());
     EXPECT_EQ(outcome.exit_code, 2);
     return outcome.err;
   };
-  for (const char* words : {"states[0].q", "'joint_2' is 1e+20", "16384 apart"})
+  for (const char* words :
+       {"states[0].q", "'joint_2' is 1e+20", "floating-point numbers differ by 16384"})
     EXPECT_NE(refused("").find(words), std::string::npos) << refused("");
   request["states"][0] = {{"q", {{"joint_2", -1e12}}}};
   EXPECT_NE(refused("").find("'joint_2' is -1e+12"), std::string::npos) << refused("");
   request["states"][0] = {{"v", {{"joint_2", 1e10}}}};
   EXPECT_NE(refused("").find("states[0].v"), std::string::npos) << refused("");
-  // Degrees, and what no motor does.
+  // Degrees in place of radians, and velocities and torques beyond the limits.
   request["states"] = {{{"q", "ready"}},
                        {{"q", {{"joint_2", 90}}}},
                        {{"v", {{"joint_1", 1e3}}}, {"tau", {{"joint_3", -1e6}}}}};
@@ -183,8 +184,8 @@ TEST(Eval, StatesOutOfAllSense_AreRefusedOrWarnedOf) {
   EXPECT_NE(refused("--strict ").find("states[1]"), std::string::npos);
 }
 
-TEST(Eval, RowsThatContradictEachOther_AreNamedWithTheForcesOfLeastSquares) {
-  // Two tables at the same place, one of which asks the tool to rise.
+TEST(Eval, ContradictoryRows_AreNamedAndSolvedByLeastSquares) {
+  // Two contacts at one place; the second asks the tool to accelerate upwards.
   Json table{{"name", "table"}, {"tool", "tool"}, {"directions", "linear"}};
   Json lift = table;
   lift["name"] = "lift";
@@ -202,14 +203,14 @@ TEST(Eval, RowsThatContradictEachOther_AreNamedWithTheForcesOfLeastSquares) {
   const Json thousand = answer_to(request, 1)["states"][0];
   expect_near(thousand["forward"]["lambda"], ten["forward"]["lambda"], 1e-6, "lambda");
   expect_near(thousand["forward"]["unmet"], ten["forward"]["unmet"], 1e-9, "unmet");
-  // Halves of what one asks for and the other does not.
+  // Each contact misses half of the requested acceleration.
   EXPECT_NEAR(ten["forward"]["unmet"][2].get<double>(), -ten["forward"]["unmet"][5].get<double>(),
               1e-9);
   EXPECT_NEAR(ten["forward"]["lambda"][2].get<double>(), ten["forward"]["lambda"][5].get<double>(),
               1e-6);
 }
 
-TEST(Eval, FramesGravityAndNamesOfPostures) {
+TEST(Eval, FramesGravityAndPostures_AreApplied) {
   Json request{{"robot", "arm7"},
                {"frames",
                 {{{"name", "sander"},
@@ -223,7 +224,7 @@ TEST(Eval, FramesGravityAndNamesOfPostures) {
   const Json answer = answer_to(request);
   for (const Json& state : answer["states"]) {
     for (const Json& x : state["forward"]["a"]) EXPECT_EQ(x.get<double>(), 0.0);
-    // No gain acts on it, and yet it is the error.
+    // Without gains the contact exerts no force; its error is still computed.
     const Json& at = state["frames"]["sander"]["xyz"];
     EXPECT_NEAR(state["contact_error"][0].get<double>(), at[0].get<double>() - 0.1, 1e-12);
     EXPECT_NEAR(state["contact_error"][2].get<double>(), at[2].get<double>(), 1e-12);
@@ -231,7 +232,7 @@ TEST(Eval, FramesGravityAndNamesOfPostures) {
   EXPECT_NE(answer["states"][0]["frames"]["tool"], answer["states"][1]["frames"]["tool"]);
 }
 
-TEST(Eval, TheTargetHereIsWhereTheToolIsInTheFirstState) {
+TEST(Eval, TargetHere_IsThePoseOfTheToolInTheFirstState) {
   Json request{{"robot", "arm7"},
                {"contacts", {{{"tool", "tool"}, {"kp", 100}, {"target", "here"}}}},
                {"compute", {"contact_error"}},
@@ -252,7 +253,7 @@ TEST(Eval, TheTargetHereIsWhereTheToolIsInTheFirstState) {
   EXPECT_GT(errors()[0], 0.1);
 }
 
-TEST(Eval, AContactIsStatedAsInAProblem) {
+TEST(Eval, ContactsAsAMap_EqualContactsAsAList) {
   const auto forces = [](const Json& contacts) {
     return answer_to({{"robot", "arm7"}, {"contacts", contacts}, {"compute", "forces"}})["states"];
   };
@@ -268,7 +269,7 @@ TEST(Eval, AContactIsStatedAsInAProblem) {
                              {"kd", 0}}}}));
 }
 
-TEST(Eval, BadStatusIsSaidAndExitsWithOne) {
+TEST(Eval, RedundantContacts_AreAStatusWithExitCodeOne) {
   const Json request{{"robot", "arm7"},
                      {"contacts",
                       {{{"name", "one"}, {"tool", "tool"}, {"directions", "z"}},
@@ -285,20 +286,20 @@ TEST(Eval, BadStatusIsSaidAndExitsWithOne) {
   EXPECT_TRUE(state["diagnosis"]["condition"].is_null());
 }
 
-TEST(Eval, NumbersReadBackAsTheyWere) {
+TEST(Eval, CompactAnswer_EqualsThePrettyAnswer) {
   const Outcome pretty = run("eval -", R"({"robot": "arm7"})");
   const Outcome compact = run("eval - --compact", R"({"robot": "arm7"})");
   EXPECT_EQ(Json::parse(pretty.out), Json::parse(compact.out));
   EXPECT_EQ(compact.out.find('\n') + 1, compact.out.size());
 }
 
-TEST(Eval, ListsAreAnsweredWithLists) {
+TEST(Eval, ListOfRequests_IsAnsweredWithAList) {
   EXPECT_TRUE(Json::parse(run("eval -", R"([{"robot": "arm7"}])").out).is_array());
   EXPECT_TRUE(Json::parse(run("eval -", R"({"robot": "arm7"})").out).is_object());
   EXPECT_EQ(run("eval -", "[]").out, "[]\n");
 }
 
-TEST(Eval, RobotsAreFoundBesideTheRequest) {
+TEST(Eval, RobotBesideTheRequest_IsFound) {
   const Scratch scratch;
   scratch.write("mine.urdf", contents(BURNISH_ROBOTS_DIR "/arm7/arm7.urdf"));
   const auto file = scratch.write("request.json", R"({"robot": "mine.urdf"})");
@@ -307,7 +308,7 @@ TEST(Eval, RobotsAreFoundBesideTheRequest) {
   EXPECT_EQ(Json::parse(outcome.out)["v_names"].size(), 7U);
 }
 
-TEST(Eval, AJointWithoutMassIsAWarningAndAStatus) {
+TEST(Eval, MasslessJoint_IsAWarningAndAStatus) {
   const Scratch scratch;
   scratch.write("finger.urdf",
                 "<robot name='finger'><link name='base'/><link name='tip'/><joint name='hinge' "
@@ -329,90 +330,94 @@ TEST(Eval, AJointWithoutMassIsAWarningAndAStatus) {
   expect_refused(request(R"(, "strict": true)"), "joint 'hinge' moves no mass");
 }
 
-struct Refused {
+struct BadRequest {
   const char* request;
   const char* sentence;
 };
 
-class EvalRefuses : public ::testing::TestWithParam<Refused> {};
+class EvalRefusal : public ::testing::TestWithParam<BadRequest> {};
 
-TEST_P(EvalRefuses, WithThePlace) {
+TEST_P(EvalRefusal, BadRequest_IsRefusedWithItsPlace) {
   expect_refused(run("eval -", GetParam().request), GetParam().sentence);
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Requests, EvalRefuses,
+    Requests, EvalRefusal,
     ::testing::Values(
-        Refused{"", "standard input: parse error at line 1"},
-        Refused{"{\"robot\": \"arm7\",}", "standard input: parse error at line 1, column 18"},
-        Refused{"{\"robot\": NaN}", "parse error"},
-        Refused{R"({"robot": "arm7", "gravity": [0, 0, 1e999]})",
-                "line 1: gravity: '1e999' is larger than any number can be"},
-        Refused{R"({"robot": "arm7", "robot": "crane"})", "line 1: key 'robot' is stated twice"},
-        Refused{"3", "it is the number 3; wanted keys with values"},
-        Refused{"{}", "key 'robot' is missing"},
-        Refused{R"({"robot": "arm8"})", "robot: robot 'arm8' is not known; did you mean 'arm7'?"},
-        Refused{R"([{"robot": "arm7"}, {"robt": "arm7"}])",
-                "[1]: key 'robt' is unknown; did you mean 'robot'?"},
-        Refused{R"({"robot": "arm7", "base": "floating"})",
-                "base: 'floating' is unknown; wanted fixed or free_flyer"},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "directons": "z"}]})",
-                "contacts[0]: key 'directons' is unknown; did you mean 'directions'?"},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tol"}]})", "did you mean 'tool'?"},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": [1, 2]}]})",
-                "contacts[0].kp: it has 2 numbers; wanted 6"},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference": "wrld"}]})",
-                "contacts[0].reference: "},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
+        BadRequest{"", "standard input: parse error at line 1"},
+        BadRequest{"{\"robot\": \"arm7\",}", "standard input: parse error at line 1, column 18"},
+        BadRequest{"{\"robot\": NaN}", "parse error"},
+        BadRequest{R"({"robot": "arm7", "gravity": [0, 0, 1e999]})",
+                   "line 1: gravity: '1e999' is too large; wanted a magnitude below 1.8e308"},
+        BadRequest{R"({"robot": "arm7", "robot": "crane"})", "line 1: key 'robot' is stated twice"},
+        BadRequest{"3", "it is the number 3; wanted keys with values"},
+        BadRequest{"{}", "key 'robot' is missing"},
+        BadRequest{R"({"robot": "arm8"})",
+                   "robot: robot 'arm8' does not exist; did you mean 'arm7'?"},
+        BadRequest{R"([{"robot": "arm7"}, {"robt": "arm7"}])",
+                   "[1]: key 'robt' is unknown; did you mean 'robot'?"},
+        BadRequest{R"({"robot": "arm7", "base": "floating"})",
+                   "base: 'floating' is unknown; wanted fixed or free_flyer"},
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "directons": "z"}]})",
+                   "contacts[0]: key 'directons' is unknown; did you mean 'directions'?"},
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tol"}]})", "did you mean 'tool'?"},
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": [1, 2]}]})",
+                   "contacts[0].kp: it has 2 numbers; wanted 6"},
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference": "wrld"}]})",
+                   "contacts[0].reference: "},
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
                 {"surface": {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 2]]}}}]})",
-                "contacts[0].reference.surface.matrix: it is not a rotation matrix"},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
+                   "contacts[0].reference.surface.matrix: it is not a rotation matrix"},
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
                 {"local": {"normal": [0, 0, 1]}}}]})",
-                "contacts[0].reference.local: a normal goes with 'surface'"},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "target":
+                   "contacts[0].reference.local: key 'normal' is possible only in 'surface'"},
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "target":
                 {"quaternion": [1, 1, 0, 0]}}]})",
-                "contacts[0].target.quaternion: the quaternion has length 1.41421; wanted 1"},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
+                   "contacts[0].target.quaternion: the quaternion has length 1.41421; wanted 1"},
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
                 {"type": "surface", "normal": [0, 0.2, 1]}}]})",
-                "wanted {\"surface\": {\"normal\": [0, 0.2, 1]}}"},
-        Refused{
+                   "wanted {\"surface\": {\"normal\": [0, 0.2, 1]}}"},
+        BadRequest{
             R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
             "contacts[0]: key 'target' is missing, and kp is not 0; wanted \"target\": \"here\""},
-        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
-                "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base'"},
-        Refused{R"({"robot": "arm7", "contacts": {"tip": {"tool": "tool"}}, "compute":
+        BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
+                   "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base'"},
+        BadRequest{R"({"robot": "arm7", "contacts": {"tip": {"tool": "tool"}}, "compute":
                 "contact_error"})",
-                "contacts.tip: key 'target' is missing, and its contact_error is asked for"},
-        Refused{R"({"robot": "arm7", "states": [{"q": {"joint_1": [{}]}}]})",
-                "input: line 1: states[0].q.joint_1[0]: it is keys with values; wanted a number"},
-        Refused{R"({"robot": "arm7", "states": [{}, {"q": [1, 2]}]})",
-                "states[1].q: it has 2 numbers; wanted 7"},
-        Refused{R"({"robot": "arm7", "states": [{"q": "redy"}]})", "did you mean 'ready'?"},
-        Refused{R"({"robot": "arm7", "states": [{"v": {"joint_9": 1}}]})",
-                "states[0].v: key 'joint_9' is unknown; did you mean 'joint_1'?"},
-        Refused{R"({"robot": "arm7", "states": [{"tau": [0, 0, 0, 0, 0, 0, "x"]}]})",
-                "line 1: states[0].tau[6]: 'x' is no number"},
-        Refused{R"({"robot": "arm7", "compute": ["foward"]})",
-                "compute[0]: 'foward' is unknown; did you mean 'forward'?"},
-        Refused{R"({"robot": "arm7", "forces_in": ["here"]})", "forces_in[0]: reference: unknown"},
-        Refused{R"({"robot": "arm7", "forces_in": [{"local": {"over_time": {"line": {}}}}]})",
-                "forces_in[0].local.over_time: a reference turns from knot to knot of a problem"},
-        Refused{R"({"robot": "arm7", "forces_in": [{"axes": "tol"}]})",
-                "forces_in[0]: robot 'arm7': frame 'tol' does not exist"},
-        Refused{
+                   "contacts.tip: key 'target' is missing, and compute lists contact_error"},
+        BadRequest{
+            R"({"robot": "arm7", "states": [{"q": {"joint_1": [{}]}}]})",
+            "input: line 1: states[0].q.joint_1[0]: it is keys with values; wanted a number"},
+        BadRequest{R"({"robot": "arm7", "states": [{}, {"q": [1, 2]}]})",
+                   "states[1].q: it has 2 numbers; wanted 7"},
+        BadRequest{R"({"robot": "arm7", "states": [{"q": "redy"}]})", "did you mean 'ready'?"},
+        BadRequest{R"({"robot": "arm7", "states": [{"v": {"joint_9": 1}}]})",
+                   "states[0].v: key 'joint_9' is unknown; did you mean 'joint_1'?"},
+        BadRequest{R"({"robot": "arm7", "states": [{"tau": [0, 0, 0, 0, 0, 0, "x"]}]})",
+                   "line 1: states[0].tau[6]: 'x' is not a number"},
+        BadRequest{R"({"robot": "arm7", "compute": ["foward"]})",
+                   "compute[0]: 'foward' is unknown; did you mean 'forward'?"},
+        BadRequest{R"({"robot": "arm7", "forces_in": ["here"]})",
+                   "forces_in[0]: reference: unknown"},
+        BadRequest{R"({"robot": "arm7", "forces_in": [{"local": {"over_time": {"line": {}}}}]})",
+                   "forces_in[0].local.over_time: only optimal control problems support a rotation "
+                   "over time"},
+        BadRequest{R"({"robot": "arm7", "forces_in": [{"axes": "tol"}]})",
+                   "forces_in[0]: robot 'arm7': frame 'tol' does not exist"},
+        BadRequest{
             R"({"robot": "arm7", "forces_in": ["surface", {"surface": {"normal": [1, 0, 0]}}]})",
-            "forces_in[1]: two references are called 'surface'; wanted an object"},
-        Refused{R"({"robot": "arm7", "solver": {"mu": -1}})", "solver.mu: it is -1"},
-        Refused{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1.5}})",
-                "solver.max_proximal_iterations: it is 1.5; wanted a whole number"},
-        Refused{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1000000000}})",
-                "solver.max_proximal_iterations: it is 1e+09; wanted at most 10000"},
-        Refused{R"({"robot": "arm7", "frames": [{"name": "tool", "parent": "tool"}]})",
-                "frames[0].name: the name 'tool' is taken"},
-        Refused{R"({"robot": "arm7", "frames": [{"name": "a", "parent": "tol"}]})",
-                "frames[0].parent: robot 'arm7': frame 'tol' does not exist"}));
+            "forces_in[1]: two references have the name 'surface'; wanted an object"},
+        BadRequest{R"({"robot": "arm7", "solver": {"mu": -1}})", "solver.mu: it is -1"},
+        BadRequest{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1.5}})",
+                   "solver.max_proximal_iterations: it is 1.5; wanted a whole number"},
+        BadRequest{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1000000000}})",
+                   "solver.max_proximal_iterations: it is 1e+09; wanted at most 10000"},
+        BadRequest{R"({"robot": "arm7", "frames": [{"name": "tool", "parent": "tool"}]})",
+                   "frames[0].name: the name 'tool' is taken"},
+        BadRequest{R"({"robot": "arm7", "frames": [{"name": "a", "parent": "tol"}]})",
+                   "frames[0].parent: robot 'arm7': frame 'tol' does not exist"}));
 
-TEST(Eval, ForcesAreWrittenInAnyReference) {
+TEST(Eval, ForcesIn_WritesForcesInEveryReference) {
   const Json slope{{"surface", {{"normal", {0, 1, 1}}}}},
       link{{"axes", "link_3"}, {"rpy", {0, 0, 1}}};
   const auto forces = [](const Json& reference, const Json& forces_in) {
@@ -427,12 +432,12 @@ TEST(Eval, ForcesAreWrittenInAnyReference) {
   EXPECT_EQ(listed["surface"], named["board"]);
   EXPECT_EQ(listed["axes of link_3 at the tool"], named["link"]);
   EXPECT_EQ(forces("local", link)["in"], Json({{"axes of link_3 at the tool", named["link"]}}));
-  // Six directions are held, at rest: the reference of the contact changes nothing else.
+  // All six directions are constrained, at rest: the contact's reference changes only the axes.
   for (const auto& [reference, name] : {std::pair{slope, "board"}, std::pair{link, "link"}})
     expect_near(named[name]["value"], forces(reference, Json::array())["value"], 1e-9, name);
 }
 
-TEST(Eval, ForcesAreWrittenInTheAxesOfACurvedSurface) {
+TEST(Eval, ForcesInACurvedSurface_AreInTheAxesAtTheTool) {
   const Json ball{{"sphere", {{"center", {0.5, 0.1, -0.1}}, {"radius", 0.3}}},
                   {"near", {0.5, 0.1, 0.2}}};
   const auto asked = [&](const Json& forces_in) {
@@ -454,7 +459,7 @@ TEST(Eval, ForcesAreWrittenInTheAxesOfACurvedSurface) {
   EXPECT_GT(world.norm(), 1.0);
   EXPECT_NEAR(there.z(), n.dot(world), 1e-9 * world.norm());
   EXPECT_NEAR(there.norm(), world.norm(), 1e-9 * world.norm());
-  // Beside keys of its own, fixed in any frame; and what it cannot be.
+  // A surface may be fixed in another link, not in the tool, and needs the key 'near'.
   Json on_a_link = ball;
   on_a_link["axes"] = "link_2";
   EXPECT_EQ(answer_to(asked(on_a_link))["states"][0]["status"], "ok");
@@ -462,7 +467,7 @@ TEST(Eval, ForcesAreWrittenInTheAxesOfACurvedSurface) {
   on_the_tool["axes"] = "tool";
   Json nowhere{{"surface", ball}};
   nowhere["surface"].erase("near");
-  for (const auto& [bad, words] : {std::pair(on_the_tool, "moves with the tool itself"),
+  for (const auto& [bad, words] : {std::pair(on_the_tool, "fixed to the tool itself"),
                                    std::pair(nowhere, "key 'near' is missing")}) {
     const Outcome outcome = run("eval -", asked(bad).dump());
     EXPECT_EQ(outcome.exit_code, 2);
@@ -470,7 +475,7 @@ TEST(Eval, ForcesAreWrittenInTheAxesOfACurvedSurface) {
   }
 }
 
-TEST(Eval, FilesThatCannotBeRead) {
+TEST(Eval, UnreadableFiles_AreRefused) {
   expect_refused(run("eval nowhere.json"), "nowhere.json: the file cannot be opened");
   expect_refused(run("eval /tmp"), "/tmp: this is a folder");
   expect_refused(run("eval"), "FILE is required");

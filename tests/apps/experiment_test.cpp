@@ -1,4 +1,4 @@
-// burnish experiment from outside: files, exit codes, bad input, Ctrl-C.
+// Tests of the command burnish experiment: files, exit codes, bad input, Ctrl-C.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -9,17 +9,17 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(Experiment, WritesTablesFiguresAndAllNumbers) {
+TEST(Experiment, Seeds_WriteTablesFiguresAndNumbers) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const Outcome outcome =
       run("experiment seeds --quick --seeds 2 --set force=20 --threads 2 --out " + quoted(out));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_EQ(outcome.err, "");  // no bar: this is no terminal
+  EXPECT_EQ(outcome.err, "");  // no progress bar: standard error is not a terminal
   const std::string text = contents(out / "results.md");
   EXPECT_EQ(outcome.out.rfind(text, 0), 0U);
   for (const char* words :
-       {"# Every disturbance at once", "`burnish experiment seeds --seeds 2 --quick --set ",
+       {"# All disturbances at once", "`burnish experiment seeds --seeds 2 --quick --set ",
         "0 of 2 runs diverged", "| force_rmse [N]"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
   const Json json = Json::parse(contents(out / "results.json"));
@@ -36,7 +36,7 @@ TEST(Experiment, WritesTablesFiguresAndAllNumbers) {
   EXPECT_NE(contents(out / "worst_seed.yaml").find("\nforce: 20 "), std::string::npos);
 }
 
-TEST(Experiment, TheSameWordsGiveTheSameFiles) {
+TEST(Experiment, SameArguments_GiveTheSameFilesOnAnyThreads) {
   const Scratch scratch;
   const auto results = [&](const std::string& name, const std::string& threads) {
     const auto out = scratch.folder / name;
@@ -52,7 +52,7 @@ TEST(Experiment, TheSameWordsGiveTheSameFiles) {
   EXPECT_EQ(once, again);
 }
 
-TEST(Experiment, ARunThatFailsIsExitCodeOne) {
+TEST(Experiment, FailedRun_GivesExitCodeOne) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const Outcome outcome =
@@ -62,7 +62,7 @@ TEST(Experiment, ARunThatFailsIsExitCodeOne) {
   EXPECT_EQ(Json::parse(contents(out / "results.json"))["failures"].size(), 1U);
 }
 
-TEST(Experiment, BadInputIsOneSentence) {
+TEST(Experiment, BadInput_IsRefusedInOneSentence) {
   const Scratch scratch;
   const auto refused = [&](const std::string& arguments, const std::string& words) {
     expect_refused(run("experiment --out " + quoted(scratch.folder / "out") + " " + arguments),
@@ -81,24 +81,24 @@ TEST(Experiment, BadInputIsOneSentence) {
   EXPECT_FALSE(std::filesystem::exists(scratch.folder / "out"));
 }
 
-TEST(Experiment, HelpNamesThemAll) {
+TEST(Experiment, Help_NamesEveryExperiment) {
   const Outcome outcome = run("experiment --help");
   EXPECT_EQ(outcome.exit_code, 0);
   for (const char* name : {"paper", "orientation", "frames", "seeds", "tick", "--quick"})
     EXPECT_NE(outcome.out.find(name), std::string::npos) << name;
 }
 
-TEST(Experiment, InterruptEndsTheRunsAndWrites) {
+TEST(Experiment, Interrupt_EndsTheRunsAndWritesTheResults) {
   const Scratch scratch;
-  const auto out = scratch.folder / "out", said = scratch.folder / "said";
+  const auto out = scratch.folder / "out", output = scratch.folder / "output";
   const std::string script = "'" BURNISH_PROGRAM "' experiment seeds --plant ideal --out " +
-                             quoted(out) + " >" + quoted(said) + " 2>&1 & pid=$!; until [ -d " +
+                             quoted(out) + " >" + quoted(output) + " 2>&1 & pid=$!; until [ -d " +
                              quoted(out) +
                              " ]; do kill -0 $pid || exit 9; done; sleep 0.3; kill -INT $pid; "
                              "wait $pid";
   const int status = std::system(script.c_str());
   ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1) << contents(said);
+  EXPECT_EQ(WEXITSTATUS(status), 1) << contents(output);
   const Json json = Json::parse(contents(out / "results.json"));
   EXPECT_TRUE(json["interrupted"].get<bool>());
   EXPECT_NE(contents(out / "results.md").find("Interrupted"), std::string::npos);

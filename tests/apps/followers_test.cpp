@@ -1,4 +1,4 @@
-// A robot with mimic joints, from outside: nothing has to be locked.
+// Tests of the commands with a robot that has mimic joints; no joint has to be locked.
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -22,8 +22,8 @@ std::string joint_text(const std::string& type, const std::string& parent, const
          "</joint>\n";
 }
 
-/// An arm of three joints with two fingers, the right one the leader of the left one and of its
-/// tip.
+/// Returns an arm of three joints with two fingers. The right finger leads the left finger, which
+/// leads its tip.
 std::string gripper_urdf() {
   std::string text = "<robot name=\"gripper\">\n";
   for (const char* name : {"base", "one", "two", "hand", "left", "left_tip", "right"})
@@ -41,13 +41,13 @@ std::string gripper_urdf() {
   return text + "</robot>\n";
 }
 
-class FollowersProgram : public ::testing::Test {
+class MimicJointCommands : public ::testing::Test {
  protected:
   Scratch scratch;
   std::string robot = quoted(scratch.write("gripper.urdf", gripper_urdf()));
 };
 
-TEST_F(FollowersProgram, ShowSaysWhoFollowsWhom) {
+TEST_F(MimicJointCommands, Show_NamesLeadersAndRatios) {
   const Outcome table = run("show " + robot);
   ASSERT_EQ(table.exit_code, 0) << table.err;
   for (const char* words : {"6 moving joints, 4 entries in q, 4 in v", "Joints that follow others",
@@ -67,12 +67,12 @@ TEST_F(FollowersProgram, ShowSaysWhoFollowsWhom) {
   }
 }
 
-TEST_F(FollowersProgram, CheckPassesOnTheFollowersOfBothFingers) {
+TEST_F(MimicJointCommands, CheckOfAFollowingTool_Passes) {
   const Outcome outcome = run("check --tool left_tip " + robot);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
-TEST_F(FollowersProgram, EvalAnswersInEntriesOfTheLeaders) {
+TEST_F(MimicJointCommands, Eval_AnswersInEntriesOfTheLeaders) {
   scratch.write("request.json", R"({
     "robot": "gripper.urdf",
     "contacts": [{"name": "grip", "tool": "left_tip", "base": "right", "directions": "z"}],
@@ -87,7 +87,7 @@ TEST_F(FollowersProgram, EvalAnswersInEntriesOfTheLeaders) {
   EXPECT_EQ(state["mass_matrix"].size(), 4U);
 }
 
-TEST_F(FollowersProgram, BenchAllocatesNothing) {
+TEST_F(MimicJointCommands, Bench_MeasuresTheLeaders) {
   const Outcome outcome = run("bench --tool left_tip --seconds 0.01 --knots 20 --json " + robot);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);

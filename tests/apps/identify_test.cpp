@@ -1,4 +1,4 @@
-// burnish identify from outside: a motion, a record of it, and what is found in that.
+// Tests of the command burnish identify: excitation, simulated records, estimates and refusals.
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(Identify, FindsInARecordWhatWasCarried) {
+TEST(Identify, SimulatedRecord_GivesThePayloadWithinOnePercent) {
   const Scratch scratch;
   const std::string record = quoted(scratch.folder / "record.csv");
   const Outcome simulated = run("identify arm7 --seed 3 --simulate " + record);
@@ -27,7 +27,7 @@ TEST(Identify, FindsInARecordWhatWasCarried) {
   EXPECT_NEAR(payload.at("values").at(0).get<double>(), mass, 0.01 * mass);
   EXPECT_LE(payload.at("sigma").at(0).get<double>(), 0.01 * mass);
 
-  // The lines that it wrote are a robot's.
+  // The written lines are valid settings of a robot.
   scratch.write("robot.yaml", "urdf: " BURNISH_ROBOTS_DIR
                               "/arm7/arm7.urdf\nframes: {tool: {parent: flange, "
                               "xyz: [0, 0, 0.12], rpy: [0, 0, 0.785398]}}\n" +
@@ -38,8 +38,8 @@ TEST(Identify, FindsInARecordWhatWasCarried) {
   EXPECT_NEAR(total(quoted(scratch.folder)) - total("arm7"), mass, 0.01 * mass);
 }
 
-/// An arm of two joints that swing in a vertical plane, the first of them without end. It is
-/// stretched out, which takes 13.7 Nm of the first joint.
+/// Returns an arm of two joints in a vertical plane. The first joint is continuous. It needs
+/// 13.7 Nm to hold the stretched arm at the start.
 std::string endless_arm(const Scratch& scratch, const std::string& effort = "90") {
   const auto link = [](const std::string& name, const char* com) {
     return "<link name='" + name + "'><inertial><mass value='2'/><origin xyz='" + com +
@@ -57,14 +57,14 @@ std::string endless_arm(const Scratch& scratch, const std::string& effort = "90"
           "lower='-2' upper='2' effort='60' velocity='3'/></joint></robot>"));
 }
 
-TEST(Identify, AnEndlessJoint_IsReadByItsAngle) {
+TEST(Identify, ContinuousJoint_IsReadAsAnAngleThatWraps) {
   const Scratch scratch;
   const std::string arm = endless_arm(scratch) + " --payload tool ";
   const std::string record = quoted(scratch.folder / "record.csv"),
                     angles = quoted(scratch.folder / "angles.csv"),
                     motion = quoted(scratch.folder / "motion.csv");
   ASSERT_EQ(run("identify " + arm + "--seed 3 --duration 5 --simulate " + record).exit_code, 0);
-  // What an encoder tells: one angle, here with its zero where the joint starts and a wrap there.
+  // An encoder measures one angle. Its zero is at the start, where the angle wraps.
   shell(
       "awk -F, -v OFS=, 'NR == 1 {for (i = 1; i <= NF; i++) {sub(/ .*/, \"\", $i); at[$i] = i} "
       "print \"time,q_endless,q_elbow,tau_endless,tau_elbow\"} NR > 1 {print $at[\"time\"], "
@@ -88,9 +88,9 @@ TEST(Identify, AnEndlessJoint_IsReadByItsAngle) {
       << text.substr(0, 80);
 }
 
-TEST(Identify, ARecordThatCannotBeRight_LeavesNoFileAndNoNumber) {
+TEST(Identify, ImplausibleRecord_IsRefusedWithoutAFile) {
   const Scratch scratch;
-  // An arm at rest, and one whose torques are in Nmm.
+  // The records are of an arm at rest and of an arm with torques in Nmm.
   const std::filesystem::path out = scratch.folder / "payload.yaml";
   std::string still = "time,q_joint_1,tau_joint_1\n";
   for (int i = 0; i < 900; ++i) still += std::to_string(0.004 * i) + ",0.3,2\n";
@@ -120,10 +120,10 @@ TEST(Identify, ARecordThatCannotBeRight_LeavesNoFileAndNoNumber) {
   refused("arm7", "nmm.csv", "Nmm");
 }
 
-TEST(Identify, WhatTheMotionDoesNotShow_IsNotWritten) {
+TEST(Identify, UnobservablePayload_IsNotWritten) {
   const Scratch scratch;
   const std::filesystem::path out = scratch.folder / "payload.yaml";
-  // About a vertical axis gravity tells nothing: mass and centre cannot be separated.
+  // About a vertical axis gravity has no torque: mass and centre cannot be separated.
   const std::string turning =
       quoted(scratch.write(
           "turn.urdf",
@@ -142,14 +142,14 @@ TEST(Identify, WhatTheMotionDoesNotShow_IsNotWritten) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(Identify, AFullDisk_LeavesNoFile) {
+TEST(Identify, FullDisk_LeavesNoFile) {
   const Scratch scratch;
   ASSERT_EQ(
       run("identify arm7 --seed 3 --duration 5 --simulate " + quoted(scratch.folder / "record.csv"))
           .exit_code,
       0);
   const std::filesystem::path out = scratch.folder / "payload.yaml";
-  // No file may grow: what is written fails as on a full disk.
+  // No file may grow: writing fails like on a full disk.
   const Outcome found = shell("trap '' XFSZ; ulimit -f 0; '" BURNISH_PROGRAM "' identify arm7 " +
                               quoted(scratch.folder / "record.csv") + " --out " + quoted(out) +
                               " > /dev/null 2> /dev/null");
@@ -158,7 +158,7 @@ TEST(Identify, AFullDisk_LeavesNoFile) {
     EXPECT_EQ(entry.path().filename(), "record.csv");
 }
 
-TEST(Identify, WritesAMotionThatARobotCanFollow) {
+TEST(Identify, Excite_WritesAMotionAtOneKilohertz) {
   const Scratch scratch;
   const std::filesystem::path file = scratch.folder / "motion.csv";
   const Outcome outcome = run("identify arm7 --duration 5 --excite " + quoted(file));
@@ -168,23 +168,23 @@ TEST(Identify, WritesAMotionThatARobotCanFollow) {
   EXPECT_EQ(text.rfind("time [s],q_joint_1 [rad]", 0), 0U) << text.substr(0, 80);
 }
 
-TEST(Identify, AnArmThatCannotHoldItsStart_LeavesNoMotionAndNoRecord) {
+TEST(Identify, ArmTooWeakForItsStart_IsRefusedWithoutAFile) {
   const Scratch scratch;
   const std::string weak = endless_arm(scratch, "12") + " --payload tool ";
   for (const char* what : {"--excite ", "--simulate "}) {
     const std::filesystem::path file = scratch.folder / "file.csv";
     const Outcome outcome = run("identify " + weak + what + quoted(file));
     expect_refused(outcome,
-                   "joint 'endless' takes 13.734 Nm to hold the start, more than its "
+                   "joint 'endless' needs 13.734 Nm to hold the start posture, more than its "
                    "effort limit of 12 Nm; wanted another start (--posture)");
     EXPECT_FALSE(std::filesystem::exists(file));
   }
-  expect_refused(run("identify " + weak + "--seeds 1"), "joint 'endless' takes 13.734 Nm");
+  expect_refused(run("identify " + weak + "--seeds 1"), "joint 'endless' needs 13.734 Nm");
 }
 
-TEST(Identify, AnArmThatFallsWithItsPayload_LeavesNoRecordAndNoNumbers) {
+TEST(Identify, ArmTooWeakForItsPayload_IsRefusedWithoutARecord) {
   const Scratch scratch;
-  // Seed 3 draws 2.84 kg, which take another 11 Nm.
+  // Seed 3 draws a payload of 2.84 kg, which needs another 11 Nm.
   const std::string weak =
       endless_arm(scratch, "17.3") + " --payload tool --duration 5 --range 0.3 --seed 3 ";
   const std::filesystem::path motion = scratch.folder / "motion.csv",
@@ -207,7 +207,7 @@ TEST(Identify, AnArmThatFallsWithItsPayload_LeavesNoRecordAndNoNumbers) {
   EXPECT_NE(tried.err.find("burnish: seed 3: "), std::string::npos) << tried.err;
 }
 
-TEST(Identify, RefusesWhatItCannotUse) {
+TEST(Identify, BadInput_IsRefusedInOneSentence) {
   const Scratch scratch;
   const auto refused = [](const std::string& arguments, const std::string& word) {
     const Outcome outcome = run("identify " + arguments);

@@ -1,4 +1,4 @@
-// Robots with loops, from outside.
+// Tests of the commands with robots that have kinematic loops.
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -10,7 +10,7 @@ using Json = nlohmann::json;
 
 const std::string robots = BURNISH_ROBOTS_DIR;
 
-TEST(LoopsProgram, ShowCountsDegreesOfFreedomAndNamesRedundantRows) {
+TEST(LoopCommands, Show_CountsDegreesOfFreedomAndNamesRedundantRows) {
   const Outcome table = run("show " + robots + "/gripper");
   ASSERT_EQ(table.exit_code, 0) << table.err;
   EXPECT_EQ(table.err, "");
@@ -24,7 +24,7 @@ TEST(LoopsProgram, ShowCountsDegreesOfFreedomAndNamesRedundantRows) {
   EXPECT_EQ(json["loops"][0]["redundant"], Json::parse(R"(["y"])"));
 }
 
-TEST(LoopsProgram, EvalHoldsTheLoopsUnasked) {
+TEST(LoopCommands, Eval_ClosesTheLoopsByDefault) {
   const Outcome outcome = run("eval -", R"({"robot": ")" + robots + R"(/four_bar",
       "states": [{"q": {"drive": 1.0}}], "compute": ["forward", "contact_error"]})");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -35,8 +35,8 @@ TEST(LoopsProgram, EvalHoldsTheLoopsUnasked) {
   for (const double error : state["contact_error"]) EXPECT_LT(std::abs(error), 1e-8);
 }
 
-/// What moves a chain so, moves it so: forward dynamics with the torques gives the accelerations.
-TEST(LoopsProgram, LoopInverse_GivesTheTorquesOfAMotion) {
+/// Forward dynamics with the torques of the loop inverse returns the accelerations.
+TEST(LoopCommands, EvalLoopInverse_ReturnsTheTorquesOfAMotion) {
   for (const auto& [robot, motion] :
        {std::pair<std::string, std::string>{"four_bar",
                                             R"("q": {"drive": 1.0}, "v": {"drive": 2.0},
@@ -57,13 +57,13 @@ TEST(LoopsProgram, LoopInverse_GivesTheTorquesOfAMotion) {
                                            R"(}], "compute": ["forward", "contact_velocity"]})");
     ASSERT_EQ(back.exit_code, 0) << back.err;
     const Json state = Json::parse(back.out)["states"][0];
-    double fastest = 0.0;
+    double max_acceleration = 0.0;
     for (std::size_t k = 0; k < inverse["a"].size(); ++k) {
       EXPECT_NEAR(state["forward"]["a"][k].get<double>(), inverse["a"][k].get<double>(), 1e-6)
           << robot << ' ' << answer["v_names"][k];
-      fastest = std::max(fastest, std::abs(inverse["a"][k].get<double>()));
+      max_acceleration = std::max(max_acceleration, std::abs(inverse["a"][k].get<double>()));
     }
-    EXPECT_GT(fastest, 1.0);
+    EXPECT_GT(max_acceleration, 1.0);
     for (const double v : state["contact_velocity"]) EXPECT_LT(std::abs(v), 1e-9) << robot;
   }
   const Outcome refused = run("eval -", R"({"robot": "arm7", "compute": "loop_inverse"})");
@@ -71,14 +71,14 @@ TEST(LoopsProgram, LoopInverse_GivesTheTorquesOfAMotion) {
   EXPECT_NE(refused.err.find("has no loops"), std::string::npos) << refused.err;
 }
 
-TEST(LoopsProgram, CheckPasses) {
+TEST(LoopCommands, CheckOfEveryLoopRobot_Passes) {
   for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
     const Outcome outcome = run("check --states 2 " + robots + "/" + name);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   }
 }
 
-TEST(LoopsProgram, BenchAllocatesNothing) {
+TEST(LoopCommands, BenchOfALoopRobot_MeasuresThreeControls) {
   const Outcome outcome =
       run("bench --seconds 0.01 --knots 20 --json " + robots + "/parallel_ankle");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -1,4 +1,4 @@
-// burnish polish from outside: files, exit codes, bad input, Ctrl-C.
+// Tests of the command burnish polish: files, exit codes, bad input, Ctrl-C.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -13,18 +13,18 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Less than two seconds of simulated time on the project's own plant.
+/// Options of a run of less than two seconds of simulated time on the ideal plant.
 const std::string short_run =
     " --plant ideal --duration 0.6 --set path.start_up=0.2 --set phases.reach_duration=0.2 "
-    "--set verdict.force_rmse=0.2";  // the start is most of it
+    "--set verdict.force_rmse=0.2";  // wide, as the transient at the start is most of the run
 
-TEST(Polish, WritesWhatItSays) {
+TEST(Polish, TwoControllers_WriteTheFilesOfBothRuns) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const Outcome outcome =
       run("polish --surface board" + short_run + " --time --plots --out " + quoted(out));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_EQ(outcome.err, "");  // no bar: this is no terminal
+  EXPECT_EQ(outcome.err, "");  // no progress bar: standard error is not a terminal
   for (const char* words : {"force_rmse", "position_p95", "board_mpc", "board_baseline",
                             "time of a tick", "m of path", "polished: "})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
@@ -41,9 +41,9 @@ TEST(Polish, WritesWhatItSays) {
     EXPECT_EQ(table.rfind("time [s],phase [-]", 0), 0U);
     const bool mpc = each["controller"] == "mpc";
     for (const char* plot : {"force.svg", "path.svg", "torques.svg", "solver.svg"}) {
-      const bool wanted = mpc || plot != std::string("solver.svg");
-      EXPECT_EQ(std::filesystem::exists(folder / plot), wanted) << plot;
-      if (!wanted) continue;
+      const bool expected = mpc || plot != std::string("solver.svg");
+      EXPECT_EQ(std::filesystem::exists(folder / plot), expected) << plot;
+      if (!expected) continue;
       const std::string text = contents(folder / plot);
       EXPECT_EQ(text.rfind("<svg ", 0), 0U) << plot;
       EXPECT_NE(text.find("<path class="), std::string::npos) << plot;
@@ -53,29 +53,32 @@ TEST(Polish, WritesWhatItSays) {
   }
 }
 
-TEST(Polish, Gains_ThatNothingStates_AreFittedToTheArmAndKept) {
+TEST(Polish, UnstatedGains_AreFittedToTheArmAndWritten) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const std::string what = "polish --surface table --controller mpc --no-page" + short_run;
   const Outcome fitted = run(what + " --out " + quoted(out));
   EXPECT_EQ(fitted.exit_code, 0) << fitted.out << fitted.err;
   EXPECT_EQ(fitted.err, "");
-  for (const char* words : {"weights.position 100000 in place of 10000", "table: tolerates ",
-                            "ms of extra delay", "plans take no time in this simulation"})
+  for (const char* words :
+       {"weights.position 100000 in place of 10000", "table: the control loop tolerates ",
+        "ms of extra delay", "plans take no time in this simulation"})
     EXPECT_NE(fitted.out.find(words), std::string::npos) << words << "\n" << fitted.out;
   const std::string task = contents(out / "table_mpc" / "task.yaml");
-  EXPECT_NE(task.find("  boost: 6 "), std::string::npos) << task;
+  EXPECT_NE(task.find("  transient_scale: 6 "), std::string::npos) << task;
   EXPECT_NE(task.find("  force_gain: 0.5\n"), std::string::npos) << task;
-  const Outcome stated = run(what +
-                             " --set weights.position=1e4 --set model_error.boost=6 --set "
-                             "model_error.bandwidth=120 --out " +
-                             quoted(scratch.folder / "stated"));
+  const Outcome stated =
+      run(what +
+          " --set weights.position=1e4 --set model_error.transient_scale=6 --set "
+          "model_error.bandwidth=120 --out " +
+          quoted(scratch.folder / "stated"));
   EXPECT_EQ(stated.err, "");
   EXPECT_EQ(stated.out.find("in place of"), std::string::npos) << stated.out;
-  EXPECT_NE(stated.out.find("table: tolerates 1."), std::string::npos) << stated.out;
+  EXPECT_NE(stated.out.find("table: the control loop tolerates 1."), std::string::npos)
+      << stated.out;
 }
 
-TEST(Polish, CurvedPath_OnItsPage_IsAsFarOffAsTheToolWas) {
+TEST(Polish, CurvedPath_OnThePageMatchesThePathError) {
   for (const auto& [kind, radius] :
        {std::pair<std::string, std::string>{"cylinder", "0.2"}, {"sphere", "0.3, hollow: true"}}) {
     SCOPED_TRACE(kind);
@@ -86,7 +89,7 @@ TEST(Polish, CurvedPath_OnItsPage_IsAsFarOffAsTheToolWas) {
         "--set path.radius=0.05 --set path.start_up=0.3 --set path.rate=4 --set 'shape={kind: " +
         kind + ", radius: " + radius + "}' --out " + quoted(out));
     if (outcome.err.find("this build has no MuJoCo") != std::string::npos ||
-        outcome.err.find("knows planes alone") != std::string::npos)
+        outcome.err.find("wanted a plane, or MuJoCo") != std::string::npos)
       GTEST_SKIP() << "a curved surface needs MuJoCo";
     EXPECT_LE(outcome.exit_code, 1) << outcome.err;
     const Json page =
@@ -101,17 +104,17 @@ TEST(Polish, CurvedPath_OnItsPage_IsAsFarOffAsTheToolWas) {
                              asked_w = floats_of(page["path"]["w"]);
     const std::vector<float> u = column("path_u"), w = column("path_w"), phase = column("phase"),
                              error = column("path_error");
-    float widest = 0.0F;
+    float max_distance = 0.0F;
     for (std::size_t i = 0; i < u.size(); ++i) {
       if (phase[i] != 3.0F) continue;
       float nearest = 1.0F;
       for (std::size_t k = 0; k < asked_u.size(); ++k)
         nearest = std::min(nearest, std::hypot(u[i] - asked_u[k], w[i] - asked_w[k]));
-      // Points asked for are 2 mm apart. The tip's centre is 3 mm or more off the point it touches.
+      // The path's points are 2 mm apart. The tip's centre is 3 mm or more off the touched point.
       EXPECT_LT(nearest, 1.2F * error[i] + 2e-3F);
-      widest = std::max(widest, std::hypot(u[i], w[i]));
+      max_distance = std::max(max_distance, std::hypot(u[i], w[i]));
     }
-    EXPECT_NEAR(widest, 0.05F, 1e-3F);
+    EXPECT_NEAR(max_distance, 0.05F, 1e-3F);
   }
 }
 
@@ -128,24 +131,26 @@ TEST(Polish, SearchedPosture_IsPrintedAndAddedToTheSettings) {
   const std::string folder = quoted(scratch.folder);
   const Outcome first = run(polish + folder + " --write-posture table");
   EXPECT_EQ(first.exit_code, 0) << first.err << first.out;
-  EXPECT_NE(first.out.find("table: starts at {j1: "), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("table: start posture found by search: {j1: "), std::string::npos)
+      << first.out;
   const std::string text = contents(settings);
   EXPECT_NE(text.find("postures:\n    table: {j1: "), std::string::npos) << text;
   EXPECT_NE(text.find("  # mine\n    a: {j1: 1}\n"), std::string::npos) << text;
   const Outcome again = run(polish + folder);
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_EQ(again.out.find("starts at"), std::string::npos) << again.out;
-  expect_refused(run(polish + folder + " --write-posture b"), "none is searched");
+  EXPECT_EQ(again.out.find("found by search"), std::string::npos) << again.out;
+  expect_refused(run(polish + folder + " --write-posture b"),
+                 "the start posture at table comes from the robot's settings");
   expect_refused(run(polish + folder + " --write-posture a --set posture=search"),
-                 "posture 'a' is there already");
+                 "posture 'a' already exists");
   expect_refused(
       run(polish + quoted(scratch.folder / "arm.urdf") + " --tool flange --write-posture a"),
-      "burnish show ROBOT --write-settings DIR --tool FRAME drafts some");
+      "burnish show ROBOT --write-settings DIR --tool FRAME drafts one");
   expect_refused(run(polish + folder + " --surface table --surface board --write-posture a"),
-                 "wanted one, as --surface says");
+                 "wanted one --surface");
 }
 
-TEST(Polish, MeshesOfDraftedSettings_AreFoundBesideTheDescription_AndMissingOnesSaid) {
+TEST(Polish, MeshesOfDraftedSettings_AreFoundOrNamedAsMissing) {
   const Scratch scratch;
   scratch.write("arm/meshes/here.stl",
                 "solid facet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
@@ -171,7 +176,7 @@ TEST(Polish, MeshesOfDraftedSettings_AreFoundBesideTheDescription_AndMissingOnes
 #endif
 }
 
-TEST(Polish, ComparesControllersWithoutAPlan) {
+TEST(Polish, AllControllers_RunWithTheirOwnGains) {
   const Scratch scratch;
   const Outcome outcome = run("polish --surface table --controller all --json --no-page" +
                               short_run + " --out " + quoted(scratch.folder / "out"));
@@ -183,7 +188,7 @@ TEST(Polish, ComparesControllersWithoutAPlan) {
     EXPECT_EQ(summary[i]["controller"], names[i]);
     EXPECT_EQ(summary[i]["name"], std::string("table_") + names[i]);
   }
-  // Each has gains of its own in a task.
+  // The task has separate gains for each controller.
   const auto rmse = [&](const std::string& change, const std::string& name) {
     const Outcome changed =
         run("polish --surface table --controller admittance --json --no-page" + short_run +
@@ -195,17 +200,18 @@ TEST(Polish, ComparesControllersWithoutAPlan) {
   EXPECT_NE(rmse("admittance.damping=5000", "b"), before);
 }
 
-TEST(Polish, SaysWhatAForceThatIsToldFromTorquesIsWorthBeforeItRuns) {
+TEST(Polish, MissingForceSensor_IsANoteWithTheForceErrorPerTorque) {
   const Scratch scratch;
   const Outcome outcome =
       run("polish --surface table --controller mpc --no-page" + short_run +
           " --set controller.force_sensor=false --out " + quoted(scratch.folder / "out"));
-  for (const char* words : {"table: note: without a force sensor",
-                            "1 Nm in every joint is 2.2 N along the normal (torso_2_joint"})
+  for (const char* words :
+       {"table: note: without a force sensor",
+        "1 Nm in every joint corresponds to 2.2 N along the normal (torso_2_joint"})
     EXPECT_NE(outcome.err.find(words), std::string::npos) << words << "\n" << outcome.err;
 }
 
-TEST(Polish, SaysThatAFileWithoutDisturbancesIsAnIdealWorldAndThatPlansTakeNoTime) {
+TEST(Polish, FileWithoutDisturbances_IsANoteOfAnIdealWorld) {
   const Scratch scratch;
   const auto file = scratch.folder / "mine.yaml";
   std::ofstream(file) << "force: 30\n";
@@ -223,7 +229,7 @@ TEST(Polish, SaysThatAFileWithoutDisturbancesIsAnIdealWorldAndThatPlansTakeNoTim
   EXPECT_EQ(meant.out.find("plans take no time"), std::string::npos) << meant.out;
 }
 
-TEST(Polish, LeavesPlotsToThePageUnlessTheyAreAskedFor) {
+TEST(Polish, Plots_AreWrittenOnlyWithoutAPage) {
   const Scratch scratch;
   const std::string alone = "polish --surface table --controller baseline --quiet" + short_run;
   ASSERT_EQ(run(alone + " --out " + quoted(scratch.folder / "with")).exit_code, 0);
@@ -236,7 +242,7 @@ TEST(Polish, LeavesPlotsToThePageUnlessTheyAreAskedFor) {
   }
 }
 
-TEST(Polish, ARobotThatHasNoSettingsNeedsAFrameAndNothingElse) {
+TEST(Polish, UrdfFileAndToolFrame_AreEnoughToPolish) {
   const Scratch scratch;
   const auto file = scratch.folder / "my arm.urdf";
   std::filesystem::copy(std::filesystem::path(BURNISH_ROBOTS_DIR) / "arm7" / "arm7.urdf", file);
@@ -256,13 +262,13 @@ TEST(Polish, ARobotThatHasNoSettingsNeedsAFrameAndNothingElse) {
             summary[0]["metrics"]["force_rmse_N"]);
   const Outcome lost = run(what);
   EXPECT_EQ(lost.exit_code, 2);
-  for (const char* words : {"--robot ", "the tool's frame 'tool' is none of robot 'arm7'",
-                            "frames that may be its tool's are flange", "--tool FRAME"})
+  for (const char* words : {"--robot ", "the tool's frame 'tool' does not exist on robot 'arm7'",
+                            "frames named like a tool: flange", "--tool FRAME"})
     EXPECT_NE(lost.err.find(words), std::string::npos) << words << ": " << lost.err;
   EXPECT_EQ(lost.err.find("override"), std::string::npos) << lost.err;
 }
 
-TEST(Polish, ARobotInPlaceOfATask_IsRefusedWithTheOption) {
+TEST(Polish, RobotInPlaceOfATask_IsRefusedWithTheOption) {
   for (const char* robot : {BURNISH_ROBOTS_DIR "/arm7/arm7.urdf", "arm7"}) {
     const Outcome outcome = run(std::string("polish ") + robot);
     EXPECT_EQ(outcome.exit_code, 2);
@@ -273,7 +279,7 @@ TEST(Polish, ARobotInPlaceOfATask_IsRefusedWithTheOption) {
   EXPECT_NE(run("polish --robot pendulum").err.find("--tool FRAME"), std::string::npos);
 }
 
-TEST(Polish, RunsAreNamedByTheirSurfaces) {
+TEST(Polish, TiltedSurface_NamesTheRun) {
   const Scratch scratch;
   const Outcome outcome =
       run("polish --robot arm7 --controller baseline --json --set 'surface.normal=[-0.5, 0, 0.866]'"
@@ -282,7 +288,7 @@ TEST(Polish, RunsAreNamedByTheirSurfaces) {
   EXPECT_EQ(Json::parse(outcome.out)[0]["name"], "tilt_30_baseline") << outcome.err;
 }
 
-TEST(Polish, ARunThatIsCutShort_IsJudgedByWhatItDidAndSaysSo) {
+TEST(Polish, RunShorterThanItsPath_IsJudgedAndReportedAsCutShort) {
   const Scratch scratch;
   const Outcome outcome =
       run("polish --surface table --controller baseline --no-page --quiet --set path.kind=zigzag"
@@ -292,7 +298,7 @@ TEST(Polish, ARunThatIsCutShort_IsJudgedByWhatItDidAndSaysSo) {
   EXPECT_NE(outcome.out.find("table_baseline: cut short: "), std::string::npos) << outcome.out;
 }
 
-TEST(Polish, TheTaskItWritesRunsAgainToTheSameResult) {
+TEST(Polish, WrittenTask_RunsToTheSameResult) {
   const Scratch scratch;
   const auto first = scratch.folder / "first", second = scratch.folder / "second";
   const std::string what = " --controller baseline --json --out ";
@@ -310,7 +316,7 @@ TEST(Polish, TheTaskItWritesRunsAgainToTheSameResult) {
   EXPECT_EQ(contents(second / "task_baseline" / "task.yaml"), contents(task));
 }
 
-TEST(Polish, RowsOfTheTraceAreAsFarApartAsAsked) {
+TEST(Polish, RecordEvery_ThinsTheTrace) {
   const Scratch scratch;
   const auto rows = [&](const std::string& every) {
     const auto out = scratch.folder / every;
@@ -325,7 +331,7 @@ TEST(Polish, RowsOfTheTraceAreAsFarApartAsAsked) {
   EXPECT_NEAR(some, all / 20.0, 2.0);
 }
 
-TEST(Polish, AFaultIsExitCodeOneAndLeavesItsReport) {
+TEST(Polish, Fault_GivesExitCodeOneAndAReport) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const Outcome outcome =
@@ -341,14 +347,14 @@ TEST(Polish, AFaultIsExitCodeOneAndLeavesItsReport) {
   const Json metrics = Json::parse(contents(folder / "metrics.json"));
   EXPECT_FALSE(metrics["polished"].get<bool>());
   EXPECT_EQ(metrics["fault"]["kind"], "speed limit");
-  // Gone after a run without.
+  // A run without a fault removes the report.
   EXPECT_EQ(run("polish --surface table --controller mpc --force --out " + quoted(out) + short_run)
                 .exit_code,
             0);
   EXPECT_FALSE(std::filesystem::exists(folder / "fault.txt"));
 }
 
-TEST(Polish, AFigureBeyondTheVerdictIsExitCodeOne) {
+TEST(Polish, FigureBeyondTheVerdict_GivesExitCodeOne) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const Outcome outcome = run("polish --surface table --controller baseline --quiet --out " +
@@ -365,7 +371,7 @@ TEST(Polish, AFigureBeyondTheVerdictIsExitCodeOne) {
     EXPECT_NE(text.find(words), std::string::npos) << text.substr(0, 400);
 }
 
-TEST(Polish, SeveralSeedsAreSeveralRuns) {
+TEST(Polish, TwoSeeds_GiveTwoDifferentRuns) {
   const Scratch scratch;
   const Outcome outcome =
       run("polish --surface table --controller baseline --seed 1 --seed 2 --json "
@@ -378,7 +384,7 @@ TEST(Polish, SeveralSeedsAreSeveralRuns) {
   EXPECT_NE(summary[0]["metrics"], summary[1]["metrics"]);
 }
 
-TEST(Polish, ATaskFileToStartFrom) {
+TEST(Polish, WriteTask_WritesTheTaskWithItsChanges) {
   const Scratch scratch;
   const auto file = scratch.folder / "mine.yaml";
   EXPECT_EQ(run("polish --surface board --set force=17 --write-task " + quoted(file)).exit_code, 0);
@@ -388,7 +394,7 @@ TEST(Polish, ATaskFileToStartFrom) {
   EXPECT_NE(text.find("[1/N^2]"), std::string::npos);
 }
 
-TEST(Polish, BadInputIsOneSentence) {
+TEST(Polish, BadInput_IsRefusedInOneSentence) {
   const Scratch scratch;
   const auto refused = [&](const std::string& arguments, const std::string& words) {
     expect_refused(run("polish --out " + quoted(scratch.folder / "out") + " " + arguments), words);
@@ -399,7 +405,7 @@ TEST(Polish, BadInputIsOneSentence) {
   refused("--set path.radius=0.6", "table is out of reach: ");
   refused("--set 'surface.point=[0.4, -0.3, -1]'", "before the start of the path");
   refused("--set force=300", "limits.force");
-  refused("--set force=300 --set limits.force=900", "pressing with 300 N takes");
+  refused("--set force=300 --set limits.force=900", "pressing with 300 N needs");
   refused("--disturbances mismach", "did you mean 'mismatch'?");
   refused("--controller mcp", "--controller");
   refused("--plant gazebo", "--plant");
@@ -416,7 +422,7 @@ TEST(Polish, BadInputIsOneSentence) {
                  "cannot make the folder");
 }
 
-/// A run of a minute that gets a signal after a while; what it said on both streams.
+/// Starts a run of 60 s, sends `signals` after a while and returns its exit code and output.
 Outcome interrupted_run(const Scratch& scratch, const std::string& signals) {
   const auto out = scratch.folder / "out";
   return shell("'" BURNISH_PROGRAM
@@ -425,7 +431,7 @@ Outcome interrupted_run(const Scratch& scratch, const std::string& signals) {
                " ]; do kill -0 $pid || exit 9; done; sleep 0.3; " + signals + "; wait $pid");
 }
 
-TEST(Polish, SignalsEndTheRunAndWrite) {
+TEST(Polish, Signals_EndTheRunAndWriteTheResults) {
   for (const std::string signal : {"INT", "TERM", "HUP"}) {
     SCOPED_TRACE(signal);
     const Scratch scratch;
@@ -440,7 +446,7 @@ TEST(Polish, SignalsEndTheRunAndWrite) {
   }
 }
 
-TEST(Polish, UnderNohupAHangUpIsNone) {
+TEST(Polish, HangUpUnderNohup_IsIgnored) {
   const Scratch scratch;
   const Outcome outcome =
       shell("trap '' HUP; '" BURNISH_PROGRAM "' polish --surface table --controller baseline" +

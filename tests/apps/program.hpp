@@ -1,4 +1,4 @@
-// Runs the burnish program as a user would.
+// Runs the burnish program in a shell, like a user.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,14 +20,14 @@ struct Outcome {
   std::string out, err;
 };
 
-/// A path as one word for a shell.
+/// Returns a path as one word for a shell.
 inline std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
 inline int lines_of(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// What a command does, as typed in a shell.
+/// Runs a command in a shell and returns its exit code and output.
 inline Outcome shell(const std::string& command, const std::string& input = "") {
   const Scratch scratch;
   const auto file = [&](const char* name) { return (scratch.folder / name).string(); };
@@ -42,17 +42,17 @@ inline Outcome shell(const std::string& command, const std::string& input = "") 
   return outcome;
 }
 
-/// burnish with `arguments` as typed in a shell.
+/// Runs burnish with `arguments`, written as in a shell.
 inline Outcome run(const std::string& arguments, const std::string& input = "") {
   return shell("'" BURNISH_PROGRAM "' " + arguments, input);
 }
 
-/// Whether a shell finds a program of this name.
+/// Returns whether a shell finds a program of this name.
 inline bool is_installed(const std::string& program) {
   return shell("command -v " + program).exit_code == 0;
 }
 
-/// Exit code 2, nothing on stdout, and one sentence on stderr that holds `words`.
+/// Expects exit code 2, no output, and one sentence on standard error that contains `words`.
 inline void expect_refused(const Outcome& outcome, const std::string& words) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");

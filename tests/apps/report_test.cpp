@@ -1,4 +1,4 @@
-// Pages of runs from outside: what burnish polish leaves, burnish report, burnish show --html.
+// Tests of the pages of runs: burnish polish, burnish report and burnish show --html.
 #include <algorithm>
 #include <map>
 
@@ -21,7 +21,7 @@ const std::string moment =
     " --surface table --plant ideal --duration 0.6 --set path.start_up=0.2"
     " --set phases.reach_duration=0.2 --set verdict.force_rmse=never";
 
-/// The data of a page.
+/// Returns the data of a page.
 Json data_of(const fs::path& page) {
   const std::string html = contents(page), before = "id=\"burnish-data\">";
   const std::size_t at = html.find(before);
@@ -30,7 +30,7 @@ Json data_of(const fs::path& page) {
   return Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
 }
 
-/// trace.csv as rows by their time, as it is written.
+/// Returns the rows of trace.csv by their time; each row has its values by the column's name.
 std::map<float, std::map<std::string, double>> rows_of(const fs::path& file) {
   std::istringstream lines(contents(file));
   std::map<float, std::map<std::string, double>> rows;
@@ -49,7 +49,7 @@ std::map<float, std::map<std::string, double>> rows_of(const fs::path& file) {
   return rows;
 }
 
-TEST(RunPages, HoldWhatTheTableHolds) {
+TEST(RunPages, Page_EqualsTheTraceAndTheMetrics) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const Outcome outcome =
@@ -88,7 +88,7 @@ TEST(RunPages, HoldWhatTheTableHolds) {
       EXPECT_EQ(values[i], static_cast<float>(rows.at(time[i]).at(theirs))) << ours << i;
     }
   }
-  // The force is the one along the plate as it is.
+  // The force is along the normal of the plate, which the disturbance tilts.
   const Json& axes = made["surface"]["true_axes"];
   EXPECT_LT(axes[8].get<double>(), 0.9999);
   EXPECT_EQ(made["surface"]["axes"][8], 1);
@@ -106,7 +106,7 @@ TEST(RunPages, HoldWhatTheTableHolds) {
   EXPECT_EQ(named(made["metrics"], "force_rmse")["value"], metrics["force_rmse_N"]);
 }
 
-TEST(RunPages, TheCommandOnThePageMakesTheRunAgain) {
+TEST(RunPages, CommandOnThePage_ReproducesTheRun) {
   const Scratch scratch;
   const auto first = scratch.folder / "first", second = scratch.folder / "second";
   ASSERT_EQ(
@@ -124,21 +124,21 @@ TEST(RunPages, TheCommandOnThePageMakesTheRunAgain) {
             contents(second / "tilt_6_baseline" / "trace.csv"));
 }
 
-TEST(RunPages, NoPageLeavesThemOut) {
+TEST(RunPages, NoPageOption_RemovesPagesOfTheEarlierRun) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const std::string what = "polish --controller baseline --seed 1 --seed 2 --out " + quoted(out);
   ASSERT_EQ(run(what + moment).exit_code, 0);
   EXPECT_EQ(fs::exists(out / "comparison.html"), has_page);
   EXPECT_TRUE(fs::exists(out / "table_baseline_seed1" / "run.json"));
-  // What an earlier call left goes.
+  // The next run removes the pages of an earlier one.
   ASSERT_EQ(run(what + moment + " --force --no-page").exit_code, 0);
   for (const char* name : {"run.json", "run.html", "run.mcap"})
     EXPECT_FALSE(fs::exists(out / "table_baseline_seed1" / name)) << name;
   EXPECT_FALSE(fs::exists(out / "comparison.html"));
 }
 
-TEST(RunPages, ABuildWithoutThePageSaysSoOnce) {
+TEST(RunPages, BuildWithoutThePage_IsReportedOnce) {
   if (has_page) GTEST_SKIP() << "this build has the page";
   const Scratch scratch;
   const Outcome outcome = run("polish --controller baseline --seed 1 --seed 2 --out " +
@@ -149,10 +149,10 @@ TEST(RunPages, ABuildWithoutThePageSaysSoOnce) {
   EXPECT_NE(at, std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find(words, at + 1), std::string::npos);
   expect_refused(run("show pendulum --html " + quoted(scratch.folder / "p.html")),
-                 "without the page of runs");
+                 "without the web page of runs");
 }
 
-TEST(Report, PutsRunsOnOnePage) {
+TEST(ReportCommand, TwoRuns_AreWrittenToOnePage) {
   if (!has_page) GTEST_SKIP() << "this build has no page";
   const Scratch scratch;
   for (const std::string force : {"20", "30"})
@@ -174,30 +174,55 @@ TEST(Report, PutsRunsOnOnePage) {
   EXPECT_EQ(page["runs"][1], alone["runs"][0]);
   const Outcome whole =
       run("report " + quoted(scratch.folder) + " --out " + quoted(scratch.folder / "all.html"));
-  EXPECT_EQ(whole.out.rfind("2 runs in ", 0), 0U) << "of any depth: " << whole.out << whole.err;
+  EXPECT_EQ(whole.out.rfind("2 runs in ", 0), 0U)
+      << "runs in folders of any depth: " << whole.out << whole.err;
 }
 
-TEST(Report, BadInputIsOneSentence) {
+TEST(ReportCommand, BadInput_IsRefusedInOneSentence) {
   const Scratch scratch;
   const auto refused = [&](const std::string& arguments, const std::string& words) {
     expect_refused(run("report --out " + quoted(scratch.folder / "page.html") + " " + arguments),
                    words);
   };
   refused(quoted(scratch.folder / "nowhere"), "does not exist");
-  refused(quoted(scratch.folder), "is no run");
-  refused(quoted(scratch.write("broken.json", "{\"format\": ")), "no JSON");
-  refused(quoted(scratch.write("other.json", "{\"some\": 1}")), "has no format");
+  refused(quoted(scratch.folder), "holds no run");
+  refused(quoted(scratch.write("broken.json", "{\"format\": ")), "it is not a JSON object");
+  refused(quoted(scratch.write("other.json", "{\"some\": 1}")), "the key 'format' is missing");
   refused(quoted(scratch.write("newer.json", R"({"format": "burnish-page/2", "runs": []})")),
-          "has the format 'burnish-page/2'; this program reads 'burnish-page/1'");
+          "has the format 'burnish-page/2'; wanted 'burnish-page/1'");
   refused(quoted(scratch.write("empty.json", R"({"format": "burnish-page/1", "runs": []})")),
           "holds no run");
   refused(quoted(scratch.write("odd.json", R"({"format": "burnish-page/1", "runs": [3]})")),
-          "something else than runs");
+          "holds a run without name or series");
   refused("", "RUN");
   EXPECT_FALSE(fs::exists(scratch.folder / "page.html"));
 }
 
-TEST(ShowHtml, DrawsARobotWithTheMeshesThatAreThere) {
+TEST(ReportCommand, RunOfVersion03_HasTodaysNames) {
+  if (!has_page) GTEST_SKIP() << "this build has no page";
+  const Scratch scratch;
+  const auto old_run = scratch.write(
+      "run.json",
+      R"({"format": "burnish-page/1", "runs": [{"name": "lean", "series": {"columns":)"
+      R"( [{"name": "believed_normal_x"}, {"name": "tau_elbow"}]}, "envelopes": {"columns":)"
+      R"( [{"name": "limits_pushing"}]}, "metrics": [{"name": "solver.limits_outside"},)"
+      R"( {"name": "lean"}], "phases": [{"name": "lean"}], "outcome": "lean"}]})");
+  const auto file = scratch.folder / "page.html";
+  const Outcome outcome = run("report " + quoted(old_run) + " --out " + quoted(file));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json page = data_of(file);
+  const Json& run_data = page["runs"][0];
+  EXPECT_EQ(run_data["series"]["columns"][0]["name"], "estimated_normal_x");
+  EXPECT_EQ(run_data["series"]["columns"][1]["name"], "tau_elbow");
+  EXPECT_EQ(run_data["envelopes"]["columns"][0]["name"], "active_constraints");
+  EXPECT_EQ(run_data["metrics"][0]["name"], "solver.constraint_violation");
+  EXPECT_EQ(run_data["metrics"][1]["name"], "com_displacement");
+  EXPECT_EQ(run_data["phases"][0]["name"], "force_search");
+  EXPECT_EQ(run_data["name"], "lean") << "the name of a run stays";
+  EXPECT_EQ(run_data["outcome"], "lean");
+}
+
+TEST(ShowHtml, RobotWithAMissingMesh_IsDrawnAndTheMeshNamed) {
   if (!has_page) GTEST_SKIP() << "this build has no page";
   const Scratch scratch;
   fs::create_directories(scratch.folder / "parts" / "meshes");

@@ -1,4 +1,4 @@
-// Where commands leave what they make: new folders, folders that hold runs, disks that are full.
+// Tests of output folders: new folders, folders that contain runs, full disks.
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -17,12 +17,12 @@ const std::string small_problem =
     "stages: {swing: {costs: {state: {type: state}, torque: {type: control}}}}\n"
     "horizon: [swing: 10]\n";
 
-/// burnish as typed in a shell that is in a folder.
+/// Runs burnish in a shell whose working directory is `folder`.
 Outcome run_in(const fs::path& folder, const std::string& arguments) {
   return shell("cd " + quoted(folder) + " && '" BURNISH_PROGRAM "' " + arguments);
 }
 
-TEST(RunFolder, IsANewOneForEveryRun) {
+TEST(RunFolder, RepeatedCommand_WritesIntoANewFolder) {
   const Scratch scratch;
   scratch.write("swing.yaml", small_problem);
   for (const auto& [command, name] :
@@ -37,14 +37,14 @@ TEST(RunFolder, IsANewOneForEveryRun) {
       EXPECT_EQ(fs::read_symlink(scratch.folder / "latest"), folder);
       EXPECT_EQ(contents(scratch.folder / folder / ".burnish").rfind("finished", 0), 0U);
     }
-  // What is no link stays.
+  // A file 'latest' that is not a link stays.
   fs::remove(scratch.folder / "latest");
   scratch.write("latest", "mine");
   EXPECT_EQ(run_in(scratch.folder, "solve swing.yaml --quiet").exit_code, 0);
   EXPECT_EQ(contents(scratch.folder / "latest"), "mine");
 }
 
-TEST(RunFolder, ThatHoldsARunIsRefusedUnlessForced) {
+TEST(RunFolder, FolderWithARun_IsRefusedUnlessForced) {
   const Scratch scratch;
   const fs::path file = scratch.write("swing.yaml", small_problem), out = scratch.folder / "out";
   const std::string to_out = " --out " + quoted(out), solve = "solve " + quoted(file) + " --quiet";
@@ -54,29 +54,29 @@ TEST(RunFolder, ThatHoldsARunIsRefusedUnlessForced) {
   expect_refused(run(solve + to_out), words);
   expect_refused(run("experiment tick --quick" + to_out), words);
   EXPECT_TRUE(fs::exists(out / "table_baseline" / "trace.csv"));
-  // Nothing of the old run is left beside the new one.
+  // No file of the old run remains beside the new one.
   ASSERT_EQ(run(solve + " --force" + to_out).exit_code, 0);
   EXPECT_FALSE(fs::exists(out / "table_baseline"));
   EXPECT_TRUE(fs::exists(out / "trajectory.csv"));
-  // But what no run left is never taken away.
+  // Files of the user are never removed.
   std::ofstream(out / "notes.txt") << "mine";
-  expect_refused(run(solve + " --force" + to_out), "holds 'notes.txt', which no run left");
+  expect_refused(run(solve + " --force" + to_out), "holds 'notes.txt', which is not part of a run");
   EXPECT_EQ(contents(out / "notes.txt"), "mine");
   EXPECT_TRUE(fs::exists(out / "trajectory.csv"));
 }
 
-TEST(RunFolder, OfAnotherVersionIsRefused) {
+TEST(RunFolder, RunWithoutAListOfFiles_IsRefusedEvenIfForced) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
   fs::create_directories(out / "table_mpc");
   std::ofstream(out / "table_mpc" / "metrics.json") << "{}";
   const std::string command = "polish" + quick_polish + "--out " + quoted(out);
   expect_refused(run(command), "holds a run; wanted another folder");
-  expect_refused(run(command + " --force"), "does not say which files are its own");
+  expect_refused(run(command + " --force"), "without a list of its files");
   EXPECT_TRUE(fs::exists(out / "table_mpc" / "metrics.json"));
 }
 
-TEST(RunFolder, WithOtherFilesIsTaken) {
+TEST(RunFolder, FolderWithOtherFiles_IsUsedAndKeepsThem) {
   const Scratch scratch;
   std::ofstream(scratch.folder / "notes.txt") << "mine";
   EXPECT_EQ(run("polish" + quick_polish + "--out " + quoted(scratch.folder)).exit_code, 0);
@@ -84,16 +84,16 @@ TEST(RunFolder, WithOtherFilesIsTaken) {
   EXPECT_TRUE(fs::exists(scratch.folder / "summary.json"));
 }
 
-TEST(RunFolder, IsNotThereWhereNothingWasRun) {
+TEST(RunFolder, RefusedCommand_CreatesNoFolder) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
   expect_refused(
       run("polish --surface table --surface table" + quick_polish + "--out " + quoted(out)),
-      "table_baseline is asked for twice");
+      "table_baseline is requested twice");
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(RunFolder, IsOneRunsAtATime) {
+TEST(RunFolder, SecondRunIntoTheSameFolder_IsRefused) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
   const std::string command =
@@ -101,27 +101,27 @@ TEST(RunFolder, IsOneRunsAtATime) {
       "' polish --surface table --controller mpc --plant ideal --duration 60 "
       "--force --no-page --quiet --out " +
       quoted(out);
-  // The second one is refused; the first one, killed where it stands, leaves an unfinished run.
+  // The second run is refused. The first one is killed and leaves an unfinished run.
   const Outcome outcome =
       shell(command + " >/dev/null 2>&1 & pid=$!; until [ -e " + quoted(out / ".burnish") +
             " ]; do kill -0 $pid || exit 9; done; " + command +
             "; code=$?; kill -KILL $pid; { wait $pid; } 2>/dev/null; exit $code");
   expect_refused(outcome, "another run writes into '" + out.string() + "'");
   const std::string again = "polish" + quick_polish + "--out " + quoted(out);
-  expect_refused(run(again), "holds a run that did not come to its end; wanted another folder");
+  expect_refused(run(again), "holds a run that did not finish; wanted another folder");
   EXPECT_EQ(run(again + " --force").exit_code, 0);
   EXPECT_FALSE(fs::exists(out / "table_mpc"));
   EXPECT_TRUE(fs::exists(out / "table_baseline"));
 }
 
-/// In a shell where files cannot grow beyond so many blocks of 512 bytes, which a full disk is
-/// like.
+/// Runs burnish where files cannot grow beyond `blocks` blocks of 512 bytes, which imitates a full
+/// disk.
 Outcome run_short_of_disk(int blocks, const std::string& arguments) {
   return shell("trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; '" BURNISH_PROGRAM "' " +
                arguments);
 }
 
-TEST(RunFolder, OnAFullDiskHoldsNothingHalfWrittenAndTheTableIsPrinted) {
+TEST(RunFolder, PolishOnAFullDisk_PrintsTheTableAndLeavesNoPartialFile) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
   const Outcome outcome = run_short_of_disk(
@@ -134,10 +134,10 @@ TEST(RunFolder, OnAFullDiskHoldsNothingHalfWrittenAndTheTableIsPrinted) {
   for (const auto& entry : fs::recursive_directory_iterator(out))
     EXPECT_TRUE(entry.is_directory() || entry.path().filename() == ".burnish") << entry.path();
   EXPECT_EQ(contents(out / ".burnish").rfind("failed", 0), 0U) << contents(out / ".burnish");
-  expect_refused(run("polish" + quick_polish + "--out " + quoted(out)), "did not come to its end");
+  expect_refused(run("polish" + quick_polish + "--out " + quoted(out)), "did not finish");
 }
 
-TEST(RunFolder, AfterASecondInterrupt_SaysStopped) {
+TEST(RunFolder, SecondInterrupt_MarksTheFolderAsNotRunning) {
   const Scratch scratch;
   const fs::path out = scratch.folder / "out";
   shell("'" BURNISH_PROGRAM
@@ -150,13 +150,13 @@ TEST(RunFolder, AfterASecondInterrupt_SaysStopped) {
   EXPECT_NE(mark.rfind("running", 0), 0U) << mark;
 }
 
-TEST(Output, OnAFullDisk_IsOneSentence) {
+TEST(Output, FullDisk_IsOneSentence) {
   const Outcome full = shell("'" BURNISH_PROGRAM "' show arm7 > /dev/full");
   EXPECT_EQ(full.exit_code, 2);
   EXPECT_EQ(full.err, "burnish: the output could not be written: No space left on device\n");
 }
 
-TEST(Output, ThatDoesNotFitIntoItsFile_IsTakenBack) {
+TEST(Output, OutputBeyondTheFileSize_IsRemoved) {
   const Scratch scratch;
   const fs::path file = scratch.folder / "table.txt";
   const Outcome outcome =
@@ -167,7 +167,7 @@ TEST(Output, ThatDoesNotFitIntoItsFile_IsTakenBack) {
   EXPECT_EQ(contents(file), "");
 }
 
-TEST(RunFolder, OfASolutionOnAFullDisk) {
+TEST(RunFolder, SolveOnAFullDisk_PrintsTheSummaryAndFails) {
   const Scratch scratch;
   const fs::path file = scratch.write("swing.yaml", small_problem);
   const Outcome outcome = run_short_of_disk(

@@ -1,4 +1,4 @@
-// burnish run from outside: files, exit codes, bad input.
+// Tests of the command burnish run: files, exit codes, bad input.
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +19,7 @@ Outcome run_task_text(const Scratch& scratch, const std::string& text, const std
              more);
 }
 
-TEST(Run, LeavesTheTasksFiguresAndItsPage) {
+TEST(RunCommand, PressHold_WritesMetricsTracePageAndTask) {
   const Scratch scratch;
   const Outcome outcome = run_task_text(scratch, shipped, "");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
@@ -36,7 +36,7 @@ TEST(Run, LeavesTheTasksFiguresAndItsPage) {
   const Json& phases = page["runs"][0]["phases"];
   ASSERT_EQ(phases.size(), 5U);
   EXPECT_EQ(phases[2]["name"], "aside");
-  // The task that it leaves is the one that it read.
+  // The written task gives the same result.
   const Scratch again;
   EXPECT_EQ(run_task_text(again, contents(out / "task.yaml"), " --no-page --quiet").exit_code, 0);
   const auto without_times = [](Json metrics) {
@@ -48,7 +48,7 @@ TEST(Run, LeavesTheTasksFiguresAndItsPage) {
   EXPECT_FALSE(std::filesystem::exists(again.folder / "out" / "run.json"));
 }
 
-TEST(Run, SeveralSeeds_LeaveAFolderEachAndATableOverThem) {
+TEST(RunCommand, TwoSeeds_WriteAFolderEachAndOneSummary) {
   const Scratch scratch;
   const Outcome outcome =
       run_task_text(scratch, "task: press_hold\n",
@@ -71,9 +71,9 @@ TEST(Run, SeveralSeeds_LeaveAFolderEachAndATableOverThem) {
             std::string::npos);
 }
 
-/// However an override names another robot, the task is adapted to it; what the file says of its
-/// own robot is not.
-TEST(Run, AnotherRobotByAnyOverride_IsFitted) {
+/// Every override that names another robot adapts the task to it. The file's own robot is not
+/// adapted.
+TEST(RunCommand, AnotherRobotByAnOverride_AdaptsTheTask) {
   const std::string arm = std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm";
   const std::string soon = " --quiet --no-page --set phases.hold_duration=0.1";
   const std::string task = "task: press_hold\naside: {joint_3: 0.2}\n";
@@ -90,23 +90,23 @@ TEST(Run, AnotherRobotByAnyOverride_IsFitted) {
   EXPECT_NE(refused.err.find("aside.joint_3"), std::string::npos) << refused.err;
 }
 
-TEST(Run, SaysThatTheWorldIsIdealUnlessItIsMeant) {
+TEST(RunCommand, UnstatedDisturbances_AreANoteOfAnIdealWorld) {
   const std::string ideal = "note: the world is ideal", task = "task: press_hold\n";
   const std::string soon = " --quiet --no-page --set phases.hold_duration=0.1";
-  const auto says = [&](const std::string& text, const std::string& more) {
+  const auto has_note = [&](const std::string& text, const std::string& more) {
     const Scratch scratch;
     const Outcome outcome = run_task_text(scratch, text, soon + more);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
     return outcome.err.find(ideal) != std::string::npos;
   };
-  EXPECT_TRUE(says(task, ""));
-  EXPECT_TRUE(says(task, " --seed 2"));
-  EXPECT_FALSE(says(task + "disturbances: none\n", ""));
-  EXPECT_FALSE(says(task, " --set disturbances=none"));
-  EXPECT_FALSE(says(task + "disturbances: {force_noise: 0}\n", ""));
+  EXPECT_TRUE(has_note(task, ""));
+  EXPECT_TRUE(has_note(task, " --seed 2"));
+  EXPECT_FALSE(has_note(task + "disturbances: none\n", ""));
+  EXPECT_FALSE(has_note(task, " --set disturbances=none"));
+  EXPECT_FALSE(has_note(task + "disturbances: {force_noise: 0}\n", ""));
 }
 
-TEST(Run, SaysWhatFailed) {
+TEST(RunCommand, SurfaceOutOfReach_FailsWithItsReason) {
   const Scratch far;
   const Outcome failed =
       run_task_text(far, shipped, " --quiet --set disturbances.surface_height=-0.2");
@@ -115,8 +115,8 @@ TEST(Run, SaysWhatFailed) {
   EXPECT_TRUE(std::filesystem::exists(far.folder / "out" / "last_second.csv"));
 }
 
-/// A robot on its feet, and whether it fell.
-TEST(Run, SaysWhetherWhatStandsFell) {
+/// A standing robot passes without a push and falls with a push of 400 N.
+TEST(RunCommand, StandingRobot_ReportsWhetherItFell) {
   if (run("run --help").out.find("has no MuJoCo") != std::string::npos)
     GTEST_SKIP() << "without MuJoCo there are no feet to stand on";
   const Scratch scratch;
@@ -133,21 +133,21 @@ TEST(Run, SaysWhetherWhatStandsFell) {
   const Json figures = Json::parse(contents(scratch.folder / "well" / "metrics.json"));
   EXPECT_FALSE(figures["fell"].get<bool>());
   EXPECT_LT(figures["sway"]["com_rmse_m"].get<double>(), 5e-3);
-  EXPECT_GT(figures["standing"]["least_load_N"].get<double>(), 5.0);
+  EXPECT_GT(figures["standing"]["min_load_N"].get<double>(), 5.0);
   const Json page = Json::parse(contents(scratch.folder / "well" / "run.json"))["runs"][0];
   EXPECT_EQ(page["supports"].size(), 4U);
-  for (const Json& fact : page["facts"]) EXPECT_NE(fact[0], "force") << "nothing is pressed";
+  for (const Json& fact : page["facts"]) EXPECT_NE(fact[0], "force") << "the robot presses nothing";
   const Outcome badly = stand("badly",
                               " --quiet --no-page --set 'disturbances.pushes=[{start: 1.6, "
                               "duration: 0.4, force: [0, 400, 0]}]'");
   EXPECT_EQ(badly.exit_code, 1) << badly.out << badly.err;
-  EXPECT_NE(badly.out.find("; it fell"), std::string::npos) << badly.out;
+  EXPECT_NE(badly.out.find("; the robot fell"), std::string::npos) << badly.out;
   EXPECT_TRUE(Json::parse(contents(scratch.folder / "badly" / "metrics.json"))["fell"].get<bool>());
 }
 
-/// Feet of a shipped file are another robot's under --robot; those that the command line states are
-/// meant for this one.
-TEST(Run, RefusesFeetOfTheCommandLineThatTheRobotDoesNotHave) {
+/// --robot replaces the feet of a shipped file by those of the robot. Feet that the command line
+/// states must belong to the robot.
+TEST(RunCommand, UnknownFeetOnTheCommandLine_AreRefused) {
   const Scratch scratch;
   const auto file =
       std::filesystem::path(BURNISH_ROBOTS_DIR) / ".." / "tasks" / "stand" / "talos.yaml";
@@ -162,7 +162,7 @@ TEST(Run, RefusesFeetOfTheCommandLineThatTheRobotDoesNotHave) {
   }
 }
 
-TEST(Run, RefusesWhatIsNoTask) {
+TEST(RunCommand, BadTaskFile_IsRefusedWithItsPlace) {
   const Scratch scratch;
   for (const auto& [text, words] :
        {std::pair("robot: arm7\n", "burnish polish"),

@@ -1,4 +1,4 @@
-// burnish solve from outside: files, exit codes, warm starts, Ctrl-C.
+// Tests of the command burnish solve: files, exit codes, warm starts, Ctrl-C.
 #include <algorithm>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -26,7 +26,7 @@ const std::string problem =
     "  - press: 20\n"
     "terminal: {posture: {type: state}}\n";
 
-TEST(Solve, WritesWhatItSays) {
+TEST(SolveCommand, PressingArm_WritesTrajectorySummaryGainsAndPlots) {
   const Scratch scratch;
   const auto file = scratch.write("press.yaml", problem);
   const auto out = scratch.folder / "out";
@@ -51,7 +51,7 @@ TEST(Solve, WritesWhatItSays) {
   EXPECT_EQ(steps["position"]["unit"], "rad");
   EXPECT_LT(steps["position"]["error"].get<double>(), steps["position"]["limit"].get<double>());
   EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.out.find("discretisation: a step ends at most"), std::string::npos);
+  EXPECT_NE(outcome.out.find("discretisation: largest error of a step"), std::string::npos);
 
   const Json gains = Json::parse(contents(out / "gains.json"));
   ASSERT_EQ(gains["knots"].size(), 20U);
@@ -71,7 +71,7 @@ TEST(Solve, WritesWhatItSays) {
   }
 }
 
-TEST(Solve, LeavesAPageThatReportTakes) {
+TEST(SolveCommand, Page_HasTheLimitsAndIsReadByReport) {
   const Scratch scratch;
   const auto file =
       scratch.write("swing.yaml",
@@ -101,7 +101,7 @@ TEST(Solve, LeavesAPageThatReportTakes) {
   }
 }
 
-TEST(Solve, DistanceFromTheTarget_IsAlongAxesThatHaveAWeight) {
+TEST(SolveCommand, DistanceFromTarget_IgnoresAxesWithoutWeight) {
   const Scratch scratch;
   std::string slope = problem;
   const std::string from = "target: {here: [0.05, 0, 0]}, weight: 100";
@@ -114,11 +114,12 @@ TEST(Solve, DistanceFromTheTarget_IsAlongAxesThatHaveAWeight) {
   const std::string table = contents(out / "trajectory.csv");
   const std::string first = table.substr(table.find('\n') + 1);
   const std::string line = first.substr(0, first.find('\n'));
-  EXPECT_NE(table.find("tool_distance_from_target [m]\n"), std::string::npos) << "the last column";
+  EXPECT_NE(table.find("tool_distance_from_target [m]\n"), std::string::npos)
+      << "the distance is not the last column";
   EXPECT_NEAR(std::stod(line.substr(line.rfind(',') + 1)), 0.05, 1e-9);
 }
 
-TEST(Solve, TellsWhereLimitsPushAlongTheHorizon) {
+TEST(SolveCommand, ActiveConstraints_AreListedByKnot) {
   const Scratch scratch;
   const std::string free =
       "robot: pendulum\n"
@@ -151,7 +152,7 @@ TEST(Solve, TellsWhereLimitsPushAlongTheHorizon) {
   EXPECT_NE(contents(out / "limits.svg").find("class='curve'"), std::string::npos);
 }
 
-TEST(Solve, StepsThatAreTooCoarse_AreAWarningAndInTheSummary) {
+TEST(SolveCommand, CoarseSteps_AreAWarningAndInTheSummary) {
   const Scratch scratch;
   std::string coarse = problem;
   coarse.replace(coarse.find("    contacts: [table]\n"), 0, "    step: 0.5\n");
@@ -159,15 +160,15 @@ TEST(Solve, StepsThatAreTooCoarse_AreAWarningAndInTheSummary) {
   const auto out = scratch.folder / "out";
   const Outcome outcome = run("solve " + quoted(scratch.write("coarse.yaml", coarse)) +
                               " --quiet --out " + quoted(out));
-  for (const char* word : {"warning: the steps are too coarse", "0.5 s", "would do"})
+  for (const char* word : {"warning: the steps are too coarse", "0.5 s", "short enough"})
     EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
   const Json steps = Json::parse(contents(out / "summary.json"))["discretization"];
   EXPECT_TRUE(steps["coarse"].get<bool>());
-  EXPECT_LT(steps["step_enough"].get<double>(), 0.5);
-  EXPECT_GT(steps["step_enough"].get<double>(), 0.0);
+  EXPECT_LT(steps["sufficient_step"].get<double>(), 0.5);
+  EXPECT_GT(steps["sufficient_step"].get<double>(), 0.0);
 }
 
-TEST(Solve, NotConvergedIsExitCodeOneAndFilesAreThere) {
+TEST(SolveCommand, IterationLimit_GivesExitCodeOneAndWritesFiles) {
   const Scratch scratch;
   const auto file = scratch.write("press.yaml", problem);
   const auto out = scratch.folder / "out";
@@ -176,7 +177,7 @@ TEST(Solve, NotConvergedIsExitCodeOneAndFilesAreThere) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(lines_of(outcome.out), 1) << outcome.out;
   EXPECT_NE(outcome.out.find("stopped after 1 iterations"), std::string::npos);
-  // Gains belong to the trajectory that is written.
+  // The gains belong to the written trajectory.
   const Json gains = Json::parse(contents(out / "gains.json"));
   ASSERT_EQ(gains["knots"].size(), 20U);
   std::istringstream rows(contents(out / "trajectory.csv"));
@@ -188,7 +189,7 @@ TEST(Solve, NotConvergedIsExitCodeOneAndFilesAreThere) {
   EXPECT_EQ(gains["knots"][5]["x"][0].get<double>(), std::stod(cell));
 }
 
-TEST(Solve, StartsFromAnEarlierTrajectory) {
+TEST(SolveCommand, GuessFromATrajectory_ConvergesInOneIteration) {
   const Scratch scratch;
   const auto first = scratch.write("press.yaml", problem);
   ASSERT_EQ(run("solve " + quoted(first) + " --out " + quoted(scratch.folder / "a")).exit_code, 0);
@@ -199,7 +200,7 @@ TEST(Solve, StartsFromAnEarlierTrajectory) {
   EXPECT_LE(Json::parse(outcome.out)["iterations"].get<int>(), 1);
 }
 
-TEST(Solve, ChecksDerivativesFirst) {
+TEST(SolveCommand, CheckOption_PrintsTheDerivativeCheck) {
   const Scratch scratch;
   const auto file = scratch.write("press.yaml", problem);
   const Outcome outcome =
@@ -208,7 +209,7 @@ TEST(Solve, ChecksDerivativesFirst) {
   EXPECT_NE(outcome.out.find("next state"), std::string::npos) << outcome.out;
 }
 
-TEST(Solve, BadInputIsOneSentence) {
+TEST(SolveCommand, BadInput_IsRefusedInOneSentence) {
   const Scratch scratch;
   expect_refused(run("solve nowhere.yaml"), "nowhere.yaml: the file cannot be opened");
   expect_refused(run("solve"), "PROBLEM is required");
@@ -221,7 +222,7 @@ TEST(Solve, BadInputIsOneSentence) {
   expect_refused(run("solve " + quoted(bad)), "did you mean 'solver'?");
 }
 
-TEST(Solve, WhatDoesNotFitIntoMemoryIsRefusedByName) {
+TEST(SolveCommand, ProblemBeyondTheMemory_IsRefused) {
   const Scratch scratch;
   const auto file = scratch.write(
       "long.yaml",
@@ -232,7 +233,7 @@ TEST(Solve, WhatDoesNotFitIntoMemoryIsRefusedByName) {
       << outcome.err;
 }
 
-TEST(Solve, WhatThereIsNotIsAnEmptyCell) {
+TEST(SolveCommand, MissingValues_AreEmptyCells) {
   const Scratch scratch;
   const auto file = scratch.write("press.yaml", problem);
   ASSERT_EQ(
@@ -244,9 +245,9 @@ TEST(Solve, WhatThereIsNotIsAnEmptyCell) {
   EXPECT_NE(last.find(",,,,,,"), std::string::npos) << last;
 }
 
-TEST(Solve, InterruptStopsAfterTheIterationAndWrites) {
+TEST(SolveCommand, Interrupt_EndsTheIterationAndWritesFiles) {
   const Scratch scratch;
-  // Long enough that it does not end between the first line and the signal, on a busy machine too.
+  // The solve must outlast the signal, on a busy machine too.
   std::string text = contents(std::filesystem::path(BURNISH_ROBOTS_DIR).parent_path() /
                               "examples/problems/standing_wall.yaml");
   const std::string horizon = "stand: 100";
@@ -254,29 +255,29 @@ TEST(Solve, InterruptStopsAfterTheIterationAndWrites) {
   text.replace(text.find(horizon), horizon.size(), "stand: 600");
   text += "solver: {stop_tolerance: 1e-30, max_iterations: 100000}\n";
   const auto file = scratch.write("wall.yaml", text);
-  const auto out = scratch.folder / "out", said = scratch.folder / "said";
+  const auto out = scratch.folder / "out", output = scratch.folder / "output";
   const auto seen = scratch.folder / "seen";
   const std::string script =
       "'" BURNISH_PROGRAM "' solve " + quoted(file) + " --out " + quoted(out) + " >" +
-      quoted(said) + " 2>&1 & pid=$!; until grep -q '^ *1 ' " + quoted(said) +
-      "; do kill -0 $pid || exit 9; done; kill -INT $pid; grep -c '^ *[0-9]' " + quoted(said) +
+      quoted(output) + " 2>&1 & pid=$!; until grep -q '^ *1 ' " + quoted(output) +
+      "; do kill -0 $pid || exit 9; done; kill -INT $pid; grep -c '^ *[0-9]' " + quoted(output) +
       " >" + quoted(seen) + "; wait $pid";
   const int status = std::system(script.c_str());
   ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1) << contents(said);
+  EXPECT_EQ(WEXITSTATUS(status), 1) << contents(output);
   const Json summary = Json::parse(contents(out / "summary.json"));
   EXPECT_EQ(summary["reason"], "interrupted");
-  // The one that was under way ends, and what was made before the count but not yet printed.
+  // At most the iteration in progress is added, and one that was finished but not yet printed.
   EXPECT_LE(summary["iterations"].get<int>(), std::stoi(contents(seen)) + 1);
   EXPECT_EQ(lines_of(contents(out / "trajectory.csv")), 1 + 601);
 }
 
-TEST(Solve, AnInterruptOfTheSetUpSaysSo) {
+TEST(SolveCommand, InterruptDuringTheSetUp_WritesNothing) {
   const Scratch scratch;
   const auto file = std::filesystem::path(BURNISH_ROBOTS_DIR).parent_path() /
                     "examples/problems/standing_wall.yaml";
   const auto out = scratch.folder / "out";
-  // Its derivatives are checked for longer than it takes to find out that it takes signals.
+  // The check of derivatives takes longer than the wait for the program's signal handler.
   const Outcome outcome = shell(
       "'" BURNISH_PROGRAM "' solve " + quoted(file) + " --check --out " + quoted(out) +
       " & pid=$!; until grep -q 'SigCgt:[[:space:]]*0*[1-9a-f]' /proc/$pid/status; do kill -0 $pid "

@@ -1,3 +1,4 @@
+// Tests of work on a background thread.
 #include "base/background_work.hpp"
 
 #include <gtest/gtest.h>
@@ -5,7 +6,7 @@
 namespace burnish::test {
 namespace {
 
-TEST(BackgroundWork, is_done_each_time_that_it_is_started_and_seen_when_it_is_not_busy) {
+TEST(BackgroundWork, RepeatedStart_RunsTheWorkOncePerStart) {
   int done = 0;
   BackgroundWork work([&] { ++done; });
   for (int i = 1; i <= 100; ++i) {
@@ -16,7 +17,7 @@ TEST(BackgroundWork, is_done_each_time_that_it_is_started_and_seen_when_it_is_no
   }
 }
 
-TEST(BackgroundWork, is_waited_for_at_its_end) {
+TEST(BackgroundWork, Destructor_WaitsForTheWork) {
   int done = 0;
   {
     BackgroundWork work([&] { ++done; });

@@ -1,3 +1,4 @@
+// Tests of eigenvalues, null spaces, least squares and solutions with positive definite matrices.
 #include "base/decomposition.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ Eigen::MatrixXd positive(int n) {
   return root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(n, n);
 }
 
-TEST(Decomposition, eigenvalues_ascend_and_make_the_matrix_with_their_vectors) {
+TEST(Decomposition, SymmetricEigen_AscendsAndRebuildsTheMatrix) {
   for (const int n : {1, 3, 6, 20}) {
     const Eigen::MatrixXd A = positive(n);
     const SymmetricEigen eigen = symmetric_eigen(A);
@@ -23,7 +24,7 @@ TEST(Decomposition, eigenvalues_ascend_and_make_the_matrix_with_their_vectors) {
   }
 }
 
-TEST(Decomposition, eigenvalues_of_what_is_no_number_are_none) {
+TEST(Decomposition, SymmetricEigenOfNan_IsNotFinite) {
   for (const int n : {1, 2, 6}) {
     Eigen::MatrixXd A = positive(n);
     A(n - 1, 0) = std::numeric_limits<double>::quiet_NaN();
@@ -31,7 +32,7 @@ TEST(Decomposition, eigenvalues_of_what_is_no_number_are_none) {
   }
 }
 
-TEST(Decomposition, least_squares_meets_what_can_be_met_and_is_the_shortest) {
+TEST(Decomposition, LeastSquares_HasMinimalResidualAndMinimalNorm) {
   const Eigen::MatrixXd tall = Eigen::MatrixXd::Random(9, 4), B = Eigen::MatrixXd::Random(9, 2);
   EXPECT_LE((tall.transpose() * (tall * least_squares(tall, B) - B)).norm(), 1e-12);
   const Eigen::MatrixXd wide = Eigen::MatrixXd::Random(3, 8);
@@ -42,10 +43,11 @@ TEST(Decomposition, least_squares_meets_what_can_be_met_and_is_the_shortest) {
   twice << wide, wide.row(0);
   Eigen::VectorXd same(4);
   same << b, b[0];
-  EXPECT_LE((least_squares(twice, same) - x).norm(), 1e-12) << "a row that says the same again";
+  EXPECT_LE((least_squares(twice, same) - x).norm(), 1e-12)
+      << "a duplicated row must not change the solution";
 }
 
-TEST(Decomposition, null_space_is_what_a_matrix_takes_to_nothing) {
+TEST(Decomposition, NullSpace_IsOrthonormalAndMapsToZero) {
   Eigen::MatrixXd A = Eigen::MatrixXd::Random(5, 9);
   A.row(4) = A.row(0) - 2.0 * A.row(1);
   const Eigen::MatrixXd N = null_space(A);
@@ -55,24 +57,24 @@ TEST(Decomposition, null_space_is_what_a_matrix_takes_to_nothing) {
   EXPECT_EQ(null_space(positive(4)).cols(), 0);
 }
 
-TEST(Decomposition, solutions_of_what_is_not_positive_are_no_numbers) {
+TEST(Decomposition, SolutionWithIndefiniteMatrix_IsNan) {
   const Eigen::MatrixXd A = positive(7), B = Eigen::MatrixXd::Random(7, 3);
   EXPECT_LE((A * solve_positive(A, B) - B).norm(), 1e-11);
   const Eigen::MatrixXd half = solve_positive_half(A, B);
   EXPECT_LE((half.transpose() * half - B.transpose() * solve_positive(A, B)).norm(), 1e-10);
-  for (const double odd : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double entry : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
     Eigen::MatrixXd bad = A;
-    bad(6, 6) = odd;
+    bad(6, 6) = entry;
     EXPECT_TRUE(solve_positive(bad, B).array().isNaN().all());
     EXPECT_TRUE(solve_positive_half(bad, B).array().isNaN().all());
   }
 }
 
-TEST(Decomposition, damped_steps_are_those_of_the_augmented_least_squares) {
+TEST(Decomposition, DampedStep_EqualsAugmentedLeastSquares) {
   const Eigen::MatrixXd J = Eigen::MatrixXd::Random(6, 9);
   const Eigen::VectorXd damping = Eigen::VectorXd::LinSpaced(6, 0.1, 0.6);
   const Eigen::VectorXd error = Eigen::VectorXd::Random(6);
-  // min |x|^2 + |r|^2 with J x + sqrt(damping) r = error: the shortest (x, r).
+  // The shortest (x, r) with J x + sqrt(damping) r = error minimizes |x|^2 + |r|^2.
   Eigen::MatrixXd both(6, 15);
   both << J, Eigen::MatrixXd(damping.cwiseSqrt().asDiagonal());
   const Eigen::VectorXd wanted = least_squares(both, error);

@@ -1,4 +1,4 @@
-// Descriptions of specifications: the words that come from them, and what they refuse.
+// Tests of the descriptions of specifications: units, comments, ranges and merging by name.
 #include "base/description.hpp"
 
 #include <gtest/gtest.h>
@@ -9,19 +9,19 @@ namespace burnish {
 namespace {
 
 struct Inner {
-  double share = 0.5;
+  double fraction = 0.5;
 };
 struct Outer {
   int count = 3;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::optional<double> friction = {};
   std::vector<Inner> inner = {};
-  std::map<std::string, double> shares = {};
+  std::map<std::string, double> fractions = {};
 };
 
 const Description& description_of(const Inner* /*of*/) {
-  static const Description all =
-      Describe<Inner>("base", "Inner", "").field("share", &Inner::share, "of it", range::share);
+  static const Description all = Describe<Inner>("base", "Inner", "")
+                                     .field("fraction", &Inner::fraction, "of it", range::share);
   return all;
 }
 const Description& description_of(const Outer* /*of*/) {
@@ -32,7 +32,7 @@ const Description& description_of(const Outer* /*of*/) {
           .field("axis", &Outer::axis, "[{x: 1}] in {m}; any length", range::direction)
           .field("friction", &Outer::friction, "or none", range::positive)
           .field("inner", &Outer::inner, "")
-          .field("shares", &Outer::shares, "by name", range::share);
+          .field("fractions", &Outer::fractions, "by name", range::share);
   return all;
 }
 
@@ -42,7 +42,7 @@ std::string refused(const Outer& value) {
   });
 }
 
-TEST(Descriptions, find_the_unit_among_the_words) {
+TEST(SpecDescription, UnitInBraces_IsFoundInTheComment) {
   const Description& outer = description_of(static_cast<const Outer*>(nullptr));
   EXPECT_EQ(outer.field("count").unit(), "turns");
   EXPECT_EQ(outer.field("count").comment(), "turns, whole ones");
@@ -51,7 +51,7 @@ TEST(Descriptions, find_the_unit_among_the_words) {
   EXPECT_EQ(outer.field("axis").comment(), "[{x: 1}] in {m}; any length");
 }
 
-TEST(Descriptions, refuse_the_first_number_out_of_its_range_by_the_way_to_it) {
+TEST(SpecDescription, NumberOutOfRange_IsRefusedWithItsPath) {
   EXPECT_EQ(refused({}), "");
   EXPECT_EQ(refused({.count = 6}), "count is 6; wanted 1 to 5");
   EXPECT_EQ(refused({.axis = Eigen::Vector3d::Zero()}),
@@ -59,12 +59,12 @@ TEST(Descriptions, refuse_the_first_number_out_of_its_range_by_the_way_to_it) {
   EXPECT_EQ(refused({.axis = {0.0, NAN, 1.0}}), "axis is nan; wanted a vector that is not zero");
   EXPECT_EQ(refused({.friction = 0.0}), "friction is 0; wanted more than 0");
   EXPECT_EQ(refused({.inner = {{}, {-1.0}}}),
-            "inner[1].share is -1; wanted a share between 0 and 1");
-  EXPECT_EQ(refused({.shares = {{"a", 1.0}, {"b", 2.0}}}),
-            "shares.b is 2; wanted a share between 0 and 1");
+            "inner[1].fraction is -1; wanted a fraction between 0 and 1");
+  EXPECT_EQ(refused({.fractions = {{"a", 1.0}, {"b", 2.0}}}),
+            "fractions.b is 2; wanted a fraction between 0 and 1");
 }
 
-TEST(Descriptions, give_ranges_their_ends) {
+TEST(NumberRange, Ends_AreIncludedOrExcludedAsDeclared) {
   EXPECT_TRUE(range::positive_or_infinite.holds(range::end));
   EXPECT_FALSE(range::positive_or_infinite.holds(-range::end));
   EXPECT_FALSE(range::positive.holds(range::end));
@@ -109,7 +109,7 @@ const Description& description_of(const Changing* /*of*/) {
   return all;
 }
 
-TEST(Descriptions, put_what_is_stated_over_a_value_by_names) {
+TEST(SpecDescription, PutOver_MergesListsAndMapsByName) {
   Changing value{.end = 1.0,
                  .word = "a",
                  .list = {{"x", 1.0}, {"y", 2.0}},
@@ -125,16 +125,16 @@ TEST(Descriptions, put_what_is_stated_over_a_value_by_names) {
   EXPECT_EQ(value.list[1].name, "y");
   EXPECT_EQ(value.list[2].name, "z");
   EXPECT_EQ(value.map.size(), 3U);
-  EXPECT_EQ(value.map.at("p").share, 0.1);
-  EXPECT_EQ(value.map.at("q").share, 0.3);
-  EXPECT_EQ(value.always, 5) << "nothing says whether it is stated";
+  EXPECT_EQ(value.map.at("p").fraction, 0.1);
+  EXPECT_EQ(value.map.at("q").fraction, 0.3);
+  EXPECT_EQ(value.always, 5) << "a plain member cannot be unset, so it is not copied";
 }
 
-TEST(Descriptions, call_infinity_never_unless_the_value_can_be_absent) {
+TEST(SpecDescription, InfiniteValue_IsCalledNeverUnlessOptional) {
   EXPECT_EQ(description_of(static_cast<const Changing*>(nullptr)).field("end").word, "");
   const Description one = Describe<Inner>("base", "Inner", "")
-                              .field("share", &Inner::share, "", range::any_or_infinite);
-  EXPECT_EQ(one.field("share").word, "never");
+                              .field("fraction", &Inner::fraction, "", range::any_or_infinite);
+  EXPECT_EQ(one.field("fraction").word, "never");
 }
 
 }  // namespace

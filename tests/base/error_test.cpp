@@ -1,3 +1,4 @@
+// Tests of error messages, of suggestions for misspelled names, and of statuses.
 #include "burnish/base/error.hpp"
 
 #include <gtest/gtest.h>
@@ -9,47 +10,48 @@
 namespace burnish {
 namespace {
 
-TEST(NearestName, finds_the_name_with_a_slip_of_the_finger) {
-  const std::vector<std::string> known{"arm_left_1_joint", "arm_right_1_joint", "torso_1_joint"};
-  EXPECT_EQ(nearest_name("arm_rigth_1_joint", known), "arm_right_1_joint");
-  EXPECT_EQ(nearest_name("torso1_joint", known), "torso_1_joint");
+TEST(NearestName, MisspelledName_GivesTheClosestName) {
+  const std::vector<std::string> names{"arm_left_1_joint", "arm_right_1_joint", "torso_1_joint"};
+  EXPECT_EQ(nearest_name("arm_rigth_1_joint", names), "arm_right_1_joint");
+  EXPECT_EQ(nearest_name("torso1_joint", names), "torso_1_joint");
   EXPECT_EQ(nearest_name("weigths", {"weight", "weights", "limits"}), "weights");
 }
 
-TEST(NearestName, is_empty_when_nothing_is_close) {
+TEST(NearestName, NoCloseName_GivesAnEmptyText) {
   EXPECT_EQ(nearest_name("q", {"arm_left_1_joint"}), "");
   EXPECT_EQ(nearest_name("tool", {}), "");
   EXPECT_EQ(did_you_mean("tool", {}), "");
   EXPECT_EQ(nearest_name("nope", {"base", "tool", "link_1"}), "");
 }
 
-TEST(DidYouMean, quotes_the_nearest_name) {
+TEST(DidYouMean, MisspelledName_QuotesTheNearestName) {
   EXPECT_EQ(did_you_mean("tol", {"tool", "base"}), "; did you mean 'tool'?");
 }
 
-TEST(NearestName, is_not_searched_for_text_that_is_no_name) {
+TEST(NearestName, VeryLongText_IsIgnored) {
   const std::string text(1'000'000, 'a');
   EXPECT_EQ(nearest_name(text, {text}), "");
   EXPECT_EQ(nearest_name("tol", {text, "tool"}), "tool");
 }
 
-TEST(Error, is_one_line_of_text_whatever_it_quotes) {
+TEST(Error, ControlCharactersAndInvalidUtf8_AreReplaced) {
   EXPECT_STREQ(Error("a 'b\n\x01\tc' d\x7F").what(), "a 'b   c' d ");
   EXPECT_STREQ(Error("Gr\u00f6\u00dfe, \u20ac, \U0001F916").what(),
                "Gr\u00f6\u00dfe, \u20ac, \U0001F916");
-  // No character begins, ends, is as short as it could be, is one of a pair, is a code.
+  // Invalid UTF-8: a lone continuation byte, truncated and overlong characters, a surrogate, and
+  // codes above the largest.
   EXPECT_STREQ(Error("\x80 \xC3( \xC3").what(), "? ?( ?");
   EXPECT_STREQ(Error("\xC0\xAF \xE0\x80\xAF \xF0\x80\x80\xAF").what(), "?? ??? ????");
   EXPECT_STREQ(Error("\xED\xA0\x80 \xF4\x90\x80\x80 \xF5").what(), "??? ???? ?");
 }
 
-TEST(Error, is_cut_where_it_is_far_too_long) {
+TEST(Error, VeryLongMessage_IsCut) {
   const std::string sentence = Error(std::string(1'000'000, 'a')).what();
   EXPECT_LT(sentence.size(), 5000U);
   EXPECT_TRUE(sentence.ends_with("..."));
 }
 
-TEST(Status, every_value_has_a_sentence_of_its_own_and_worst_is_the_larger) {
+TEST(Status, EveryValue_HasItsOwnSentenceAndWorstIsTheLarger) {
   std::set<std::string_view> sentences;
   for (int s = 0; s <= static_cast<int>(Status::NotEvaluated); ++s)
     sentences.insert(describe(static_cast<Status>(s)));
@@ -58,7 +60,7 @@ TEST(Status, every_value_has_a_sentence_of_its_own_and_worst_is_the_larger) {
   EXPECT_EQ(worst(Status::SingularMass, Status::NotConverged), Status::SingularMass);
 }
 
-TEST(Error, lists_several_problems) {
+TEST(Error, SeveralProblems_AreNumberedAndListed) {
   const Error one("r.urdf", std::vector<std::string>{"no links"});
   EXPECT_STREQ(one.what(), "r.urdf: no links");
   EXPECT_EQ(one.sentences(), std::vector<std::string>{"r.urdf: no links"});

@@ -1,4 +1,4 @@
-// Signals: nothing, numbers or a function of time, and what they say of themselves.
+// Tests of signals, which are empty, constant or a function of time.
 #include "burnish/base/signal.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ struct Ramp {
   }
 };
 
-TEST(Signal, is_empty_until_it_is_given_something) {
+TEST(Signal, DefaultConstructed_IsEmpty) {
   EXPECT_TRUE(Signal().empty());
   EXPECT_TRUE(Signal().is_constant());
   EXPECT_EQ(Signal().size(), 0);
@@ -23,7 +23,7 @@ TEST(Signal, is_empty_until_it_is_given_something) {
   EXPECT_FALSE(Signal::over_time(2, Ramp{1.0}).empty());
 }
 
-TEST(Signal, gives_its_numbers_at_a_time) {
+TEST(Signal, At_GivesTheValueAtTheTime) {
   Eigen::VectorXd out(3);
   Signal(Eigen::Vector3d(1.0, 2.0, 3.0)).at(7.0, out);
   EXPECT_EQ(out, Eigen::Vector3d(1.0, 2.0, 3.0));
@@ -33,18 +33,18 @@ TEST(Signal, gives_its_numbers_at_a_time) {
   EXPECT_EQ(out, Eigen::Vector3d::Constant(2.0));
 }
 
-TEST(Signal, tells_the_function_that_it_was_given) {
+TEST(Signal, Function_ReturnsTheStoredFunction) {
   EXPECT_FALSE(Signal(1.0).function());
   const Signal ramp = Signal::over_time(1, Ramp{0.25});
   ASSERT_NE(ramp.function().target<Ramp>(), nullptr);
   EXPECT_EQ(ramp.function().target<Ramp>()->slope, 0.25);
 }
 
-TEST(Signal, refuses_functions_of_no_entries_and_no_functions) {
+TEST(Signal, NoEntriesOrNoFunction_IsRefused) {
   EXPECT_EQ(testing::refusal([] { Signal::over_time(0, Ramp{1.0}); }),
             "a signal over time has 0 entries; wanted at least 1");
   EXPECT_EQ(testing::refusal([] { Signal::over_time(1, nullptr); }),
-            "a signal over time has no function");
+            "a signal over time has no function; wanted one");
 }
 
 }  // namespace

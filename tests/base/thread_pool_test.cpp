@@ -1,3 +1,4 @@
+// Tests of the thread pool: loops, teams, exceptions and pinning to cores.
 #include "base/thread_pool.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 namespace burnish::testing {
 namespace {
 
-TEST(ThreadPool, does_every_piece_once) {
+TEST(ThreadPool, EveryPiece_IsDoneOnce) {
   for (const int workers : {1, 2, 4}) {
     ThreadPool pool(workers);
     EXPECT_EQ(pool.workers(), workers);
@@ -32,7 +33,7 @@ TEST(ThreadPool, does_every_piece_once) {
   }
 }
 
-TEST(ThreadPool, rounds_follow_one_another_with_and_without_pause) {
+TEST(ThreadPool, ConsecutiveRounds_CompleteWithAndWithoutPause) {
   ThreadPool pool(3);
   std::vector<long> sums(5, 0);
   for (int round = 0; round < 3000; ++round) {
@@ -43,7 +44,7 @@ TEST(ThreadPool, rounds_follow_one_another_with_and_without_pause) {
     EXPECT_EQ(sums[static_cast<std::size_t>(piece)], 3000L * piece);
 }
 
-TEST(ThreadPool, work_of_one_round_is_seen_in_the_next) {
+TEST(ThreadPool, WorkOfOneRound_IsVisibleInTheNext) {
   ThreadPool pool(2);
   std::vector<double> values(64, 1.0);
   for (int round = 0; round < 200; ++round)
@@ -54,7 +55,7 @@ TEST(ThreadPool, work_of_one_round_is_seen_in_the_next) {
   EXPECT_EQ(std::accumulate(values.begin(), values.end(), 0.0), 64 * 201.0);
 }
 
-TEST(ThreadPool, passes_on_what_the_lowest_piece_throws_when_all_are_done) {
+TEST(ThreadPool, ThrowingPieces_RethrowTheLowestAfterAllAreDone) {
   for (const int workers : {1, 2, 4}) {
     ThreadPool pool(workers);
     for (int round = 0; round < 50; ++round) {
@@ -65,18 +66,18 @@ TEST(ThreadPool, passes_on_what_the_lowest_piece_throws_when_all_are_done) {
       };
       EXPECT_EQ(refusal([&] { pool.for_each(20, work); }), "piece 5");
       EXPECT_EQ(std::count(done.begin(), done.end(), 1), 20);
-      // The next round knows nothing of it.
+      // The exception does not affect the next round.
       pool.for_each(5, work);
       EXPECT_EQ(std::accumulate(done.begin(), done.end(), 0), 25);
     }
   }
 }
 
-TEST(ThreadPool, refuses_to_have_no_worker) {
+TEST(ThreadPool, ZeroWorkers_AreRefused) {
   expect_words(refusal([] { ThreadPool pool(0); }), {"0 workers", "1 or more"});
 }
 
-TEST(ThreadPool, a_crew_meets_as_often_as_it_likes) {
+TEST(ThreadPool, Team_SynchronizesAtEveryMeeting) {
   for (const int workers : {1, 2, 3, 5}) {
     ThreadPool pool(workers);
     const ThreadPool::Awake awake(pool);
@@ -84,17 +85,17 @@ TEST(ThreadPool, a_crew_meets_as_often_as_it_likes) {
     std::atomic<int> wrong = 0;
     for (int round = 0; round < 20; ++round) {
       std::fill(steps.begin(), steps.end(), 0);
-      pool.together([&](const Crew& crew) noexcept {
-        if (crew.workers != workers || crew.leads() != (crew.worker == workers - 1)) ++wrong;
+      pool.together([&](const ThreadTeam& team) noexcept {
+        if (team.workers != workers || team.leads() != (team.worker == workers - 1)) ++wrong;
         for (int step = 1; step <= 50; ++step) {
-          steps[static_cast<std::size_t>(crew.worker)] = step;
-          crew.meet();
-          for (const int of_other : steps)
-            if (of_other != step) ++wrong;
-          crew.meet();
+          steps[static_cast<std::size_t>(team.worker)] = step;
+          team.meet();
+          for (const int other_step : steps)
+            if (other_step != step) ++wrong;
+          team.meet();
         }
       });
-      // Loops go on as before.
+      // for_each still works after together().
       int sum = 0;
       std::mutex mutex;
       pool.for_each(3, [&](int, int piece) {
@@ -107,22 +108,22 @@ TEST(ThreadPool, a_crew_meets_as_often_as_it_likes) {
   }
 }
 
-TEST(ThreadPool, a_thread_that_wakes_late_comes_to_a_crew_once) {
+TEST(ThreadPool, LateWakingThread_JoinsEachTeamOnce) {
   ThreadPool pool(2);
   std::atomic<int> came{0};
   constexpr int rounds = 15000;
   for (int round = 0; round < rounds; ++round) {
-    // Over before the other worker has seen it, and then meets in the crew's round.
+    // This round may end before the other worker wakes; that worker must still join the team once.
     pool.for_each(2, [](int, int) {});
-    pool.together([&](const Crew& crew) noexcept {
+    pool.together([&](const ThreadTeam& team) noexcept {
       ++came;
-      crew.meet();
+      team.meet();
     });
   }
   EXPECT_EQ(came, 2 * rounds);
 }
 
-TEST(ThreadPool, more_workers_than_cores_do_all_pieces_too) {
+TEST(ThreadPool, MoreWorkersThanCores_DoAllPieces) {
   const int workers = std::min(64, 2 * std::max(1, allowed_cores()) + 1);
   ThreadPool pool(workers);
   std::vector<long> sums(100, 0);
@@ -141,7 +142,7 @@ cpu_set_t cores_of_this_thread() {
   return set;
 }
 
-/// Core sets as they were, whatever a test does.
+/// Restores the cores of the thread after each test.
 class PinnedThreads : public ::testing::Test {
  protected:
   void TearDown() override { sched_setaffinity(0, sizeof before_, &before_); }
@@ -154,7 +155,7 @@ class PinnedThreads : public ::testing::Test {
   const cpu_set_t before_ = cores_of_this_thread();
 };
 
-TEST_F(PinnedThreads, each_have_the_core_of_their_number_and_the_caller_stays_free) {
+TEST_F(PinnedThreads, Workers_RunOnTheirOwnCoresAndTheCallerIsNotPinned) {
   const std::vector<int> cores = allowed();
   EXPECT_EQ(allowed_cores(), static_cast<int>(cores.size()));
   const int workers = std::min<int>(4, static_cast<int>(cores.size()));
@@ -164,7 +165,7 @@ TEST_F(PinnedThreads, each_have_the_core_of_their_number_and_the_caller_stays_fr
   std::atomic<int> arrived = 0;
   pool.for_each(workers, [&](int worker, int) {
     seen[static_cast<std::size_t>(worker)] = cores_of_this_thread();
-    // No worker takes a second piece before all have one.
+    // Waits until every worker has one piece, so that no worker takes a second one.
     ++arrived;
     while (arrived < workers) std::this_thread::yield();
   });
@@ -177,7 +178,7 @@ TEST_F(PinnedThreads, each_have_the_core_of_their_number_and_the_caller_stays_fr
   EXPECT_TRUE(CPU_EQUAL(&caller, &before_));
 }
 
-TEST_F(PinnedThreads, are_refused_where_there_are_fewer_cores) {
+TEST_F(PinnedThreads, MoreThreadsThanCores_AreRefused) {
   const int cores = allowed_cores();
   expect_words(refusal([&] { ThreadPool pool(cores + 1, Pinning::Cores); }),
                {std::to_string(cores + 1) + " workers", std::to_string(cores) + " core"});
@@ -186,10 +187,10 @@ TEST_F(PinnedThreads, are_refused_where_there_are_fewer_cores) {
   CPU_SET(allowed().back(), &one);
   ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
   EXPECT_EQ(allowed_cores(), 1);
-  expect_words(refusal([] { ThreadPool pool(2, Pinning::Cores); }), {"2 workers", "1 core "});
+  expect_words(refusal([] { ThreadPool pool(2, Pinning::Cores); }), {"2 workers", "1 core;"});
   ThreadPool alone(1, Pinning::Cores);
   EXPECT_EQ(alone.workers(), 1);
-  // Without pinning two threads share the core.
+  // Without pinning, two threads run on one core.
   ThreadPool pool(2);
   int sum = 0;
   std::mutex mutex;

@@ -1,4 +1,4 @@
-// The record of a run: names, units, capacity, text.
+// Tests of the trace of a run: columns, capacity and CSV text.
 #include "burnish/base/trace.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Trace three_rows() {
   return trace;
 }
 
-TEST(Trace, keeps_columns_by_name) {
+TEST(Trace, Columns_AreFoundByName) {
   const Trace trace = three_rows();
   EXPECT_EQ(trace.rows(), 3);
   EXPECT_EQ(trace.index("tool_force_z_world"), 1);
@@ -34,7 +34,7 @@ TEST(Trace, keeps_columns_by_name) {
   EXPECT_FALSE(trace.has("Time"));
 }
 
-TEST(Trace, counts_what_it_has_no_room_for) {
+TEST(Trace, RowsBeyondCapacity_AreCountedAsDropped) {
   Trace trace = three_rows();
   EXPECT_EQ(trace.add_row(), nullptr);
   EXPECT_EQ(trace.add_row(), nullptr);
@@ -48,7 +48,7 @@ TEST(Trace, counts_what_it_has_no_room_for) {
   EXPECT_EQ(row[1], 0.0) << "a new row starts at zero";
 }
 
-TEST(Trace, writes_units_in_the_first_line_and_every_digit) {
+TEST(Trace, CsvText_HasUnitsInTheHeaderAndEveryDigit) {
   Trace trace = three_rows();
   std::ostringstream out;
   trace.write_csv(out);
@@ -60,7 +60,7 @@ TEST(Trace, writes_units_in_the_first_line_and_every_digit) {
   EXPECT_NE(digits.str().find("0.30000000000000004,0"), std::string::npos) << digits.str();
 }
 
-TEST(Trace, refuses_names_that_a_reader_could_not_tell_apart) {
+TEST(Trace, BadColumnsCapacityOrFile_AreRefused) {
   expect_words(refusal([] { Trace({{"a", "m"}, {"a", "m"}}, 1); }), {"two columns", "'a'"});
   expect_words(refusal([] { Trace({{"a,b", "m"}}, 1); }), {"a,b", "without commas"});
   expect_words(refusal([] { Trace({{"", "m"}}, 1); }), {"column 0"});
@@ -71,7 +71,7 @@ TEST(Trace, refuses_names_that_a_reader_could_not_tell_apart) {
                {"cannot write", "/no/such/folder/x"});
 }
 
-TEST(Trace, leaves_what_is_not_a_number_empty) {
+TEST(Trace, NanInCsvText_IsAnEmptyCell) {
   Trace trace({{"a", "N"}, {"b", "N"}, {"c", "N"}}, 1);
   double* row = trace.add_row();
   row[0] = 1.5, row[1] = std::nan(""), row[2] = -std::nan("");

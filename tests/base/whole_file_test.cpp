@@ -1,4 +1,4 @@
-// Files that are there whole or not at all.
+// Tests of files that are replaced completely or not at all.
 #include "base/whole_file.hpp"
 
 #include <gtest/gtest.h>
@@ -14,14 +14,14 @@ using testing::contents;
 using testing::expect_words;
 using testing::refusal;
 
-class Whole : public ::testing::Test {
+class AtomicFile : public ::testing::Test {
  protected:
   int count() const { return static_cast<int>(std::distance(fs::directory_iterator(folder_), {})); }
   testing::Scratch scratch_;
   const fs::path& folder_ = scratch_.folder;
 };
 
-TEST_F(Whole, files_get_their_names_when_they_are_kept) {
+TEST_F(AtomicFile, UnfinishedWrite_KeepsThePreviousFile) {
   const fs::path file = folder_ / "a.txt";
   write_whole_file(file, "before");
   {
@@ -31,13 +31,13 @@ TEST_F(Whole, files_get_their_names_when_they_are_kept) {
     EXPECT_EQ(contents(file), "before");
   }
   EXPECT_EQ(contents(file), "before");
-  EXPECT_EQ(count(), 1) << "what was not kept is gone";
+  EXPECT_EQ(count(), 1) << "the temporary file is deleted";
   write_whole_file(file, "after");
   EXPECT_EQ(contents(file), "after");
   EXPECT_EQ(count(), 1);
 }
 
-TEST_F(Whole, files_behind_links_are_replaced_and_the_links_stay) {
+TEST_F(AtomicFile, WriteThroughALink_ReplacesTheTargetAndKeepsTheLink) {
   fs::create_directory(folder_ / "real");
   write_whole_file(folder_ / "real" / "a.txt", "before");
   fs::create_symlink("real/a.txt", folder_ / "link");
@@ -46,7 +46,7 @@ TEST_F(Whole, files_behind_links_are_replaced_and_the_links_stay) {
   EXPECT_EQ(contents(folder_ / "real" / "a.txt"), "after");
 }
 
-TEST_F(Whole, what_cannot_be_written_is_refused_with_the_reason) {
+TEST_F(AtomicFile, FailedWrite_IsRefusedWithTheReason) {
   expect_words(refusal([&] { write_whole_file(folder_ / "none" / "a.txt", "x"); }),
                {"cannot write '", "none/a.txt': No such file or directory"});
   expect_words(refusal([] { write_whole_file("/dev/full", "x"); }),

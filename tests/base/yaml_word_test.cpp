@@ -1,4 +1,4 @@
-// Words that are written into YAML.
+// Tests of the quoting of words in YAML.
 #include "base/yaml_word.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace burnish::testing {
 namespace {
 
-TEST(YamlWord, IsReadBackAsItWasWhateverStandsInIt) {
+TEST(YamlWord, AnyText_ReadsBackUnchanged) {
   for (const std::string& word :
        {std::string("plain"), std::string("../a b/c.urdf"), std::string("null"), std::string(""),
         std::string("a: b"), std::string("talos:right_arm"), std::string("- x"), std::string("#1"),

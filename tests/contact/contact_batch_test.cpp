@@ -1,4 +1,4 @@
-// Packed states equal single ones; a bad state is flagged in its own lane and disturbs no other.
+// A batch of states equals single states, and a bad state affects its own lane only.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace burnish::test {
 namespace {
 
-// Instrumented code fuses multiply and add in other places in one kernel than in the other, so that
-// their last bits, which mass matrix and contacts amplify, differ more.
+// Factor on tolerances in instrumented code, which fuses multiply and add differently in the two
+// kernels. Their last bits differ more, and mass matrix and contacts amplify the difference.
 #ifdef __SANITIZE_ADDRESS__
 constexpr double instrumented = 10.0;
 #else
@@ -28,7 +28,7 @@ constexpr bool can_pin = false;
 
 struct BatchTouch {
   std::string robot, tool, base;
-  double rounding = 1e-12;  ///< what a robot may lose, relative: its mass matrix amplifies it
+  double rounding = 1e-12;  ///< relative error allowed; the mass matrix amplifies rounding
 };
 
 void PrintTo(const BatchTouch& touch, std::ostream* out) { *out << touch.robot; }
@@ -37,7 +37,7 @@ struct Batch {
   Eigen::MatrixXd q, v, tau;
 };
 
-class BatchOf : public ::testing::TestWithParam<BatchTouch> {
+class ContactBatch : public ::testing::TestWithParam<BatchTouch> {
  protected:
   std::vector<ContactSpec> contacts(const Reference& reference) const {
     ContactSpec one = contact(GetParam().tool, "world", reference, Directions::parse("x,z,ry"));
@@ -48,7 +48,7 @@ class BatchOf : public ::testing::TestWithParam<BatchTouch> {
     return {one, two};
   }
 
-  /// Well-conditioned states.
+  /// Draws well-conditioned states.
   Batch states(int count, ContactDynamics& dynamics) {
     Batch batch{Eigen::MatrixXd(model_.nq, count), Eigen::MatrixXd(model_.nv, count),
                 Eigen::MatrixXd(model_.nv, count)};
@@ -82,7 +82,7 @@ class BatchOf : public ::testing::TestWithParam<BatchTouch> {
   std::mt19937_64 generator_{71};
 };
 
-TEST_P(BatchOf, any_size_equals_single_states) {
+TEST_P(ContactBatch, AnySize_EqualsSingleStates) {
   const int width = pack_width();
   double worst = 0.0;
   for (const Reference& reference : all_references()) {
@@ -102,7 +102,7 @@ TEST_P(BatchOf, any_size_equals_single_states) {
   EXPECT_LT(worst, instrumented * GetParam().rounding);
 }
 
-TEST_P(BatchOf, does_not_depend_on_how_it_is_cut) {
+TEST_P(ContactBatch, SingleCalls_GiveTheSameBits) {
   const int count = 2 * pack_width() + 1;
   ContactDynamics single(model_, contacts(Reference::centered()));
   ContactDynamicsBatch whole(model_, contacts(Reference::centered()), count);
@@ -117,7 +117,7 @@ TEST_P(BatchOf, does_not_depend_on_how_it_is_cut) {
   }
 }
 
-TEST_P(BatchOf, with_proximal_iterations_equals_each_of_its_lanes_alone) {
+TEST_P(ContactBatch, ProximalIterations_EqualEachLaneAlone) {
   std::vector<ContactSpec> twice = contacts(Reference::centered());
   twice.push_back(twice[0]);
   twice.back().name = "third";
@@ -127,7 +127,7 @@ TEST_P(BatchOf, with_proximal_iterations_equals_each_of_its_lanes_alone) {
   ContactDynamics single(model_, contacts(Reference::centered())), soft(model_, twice, solver);
   ContactDynamicsBatch whole(model_, twice, count, solver), alone(model_, twice, 1, solver);
   Batch batch = states(count, single);
-  // Forces of many sizes, so that every lane takes a number of iterations of its own.
+  // Forces of different sizes, so that the lanes need different numbers of iterations.
   for (int i = 0; i < count; ++i) batch.tau.col(i) *= std::pow(10.0, i % 4);
   whole.forward_with_derivatives(batch.q, batch.v, batch.tau);
   std::set<int> iterations;
@@ -146,11 +146,11 @@ TEST_P(BatchOf, with_proximal_iterations_equals_each_of_its_lanes_alone) {
     EXPECT_EQ(whole.dlambda_dtau(i), alone.dlambda_dtau(0));
   }
   if (count > 1) {
-    EXPECT_GT(iterations.size(), 1U) << "the lanes are not told apart";
+    EXPECT_GT(iterations.size(), 1U) << "all lanes need the same number of iterations";
   }
 }
 
-TEST_P(BatchOf, threads_change_no_bit) {
+TEST_P(ContactBatch, SeveralThreads_GiveTheSameBits) {
   const int count = 20 * pack_width() + 1;
   ContactDynamics single(model_, contacts(Reference::centered()));
   const Batch batch = states(count, single);
@@ -158,27 +158,27 @@ TEST_P(BatchOf, threads_change_no_bit) {
   ASSERT_EQ(alone.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
   for (const int threads : {2, 3}) {
     const bool pinned = can_pin && threads <= allowed_cores();
-    ContactDynamicsBatch shared(model_, contacts(Reference::centered()), count, {}, threads,
-                                pinned);
-    EXPECT_EQ(shared.threads(), threads);
-    ASSERT_EQ(shared.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
+    ContactDynamicsBatch threaded(model_, contacts(Reference::centered()), count, {}, threads,
+                                  pinned);
+    EXPECT_EQ(threaded.threads(), threads);
+    ASSERT_EQ(threaded.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
     for (int i = 0; i < count; ++i) {
-      EXPECT_EQ(alone.a(i), shared.a(i));
-      EXPECT_EQ(alone.da_dq(i), shared.da_dq(i));
-      EXPECT_EQ(alone.dlambda_dtau(i), shared.dlambda_dtau(i));
+      EXPECT_EQ(alone.a(i), threaded.a(i));
+      EXPECT_EQ(alone.da_dq(i), threaded.da_dq(i));
+      EXPECT_EQ(alone.dlambda_dtau(i), threaded.dlambda_dtau(i));
     }
-    // What one thread is told holds for all.
-    shared.set_active(1, false);
+    // set_active() applies to all threads.
+    threaded.set_active(1, false);
     alone.set_active(1, false);
     ASSERT_EQ(alone.forward(batch.q, batch.v, batch.tau), Status::Ok);
-    ASSERT_EQ(shared.forward(batch.q, batch.v, batch.tau), Status::Ok);
-    for (int i = 0; i < count; ++i) EXPECT_EQ(alone.lambda(i), shared.lambda(i));
+    ASSERT_EQ(threaded.forward(batch.q, batch.v, batch.tau), Status::Ok);
+    for (int i = 0; i < count; ++i) EXPECT_EQ(alone.lambda(i), threaded.lambda(i));
     alone.set_active(1, true);
     ASSERT_EQ(alone.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
   }
 }
 
-TEST_P(BatchOf, flags_a_bad_state_in_its_own_lane_alone) {
+TEST_P(ContactBatch, BadState_IsFlaggedInItsOwnLaneOnly) {
   const int count = 2 * pack_width() + 1, bad = pack_width() / 2;
   ContactDynamics single(model_, contacts(Reference::local()));
   ContactDynamicsBatch packed(model_, contacts(Reference::local()), count);
@@ -192,8 +192,8 @@ TEST_P(BatchOf, flags_a_bad_state_in_its_own_lane_alone) {
     if (kind == 2) batch.tau(model_.nv - 1, bad) = nan;
     if (kind == 3) batch.tau(0, bad) = -infinity;
     if (kind == 4) batch.q(0, bad) = -infinity;
-    const bool turns = model_.joints[0].kind == JointKind::FreeFlyer;
-    if (kind == 5 && !turns) continue;
+    const bool has_quaternion = model_.joints[0].kind == JointKind::FreeFlyer;
+    if (kind == 5 && !has_quaternion) continue;
     if (kind == 5) batch.q.block(3, bad, 4, 1) *= 1.1;
     const Status expected = kind == 5 ? Status::NotNormalized : Status::NotFinite;
     EXPECT_EQ(packed.forward_with_derivatives(batch.q, batch.v, batch.tau), expected);
@@ -211,7 +211,7 @@ TEST_P(BatchOf, flags_a_bad_state_in_its_own_lane_alone) {
   }
 }
 
-TEST_P(BatchOf, refuses_wrong_sizes) {
+TEST_P(ContactBatch, WrongSizes_AreRefused) {
   ContactDynamics single(model_, contacts(Reference::world()));
   ContactDynamicsBatch packed(model_, contacts(Reference::world()), 2);
   const Batch three = states(3, single);
@@ -236,7 +236,7 @@ std::vector<BatchTouch> batch_touches() {
   return available(all, [](const BatchTouch& touch) { return touch.robot; });
 }
 
-INSTANTIATE_TEST_SUITE_P(robots, BatchOf, ::testing::ValuesIn(batch_touches()),
+INSTANTIATE_TEST_SUITE_P(robots, ContactBatch, ::testing::ValuesIn(batch_touches()),
                          [](const auto& test) {
                            std::string name = test.param.robot;
                            for (char& c : name)
@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(robots, BatchOf, ::testing::ValuesIn(batch_touches()),
                            return name;
                          });
 
-/// A floating robot with two tips and a joint that turns without end.
+/// A floating robot with two tips and a continuous joint.
 struct TwoTips {
   std::string robot, tip, other_tip, joint;
 };
@@ -253,7 +253,7 @@ TwoTips two_tips() {
   return {"every_joint:floating", "tip", "b_side", "to_e"};
 }
 
-class BadInput : public ::testing::Test {
+class ContactDynamicsInput : public ::testing::Test {
  protected:
   Model model_ = robot(two_tips().robot);
   ContactDynamics dynamics_{model_, {contact(two_tips().tip, two_tips().other_tip)}};
@@ -272,7 +272,7 @@ class BadInput : public ::testing::Test {
   }
 };
 
-TEST_F(BadInput, to_forward_dynamics_gives_a_status_and_zeros) {
+TEST_F(ContactDynamicsInput, BadStateOfForward_GivesAStatusAndZeros) {
   RobotState bad = good_;
   bad.q[7] = nan_;
   expect(Status::NotFinite, bad, "NaN in q");
@@ -289,12 +289,12 @@ TEST_F(BadInput, to_forward_dynamics_gives_a_status_and_zeros) {
   bad.q.segment<4>(3).setZero();
   expect(Status::NotNormalized, bad, "zero quaternion");
   bad = good_;
-  const int endless = model_.joint_index(two_tips().joint);
-  bad.q.segment<2>(model_.joints[static_cast<std::size_t>(endless)].q_index) *= 0.5;
+  const int continuous = model_.joint_index(two_tips().joint);
+  bad.q.segment<2>(model_.joints[static_cast<std::size_t>(continuous)].q_index) *= 0.5;
   expect(Status::NotNormalized, bad, "angle");
 }
 
-TEST_F(BadInput, of_wrong_size_gives_a_status_and_leaves_the_results) {
+TEST_F(ContactDynamicsInput, WrongSize_GivesAStatusAndKeepsTheResults) {
   ASSERT_EQ(dynamics_.forward(good_.q, good_.v, good_.tau), Status::Ok);
   const Eigen::VectorXd a = dynamics_.a(), long_v = Eigen::VectorXd::Zero(model_.nv + 1);
   const Eigen::VectorXd short_q = good_.q.head(model_.nq - 1), none;
@@ -313,7 +313,7 @@ TEST_F(BadInput, of_wrong_size_gives_a_status_and_leaves_the_results) {
   EXPECT_EQ(dynamics_.acceleration_derivatives(), Status::NotEvaluated);
 }
 
-TEST_F(BadInput, of_another_evaluation_is_refused_by_derivatives) {
+TEST_F(ContactDynamicsInput, DerivativesOfAnotherEvaluation_AreRefused) {
   const Eigen::VectorXd lambda = Eigen::VectorXd::Ones(6);
   ASSERT_EQ(dynamics_.forward(good_.q, good_.v, good_.tau), Status::Ok);
   EXPECT_EQ(dynamics_.inverse_derivatives(), Status::NotEvaluated);
@@ -327,7 +327,7 @@ TEST_F(BadInput, of_another_evaluation_is_refused_by_derivatives) {
   EXPECT_EQ(dynamics_.forward_derivatives(), Status::NotEvaluated);
 }
 
-TEST_F(BadInput, to_inverse_dynamics_gives_a_status_and_zeros) {
+TEST_F(ContactDynamicsInput, BadStateOfInverse_GivesAStatusAndZeros) {
   const Eigen::VectorXd a = Eigen::VectorXd::Ones(model_.nv), lambda = Eigen::VectorXd::Ones(6);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model_.nv);
   const auto check = [&](Status wanted, Status got, const char* what) {
@@ -347,7 +347,7 @@ TEST_F(BadInput, to_inverse_dynamics_gives_a_status_and_zeros) {
   check(Status::NotFinite, dynamics_.inverse(good_.q, good_.v, a, bad_lambda), "NaN in lambda");
 }
 
-TEST_F(BadInput, to_contact_acceleration_gives_a_status_and_zeros) {
+TEST_F(ContactDynamicsInput, BadStateOfAcceleration_GivesAStatusAndZeros) {
   const Eigen::VectorXd a = Eigen::VectorXd::Ones(model_.nv);
   const auto check = [&](Status wanted, Status got, const char* what) {
     EXPECT_EQ(got, wanted) << what;

@@ -1,4 +1,4 @@
-// What a contact force says, and that it stays the same force in every reference.
+// Tests of the text of contact forces and of their conversion between references.
 #include <gtest/gtest.h>
 
 #include "support/contact_states.hpp"
@@ -22,7 +22,7 @@ ContactForce push(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
   return result;
 }
 
-TEST(ContactForceText, says_axis_bodies_and_point) {
+TEST(ContactForceText, SingleAxis_NamesAxisBodiesAndPoint) {
   const Eigen::Vector3d none = Eigen::Vector3d::Zero(), up(0.0, 0.0, 30.0);
   EXPECT_EQ(push(up, none).text(),
             "30.0 N along +z of the world, on tool, by the world, at the tool's origin");
@@ -38,7 +38,7 @@ TEST(ContactForceText, says_axis_bodies_and_point) {
             "30.0 N along +z of the world, on tool, by board, at the tool's origin");
 }
 
-TEST(ContactForceText, says_components_and_moment_where_there_are_some) {
+TEST(ContactForceText, SeveralComponents_AreListedWithTheMoment) {
   const Eigen::Vector3d none = Eigen::Vector3d::Zero();
   EXPECT_EQ(push({1.0, -2.5, 30.0}, none).text(),
             "(1.00, -2.50, 30.0) N of the world, on tool, by the world, at the tool's origin");
@@ -49,7 +49,7 @@ TEST(ContactForceText, says_components_and_moment_where_there_are_some) {
             "(0.00, 0.00, 0.00) N of the world, on tool, by the world, at the tool's origin");
 }
 
-TEST(ContactForceText, says_that_a_moment_about_the_worlds_origin_is_one) {
+TEST(ContactForceText, WorldReference_HasTheMomentAboutTheWorldOrigin) {
   // 30 N upward, 0.6 m along x from the origin, where it has a moment of -18 Nm about y.
   const ContactForce force = push({0.0, 0.0, 30.0}, Eigen::Vector3d::Zero());
   EXPECT_EQ(force.in(Reference::world()).text(),
@@ -57,7 +57,7 @@ TEST(ContactForceText, says_that_a_moment_about_the_worlds_origin_is_one) {
             "world's origin");
 }
 
-TEST(ContactForceConversion, turns_with_the_axes_of_the_tool) {
+TEST(ContactForceConversion, LocalReference_UsesTheAxesOfTheTool) {
   // The tool's x axis points down and its z axis along the world's x.
   const ContactForce force = push({0.0, 0.0, 30.0}, {1.0, 0.0, 0.0});
   Vector6 expected;
@@ -67,20 +67,20 @@ TEST(ContactForceConversion, turns_with_the_axes_of_the_tool) {
     EXPECT_LT((force.in(reference).in(Reference::centered()).value - force.value).norm(), 1e-12);
 }
 
-TEST(ContactForceConversion, knows_only_frames_that_it_has_seen) {
+TEST(ContactForceConversion, FrameThatIsNotStored_IsRefused) {
   const ContactForce force = push({0.0, 0.0, 30.0}, Eigen::Vector3d::Zero());
   testing::expect_words(testing::refusal([&] {
                           (void)force.in({Anchor::Tool, "torso"});
                         }),
-                        {"'pad'", "axes of torso at the tool", "ask the dynamics"});
+                        {"'pad'", "axes of torso at the tool", "ContactDynamics::force"});
 }
 
-class WrenchIn : public ::testing::TestWithParam<Touch> {
+class ContactWrench : public ::testing::TestWithParam<Touch> {
  protected:
   std::vector<Reference> references() const {
     return all_references(model_, GetParam().tool, GetParam().base);
   }
-  /// That follow a surface of the base, of the world and of a third body.
+  /// References that follow surfaces of the base, of the world and of a third body.
   std::vector<Reference> curved_references() const {
     const std::string third = far_frame(model_, {GetParam().tool, GetParam().base});
     std::vector<Reference> result{{Anchor::Tool, Anchor::Base, tilt()},
@@ -95,7 +95,7 @@ class WrenchIn : public ::testing::TestWithParam<Touch> {
   std::mt19937_64 generator_{41};
 };
 
-TEST_P(WrenchIn, every_reference_equals_the_converted_force) {
+TEST_P(ContactWrench, EveryReference_EqualsTheConvertedForce) {
   for (const Reference& own : references()) {
     ContactDynamics dynamics(
         model_, {contact(GetParam().tool, GetParam().base, own, Directions::parse("x,z,ry"))});
@@ -105,15 +105,16 @@ TEST_P(WrenchIn, every_reference_equals_the_converted_force) {
     EXPECT_EQ(force.on, GetParam().tool);
     EXPECT_EQ(force.by, GetParam().base);
     const Eigen::VectorXd lambda = dynamics.lambda();
-    Vector6 held;
-    held << lambda[0], 0.0, lambda[1], 0.0, lambda[2], 0.0;
-    EXPECT_LT((force.value - held).norm(), 1e-13 * held.norm());
+    Vector6 expected;
+    expected << lambda[0], 0.0, lambda[1], 0.0, lambda[2], 0.0;
+    EXPECT_LT((force.value - expected).norm(), 1e-13 * expected.norm());
     std::vector<Reference> others = references();
     for (const Reference& curved : curved_references()) others.push_back(curved);
     for (const Reference& other : others) {
       const ContactForce there = dynamics.force(0, other);
-      const bool known = other.axes.of != Anchor::Frame && other.origin.of != Anchor::Frame;
-      const Vector6 converted = known ? force.in(other).value : there.value;
+      const bool convertible =
+          other.axes.kind != Anchor::Frame && other.origin.kind != Anchor::Frame;
+      const Vector6 converted = convertible ? force.in(other).value : there.value;
       EXPECT_LT((dynamics.wrench(0, other) - converted).norm(), 1e-11 * converted.norm());
       EXPECT_LT((there.in(Reference::world()).value - force.in(Reference::world()).value).norm(),
                 1e-11 * force.in(Reference::world()).value.norm())
@@ -122,7 +123,7 @@ TEST_P(WrenchIn, every_reference_equals_the_converted_force) {
   }
 }
 
-TEST_P(WrenchIn, a_reference_that_is_turned_is_the_one_stated_so) {
+TEST_P(ContactWrench, SetRotation_EqualsAContactBuiltWithIt) {
   for (const Reference& own : references()) {
     Reference plain = own;
     plain.rotation.setIdentity();
@@ -146,10 +147,10 @@ TEST_P(WrenchIn, a_reference_that_is_turned_is_the_one_stated_so) {
   }
   ContactDynamics dynamics(model_, {contact(GetParam().tool, GetParam().base)});
   testing::expect_words(testing::refusal([&] { (void)dynamics.set_reference_rotation(1, tilt()); }),
-                        {"set_reference_rotation", "no contact 1", "the set has 1"});
+                        {"set_reference_rotation", "contact 1 does not exist", "the set has 1"});
 }
 
-/// By differences of fourth order of the wrench in a reference.
+/// Derivatives of the wrench in a reference by differences of fourth order.
 WrenchDerivatives differences(const Model& model, ContactDynamics& dynamics, const RobotState& s,
                               const Reference& reference) {
   const int n = model.nv;
@@ -179,7 +180,7 @@ WrenchDerivatives differences(const Model& model, ContactDynamics& dynamics, con
   return result;
 }
 
-TEST_P(WrenchIn, every_reference_has_derivatives_that_equal_differences) {
+TEST_P(ContactWrench, DerivativesInEveryReference_EqualDifferences) {
   std::vector<Reference> owns = references(), asked = references();
   owns.push_back(Reference::on(Quadric::sphere({0.1, 0.2, -3.0}, 2.0), {0.3, 0.0, 0.2}));
   for (const Reference& curved : curved_references()) asked.push_back(curved);
@@ -201,7 +202,7 @@ TEST_P(WrenchIn, every_reference_has_derivatives_that_equal_differences) {
   }
 }
 
-TEST_P(WrenchIn, an_inactive_contact_is_zero) {
+TEST_P(ContactWrench, InactiveContact_IsZero) {
   ContactDynamics dynamics(model_, {contact(GetParam().tool, GetParam().base)});
   dynamics.set_active(0, false);
   const RobotState state = random_state(model_, generator_);
@@ -224,7 +225,7 @@ std::vector<Touch> wrench_touches() {
   return available(all, [](const Touch& touch) { return touch.robot; });
 }
 
-INSTANTIATE_TEST_SUITE_P(all, WrenchIn, ::testing::ValuesIn(wrench_touches()),
+INSTANTIATE_TEST_SUITE_P(all, ContactWrench, ::testing::ValuesIn(wrench_touches()),
                          [](const auto& test) {
                            std::string name =
                                test.param.robot + "_" + test.param.tool + "_on_" + test.param.base;

@@ -1,4 +1,4 @@
-// Several contacts at once: on one link, made and broken, declared twice; and what is refused.
+// Several contacts at once: on one link, switched on and off, redundant, and invalid ones.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
@@ -13,7 +13,7 @@ namespace {
 using testing::expect_words;
 using testing::refusal;
 
-TEST(OneLink, two_contacts_equal_one_with_the_directions_of_both) {
+TEST(ContactsOfOneLink, TwoContacts_EqualOneWithTheDirectionsOfBoth) {
   std::mt19937_64 generator(51);
   for (const std::string& name : {std::string("arm7"), humanoid().name}) {
     const Model model = robot(name);
@@ -38,7 +38,7 @@ TEST(OneLink, two_contacts_equal_one_with_the_directions_of_both) {
   }
 }
 
-/// Three contacts of a humanoid: two that share the pelvis only, and one between two of its links.
+/// Three contacts of a humanoid: two whose chains meet at the pelvis only, one between two links.
 std::vector<ContactSpec> three_contacts() {
   ContactSpec left = contact("left_sole_link", "world", Reference::surface(tilt()));
   ContactSpec right = contact("right_sole_link", "world", Reference::world(), Directions::pad_z());
@@ -90,7 +90,7 @@ Results results(ContactDynamicsBatch& d, const RobotState& s) {
       {d.da_dq(0), d.da_dv(0), d.da_dtau(0), d.dlambda_dq(0), d.dlambda_dv(0), d.dlambda_dtau(0)}};
 }
 
-/// Toggles through every set of contacts in a random order, one contact at a time.
+/// Switches one random contact at a time, and compares with dynamics built for the active contacts.
 template <class Dynamics, class Make>
 void toggle_and_compare(const Make& make) {
   const Model model = humanoid().model();
@@ -98,7 +98,7 @@ void toggle_and_compare(const Make& make) {
   Dynamics toggled = make(model, all);
   std::mt19937_64 generator(53);
   std::vector<char> active(all.size(), 1);
-  ContactDynamics judge(model, all);
+  ContactDynamics conditioning(model, all);
   for (int step = 0; step < 40; ++step) {
     const std::size_t which = generator() % all.size();
     active[which] = active[which] != 0 ? 0 : 1;
@@ -107,27 +107,27 @@ void toggle_and_compare(const Make& make) {
     for (std::size_t i = 0; i < all.size(); ++i) bits |= active[i] != 0 ? 1u << i : 0u;
     Dynamics fresh = make(model, chosen(all, bits));
     ASSERT_EQ(toggled.rows(), fresh.rows());
-    const RobotState state = regular_state(model, judge, generator, 1e-4);
+    const RobotState state = regular_state(model, conditioning, generator, 1e-4);
     EXPECT_LT(worst_difference(results(toggled, state), results(fresh, state)), 1e-10)
         << "contacts " << bits << " at step " << step;
   }
 }
 
-TEST(ContactOnAndOff, equals_a_set_without_the_contact_in_any_order) {
+TEST(ContactSwitching, AnyOrder_EqualsASetWithoutTheContact) {
   toggle_and_compare<ContactDynamics>(
       [](const Model& model, const std::vector<ContactSpec>& contacts) {
         return ContactDynamics(model, contacts);
       });
 }
 
-TEST(ContactOnAndOff, equals_a_batch_without_the_contact_in_any_order) {
+TEST(ContactSwitching, AnyOrder_EqualsABatchWithoutTheContact) {
   toggle_and_compare<ContactDynamicsBatch>(
       [](const Model& model, const std::vector<ContactSpec>& contacts) {
         return ContactDynamicsBatch(model, contacts, 1);
       });
 }
 
-TEST(ContactOnAndOff, names_the_active_rows_and_refuses_unknown_contacts) {
+TEST(ContactSwitching, ActiveRows_AreNamedAndUnknownContactsRefused) {
   const Model model = humanoid().model();
   ContactDynamics dynamics(model, three_contacts());
   dynamics.set_active(0, false);
@@ -135,8 +135,9 @@ TEST(ContactOnAndOff, names_the_active_rows_and_refuses_unknown_contacts) {
   EXPECT_EQ(dynamics.row_names(),
             (std::vector<std::string>{"right_sole_link/z", "right_sole_link/rx",
                                       "right_sole_link/ry", "tool/x", "tool/z", "tool/ry"}));
-  expect_words(refusal([&] { dynamics.set_active(3, true); }), {"no contact 3", "has 3"});
-  expect_words(refusal([&] { dynamics.set_active(-1, true); }), {"no contact -1"});
+  expect_words(refusal([&] { dynamics.set_active(3, true); }),
+               {"contact 3 does not exist", "has 3"});
+  expect_words(refusal([&] { dynamics.set_active(-1, true); }), {"contact -1 does not exist"});
   expect_words(refusal([&] { dynamics.force("left_sole_lnk"); }), {"left_sole_link"});
 }
 
@@ -149,7 +150,7 @@ std::vector<ContactSpec> pad_twice() {
   return {a, b};
 }
 
-TEST(RedundantContacts, are_reported_and_zero_without_compliance) {
+TEST(RedundantContacts, WithoutCompliance_GiveAStatusAndZeros) {
   const Model model = robot("arm7");
   std::mt19937_64 generator(57);
   ContactDynamics dynamics(model, pad_twice());
@@ -162,7 +163,7 @@ TEST(RedundantContacts, are_reported_and_zero_without_compliance) {
   EXPECT_EQ(dynamics.dlambda_dtau(), RowMatrix::Zero(6, model.nv));
 }
 
-TEST(RedundantContacts, are_named_with_what_implies_them) {
+TEST(RedundantContacts, Diagnosis_NamesThemAndTheRowsThatImplyThem) {
   const Model model = robot("arm7");
   std::mt19937_64 generator(58);
   const ContactSet set(model, pad_twice());
@@ -178,7 +179,7 @@ TEST(RedundantContacts, are_named_with_what_implies_them) {
   EXPECT_LT(one.condition, 1e6);
 }
 
-TEST(RedundantContacts, share_the_force_of_one_with_compliance_and_iterations) {
+TEST(RedundantContacts, ComplianceAndIterations_SplitTheForceEvenly) {
   const Model model = robot("arm7");
   std::mt19937_64 generator(59);
   const std::vector<ContactSpec> twice = pad_twice();
@@ -190,13 +191,13 @@ TEST(RedundantContacts, share_the_force_of_one_with_compliance_and_iterations) {
     EXPECT_LE(two.proximal_residual(), 1e-12);
     EXPECT_GE(two.proximal_iterations(), 1);
     EXPECT_LT(relative_error(two.a(), one.a()), 1e-8);
-    const Eigen::VectorXd shares = two.lambda();
-    EXPECT_LT(relative_error(shares.head(3) + shares.tail(3), one.lambda()), 1e-8);
-    EXPECT_LT(relative_error(shares.head(3), shares.tail(3)), 1e-6) << "equal shares";
+    const Eigen::VectorXd forces = two.lambda();
+    EXPECT_LT(relative_error(forces.head(3) + forces.tail(3), one.lambda()), 1e-8);
+    EXPECT_LT(relative_error(forces.head(3), forces.tail(3)), 1e-6) << "equal forces";
   }
 }
 
-TEST(RedundantContacts, say_when_the_iterations_do_not_suffice) {
+TEST(RedundantContacts, TooFewIterations_GiveNotConverged) {
   const Model model = robot("arm7");
   std::mt19937_64 generator(60);
   ContactDynamics dynamics(model, pad_twice(), {10.0, 1, 1e-12});
@@ -210,7 +211,7 @@ TEST(RedundantContacts, say_when_the_iterations_do_not_suffice) {
 
 Model two_links() { return build_model(testing::two_links()); }
 
-TEST(StretchedArm, is_reported_without_a_nan) {
+TEST(StretchedArm, SingularPosture_IsReportedWithoutNan) {
   const Model model = two_links();
   const Eigen::Vector2d stretched(0.0, 0.0), turned(0.7, 0.0), v(0.5, -1.0), tau(3.0, -2.0);
   const auto tip = contact("tip", "world", Reference::centered(), Directions::parse("x,y"));
@@ -229,25 +230,25 @@ TEST(StretchedArm, is_reported_without_a_nan) {
   }
 }
 
-TEST(StretchedArm, is_diagnosed_by_what_no_joint_moves_and_by_what_is_held_already) {
+TEST(StretchedArm, Diagnosis_NamesImmovableAndRedundantDirections) {
   const Model model = two_links();
-  const auto held = [&](const char* directions) {
+  const auto contacts_along = [&](const char* directions) {
     return ContactSet(
         model, {contact("tip", "world", Reference::centered(), Directions::parse(directions))});
   };
-  EXPECT_EQ(diagnose(model, held("x,y"), Eigen::Vector2d(0.0, 0.0)).text(),
+  EXPECT_EQ(diagnose(model, contacts_along("x,y"), Eigen::Vector2d(0.0, 0.0)).text(),
             "contact 'tip', direction x: no joint moves it at this posture\n");
-  EXPECT_EQ(diagnose(model, held("x,y"), Eigen::Vector2d(0.7, 0.0)).text(),
+  EXPECT_EQ(diagnose(model, contacts_along("x,y"), Eigen::Vector2d(0.7, 0.0)).text(),
             "contact 'tip', direction y: already held by tip/x\n");
-  EXPECT_EQ(diagnose(model, held("x,y"), Eigen::Vector2d(0.7, 0.9)).text(),
+  EXPECT_EQ(diagnose(model, contacts_along("x,y"), Eigen::Vector2d(0.7, 0.9)).text(),
             "the contacts are independent\n");
-  EXPECT_EQ(diagnose(model, held("x,y,rz"), Eigen::Vector2d(0.7, 0.9)).text(),
+  EXPECT_EQ(diagnose(model, contacts_along("x,y,rz"), Eigen::Vector2d(0.7, 0.9)).text(),
             "contact 'tip', direction rz: already held by tip/x, tip/y\n");
   const Eigen::Vector2d unknown(std::nan(""), 0.0);
-  expect_words(refusal([&] { diagnose(model, held("x"), unknown); }), {"q"});
+  expect_words(refusal([&] { diagnose(model, contacts_along("x"), unknown); }), {"q"});
 }
 
-TEST(RefusedContacts, are_named_with_the_reason) {
+TEST(InvalidContact, AnyDefect_IsRefusedWithTheReason) {
   const Model model = robot("arm7");
   const auto with = [&](const auto& change) {
     ContactSpec spec = contact("tool");
@@ -265,8 +266,8 @@ TEST(RefusedContacts, are_named_with_the_reason) {
   expect_words(refusal([&] {
                  ContactDynamics(model, {contact("tool"), contact("tool")});
                }),
-               {"'tool'", "taken"});
-  expect_words(refusal([&] { ContactDynamicsBatch(model, {}, 0); }), {"capacity of 0"});
+               {"'tool'", "another contact has this name"});
+  expect_words(refusal([&] { ContactDynamicsBatch(model, {}, 0); }), {"capacity is 0"});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Axes that follow a curved surface: where they are, how they move, and what is held along them.
+// Contacts whose axes follow a curved surface: the axes, their motion, and the constraint.
 #include <gtest/gtest.h>
 
 #include "support/contact_states.hpp"
@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 using testing::refusal;
 
-TEST(Quadrics, HaveTheNormalsOfTheirShapes) {
+TEST(Quadric, EveryShape_HasItsNormals) {
   const Vector3d center(0.1, -0.2, 0.3), axis = Vector3d(1.0, 2.0, -0.5).normalized();
   const Vector3d side = axis.unitOrthogonal();
   const Quadric ball = Quadric::sphere(center, 0.5), bowl = Quadric::sphere(center, 0.5, true);
@@ -25,7 +25,7 @@ TEST(Quadrics, HaveTheNormalsOfTheirShapes) {
   EXPECT_NEAR(pipe.value(center + 0.2 * side + 7.0 * axis), 0.0, 1e-12);
   EXPECT_GT(ball.value(center + 0.6 * side), 0.0);
   EXPECT_LT(bowl.value(center + 0.6 * side), 0.0);
-  // Along a cone the normal leans by its half angle.
+  // The normal of a cone is inclined by the half angle.
   const Quadric cone = Quadric::cone(center, axis, 0.4);
   const Vector3d on = center + std::cos(0.4) * axis + std::sin(0.4) * side;
   EXPECT_NEAR(cone.value(on), 0.0, 1e-15);
@@ -36,14 +36,14 @@ TEST(Quadrics, HaveTheNormalsOfTheirShapes) {
     EXPECT_NEAR(egg.value(tip), 0.0, 1e-15);
     EXPECT_LT((egg.normal(tip) - tilt().col(k)).norm(), 1e-14);
   }
-  // What touches a ball to second order turns like its normal.
+  // The normal of an osculating quadric turns like the normal of the sphere.
   const Quadric near = Quadric::osculating(center + 0.5 * tilt().col(2), tilt(), -2.0, 0.0, -2.0);
   const Vector3d step = 1e-3 * tilt().col(0), at = center + 0.5 * tilt().col(2);
   EXPECT_LT((near.normal(at + step) - ball.normal(at + step)).norm(), 1e-5);
   EXPECT_LT((near.normal(at) - tilt().col(2)).norm(), 1e-15);
 }
 
-TEST(Quadrics, AreRefusedInASentence) {
+TEST(Quadric, InvalidShapeOrUse_IsRefused) {
   const Vector3d zero = Vector3d::Zero(), x = Vector3d::UnitX();
   const auto refused = [](const auto& make, const char* words) {
     const std::string sentence = refusal([&] { (void)make(); });
@@ -62,19 +62,21 @@ TEST(Quadrics, AreRefusedInASentence) {
   reference.axes = Anchor::World;
   const Model model = robot("arm7");
   refused([&] { return ContactDynamics(model, {contact("tool", "world", reference)}); },
-          "wanted axes of the base at the tool");
+          "needs axes of the base at the tool");
   ContactDynamics dynamics(model, {contact("tool")});
   dynamics.acceleration(Eigen::VectorXd::Zero(7), Eigen::VectorXd::Zero(7),
                         Eigen::VectorXd::Zero(7));
   reference.axes = Anchor::Tool;
-  refused([&] { return dynamics.wrench(0, reference); }, "moves with the tool itself");
-  refused([&] { return reference.at(Vector3d(1.0, 0.0, 0.0)); }, "moves with the tool itself");
+  refused([&] { return dynamics.wrench(0, reference); }, "fixed to the tool itself");
+  refused([&] { return reference.at(Vector3d(1.0, 0.0, 0.0)); }, "fixed to the tool itself");
   reference.axes = Anchor::Base;
-  refused([&] { return reference.at(Vector3d(-1.0, 0.0, 0.0)); }, "is half a turn from");
+  refused([&] { return reference.at(Vector3d(-1.0, 0.0, 0.0)); },
+          "is opposite to the normal of the axes");
   refused([&] { return reference.at(zero); }, "no normal at [0, 0, 0]");
-  // A force knows its tool and base, and no other frame.
+  // A force stores the axes of its tool and base, and of no other frame.
   reference.axes = "link_3";
-  refused([&] { return dynamics.force(0).in(reference); }, "wanted tool, base or world");
+  refused([&] { return dynamics.force(0).in(reference); },
+          "wanted a reference at tool, base or world");
 }
 
 struct CurvedCase {
@@ -102,7 +104,7 @@ class CurvedReference : public ::testing::TestWithParam<CurvedCase> {
   std::mt19937_64 generator{31};
 };
 
-TEST_P(CurvedReference, HasTheNormalAtTheToolAsItsThirdAxis) {
+TEST_P(CurvedReference, ThirdAxis_IsTheNormalAtTheTool) {
   for (const Quadric& surface : surfaces()) {
     ContactDynamics curved(model, {spec(on(surface))}),
         centered(model, {spec(Reference::centered())});
@@ -123,11 +125,11 @@ TEST_P(CurvedReference, HasTheNormalAtTheToolAsItsThirdAxis) {
   }
 }
 
-TEST_P(CurvedReference, OfAPlaneIsThatOfAFlatSurface) {
+TEST_P(CurvedReference, PlaneQuadric_EqualsAFlatSurface) {
   const Quadric plane = surfaces()[0];
-  ContactSpec bent = spec(on(plane)), flat = spec(Reference::surface_with_normal(plane.b));
-  for (ContactSpec* each : {&bent, &flat}) each->with_gains(50.0, 9.0);
-  ContactDynamics a(model, {bent}, {.mu = 0.05}), b(model, {flat}, {.mu = 0.05});
+  ContactSpec curved = spec(on(plane)), flat = spec(Reference::surface_with_normal(plane.b));
+  for (ContactSpec* each : {&curved, &flat}) each->with_gains(50.0, 9.0);
+  ContactDynamics a(model, {curved}, {.mu = 0.05}), b(model, {flat}, {.mu = 0.05});
   const RobotState state = random_state(model, generator);
   ASSERT_EQ(a.forward(state.q, state.v, state.tau), Status::Ok);
   ASSERT_EQ(b.forward(state.q, state.v, state.tau), Status::Ok);
@@ -139,11 +141,11 @@ TEST_P(CurvedReference, OfAPlaneIsThatOfAFlatSurface) {
   EXPECT_LT(relative_error(a.da_dv(), b.da_dv()), 1e-9);
 }
 
-TEST_P(CurvedReference, OfASurfaceThatIsSetIsThatOfANewContact) {
+TEST_P(CurvedReference, SetSurface_EqualsANewContact) {
   const Reference first = on(surfaces()[1]);
   ContactDynamics given(model, {spec(first)}, {.mu = 0.05});
   for (const Quadric& surface : surfaces()) {
-    Reference same = first;  // and so where the axes start from
+    Reference same = first;  // keeps the initial axes
     same.quadric = surface;
     ContactDynamics made(model, {spec(same)}, {.mu = 0.05});
     ASSERT_EQ(given.set_surface(0, surface), Status::Ok);
@@ -161,13 +163,12 @@ TEST_P(CurvedReference, OfASurfaceThatIsSetIsThatOfANewContact) {
   EXPECT_EQ(given.set_surface(0, bad), Status::NotFinite);
   EXPECT_THROW(given.set_surface(1, surfaces()[1]), Error);
   ContactDynamics flat(model, {spec(Reference::centered())});
-  EXPECT_NE(refusal([&] { flat.set_surface(0, surfaces()[1]); }).find("follows no surface"),
+  EXPECT_NE(refusal([&] { flat.set_surface(0, surfaces()[1]); }).find("has no curved surface"),
             std::string::npos);
 }
 
-/// The time derivative of what is held: along q'' = a the velocity in the moving axes changes by
-/// alpha.
-TEST_P(CurvedReference, AccelerationIsTheRateOfTheVelocityThatIsHeld) {
+/// Along q'' = a, alpha is the rate of the contact velocity in the moving axes.
+TEST_P(CurvedReference, Acceleration_IsTheRateOfTheConstrainedVelocity) {
   for (const Quadric& surface : surfaces()) {
     ContactDynamics dynamics(model, {spec(on(surface))});
     const RobotState state = random_state(model, generator);
@@ -187,13 +188,12 @@ TEST_P(CurvedReference, AccelerationIsTheRateOfTheVelocityThatIsHeld) {
   }
 }
 
-/// What slides on a ball stays on it, all by the constraint: in a second of free motion, by many
-/// short steps of fourth order.
-TEST_P(CurvedReference, AToolThatSlidesOnABallStaysOnIt) {
+/// The constraint alone keeps a sliding tool on a sphere, over 0.3 s of fourth-order steps of 1 ms.
+TEST_P(CurvedReference, ToolThatSlidesOnASphere_StaysOnTheSphere) {
   const RobotState state = random_state(model, generator);
-  ContactDynamics look(model, {spec(Reference::centered())});
-  look.acceleration(state.q, state.v, state.v);
-  const ContactForce start = look.force(0);
+  ContactDynamics probe(model, {spec(Reference::centered())});
+  probe.acceleration(state.q, state.v, state.v);
+  const ContactForce start = probe.force(0);
   const Vector3d tool =
       start.base_rotation.transpose() * (start.tool_position - start.base_position);
   const Vector3d center = tool - 0.3 * Vector3d(0.2, -0.3, 1.0).normalized();
@@ -218,8 +218,8 @@ TEST_P(CurvedReference, AToolThatSlidesOnABallStaysOnIt) {
                           a4 = rate(integrate(model, q, Eigen::VectorXd(h * v3)), v4);
     q = integrate(model, q, Eigen::VectorXd(h / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4)));
     v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
-    look.acceleration(q, v, v);
-    const ContactForce at = look.force(0);
+    probe.acceleration(q, v, v);
+    const ContactForce at = probe.force(0);
     const Vector3d x = at.base_rotation.transpose() * (at.tool_position - at.base_position);
     moved = std::max(moved, (x - tool).norm());
     ASSERT_NEAR((x - center).norm(), 0.3, 1e-6) << "after " << (i + 1) * h << " s";
@@ -227,13 +227,13 @@ TEST_P(CurvedReference, AToolThatSlidesOnABallStaysOnIt) {
   EXPECT_GT(moved, 0.01);
 }
 
-TEST_P(CurvedReference, WithoutANormalIsAStatus) {
-  ContactDynamics look(model, {spec(Reference::centered())});
+TEST_P(CurvedReference, PointWithoutANormal_GivesAStatus) {
+  ContactDynamics probe(model, {spec(Reference::centered())});
   const RobotState state = random_state(model, generator);
-  look.acceleration(state.q, state.v, state.v);
-  const ContactForce at = look.force(0);
+  probe.acceleration(state.q, state.v, state.v);
+  const ContactForce at = probe.force(0);
   const Vector3d x = at.base_rotation.transpose() * (at.tool_position - at.base_position);
-  // At its centre, and where the axes would have to turn by half a turn.
+  // The tool at the centre of the sphere, then at a normal opposite to the initial axes.
   Reference there = Reference::on(Quadric::sphere(x, 0.3), x + Vector3d::UnitX());
   ContactDynamics center(model, {spec(there, Directions::z())});
   EXPECT_NE(center.forward(state.q, state.v, state.tau), Status::Ok);

@@ -1,6 +1,5 @@
-// A direction that no joint can move is never held by rounding: status and diagnosis say so,
-// however long the levers and wherever the robot stands; a little away from there it is held as
-// ever.
+// Constraints in directions that no joint can move. Status and diagnosis report them whatever the
+// size and place of the robot. Slightly away from such a posture, the constraint works.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -25,13 +24,13 @@ Model turned_arm(double about_x, double scale = 1.0, const Eigen::Vector3d& at =
   return build_model(testing::two_links(scale), options);
 }
 
-/// What holding the tip along y comes to.
-struct Held {
+/// Result of a constraint of the tip along y.
+struct TipConstraint {
   Status status;
   bool independent, immovable;
   double lambda;
 };
-Held held_along_y(const Model& model, const Reference& reference) {
+TipConstraint constrain_along_y(const Model& model, const Reference& reference) {
   const ContactSpec tip = contact("tip", "world", reference, Directions::y());
   ContactDynamics dynamics(model, {tip});
   const Eigen::Vector2d q(0.3, 0.8), v(0.5, -1.0), tau(3.0, -2.0);
@@ -46,32 +45,32 @@ Held held_along_y(const Model& model, const Reference& reference) {
           !found.redundant.empty() && found.redundant.front().immovable, dynamics.lambda()[0]};
 }
 
-TEST(ADirectionThatNoJointMoves, is_no_direction_because_of_rounding) {
+TEST(ImmovableDirection, RoundedQuarterTurn_IsSingular) {
   for (const double quarter : {std::numbers::pi / 2.0, 1.5707963, 1.570796327, 1.570796})
     for (const double scale : {1e-3, 1.0, 1e3})
       for (const Eigen::Vector3d& at : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, -70, 8)})
         for (const Reference& reference : {Reference::centered(), Reference::world()}) {
-          const Held held = held_along_y(turned_arm(quarter, scale, at), reference);
-          EXPECT_EQ(held.status, Status::SingularContacts) << quarter << " " << scale;
-          EXPECT_EQ(held.lambda, 0.0);
-          EXPECT_FALSE(held.independent) << quarter << " " << scale;
-          EXPECT_TRUE(held.immovable);
+          const TipConstraint tip = constrain_along_y(turned_arm(quarter, scale, at), reference);
+          EXPECT_EQ(tip.status, Status::SingularContacts) << quarter << " " << scale;
+          EXPECT_EQ(tip.lambda, 0.0);
+          EXPECT_FALSE(tip.independent) << quarter << " " << scale;
+          EXPECT_TRUE(tip.immovable);
         }
 }
 
-TEST(ADirectionThatNoJointMoves, is_held_a_little_away_from_there) {
+TEST(ImmovableDirection, SmallTurnAway_MakesTheConstraintRegular) {
   const double quarter = std::numbers::pi / 2.0;
-  const double far = held_along_y(turned_arm(quarter - 1e-2), Reference::centered()).lambda;
+  const double far = constrain_along_y(turned_arm(quarter - 1e-2), Reference::centered()).lambda;
   for (const double away : {1e-3, 1e-4, 1e-5}) {
-    const Held held = held_along_y(turned_arm(quarter - away), Reference::centered());
-    EXPECT_EQ(held.status, Status::Ok) << away;
-    EXPECT_TRUE(held.independent);
-    // Forces grow as the lever shrinks: J by sin(away), what it accelerates along y as well.
-    EXPECT_NEAR(held.lambda * std::sin(away), far * std::sin(1e-2), 1e-2 * std::abs(far) * 1e-2);
+    const TipConstraint tip = constrain_along_y(turned_arm(quarter - away), Reference::centered());
+    EXPECT_EQ(tip.status, Status::Ok) << away;
+    EXPECT_TRUE(tip.independent);
+    // The force grows with 1 / sin(away): J and the acceleration along y shrink with sin(away).
+    EXPECT_NEAR(tip.lambda * std::sin(away), far * std::sin(1e-2), 1e-2 * std::abs(far) * 1e-2);
   }
 }
 
-/// A robot, and two of its frames of which some joints move one against the other.
+/// Two frames of a robot that one or two joints move against each other.
 struct Pair {
   std::string tool, base;
 };
@@ -95,7 +94,7 @@ std::vector<Pair> pairs_of(const Model& model) {
   return pairs;
 }
 
-/// Axes of which number `d` is `n`, turned by `away` towards `towards`.
+/// Axes whose column `d` is `n` turned by `away` towards `towards` [rad].
 Eigen::Matrix3d axes_with(int d, const Eigen::Vector3d& n, const Eigen::Vector3d& towards,
                           double away) {
   Eigen::Matrix3d axes;
@@ -105,18 +104,18 @@ Eigen::Matrix3d axes_with(int d, const Eigen::Vector3d& n, const Eigen::Vector3d
   return axes;
 }
 
-class Degenerate : public ::testing::TestWithParam<TestRobot> {
+class DegeneratePosture : public ::testing::TestWithParam<TestRobot> {
  protected:
-  /// What moves the tool of a pair along and about the axes of the base.
+  /// Jacobian of the tool of a pair, in the axes of the base.
   Eigen::MatrixXd motions(const Pair& pair, const RobotState& state) {
     ContactDynamics all(model_, {contact(pair.tool, pair.base, Reference::surface(identity_))});
     all.acceleration(state.q, state.v, state.v);
     return all.jacobian();
   }
 
-  /// Holds direction `d` of axes whose d-th is `away` from one that nothing moves.
-  void expect_law(const Pair& pair, const RobotState& state, int d, const Eigen::Vector3d& n,
-                  const Eigen::Vector3d& towards, double away) {
+  /// Constrains direction `d`, which is `away` from an immovable one, and checks the results.
+  void expect_results(const Pair& pair, const RobotState& state, int d, const Eigen::Vector3d& n,
+                      const Eigen::Vector3d& towards, double away) {
     Directions one;
     one.bits = static_cast<std::uint8_t>(1U << static_cast<unsigned>(d));
     ContactSpec spec =
@@ -148,51 +147,52 @@ class Degenerate : public ::testing::TestWithParam<TestRobot> {
   int tried_ = 0;
 };
 
-TEST_P(Degenerate, postures_leave_no_direction_to_rounding_and_take_none_that_is_small) {
+TEST_P(DegeneratePosture, Direction_IsSingularOnlyWithinRounding) {
   for (const Pair& pair : pairs_of(model_)) {
     const RobotState state = random_state(model_, generator_);
     const Eigen::MatrixXd J = motions(pair, state);
     for (const int first : {0, 3}) {
       const Eigen::Matrix<double, 3, Eigen::Dynamic> moved = J.middleRows(first, 3);
-      // Nothing moves the first of three axes, and something the last, well.
+      // No joint moves along (or about) the first of three axes; the last one moves well.
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> square(
           Eigen::Matrix3d(moved * moved.transpose()));
       const Eigen::Vector3d n = square.eigenvectors().col(0),
                             towards = square.eigenvectors().col(2);
-      const double most = (towards.transpose() * moved).norm();
-      if ((n.transpose() * moved).norm() > 1e-9 * most || most < 0.05) continue;
+      const double max_motion = (towards.transpose() * moved).norm();
+      if ((n.transpose() * moved).norm() > 1e-9 * max_motion || max_motion < 0.05) continue;
       for (int d = first; d < first + 3; ++d)
         for (const double away : {0.0, 1e-15, 2.7e-9, 1e-3, 0.1})
-          expect_law(pair, state, d, n, towards, away);
+          expect_results(pair, state, d, n, towards, away);
     }
   }
   EXPECT_GT(tried_, 0);
 }
 
-TEST_P(Degenerate, rows_of_any_set_are_independent_for_the_status_exactly_where_diagnosed) {
+TEST_P(DegeneratePosture, RandomRows_AreSingularExactlyWhereDiagnosed) {
   const std::vector<Pair> pairs = pairs_of(model_);
   for (int i = 0; i < 60; ++i) {
     const Pair& pair = pairs[generator_() % pairs.size()];
     const RobotState state = random_state(model_, generator_);
-    Directions some;
-    some.bits = static_cast<std::uint8_t>(1 + generator_() % 63);
+    Directions directions;
+    directions.bits = static_cast<std::uint8_t>(1 + generator_() % 63);
     for (const Reference& reference : all_references()) {
-      ContactDynamics dynamics(model_, {contact(pair.tool, pair.base, reference, some)});
+      ContactDynamics dynamics(model_, {contact(pair.tool, pair.base, reference, directions)});
       const Status status = dynamics.forward(state.q, state.v, state.tau);
       const ContactDiagnosis found = diagnose(model_, dynamics.contacts(), state.q);
       EXPECT_EQ(status == Status::Ok, found.redundant.empty())
-          << pair.tool << " on " << pair.base << ", " << some.text() << ": " << found.text();
+          << pair.tool << " on " << pair.base << ", " << directions.text() << ": " << found.text();
       for (const RedundantRow& row : found.redundant)
         EXPECT_TRUE(row.immovable || !row.implied_by.empty()) << found.text();
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryRobot, Degenerate, ::testing::ValuesIn(available(test_robots())),
-                         [](const auto& of) { return of.param.label(); });
+INSTANTIATE_TEST_SUITE_P(EveryRobot, DegeneratePosture,
+                         ::testing::ValuesIn(available(test_robots())),
+                         [](const auto& test) { return test.param.label(); });
 
-/// One link on a hinge; the tool is on its axis, but for what a drawing left of it.
-TEST(ADirectionThatNoJointMoves, is_none_through_a_lever_of_rounding) {
+/// One link on a hinge; the tool is on the axis up to the rounding errors of a drawing.
+TEST(ImmovableDirection, LeverOfRoundingErrors_IsSingular) {
   for (const double lever : {0.0, 2.8e-17, 1e-12, 1e-9}) {
     TreeSpec tree;
     tree.name = "spinner";

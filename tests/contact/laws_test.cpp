@@ -1,4 +1,4 @@
-// Physics that holds in every reference.
+// Laws of physics that contacts satisfy in every reference.
 #include <gtest/gtest.h>
 
 #include "base/decomposition.hpp"
@@ -9,7 +9,7 @@
 namespace burnish::test {
 namespace {
 
-/// Those on robots of this build.
+/// The touches whose robots are part of this build.
 std::vector<Touch> of_this_build(const std::vector<Touch>& touches) {
   return available(touches, [](const Touch& touch) { return touch.robot; });
 }
@@ -28,7 +28,7 @@ std::vector<Touch> law_touches() {
 const std::vector<Acceleration> accelerations{Acceleration::TimeDerivative, Acceleration::Spatial,
                                               Acceleration::Classical};
 
-class ContactLaws : public ::testing::TestWithParam<Touch> {
+class ContactPhysics : public ::testing::TestWithParam<Touch> {
  protected:
   Model model_ = robot(GetParam().robot);
   std::mt19937_64 generator_{17};
@@ -42,7 +42,7 @@ class ContactLaws : public ::testing::TestWithParam<Touch> {
   }
 };
 
-TEST_P(ContactLaws, a_stuck_contact_moves_the_same_and_pushes_the_same_in_every_reference) {
+TEST_P(ContactPhysics, StuckContact_HasOneMotionAndForceInEveryReference) {
   ContactDynamics first(model_, {touch(Reference::local())});
   for (int i = 0; i < 20; ++i) {
     RobotState state = regular_state(model_, first, generator_, 1e-2);
@@ -61,7 +61,7 @@ TEST_P(ContactLaws, a_stuck_contact_moves_the_same_and_pushes_the_same_in_every_
   }
 }
 
-TEST_P(ContactLaws, power_is_torque_times_velocity_plus_force_times_contact_velocity) {
+TEST_P(ContactPhysics, Power_EqualsJointPowerPlusContactPower) {
   for (const Reference& reference : references()) {
     ContactDynamics dynamics(model_, {touch(reference, Directions::linear())});
     for (int i = 0; i < 5; ++i) {
@@ -83,7 +83,7 @@ TEST_P(ContactLaws, power_is_torque_times_velocity_plus_force_times_contact_velo
   }
 }
 
-TEST_P(ContactLaws, a_stuck_contact_has_no_power) {
+TEST_P(ContactPhysics, StuckContact_HasNoPower) {
   ContactDynamics first(model_, {touch(Reference::local())});
   for (const Reference& reference : references()) {
     ContactDynamics dynamics(model_, {touch(reference)});
@@ -97,7 +97,7 @@ TEST_P(ContactLaws, a_stuck_contact_has_no_power) {
   }
 }
 
-TEST_P(ContactLaws, forces_and_accelerations_solve_the_equations_of_motion) {
+TEST_P(ContactPhysics, ForcesAndAccelerations_SolveTheEquationsOfMotion) {
   for (const Reference& reference : references())
     for (const Acceleration kind : accelerations) {
       ContactSpec spec = touch(reference, Directions::linear(), kind);
@@ -123,9 +123,9 @@ std::string name_of_case(const ::testing::TestParamInfo<Touch>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(all, ContactLaws, ::testing::ValuesIn(law_touches()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(all, ContactPhysics, ::testing::ValuesIn(law_touches()), name_of_case);
 
-class ConstrainedMotion : public ContactLaws {};
+class ConstrainedMotion : public ContactPhysics {};
 
 /// Largest departure of the contact velocity from its first value over 0.2 s.
 double departure(ContactDynamics& dynamics, const Model& model, const RobotState& start,
@@ -142,17 +142,17 @@ double departure(ContactDynamics& dynamics, const Model& model, const RobotState
   return worst;
 }
 
-TEST_P(ConstrainedMotion, keeps_the_contact_velocity_the_better_the_smaller_the_step) {
+TEST_P(ConstrainedMotion, SmallerSteps_KeepTheContactVelocityBetter) {
   for (const Reference& reference : references()) {
     ContactDynamics dynamics(model_, {touch(reference, Directions::parse("x,z,ry"))});
     RobotState state = regular_state(model_, dynamics, generator_, 1e-2);
     state.v *= 0.5;
     dynamics.forward(state.q, Eigen::VectorXd::Zero(model_.nv), state.tau);
-    state.tau = dynamics.bias();  // the arm does not fall far in the meantime
+    state.tau = dynamics.bias();  // so that the arm does not fall far
     const double coarse = departure(dynamics, model_, state, 50);
     const double fine = departure(dynamics, model_, state, 200);
     EXPECT_LT(fine, 1e-8) << reference.name();
-    // Of fourth order: 256 times less, unless both are rounding errors.
+    // Fourth order: 256 times less, unless both are rounding errors.
     EXPECT_LT(fine, std::max(coarse / 100.0, 1e-11)) << reference.name();
   }
 }
@@ -177,7 +177,7 @@ double height_lost(Acceleration acceleration) {
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
   pose.acceleration(state.q, rest, rest);
   state.v = least_squares(pose.jacobian(), wanted);
-  // Torques that keep all of the wanted motion but the height, which is the contact's affair.
+  // Torques that control the whole motion except the height, which the contact constrains.
   const Torque keep = [&](const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
     pose.acceleration(q, v, rest);
     Eigen::VectorXd alpha = 50.0 * (wanted - pose.contact_velocity()) - pose.alpha();
@@ -194,20 +194,20 @@ double height_lost(Acceleration acceleration) {
   return before - plane.force(0).tool_position.z();
 }
 
-TEST(SlidingTool, leaves_the_plane_with_the_spatial_acceleration_and_stays_with_the_true_one) {
+TEST(SlidingOnAPlane, SpatialAcceleration_LosesHeightAndOthersDoNot) {
   EXPECT_NEAR(height_lost(Acceleration::Spatial), 0.007, 0.0007);
   EXPECT_NEAR(height_lost(Acceleration::TimeDerivative), 0.0, 1e-9);
   EXPECT_NEAR(height_lost(Acceleration::Classical), 0.0, 1e-9);
 }
 
 #if BURNISH_HAS_ROBOTS  // the crane's two arms
-/// Surface of a base that stands still, as a surface in the world.
+/// The surface of a base at rest, as a surface in the world.
 Reference in_world(const Eigen::Matrix3d& base, const Reference& reference) {
   if (reference.axes != Anchor::Base) return reference;
   return Reference::surface(base * reference.rotation);
 }
 
-TEST(TwoBodies, equal_one_body_where_the_base_cannot_move) {
+TEST(TwoBodyContact, ImmovableBase_EqualsOneBody) {
   Model model = robot("crane");
   for (const std::string name : {"rail_joint", "slew_joint", "right_luff_joint",
                                  "right_extend_joint", "right_swing_joint", "right_wrist_joint"})
@@ -230,7 +230,7 @@ TEST(TwoBodies, equal_one_body_where_the_base_cannot_move) {
     }
 }
 
-TEST(TwoBodies, equal_one_body_where_the_joints_of_the_base_are_locked) {
+TEST(TwoBodyContact, LockedBase_EqualsOneBody) {
   RobotOverrides overrides;
   overrides.free = {"left_luff_joint", "left_extend_joint", "left_tilt_joint", "left_wrist_joint"};
   const Model model = load_robot(std::string(BURNISH_ROBOTS_DIR) + "/crane", overrides).model;
@@ -249,7 +249,7 @@ TEST(TwoBodies, equal_one_body_where_the_joints_of_the_base_are_locked) {
   }
 }
 
-TEST(TwoBodies, swapped_push_back) {
+TEST(TwoBodyContact, SwappedBodies_GiveTheOppositeForce) {
   const Model model = robot("crane");
   std::mt19937_64 generator(31);
   ContactDynamics left(model, {contact("left_tip", "right_tip")});

@@ -1,3 +1,4 @@
+// Tests of kinematic loops: contacts, mobility, projections and dynamics.
 #include "burnish/contact/loops.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ Eigen::Isometry3d apart(const Model& model, const VectorXd& q, const std::string
          frame_placement(model, q, loop + "/second");
 }
 
-TEST(LoopContacts, TieTheSecondFrameToTheFirst) {
+TEST(LoopContacts, Loop_TiesTheSecondFrameToTheFirst) {
   const Model model = build_model(four_bar());
   const std::vector<ContactSpec> contacts = loop_contacts(model, {25.0, 10.0}, true);
   ASSERT_EQ(contacts.size(), 1U);
@@ -51,7 +52,7 @@ TEST(LoopContacts, TieTheSecondFrameToTheFirst) {
   EXPECT_TRUE(is_loop(model, contacts[0]));
 }
 
-TEST(LoopContacts, LeaveOutWhatThePlaneHoldsAlready) {
+TEST(LoopContacts, PlanarLoop_LeavesOutRedundantDirections) {
   // The hinges are along y: only x and z of the pin move.
   EXPECT_EQ(loop_contacts(build_model(four_bar()))[0].directions.text(), "x,z");
   const Directions pin = Directions::parse("x,y,z,rx,rz");
@@ -60,12 +61,12 @@ TEST(LoopContacts, LeaveOutWhatThePlaneHoldsAlready) {
   turned.loops[0].first.linear() =
       Eigen::AngleAxisd(0.9, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
   EXPECT_EQ(loop_contacts(build_model(turned))[0].directions.count(), 2);
-  // Balls of a tripod hold all they say.
+  // Ball joints of a tripod need all three directions.
   for (const ContactSpec& contact : loop_contacts(build_model(tripod())))
     EXPECT_EQ(contact.directions, Directions::linear());
 }
 
-TEST(LoopContacts, AreIndependentAtPosturesThatCloseThem) {
+TEST(LoopContacts, PosturesThatCloseTheLoops_HaveIndependentRows) {
   std::mt19937_64 generator(3);
   for (const TreeSpec& tree :
        {four_bar(), four_bar(Directions::parse("x,y,z,rx,rz")), tripod(true), tripod(false)}) {
@@ -76,7 +77,7 @@ TEST(LoopContacts, AreIndependentAtPosturesThatCloseThem) {
   }
 }
 
-TEST(LoopContacts, JoinThoseThatAreGivenOnce) {
+TEST(LoopContacts, WithLoops_AddsEachLoopOnce) {
   const Model model = build_model(four_bar());
   ContactSpec own{.name = "press", .tool = "rocker"};
   const std::vector<ContactSpec> all = with_loops(model, {own});
@@ -85,10 +86,10 @@ TEST(LoopContacts, JoinThoseThatAreGivenOnce) {
   EXPECT_EQ(all[1].name, "pin");
   EXPECT_EQ(with_loops(model, all).size(), 2U);
   own.name = "pin";
-  expect_words(refusal([&] { with_loops(model, {own}); }), {"contact 'pin'", "name of a loop"});
+  expect_words(refusal([&] { with_loops(model, {own}); }), {"contact 'pin'", "name as a loop"});
 }
 
-TEST(LoopFreedomTest, CountsAndNamesWhatIsRedundant) {
+TEST(LoopFreedom, RedundantRows_AreCountedAndNamed) {
   const Model model = build_model(four_bar(Directions::parse("x,y,z,rx,rz")));
   std::mt19937_64 generator(4);
   const LoopFreedom freedom = loop_freedom(model, closed(model, generator));
@@ -103,7 +104,7 @@ TEST(LoopFreedomTest, CountsAndNamesWhatIsRedundant) {
   EXPECT_EQ(of_legs.text(), "");
 }
 
-TEST(LoopProjectionTest, ClosesLoops) {
+TEST(LoopProjection, RandomPosture_ClosesTheLoops) {
   std::mt19937_64 generator(5);
   for (const TreeSpec& tree : {four_bar(), tripod()}) {
     const Model model = build_model(tree);
@@ -116,7 +117,7 @@ TEST(LoopProjectionTest, ClosesLoops) {
   }
 }
 
-TEST(LoopProjectionTest, HoldsRotationsToo) {
+TEST(LoopProjection, WeldedLoop_ClosesRotationsToo) {
   TreeSpec tree = tripod();
   tree.loops.resize(1);
   tree.loops[0].directions = Directions::all();
@@ -130,7 +131,7 @@ TEST(LoopProjectionTest, HoldsRotationsToo) {
   }
 }
 
-TEST(LoopProjectionTest, LeavesAClosedPostureAsItIs) {
+TEST(LoopProjection, ClosedPosture_IsUnchanged) {
   const Model model = build_model(four_bar());
   std::mt19937_64 generator(7);
   const VectorXd q = closed(model, generator);
@@ -139,7 +140,7 @@ TEST(LoopProjectionTest, LeavesAClosedPostureAsItIs) {
   EXPECT_EQ(again.q, q);
 }
 
-TEST(LoopProjectionTest, KeepsJointsAndSparesDearOnes) {
+TEST(LoopProjection, KeptAndHeavilyWeightedJoints_StayInPlace) {
   const Model model = build_model(four_bar());
   VectorXd q(3);
   q << 0.6, 0.5, 1.8;
@@ -147,17 +148,17 @@ TEST(LoopProjectionTest, KeepsJointsAndSparesDearOnes) {
   ASSERT_EQ(kept.status, Status::Ok);
   EXPECT_EQ(kept.q[model.joints[model.joint_index("drive")].q_index], 0.6);
   const LoopProjection plain = project_onto_loops(model, q);
-  LoopProjectionOptions dear;
-  dear.weights = VectorXd::Ones(3);
-  dear.weights[model.joint_index("pivot")] = 1e6;
-  const LoopProjection spared = project_onto_loops(model, q, dear);
-  ASSERT_EQ(spared.status, Status::Ok);
-  EXPECT_LT(std::abs(spared.q[2] - q[2]), 1e-3 * std::abs(plain.q[2] - q[2]) + 1e-5);
+  LoopProjectionOptions weighted;
+  weighted.weights = VectorXd::Ones(3);
+  weighted.weights[model.joint_index("pivot")] = 1e6;
+  const LoopProjection stiff = project_onto_loops(model, q, weighted);
+  ASSERT_EQ(stiff.status, Status::Ok);
+  EXPECT_LT(std::abs(stiff.q[2] - q[2]), 1e-3 * std::abs(plain.q[2] - q[2]) + 1e-5);
   expect_words(refusal([&] { project_onto_loops(model, q, {.keep = {"drife"}}); }),
                {"'drife'", "'drive'"});
 }
 
-TEST(LoopProjectionTest, StaysWithinLimits) {
+TEST(LoopProjection, RandomPosture_StaysWithinLimits) {
   TreeSpec tree = four_bar();
   tree.joints[2].lower = 1.7;  // pivot
   tree.joints[2].upper = 2.0;
@@ -175,7 +176,7 @@ TEST(LoopProjectionTest, StaysWithinLimits) {
   EXPECT_GT(found, 20);
 }
 
-TEST(LoopProjectionTest, SaysWhichLoopIsOutOfReach) {
+TEST(LoopProjection, LoopOutOfReach_IsNamedWithItsGap) {
   TreeSpec tree = four_bar();
   tree.joints[2].placement.translation().x() = 1.0;  // rocker and coupler cannot meet: 0.35 m miss
   const Model model = build_model(tree);
@@ -183,17 +184,17 @@ TEST(LoopProjectionTest, SaysWhichLoopIsOutOfReach) {
   EXPECT_EQ(on.status, Status::NotConverged);
   ASSERT_EQ(on.misses.size(), 1U);
   EXPECT_NEAR(on.misses[0].translation, 0.35, 1e-3);
-  expect_words(on.explanation(), {"loop 'pin'", "350", "mm are left"});
+  expect_words(on.explanation(), {"loop 'pin'", "350", "mm remain"});
 }
 
-TEST(LoopProjectionTest, LeavesDeadPoints) {
-  // All bars along x, their tips 0.15 m apart along x: no joint moves them that way.
+TEST(LoopProjection, DeadPoint_IsSolved) {
+  // All bars are along x and their tips 0.15 m apart along x, where no joint moves them.
   const Model model = build_model(four_bar());
   const LoopProjection on = project_onto_loops(model, model.q_neutral);
   EXPECT_EQ(on.status, Status::Ok);
 }
 
-TEST(LoopVelocity, IsTheNearestThatLoopsAllow) {
+TEST(LoopVelocity, Projection_IsTheNearestAllowedVelocity) {
   std::mt19937_64 generator(9);
   for (const TreeSpec& tree : {four_bar(), tripod()}) {
     const Model model = build_model(tree);
@@ -203,7 +204,7 @@ TEST(LoopVelocity, IsTheNearestThatLoopsAllow) {
     const Eigen::MatrixXd J = dynamics.jacobian(), M = dynamics.mass_matrix();
     const VectorXd plain = project_velocity_onto_loops(model, q, v);
     EXPECT_LT((J * plain).cwiseAbs().maxCoeff(), 1e-10);
-    // What is taken away is a combination of the rows.
+    // The removed velocity is a combination of the rows.
     const Eigen::MatrixXd free = null_space(J);
     EXPECT_LT((free.transpose() * (v - plain)).norm(), 1e-10);
     const VectorXd impulse = project_velocity_onto_loops(model, q, v, LoopMetric::Mass);
@@ -212,7 +213,7 @@ TEST(LoopVelocity, IsTheNearestThatLoopsAllow) {
   }
 }
 
-TEST(LoopVelocity, KeepsJoints) {
+TEST(LoopVelocity, KeptJoint_KeepsItsVelocity) {
   const Model model = build_model(four_bar());
   std::mt19937_64 generator(10);
   const VectorXd q = closed(model, generator);
@@ -225,12 +226,12 @@ TEST(LoopVelocity, KeepsJoints) {
   EXPECT_LT((dynamics.jacobian() * kept).cwiseAbs().maxCoeff(), 1e-10);
 }
 
-TEST(ClosedConfiguration, KeepsWhatThePostureNames) {
+TEST(ClosedConfiguration, JointsOfThePosture_KeepTheirValues) {
   const Model model = build_model(four_bar());
   const VectorXd q = closed_configuration(model, {{"drive", {0.8}}});
   EXPECT_EQ(q[model.joint_index("drive")], 0.8);
   EXPECT_LT(apart(model, q, "pin").translation().norm(), 2e-9);
-  // Rounded values of all joints.
+  // A posture with rounded values of all joints.
   Posture rounded;
   for (const Joint& joint : model.joints)
     rounded[joint.name] = {std::round(1e3 * q[joint.q_index]) * 1e-3};
@@ -239,7 +240,7 @@ TEST(ClosedConfiguration, KeepsWhatThePostureNames) {
   EXPECT_LT(apart(model, near, "pin").translation().norm(), 2e-9);
 }
 
-/// a and lambda of M a - J^T lambda = tau - b, J a = -alpha_0 - kd nu - kp e.
+/// Solution a and lambda of M a - J^T lambda = tau - b, J a = -alpha_0 - kd nu - kp e.
 VectorXd by_kkt(const Model& model, ContactDynamics& dynamics, const VectorXd& q, const VectorXd& v,
                 const VectorXd& tau) {
   const int n = model.nv, m = dynamics.rows();
@@ -256,7 +257,7 @@ VectorXd by_kkt(const Model& model, ContactDynamics& dynamics, const VectorXd& q
   return K.partialPivLu().solve(rhs);
 }
 
-TEST(LoopDynamics, AreThoseOfTheKktSystem) {
+TEST(LoopDynamics, MotionAndForces_SolveTheKktSystem) {
   std::mt19937_64 generator(11);
   for (const TreeSpec& tree : {four_bar(), tripod()}) {
     const Model model = build_model(tree);
@@ -273,7 +274,7 @@ TEST(LoopDynamics, AreThoseOfTheKktSystem) {
   }
 }
 
-TEST(LoopDynamics, OfAllDirectionsAreTheSameWithCompliance) {
+TEST(LoopDynamics, AllDirectionsWithCompliance_GiveTheSameMotion) {
   const Model model = build_model(four_bar(Directions::parse("x,y,z,rx,rz")));
   std::mt19937_64 generator(12);
   ContactDynamics exact(model, loop_contacts(model));
@@ -286,7 +287,7 @@ TEST(LoopDynamics, OfAllDirectionsAreTheSameWithCompliance) {
   EXPECT_LT((exact.a() - all.a()).norm() / exact.a().norm(), 1e-7);
 }
 
-TEST(LoopDynamics, HoldTheLoopOverTime) {
+TEST(LoopDynamics, FallingCrank_KeepsTheLoopClosed) {
   // A crank that falls for 2 s, by semi-implicit Euler steps of 1 ms.
   const Model model = build_model(four_bar());
   const double step = 1e-3;

@@ -1,6 +1,5 @@
-// A joint that moves no mass makes M singular: forward dynamics answers with a status that names
-// the joint, in values and derivatives, one state at a time and in packs; what needs no M^-1 goes
-// on.
+// A joint that moves no mass makes M singular. Forward dynamics and its derivatives return a status
+// and name the joint, for single states and batches. Evaluations without M^-1 still work.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
@@ -14,7 +13,7 @@ namespace {
 using testing::expect_words;
 using testing::refusal;
 
-/// The joints that carry no other, follow none and lead none.
+/// Joints without children that are neither followers nor leaders.
 std::vector<int> leaves(const Model& model) {
   std::vector<char> carries(model.joints.size(), 0);
   for (std::size_t i = 0; i < carries.size(); ++i) {
@@ -28,8 +27,8 @@ std::vector<int> leaves(const Model& model) {
   return result;
 }
 
-/// Compiled robots are plain data, so that one may become what a file would not.
-void empty(Model& model, int joint) {
+/// Removes the mass of a joint's body. Models are plain data, so no file needs to describe this.
+void remove_mass(Model& model, int joint) {
   Joint& body = model.joints[joint];
   body.mass = 0.0;
   body.com.setZero();
@@ -37,9 +36,9 @@ void empty(Model& model, int joint) {
   model.armature.segment(body.v_index, body.nv).setZero();
 }
 
-class Massless : public ::testing::TestWithParam<TestRobot> {
+class MasslessJoint : public ::testing::TestWithParam<TestRobot> {
  protected:
-  /// Every answer at a state at which `joint` moves no mass.
+  /// Checks every result at a state where `joint` moves no mass.
   void expect_named(const Model& model, const std::string& joint, const RobotState& state) {
     const std::vector<ContactSpec> contacts{
         contact(GetParam().tool, "world", Reference::local(), Directions::z())};
@@ -71,16 +70,16 @@ class Massless : public ::testing::TestWithParam<TestRobot> {
   std::mt19937_64 generator_{92};
 };
 
-TEST_P(Massless, joints_are_named_by_the_status_of_forward_dynamics) {
+TEST_P(MasslessJoint, ForwardDynamics_GivesAStatusThatNamesTheJoint) {
   for (const int joint : leaves(model_)) {
     Model model = model_;
-    empty(model, joint);
+    remove_mass(model, joint);
     expect_named(model, model.joints[joint].name, random_state(model, generator_));
   }
 }
 
-TEST_P(Massless, joints_of_point_masses_on_their_axes_are_named_as_well) {
-  // Their inertia about the axis is zero but for rounding.
+TEST_P(MasslessJoint, PointMassOnTheAxis_IsNamedToo) {
+  // The inertia about the axis is zero up to rounding errors.
   for (const int joint : leaves(model_)) {
     Model model = model_;
     Joint& body = model.joints[joint];
@@ -93,11 +92,11 @@ TEST_P(Massless, joints_of_point_masses_on_their_axes_are_named_as_well) {
   }
 }
 
-TEST_P(Massless, joints_with_an_armature_are_as_good_as_any) {
+TEST_P(MasslessJoint, Armature_MakesForwardDynamicsOk) {
   for (const int joint : leaves(model_)) {
     Model model = model_;
-    empty(model, joint);
-    // Those above that carried the joint's body alone need one, too.
+    remove_mass(model, joint);
+    // Massless bodies between the joint and the root need an armature, too.
     for (int j = joint; j >= 0 && model.joints[j].mass == 0.0; j = model.joints[j].parent)
       model.armature.segment(model.joints[j].v_index, model.joints[j].nv).setConstant(0.01);
     const RobotState state = random_state(model, generator_);
@@ -107,7 +106,7 @@ TEST_P(Massless, joints_with_an_armature_are_as_good_as_any) {
   }
 }
 
-TEST(MasslessFollowers, leave_their_leader_singular_only_where_none_of_them_has_a_mass) {
+TEST(MasslessFollower, LeaderAndFollowersWithoutMass_AreSingular) {
   TreeSpec tree;
   tree.name = "gripper";
   for (const char* name : {"base", "hand", "left", "right"})
@@ -119,16 +118,16 @@ TEST(MasslessFollowers, leave_their_leader_singular_only_where_none_of_them_has_
   Model model = build_model(tree);
   std::mt19937_64 generator(4);
   const RobotState state = random_state(model, generator);
-  empty(model, model.joint_index("right"));
+  remove_mass(model, model.joint_index("right"));
   EXPECT_EQ(ContactDynamics(model).forward(state.q, state.v, state.tau), Status::Ok);
-  empty(model, model.joint_index("left"));
+  remove_mass(model, model.joint_index("left"));
   ContactDynamics dynamics(model);
   EXPECT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::SingularMass);
   expect_words(dynamics.explanation(), {"'right'", "no mass"});
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryRobot, Massless, ::testing::ValuesIn(available(test_robots())),
-                         [](const auto& of) { return of.param.label(); });
+INSTANTIATE_TEST_SUITE_P(EveryRobot, MasslessJoint, ::testing::ValuesIn(available(test_robots())),
+                         [](const auto& test) { return test.param.label(); });
 
 }  // namespace
 }  // namespace burnish::test

@@ -1,5 +1,5 @@
-// Friction of tools that slide: its forces against the whole system of equations, and what it is
-// not. Its derivatives are under the law of contacts (tests/laws).
+// Friction of sliding tools: forces against the full equations of motion, and refusals. Tests in
+// tests/laws check the derivatives.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
@@ -11,6 +11,7 @@ namespace burnish::test {
 namespace {
 
 using Eigen::Vector3d;
+using testing::refusal;
 
 struct SlidingCase {
   std::string robot, tool, base;
@@ -25,19 +26,20 @@ struct PointMotion {
 
 class SlidingTool : public ::testing::TestWithParam<SlidingCase> {
  protected:
-  ContactSpec spec(std::optional<SlidingFriction> friction, Directions held = Directions::z()) {
+  ContactSpec spec(std::optional<SlidingFriction> friction,
+                   Directions directions = Directions::z()) {
     ContactSpec result =
-        contact(GetParam().tool, GetParam().base, Reference::surface(tilt()), held);
+        contact(GetParam().tool, GetParam().base, Reference::surface(tilt()), directions);
     result.friction = friction;
     result.with_gains(0.0, 8.0);
     return result;
   }
-  /// Of the point `radius` against the third axis of the surface from the tool's origin.
+  /// Motion of the point at `radius` from the tool's origin against the third axis of the surface.
   PointMotion point_motion(const RobotState& state, double radius, Vector3d& n) {
-    ContactDynamics look(model, {contact(GetParam().tool, GetParam().base)}, {.mu = 1.0});
-    look.acceleration(state.q, state.v, state.v);
-    n = look.force(0).base_rotation * tilt().col(2);
-    const Eigen::MatrixXd J = look.jacobian();  // at the tool's origin, world axes
+    ContactDynamics probe(model, {contact(GetParam().tool, GetParam().base)}, {.mu = 1.0});
+    probe.acceleration(state.q, state.v, state.v);
+    n = probe.force(0).base_rotation * tilt().col(2);
+    const Eigen::MatrixXd J = probe.jacobian();  // at the tool's origin, world axes
     const Vector3d arm = -radius * n;
     PointMotion result;
     result.J = J.topRows(3);
@@ -50,11 +52,11 @@ class SlidingTool : public ::testing::TestWithParam<SlidingCase> {
   std::mt19937_64 generator{91};
 };
 
-TEST_P(SlidingTool, SolvesTheEquationsOfMotionWithFriction) {
+TEST_P(SlidingTool, FrictionForces_SolveTheEquationsOfMotion) {
   const SlidingFriction friction{0.35, 0.05, 0.04};
   const std::vector<Directions> sets{Directions::z(), Directions::pad_z()};
-  for (const Directions& held : sets) {
-    ContactDynamics dynamics(model, {spec(friction, held)});
+  for (const Directions& directions : sets) {
+    ContactDynamics dynamics(model, {spec(friction, directions)});
     const RobotState state = regular_state(model, dynamics, generator);
     ASSERT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::Ok);
     const Eigen::VectorXd a = dynamics.a(), lambda = dynamics.lambda();
@@ -62,44 +64,46 @@ TEST_P(SlidingTool, SolvesTheEquationsOfMotionWithFriction) {
     Vector3d n;
     const PointMotion at = point_motion(state, friction.radius, n);
     const Vector3d across = at.v - n * n.dot(at.v);
-    const double fade = friction.fade_speed();
-    const Vector3d s = across / std::sqrt(across.squaredNorm() + fade * fade);
-    const Vector3d rubbing = -friction.coefficient * lambda[0] * s;
-    EXPECT_LE(rubbing.dot(across) * (lambda[0] > 0.0 ? 1.0 : -1.0), 0.0);
-    // M a + b = tau + J^T lambda + J_c^T f, and what is held.
+    const double fade_speed = friction.fade_speed();
+    const Vector3d s = across / std::sqrt(across.squaredNorm() + fade_speed * fade_speed);
+    const Vector3d friction_force = -friction.coefficient * lambda[0] * s;
+    EXPECT_LE(friction_force.dot(across) * (lambda[0] > 0.0 ? 1.0 : -1.0), 0.0);
+    // M a + b = tau + J^T lambda + J_c^T f, and the constraint.
     const Eigen::VectorXd left = M * a + Eigen::VectorXd(dynamics.bias());
-    const Eigen::VectorXd right = state.tau + J.transpose() * lambda + at.J.transpose() * rubbing;
+    const Eigen::VectorXd right =
+        state.tau + J.transpose() * lambda + at.J.transpose() * friction_force;
     EXPECT_LT(relative_error(left, right), 1e-9);
     ASSERT_EQ(dynamics.acceleration(state.q, state.v, a), Status::Ok);
     EXPECT_LT(dynamics.alpha().norm(), 1e-9 * (1.0 + (J * a).norm()));
     // Inverse dynamics: the same torques.
     ASSERT_EQ(dynamics.inverse(state.q, state.v, a, lambda), Status::Ok);
     EXPECT_LT(relative_error(dynamics.tau(), state.tau), 1e-9);
-    // The wrench that is told has both parts, friction with its arm.
+    // The wrench contains the normal force and the friction force with its lever arm.
     const Vector6 wrench = dynamics.wrench(0, Reference::centered());
-    Vector3d held_force = lambda[0] * n;
-    EXPECT_LT((wrench.head<3>() - held_force - rubbing).norm(), 1e-10 * (1.0 + wrench.norm()));
-    if (held == Directions::z()) {
-      const Vector3d moment = -friction.radius * n.cross(rubbing);
+    Vector3d normal_force = lambda[0] * n;
+    EXPECT_LT((wrench.head<3>() - normal_force - friction_force).norm(),
+              1e-10 * (1.0 + wrench.norm()));
+    if (directions == Directions::z()) {
+      const Vector3d moment = -friction.radius * n.cross(friction_force);
       EXPECT_LT((wrench.tail<3>() - moment).norm(), 1e-10 * (1.0 + wrench.norm()));
     }
   }
 }
 
-TEST_P(SlidingTool, WithACoefficientOfZeroSlidesFreely) {
-  ContactDynamics smooth(model, {spec({})}), rubbing(model, {spec(SlidingFriction{0.0, 0.01})});
+TEST_P(SlidingTool, ZeroCoefficient_EqualsNoFriction) {
+  ContactDynamics smooth(model, {spec({})}), frictional(model, {spec(SlidingFriction{0.0, 0.01})});
   const RobotState state = regular_state(model, smooth, generator);
   ASSERT_EQ(smooth.forward(state.q, state.v, state.tau), Status::Ok);
-  ASSERT_EQ(rubbing.forward(state.q, state.v, state.tau), Status::Ok);
-  EXPECT_LT(relative_error(rubbing.a(), smooth.a()), 1e-12);
-  EXPECT_LT(relative_error(rubbing.lambda(), smooth.lambda()), 1e-12);
+  ASSERT_EQ(frictional.forward(state.q, state.v, state.tau), Status::Ok);
+  EXPECT_LT(relative_error(frictional.a(), smooth.a()), 1e-12);
+  EXPECT_LT(relative_error(frictional.lambda(), smooth.lambda()), 1e-12);
   ASSERT_EQ(smooth.forward_derivatives(), Status::Ok);
-  ASSERT_EQ(rubbing.forward_derivatives(), Status::Ok);
-  EXPECT_LT(relative_error(rubbing.da_dq(), smooth.da_dq()), 1e-12);
-  EXPECT_LT(relative_error(rubbing.dlambda_dv(), smooth.dlambda_dv()), 1e-11);
+  ASSERT_EQ(frictional.forward_derivatives(), Status::Ok);
+  EXPECT_LT(relative_error(frictional.da_dq(), smooth.da_dq()), 1e-12);
+  EXPECT_LT(relative_error(frictional.dlambda_dv(), smooth.dlambda_dv()), 1e-11);
 }
 
-TEST_P(SlidingTool, OfACoefficientThatIsSetIsThatOfANewContact) {
+TEST_P(SlidingTool, SetCoefficient_EqualsANewContact) {
   ContactDynamics given(model, {spec(SlidingFriction{0.1, 0.02})});
   ContactDynamics made(model, {spec(SlidingFriction{0.5, 0.02})});
   ASSERT_EQ(given.set_friction(0, 0.5), Status::Ok);
@@ -116,8 +120,8 @@ TEST_P(SlidingTool, OfACoefficientThatIsSetIsThatOfANewContact) {
             std::string::npos);
 }
 
-/// Two contacts that rub at once, redundant ones, and some that come and go.
-TEST_P(SlidingTool, RubsAtSeveralContactsAtOnce) {
+/// Two contacts with friction at once, one of them switched off, and redundant contacts.
+TEST_P(SlidingTool, SeveralContacts_SlideWithFriction) {
   ContactSpec first = spec(SlidingFriction{0.3, 0.1}),
               second = spec(SlidingFriction{0.2, 0.1, 0.1});
   second.name = "second";
@@ -134,7 +138,7 @@ TEST_P(SlidingTool, RubsAtSeveralContactsAtOnce) {
   ASSERT_EQ(one.forward(state.q, state.v, state.tau), Status::Ok);
   EXPECT_EQ(both.lambda(), one.lambda());
   EXPECT_EQ(both.a(), one.a());
-  // The same contact twice, by compliance that the iterations take away.
+  // One contact declared twice; the proximal iterations remove the compliance.
   ContactSpec twin = first;
   twin.name = "twin";
   ContactDynamics redundant(model, {first, twin}, {.mu = 1e-2, .max_proximal_iterations = 500});
@@ -146,7 +150,7 @@ TEST_P(SlidingTool, RubsAtSeveralContactsAtOnce) {
               1e-6 * (1.0 + std::abs(single.lambda()[0])));
 }
 
-TEST_P(SlidingTool, JamsWithAStatusWhereFrictionTakesAllInertia) {
+TEST_P(SlidingTool, ExcessiveFriction_JamsWithAStatus) {
   ContactDynamics dynamics(model, {spec(SlidingFriction{30.0, 1e-3})});
   ContactDynamicsBatch batch(model, {spec(SlidingFriction{30.0, 1e-3})}, 1);
   bool jammed = false;
@@ -162,13 +166,13 @@ TEST_P(SlidingTool, JamsWithAStatusWhereFrictionTakesAllInertia) {
   EXPECT_TRUE(jammed);
 }
 
-TEST_P(SlidingTool, IsRefusedWithoutOneNormal) {
+TEST_P(SlidingTool, ContactWithoutOneNormal_IsRefused) {
   const auto refused = [&](const ContactSpec& given, const char* words) {
     const std::string sentence = refusal([&] { ContactDynamics(model, {given}); });
     EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
   };
   const SlidingFriction usual;
-  refused(spec(usual, Directions::all()), "holds x,y,z; wanted one of x, y, z");
+  refused(spec(usual, Directions::all()), "holds x,y,z; wanted exactly one of x, y and z");
   refused(spec(usual, Directions::angular()), "no direction of translation");
   refused(spec(SlidingFriction{-1.0}), "friction: coefficient");
   refused(spec(SlidingFriction{0.3, 0.0}), "friction: speed");

@@ -1,4 +1,4 @@
-// The public derivative checker: passes where derivatives are right, and names what is wrong.
+// The public derivative checker passes correct derivatives and names wrong entries.
 #include "burnish/derivatives/check.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 Model model_of(const std::string& name) { return test::named_robot(name); }
 
-/// One quick row.
+/// Options for one quick row.
 CheckOptions quick() {
   CheckOptions options;
   options.references = {Reference::centered()};
@@ -38,9 +38,9 @@ const std::vector<std::string> all_blocks{
     "da_dq",   "dlambda_dq", "da_dv",        "dlambda_dv", "da_dtau",   "dlambda_dtau", "dtau_dq",
     "dtau_dv", "dtau_da",    "dtau_dlambda", "dalpha_dq",  "dalpha_dv", "dalpha_da"};
 
-class CheckRobots : public ::testing::TestWithParam<std::string> {};
+class RobotDerivativeCheck : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(CheckRobots, PassWithMargin) {
+TEST_P(RobotDerivativeCheck, EveryRow_PassesWithMargin) {
   CheckOptions options;
   options.states = 3;
   const CheckReport report = check_derivatives(model_of(GetParam()), options);
@@ -49,21 +49,21 @@ TEST_P(CheckRobots, PassWithMargin) {
   for (const CheckRow& row : report.rows) EXPECT_LT(row.worst_error, 2e-7) << report.text();
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, CheckRobots,
+INSTANTIATE_TEST_SUITE_P(Robots, RobotDerivativeCheck,
                          ::testing::ValuesIn(test::available(
                              std::vector<std::string>{"arm7", "arm7:six", "arm7:floating", "crane",
                                                       "crane:left_only", "talos:right_arm"},
                              [](const std::string& name) { return name; })));
 
-/// Of another size and mass.
+/// A robot scaled to another size and mass.
 struct OtherSize {
   std::string robot;
   double length, mass;
 };
 
-class CheckSizesOf : public ::testing::TestWithParam<OtherSize> {};
+class ScaledRobotCheck : public ::testing::TestWithParam<OtherSize> {};
 
-TEST_P(CheckSizesOf, PassWithMargin) {
+TEST_P(ScaledRobotCheck, EveryRow_PassesWithMargin) {
   const auto& [robot, length, mass] = GetParam();
   CheckOptions options;
   options.states = 1;
@@ -73,8 +73,8 @@ TEST_P(CheckSizesOf, PassWithMargin) {
   for (const CheckRow& row : report.rows) EXPECT_LT(row.worst_error, 2e-7) << report.text();
 }
 
-/// A wrong entry is found on robots of every size as on those of 1 m.
-TEST_P(CheckSizesOf, FindWhatIsWrong) {
+/// A wrong entry is found on robots of every size, not only on robots of 1 m.
+TEST_P(ScaledRobotCheck, WrongEntryOfAnyBlock_IsFound) {
   const auto& [robot, length, mass] = GetParam();
   for (const std::string& name : all_blocks) {
     const auto spoil = [&](std::vector<DerivativeBlock>& blocks) {
@@ -89,7 +89,7 @@ TEST_P(CheckSizesOf, FindWhatIsWrong) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Robots, CheckSizesOf,
+    Robots, ScaledRobotCheck,
     ::testing::ValuesIn(test::available(std::vector<OtherSize>{{"arm7", 100.0, 5000.0},
                                                                {"arm7", 1e-3, 1e-4},
                                                                {"arm7:floating", 100.0, 1.0},
@@ -108,7 +108,7 @@ TwoTips two_tips() {
   return {"every_joint", "tip", "d_side"};
 }
 
-TEST(Check, PassesForAllAccelerationsBetweenTwoBodies) {
+TEST(DerivativeCheck, AllAccelerationsBetweenTwoBodies_Pass) {
   CheckOptions options;
   options.tool = two_tips().tip;
   options.base = two_tips().other_tip;
@@ -129,7 +129,7 @@ std::vector<SurfaceShape> every_shape() {
   return all;
 }
 
-TEST(Check, CurvedSurfacesPassOnAStandingAndOnAMovingBase) {
+TEST(DerivativeCheck, CurvedSurfacesOnFixedAndMovingBase_Pass) {
   for (const std::string& base : {std::string("world"), two_tips().other_tip}) {
     CheckOptions options;
     options.tool = two_tips().tip;
@@ -148,26 +148,26 @@ TEST(Check, CurvedSurfacesPassOnAStandingAndOnAMovingBase) {
   }
 }
 
-/// The check sees that a force turns with the normal and that what is held bends: a flat surface of
-/// the same normal has other derivatives.
-TEST(Check, ACurvedSurfaceIsNoFlatOne) {
+/// On a curved surface, the force and the constraint turn with the normal. Derivatives differ from
+/// those on a flat surface with the same normal.
+TEST(DerivativeCheck, CurvedSurface_DiffersFromAFlatOne) {
   CheckOptions options = quick();
   options.references = {};
   options.surfaces = {SurfaceShape::parse("sphere:0.3")};
   const Model model = model_of("arm7");
-  std::vector<Eigen::MatrixXd> bent, flat;
+  std::vector<Eigen::MatrixXd> curved, flat;
   const auto keep = [](std::vector<Eigen::MatrixXd>& to) {
     return [&to](std::vector<DerivativeBlock>& blocks) {
       to.push_back(block_named(blocks, "dlambda_dq").expected);
     };
   };
-  EXPECT_TRUE(run_check(model, options, keep(bent)).pass);
+  EXPECT_TRUE(run_check(model, options, keep(curved)).pass);
   options.surfaces = {SurfaceShape::parse("plane")};
   EXPECT_TRUE(run_check(model, options, keep(flat)).pass);
-  EXPECT_GT((bent[0] - flat[0]).norm(), 0.1 * flat[0].norm());
+  EXPECT_GT((curved[0] - flat[0]).norm(), 0.1 * flat[0].norm());
 }
 
-TEST(Check, GivenContactsMayFollowASurface) {
+TEST(DerivativeCheck, GivenContactOnASurface_Passes) {
   CheckOptions options;
   ContactSpec pad{.tool = "tool", .directions = Directions::pad_z()};
   pad.reference = Reference::on(Quadric::sphere({0.4, 0.1, 0.0}, 0.3), {0.4, 0.1, 0.3});
@@ -178,7 +178,7 @@ TEST(Check, GivenContactsMayFollowASurface) {
   EXPECT_EQ(report.rows[0].reference, "curved surface");
 }
 
-TEST(Check, GivenContactsAreCheckedTogether) {
+TEST(DerivativeCheck, GivenContacts_AreCheckedTogether) {
   CheckOptions options;
   ContactSpec left{.tool = "left_sole_link"}, right{.tool = "right_sole_link"};
   ContactSpec pad{.tool = "tool",
@@ -194,7 +194,7 @@ TEST(Check, GivenContactsAreCheckedTogether) {
   EXPECT_EQ(report.rows[0].acceleration, "time_derivative");
 }
 
-TEST(Check, TooFewJointsAreCheckedWithComplianceAndSaySo) {
+TEST(DerivativeCheck, TooFewJoints_AreCheckedWithComplianceAndReported) {
   CheckOptions options = quick();
   options.directions = {Directions::all(), Directions::z()};
   options.tool = "tool";
@@ -204,10 +204,10 @@ TEST(Check, TooFewJointsAreCheckedWithComplianceAndSaySo) {
   EXPECT_TRUE(report.pass) << report.text();
   EXPECT_GT(report.rows[0].mu, 0.0);
   EXPECT_EQ(report.rows[1].mu, 0.0);
-  EXPECT_NE(report.text().find("1 row checked with compliance mu"), std::string::npos);
+  EXPECT_NE(report.text().find("1 row checked with a compliance mu"), std::string::npos);
 }
 
-/// A box on two wheels that are turned about their axles by rounding and by a file's decimals.
+/// A box on two wheels whose axles are turned by a quarter turn, rounded as in files.
 TreeSpec wheels() {
   TreeSpec tree;
   tree.name = "wheels";
@@ -226,8 +226,8 @@ TreeSpec wheels() {
   return tree;
 }
 
-TEST(Check, NoiseAgainstNoiseIsNoError) {
-  // Nothing but rounding moves the hub of a wheel, and no torque is more than rounding.
+TEST(DerivativeCheck, RoundingNoise_IsNotAnError) {
+  // Only rounding errors move the hub of a wheel, and the torques are rounding errors, too.
   for (const char* tool : {"left", "right"}) {
     CheckOptions options;
     options.tool = tool;
@@ -238,7 +238,7 @@ TEST(Check, NoiseAgainstNoiseIsNoError) {
   }
 }
 
-TEST(Check, LimitsThatNoJointReachesAreNone) {
+TEST(DerivativeCheck, UnreachableLimits_AreIgnored) {
   TreeSpec tree = wheels();
   for (JointSpec& joint : tree.joints) {
     joint.type = JointType::Revolute;
@@ -251,8 +251,8 @@ TEST(Check, LimitsThatNoJointReachesAreNone) {
   EXPECT_TRUE(report.pass) << report.text();
 }
 
-TEST(Check, DirectionsThatOnlyRoundingMovesAreCheckedWithCompliance) {
-  // Turned about x by a quarter, its links in the plane of x and z.
+TEST(DerivativeCheck, DirectionMovedOnlyByRounding_IsCheckedWithCompliance) {
+  // An arm in the xz plane, turned about x by a quarter turn.
   TreeSpec tree;
   tree.name = "turned";
   for (const char* name : {"root", "upper", "tip"}) tree.links.push_back(testing::link(name));
@@ -274,7 +274,7 @@ TEST(Check, DirectionsThatOnlyRoundingMovesAreCheckedWithCompliance) {
   for (const CheckRow& row : report.rows) EXPECT_EQ(row.mu > 1e-6, row.directions == "y");
 }
 
-TEST(Check, JointsThatMoveNoMassAreNamedAndTheRestIsChecked) {
+TEST(DerivativeCheck, MasslessJoint_IsNamedAndTheRestIsChecked) {
   Model model = model_of("arm7");
   Joint& last = model.joints.back();
   last.mass = 0.0;
@@ -289,12 +289,13 @@ TEST(Check, JointsThatMoveNoMassAreNamedAndTheRestIsChecked) {
   EXPECT_EQ(seen.front(), "dtau_dq");
   EXPECT_EQ(seen.size(), 2U * 7U);
   testing::expect_words(report.singular_mass, {"'" + last.name + "'", "no mass"});
-  EXPECT_NE(report.text().find("FAIL: there is no forward dynamics: joint"), std::string::npos);
+  EXPECT_NE(report.text().find("FAIL: the model has no forward dynamics: joint"),
+            std::string::npos);
 }
 
 class CorruptedBlock : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(CorruptedBlock, IsReportedWithItsRowAndColumn) {
+TEST_P(CorruptedBlock, WrongEntry_IsReportedWithItsRowAndColumn) {
   const Model model = model_of("arm7");
   std::string row, column;
   const CheckReport report = run_check(model, quick(), [&](std::vector<DerivativeBlock>& blocks) {
@@ -319,7 +320,7 @@ TEST_P(CorruptedBlock, IsReportedWithItsRowAndColumn) {
   EXPECT_NE(report.text().find("FAIL: 1 of 1 row"), std::string::npos) << report.text();
 }
 
-TEST_P(CorruptedBlock, NanFails) {
+TEST_P(CorruptedBlock, Nan_Fails) {
   for (const bool analytic : {true, false}) {
     const CheckReport report =
         run_check(model_of("arm7"), quick(), [&](std::vector<DerivativeBlock>& blocks) {
@@ -333,7 +334,7 @@ TEST_P(CorruptedBlock, NanFails) {
   }
 }
 
-TEST_P(CorruptedBlock, SwappedSignOrMissingTermFails) {
+TEST_P(CorruptedBlock, WrongSignOrMissingTerm_Fails) {
   const CheckReport negated = run_check(
       model_of("arm7"), quick(),
       [](std::vector<DerivativeBlock>& blocks) { block_named(blocks, GetParam()).value *= -1.0; });
@@ -348,7 +349,7 @@ TEST_P(CorruptedBlock, SwappedSignOrMissingTermFails) {
 INSTANTIATE_TEST_SUITE_P(Blocks, CorruptedBlock, ::testing::ValuesIn(all_blocks),
                          [](const auto& test) { return test.param; });
 
-TEST(Check, ComparesEveryBlock) {
+TEST(DerivativeCheck, EveryBlock_IsCompared) {
   std::vector<std::string> seen;
   CheckOptions options = quick();
   options.states = 1;
@@ -358,7 +359,7 @@ TEST(Check, ComparesEveryBlock) {
   EXPECT_EQ(seen, all_blocks);
 }
 
-TEST(Check, SameSeedSameReport) {
+TEST(DerivativeCheck, SameSeed_GivesTheSameReport) {
   const Model model = model_of(two_tips().robot);
   CheckOptions options = quick();
   EXPECT_EQ(check_derivatives(model, options).text(), check_derivatives(model, options).text());
@@ -368,14 +369,14 @@ TEST(Check, SameSeedSameReport) {
             check_derivatives(model, other).rows[0].worst_error);
 }
 
-TEST(Check, DefaultToolIsNamedToolOrTheLastLeaf) {
+TEST(DerivativeCheck, DefaultTool_IsNamedToolOrTheLastLeaf) {
   EXPECT_EQ(check_derivatives(test::humanoid().model(), quick()).rows[0].bodies, "tool on world");
   const std::string last_leaf = test::has_robot_files ? "right_tip" : "root_ball";
   EXPECT_EQ(check_derivatives(model_of(two_tips().robot), quick()).rows[0].bodies,
             last_leaf + " on world");
 }
 
-TEST(Check, ProgressCountsRows) {
+TEST(DerivativeCheck, Progress_CountsRows) {
   CheckOptions options = quick();
   options.references = default_check_references();
   std::vector<int> seen;
@@ -387,7 +388,7 @@ TEST(Check, ProgressCountsRows) {
   EXPECT_EQ(seen, (std::vector<int>{1, 2, 3, 4}));
 }
 
-TEST(Check, RefusesWhatCannotBeUsed) {
+TEST(DerivativeCheck, InvalidOption_IsRefused) {
   const Model model = model_of("arm7");
   const auto sentence = [&](auto&& change) {
     CheckOptions options = quick();
@@ -397,8 +398,10 @@ TEST(Check, RefusesWhatCannotBeUsed) {
   EXPECT_EQ(sentence([](auto& o) { o.states = 0; }), "check: states is 0; wanted at least 1");
   EXPECT_EQ(sentence([](auto& o) { o.tolerance = std::nan(""); }),
             "check: tolerance is nan; wanted a positive number");
-  EXPECT_EQ(sentence([](auto& o) { o.references.clear(); }),
-            "check: references and surfaces, directions, accelerations or gains are empty");
+  EXPECT_EQ(
+      sentence([](auto& o) { o.references.clear(); }),
+      "check: the list of references and surfaces, of directions, of accelerations or of gains "
+      "is empty; wanted at least one entry in each list");
   EXPECT_NE(sentence([](auto& o) { o.tool = "tol"; }).find("did you mean 'tool'?"),
             std::string::npos);
   EXPECT_NE(sentence([](auto& o) { o.base = "wrld"; }).find("'wrld'"), std::string::npos);
@@ -409,7 +412,7 @@ TEST(Check, RefusesWhatCannotBeUsed) {
             "the surface: sphere: its radius is -1 m; wanted a positive number");
 }
 
-TEST(Differences, ExtrapolationIsExactToRounding) {
+TEST(ExtrapolatedDifferences, SmoothFunction_IsExactToRounding) {
   const auto values = [](int, double h) {
     Eigen::VectorXd result(2);
     result << std::sin(0.3 + h), 1e3 * std::exp(20.0 * h);
@@ -420,14 +423,14 @@ TEST(Differences, ExtrapolationIsExactToRounding) {
   EXPECT_NEAR(d(1, 0) / 2e4, 1.0, 1e-9);
 }
 
-TEST(Differences, SmallerStepsAreUsedWhereTheFunctionBends) {
+TEST(ExtrapolatedDifferences, StronglyCurvedFunction_UsesSmallerSteps) {
   const auto values = [](int, double h) {
     return Eigen::VectorXd::Constant(1, 1.0 / (0.003 + h * h + h));
   };
   EXPECT_NEAR(extrapolated_differences(values, 1, 1)(0, 0) * 0.003 * 0.003, -1.0, 1e-8);
 }
 
-TEST(Differences, NanStays) {
+TEST(ExtrapolatedDifferences, Nan_StaysNan) {
   const auto values = [](int, double) {
     return Eigen::VectorXd::Constant(1, std::numeric_limits<double>::quiet_NaN());
   };

@@ -1,4 +1,4 @@
-// Nothing is allocated after set-up: contact dynamics, one state at a time and in packs.
+// Contact dynamics allocate nothing after set-up, for single states and batches.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
@@ -9,16 +9,16 @@
 namespace burnish::test {
 namespace {
 
-class ContactNoAllocation : public ::testing::TestWithParam<TestRobot> {
+class ContactAllocation : public ::testing::TestWithParam<TestRobot> {
  protected:
-  /// Two contacts on one frame, with everything switched on: redundant, hence compliant.
+  /// Two contacts on one frame that use every option. They are redundant, hence compliant.
   std::vector<ContactSpec> contacts() const {
     ContactSpec pad{.name = "pad", .tool = GetParam().tool, .directions = Directions::pad_z()};
     pad.with_gains(10.0, 5.0);
-    ContactSpec held{.name = "held", .tool = GetParam().tool, .reference = Reference::world()};
-    held.error = PoseError::Log6;
-    held.with_gains(10.0, 5.0);
-    return {pad, held};
+    ContactSpec pose{.name = "pose", .tool = GetParam().tool, .reference = Reference::world()};
+    pose.error = PoseError::Log6;
+    pose.with_gains(10.0, 5.0);
+    return {pad, pose};
   }
 
   Model model = GetParam().model();
@@ -26,14 +26,14 @@ class ContactNoAllocation : public ::testing::TestWithParam<TestRobot> {
   ContactSolver solver{.mu = 1e-3, .max_proximal_iterations = 5};
 };
 
-TEST_P(ContactNoAllocation, one_state_at_a_time) {
+TEST_P(ContactAllocation, SingleStates_AllocateNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   ContactDynamics dynamics(model, contacts(), solver);
   Eigen::VectorXd q = random_configuration(model, generator);
   const Eigen::VectorXd v = random_vector(model.nv, 1.0, generator);
   const Eigen::VectorXd lambda = random_vector(dynamics.rows(), 1.0, generator);
   const Eigen::VectorXd fewer = lambda.head(6);
-  // The last ones are fixed in a body that the contacts do not know.
+  // The last references are fixed in a body that no contact uses.
   const std::vector<Reference> references = all_references(model, GetParam().tool, "world");
   const Eigen::Matrix3d rotation = tilt();
   WrenchDerivatives wrench;
@@ -66,7 +66,7 @@ TEST_P(ContactNoAllocation, one_state_at_a_time) {
   EXPECT_TRUE(std::isfinite(sum));
 }
 
-TEST_P(ContactNoAllocation, batches) {
+TEST_P(ContactAllocation, Batches_AllocateNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   const int states = 2 * pack_width() + 1;
   ContactDynamicsBatch batch(model, contacts(), states, solver);
@@ -87,7 +87,7 @@ TEST_P(ContactNoAllocation, batches) {
   EXPECT_TRUE(std::isfinite(sum));
 }
 
-INSTANTIATE_TEST_SUITE_P(robots, ContactNoAllocation, ::testing::ValuesIn(test_robots()),
+INSTANTIATE_TEST_SUITE_P(robots, ContactAllocation, ::testing::ValuesIn(test_robots()),
                          [](const auto& robot) { return robot.param.label(); });
 
 }  // namespace

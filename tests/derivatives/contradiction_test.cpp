@@ -1,5 +1,5 @@
-// Redundant contact rows that contradict each other: least-squares forces whatever the iterations,
-// the rows by name, derivatives that equal differences.
+// Redundant contact rows that contradict each other. Forces are least-squares forces for any number
+// of iterations, messages name the rows, and derivatives equal differences.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace burnish::test {
 namespace {
 
-/// A body of 8 kg that stands on four points of its own.
+/// A body of 8 kg that stands on four of its points.
 Model body_on_four_points() {
   TreeSpec tree;
   tree.name = "cart4";
@@ -27,7 +27,7 @@ Model body_on_four_points() {
 
 constexpr int point_count = 4;
 
-/// Points of a frame's body in a plane below it, no three of which are independent of the others.
+/// Contacts at four points of a frame's body, in a plane below it; their rows are redundant.
 std::vector<ContactSpec> on_points(Model& model, const std::string& frame) {
   std::vector<ContactSpec> contacts;
   const Frame on = model.frames[static_cast<std::size_t>(model.frame_index(frame))];
@@ -47,7 +47,7 @@ std::vector<ContactSpec> on_points(Model& model, const std::string& frame) {
   return contacts;
 }
 
-TEST(ContradictingContacts, OfASpinningBody_HaveTheForcesOfLeastSquares) {
+TEST(ContradictingContacts, SpinningBody_GivesLeastSquaresForces) {
   Model model = body_on_four_points();
   const std::vector<ContactSpec> contacts = on_points(model, "body");
   Eigen::VectorXd q = model.q_neutral, v = Eigen::VectorXd::Zero(6);
@@ -59,7 +59,7 @@ TEST(ContradictingContacts, OfASpinningBody_HaveTheForcesOfLeastSquares) {
     ContactDynamics dynamics(model, contacts, {.mu = 1e-4, .max_proximal_iterations = iterations});
     ASSERT_EQ(dynamics.forward(q, v, tau), Status::NotConverged);
     forces.emplace_back(dynamics.lambda());
-    // A point runs away with omega^2 r, which no force can change: 0.09 * 0.3 along x.
+    // No force can change the acceleration omega^2 r of a point: 0.09 * 0.3 along x.
     EXPECT_NEAR(dynamics.proximal_residual(), 0.027, 1e-9);
     EXPECT_NEAR(dynamics.unmet().cwiseAbs().maxCoeff(), 0.027, 1e-9);
     const std::string sentence = dynamics.explanation();
@@ -79,7 +79,7 @@ TEST(ContradictingContacts, OfASpinningBody_HaveTheForcesOfLeastSquares) {
   EXPECT_LT((forces[2] - forces[1]).norm(), 1e-8);
 }
 
-TEST(ContradictingContacts, ThatAgree_AreOk) {
+TEST(ContradictingContacts, ConsistentRows_AreOk) {
   Model model = body_on_four_points();
   const std::vector<ContactSpec> contacts = on_points(model, "body");
   ContactDynamics dynamics(model, contacts, {.mu = 1e-4, .max_proximal_iterations = 10});
@@ -89,8 +89,8 @@ TEST(ContradictingContacts, ThatAgree_AreOk) {
   EXPECT_EQ(dynamics.explanation(), describe(Status::Ok));
 }
 
-/// J a + alpha_0 + kd nu + kp e that stays, by the pseudo-inverse of G, and the forces of least
-/// norm.
+/// Forces of least norm, and the remaining J a + alpha_0 + kd nu + kp e, by the pseudo-inverse of
+/// G.
 struct LeastSquares {
   Eigen::VectorXd lambda, unmet;
 };
@@ -146,36 +146,36 @@ std::vector<Contradicting> contradicting_cases() {
   arm.contacts = {pad, twin_of(pad, "twin", 3.0)};
   all.push_back(arm);
   Contradicting axes{"axes", named_robot("arm7"), {}};
-  ContactSpec all_of = pad;
-  all_of.directions = Directions::all();
-  axes.contacts = {all_of, turned};
+  ContactSpec pose = pad;
+  pose.directions = Directions::all();
+  axes.contacts = {pose, turned};
   all.push_back(axes);
-  Contradicting rubbing{"rubbing", named_robot("arm7"), {}};
+  Contradicting friction{"friction", named_robot("arm7"), {}};
   ContactSpec sliding = contact("tool", "world", Reference::centered(), Directions::z());
   sliding.friction = SlidingFriction{0.3, 0.1};
-  rubbing.contacts = {sliding, twin_of(sliding, "twin", 3.0)};
-  all.push_back(rubbing);
+  friction.contacts = {sliding, twin_of(sliding, "twin", 3.0)};
+  all.push_back(friction);
   return all;
 }
 
 constexpr ContactSolver iterated{
     .mu = 1e-4, .max_proximal_iterations = 200, .proximal_tolerance = 1e-12};
 
-TEST(ContradictingContacts, OfRobots_HaveTheForcesOfLeastSquares) {
+TEST(ContradictingContacts, Robots_GiveLeastSquaresForces) {
   for (const Contradicting& c : contradicting_cases()) {
-    if (c.name == "rubbing") continue;  // its forces are no symmetric system's
-    ContactDynamics dynamics(c.model, c.contacts, iterated), look(c.model, c.contacts);
+    if (c.name == "friction") continue;  // its system of forces is not symmetric
+    ContactDynamics dynamics(c.model, c.contacts, iterated), probe(c.model, c.contacts);
     std::mt19937_64 generator(11);
     for (int i = 0; i < 5; ++i) {
       const RobotState s = random_state(c.model, generator);
-      const LeastSquares want = least_squares_of(look, s);
+      const LeastSquares want = least_squares_of(probe, s);
       ASSERT_EQ(dynamics.forward(s.q, s.v, s.tau), Status::NotConverged) << c.name;
       EXPECT_LT(relative_error(dynamics.lambda(), want.lambda), 1e-6) << c.name;
       EXPECT_LT(relative_error(dynamics.unmet(), want.unmet), 1e-7) << c.name;
-      // What is unmet is what is left of the contact acceleration.
+      // unmet() is the remaining contact acceleration.
       const Eigen::VectorXd a = dynamics.a(), unmet = dynamics.unmet();
-      look.acceleration(s.q, s.v, a);
-      EXPECT_LT(relative_error(look.alpha(), unmet), 1e-7) << c.name;
+      probe.acceleration(s.q, s.v, a);
+      EXPECT_LT(relative_error(probe.alpha(), unmet), 1e-7) << c.name;
     }
   }
 }
@@ -195,7 +195,7 @@ Eigen::VectorXd slope_of_forces(ContactDynamics& dynamics, const auto& state_at)
   return (4.0 * narrow - wide) / 3.0;
 }
 
-TEST(ContradictingContacts, HaveTheDerivativesOfTheirForces) {
+TEST(ContradictingContacts, Derivatives_EqualDifferences) {
   for (const Contradicting& c : contradicting_cases()) {
     const int n = c.model.nv;
     ContactDynamics dynamics(c.model, c.contacts, iterated), other(c.model, c.contacts, iterated);
@@ -225,7 +225,7 @@ TEST(ContradictingContacts, HaveTheDerivativesOfTheirForces) {
                                          }) /
                          1e3;
     }
-    const double size = want_dq.topRows(n).norm();  // none where the rows hold a body altogether
+    const double size = want_dq.topRows(n).norm();  // zero where the rows fix a body completely
     EXPECT_LT((dq - want_dq).topRows(n).norm(), 1e-6 * (1.0 + size)) << c.name;
     EXPECT_LT(relative_error(dq, want_dq), 1e-6) << c.name;
     EXPECT_LT(relative_error(dv, want_dv), 1e-6) << c.name;
@@ -233,7 +233,7 @@ TEST(ContradictingContacts, HaveTheDerivativesOfTheirForces) {
   }
 }
 
-TEST(ContradictingContacts, OfABatch_AreThoseOfEachStateAlone) {
+TEST(ContradictingContacts, Batch_EqualsEachStateAlone) {
   for (const Contradicting& c : contradicting_cases()) {
     const int count = 2 * pack_width() + 1, n = c.model.nv;
     ContactDynamics single(c.model, c.contacts, iterated);
@@ -259,8 +259,8 @@ TEST(ContradictingContacts, OfABatch_AreThoseOfEachStateAlone) {
   }
 }
 
-TEST(ContradictingContacts, AtAnImpact_AgreeWhateverTheVelocity) {
-  // J v before the impact is a motion of the joints, which the rows cannot contradict.
+TEST(ContradictingContacts, Impact_IsConsistentAtAnyVelocity) {
+  // The joints produce J v before the impact, so the rows are consistent.
   Model model = body_on_four_points();
   const ContactSet set(model, on_points(model, "body"));
   ConstrainedDynamics<double> dynamics(model, set, {.mu = 1e-4, .max_proximal_iterations = 50});

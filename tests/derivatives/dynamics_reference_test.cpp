@@ -1,4 +1,4 @@
-// Robots that no one here wrote: dynamics, contacts and all derivatives against figures computed in
+// Published robots: dynamics, contacts and all derivatives against reference values computed in
 // extended precision. The files stay outside the repository.
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ Eigen::VectorXd vector_of(const json& stated) {
   return x;
 }
 
-/// A list of rows, or of numbers.
+/// Matrix from a list of rows, or column from a list of numbers.
 Eigen::MatrixXd matrix_of(const json& stated) {
   if (!stated.at(0).is_array()) return vector_of(stated);
   Eigen::MatrixXd x(static_cast<Eigen::Index>(stated.size()),
@@ -38,7 +38,7 @@ Eigen::Isometry3d placement_of(const json& stated) {
   return placement;
 }
 
-/// Blocks compared so far, and the one that uses most of its tolerance.
+/// Number of compared blocks, and the block with the largest error relative to its tolerance.
 struct Comparison {
   int blocks = 0;
   double worst = 0.0;  ///< error / tolerance
@@ -97,7 +97,7 @@ class DynamicsReference : public ::testing::TestWithParam<Published> {
   Model model_;
 };
 
-TEST_P(DynamicsReference, free_motion_and_its_derivatives) {
+TEST_P(DynamicsReference, FreeMotionAndDerivatives_EqualTheReference) {
   Comparison comparison;
   ContactDynamics dynamics(model_);
   const Eigen::VectorXd none, rest = Eigen::VectorXd::Zero(model_.nv);
@@ -127,7 +127,7 @@ TEST_P(DynamicsReference, free_motion_and_its_derivatives) {
   report(comparison);
 }
 
-TEST_P(DynamicsReference, frames_and_their_velocities_and_drifts) {
+TEST_P(DynamicsReference, FramesVelocitiesAndDrifts_EqualTheReference) {
   Comparison comparison;
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model_.nv);
   for (std::size_t i = 0; i < reference_["free"].size(); ++i)
@@ -192,7 +192,7 @@ ContactSpec contact_of(const json& stated, std::size_t index) {
   return contact;
 }
 
-TEST_P(DynamicsReference, contacts_and_their_derivatives) {
+TEST_P(DynamicsReference, ContactsAndDerivatives_EqualTheReference) {
   Comparison comparison;
   for (const json& stated : reference_["cases"]) {
     std::vector<ContactSpec> contacts;
@@ -204,16 +204,16 @@ TEST_P(DynamicsReference, contacts_and_their_derivatives) {
     const double tolerance = std::max(1e-8, 10.0 * double(stated["fd_relative_error_estimate"]));
     for (std::size_t i = 0; i < stated["results"].size(); ++i) {
       const json& want = stated["results"][i];
-      // What da/d... would be about without the contact: a robot held in as many directions as it
-      // has joints leaves a block of zeros.
+      // Size of da/d... without the contact. A robot with as many constraints as joints leaves a
+      // block of zeros.
       const json& free = reference_["free"][i];
       const auto floor = [&](const char* block) {
         return 1e-3 * matrix_of(free[block]).cwiseAbs().maxCoeff();
       };
       const auto add = [&](const char* what, const Eigen::Ref<const Eigen::MatrixXd>& got,
-                           double least = 1e-12) {
+                           double min_scale = 1e-12) {
         comparison.add(std::string(stated["id"]) + ": " + what + ", state " + std::to_string(i),
-                       got, matrix_of(want[what]), tolerance, least);
+                       got, matrix_of(want[what]), tolerance, min_scale);
       };
       const Status status =
           dynamics.forward(of_state(i, "q"), of_state(i, "v"), of_state(i, "tau"));

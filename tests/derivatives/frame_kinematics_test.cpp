@@ -1,4 +1,4 @@
-// Frames: velocity, acceleration, placement and their derivatives in every kind of reference.
+// Velocity, acceleration and placement of frames with derivatives, in every kind of reference.
 #include "derivatives/frame_kinematics.tpp"
 
 #include "burnish/base/error.hpp"
@@ -14,15 +14,15 @@ Eigen::Matrix3d tilted() {
   return Eigen::AngleAxisd(0.8, Eigen::Vector3d(0.3, -1.0, 0.4).normalized()).toRotationMatrix();
 }
 
-/// Axes that follow a surface, fixed in what `reference` has its axes fixed in.
+/// `reference` with axes that follow `surface`, fixed in the same body.
 Reference following(Reference reference, const Quadric& surface) {
   reference.rotation = tilted();
   reference.quadric = surface;
   return reference;
 }
 
-/// The four kinds, turned, those whose origin or axes go with another body, and those that follow a
-/// surface of the world or of another body.
+/// References of all kinds: standard ones, turned ones, some with origin or axes on another body,
+/// and some that follow a surface of the world or of another body.
 std::vector<Reference> frame_references(const Model& model, const std::string& frame) {
   const std::string other = far_frame(model, {frame});
   const Quadric saddle = Quadric::osculating({0.3, 0.0, 0.2}, tilted(), 0.2, 0.1, -0.15);
@@ -43,9 +43,9 @@ std::vector<Reference> frame_references(const Model& model, const std::string& f
           following({other, other}, Quadric::sphere({0.2, -0.3, 5.0}, 2.0, true))};
 }
 
-/// A reference of a frame, with what moves it.
-struct SeenIn {
-  SeenIn(const Model& model, const CompiledFrame& frame, const Reference& stated)
+/// A reference of a frame, with the joint axes that move it.
+struct MovingReference {
+  MovingReference(const Model& model, const CompiledFrame& frame, const Reference& stated)
       : name(stated.name()),
         compiled(compile_reference(model, stated, frame, world_frame())),
         origin(moving_axes(model, compiled.origin_body)),
@@ -90,9 +90,9 @@ struct MotionKernel {
   std::vector<S> values(const S* q, const S* v, const S* a) const {
     const FrameRun<S> run(tree, frame, q, v, a);
     std::vector<S> out;
-    const ReferencePose<S> at = reference_pose(seen.compiled, run.kinematics);
-    append(out, frame_velocity(seen.compiled, at, run.state));
-    append(out, frame_acceleration(seen.compiled, at, run.kinematics, run.state));
+    const ReferencePose<S> at = reference_pose(moving.compiled, run.kinematics);
+    append(out, frame_velocity(moving.compiled, at, run.state));
+    append(out, frame_acceleration(moving.compiled, at, run.kinematics, run.state));
     return out;
   }
   template <class S>
@@ -101,16 +101,16 @@ struct MotionKernel {
     const int n = tree.nv;
     const std::vector<S> zeros(static_cast<std::size_t>(12 * n), S(0.0));
     Blocks<S> out{zeros, zeros};
-    const FrameReference<S> at = seen.at(run.kinematics);
+    const FrameReference<S> at = moving.at(run.kinematics);
     frame_velocity_derivative(frame, at, run.kinematics, run.state, out.dq.data(), n);
-    frame_jacobian(frame, seen.compiled, at.pose, run.kinematics, out.dv.data(), n);
+    frame_jacobian(frame, moving.compiled, at.pose, run.kinematics, out.dv.data(), n);
     frame_acceleration_derivatives(frame, at, run.kinematics, run.id, run.state,
                                    out.dq.data() + 6 * n, out.dv.data() + 6 * n, n);
     return out;
   }
   const Tree& tree;
   const CompiledFrame& frame;
-  SeenIn seen;
+  MovingReference moving;
 };
 
 /// Position, rotation error and placement error: 12 rows.
@@ -151,28 +151,28 @@ class FrameKinematics : public OnRobots {
   std::vector<Reference> references = frame_references(model, GetParam().tool);
 };
 
-TEST_P(FrameKinematics, motion_derivatives_obey_the_kernel_law) {
+TEST_P(FrameKinematics, MotionDerivatives_EqualAutodiffAndDifferences) {
   for (const Reference& reference : references) {
-    const MotionKernel kernel{tree, frame, SeenIn(model, frame, reference)};
-    SCOPED_TRACE(kernel.seen.name);
+    const MotionKernel kernel{tree, frame, MovingReference(model, frame, reference)};
+    SCOPED_TRACE(kernel.moving.name);
     expect_kernel_law(model, kernel);
     expect_lanes_alike(model, kernel);
   }
 }
 
-TEST_P(FrameKinematics, placement_derivatives_obey_the_kernel_law) {
+TEST_P(FrameKinematics, PlacementDerivatives_EqualAutodiffAndDifferences) {
   const PlacementKernel kernel{tree, frame, from_eigen(tilted()), {0.3, -0.2, 0.9}};
   expect_kernel_law(model, kernel);
   expect_lanes_alike(model, kernel);
 }
 
-TEST_P(FrameKinematics, acceleration_is_the_rate_of_velocity_along_the_motion) {
+TEST_P(FrameKinematics, Acceleration_IsTheRateOfTheVelocity) {
   std::mt19937_64 generator(3);
   const KernelState s = random_kernel_state(model, generator);
   const double step = 1e-6;
   for (const Reference& reference : references) {
-    const MotionKernel kernel{tree, frame, SeenIn(model, frame, reference)};
-    SCOPED_TRACE(kernel.seen.name);
+    const MotionKernel kernel{tree, frame, MovingReference(model, frame, reference)};
+    SCOPED_TRACE(kernel.moving.name);
     const auto at = [&](double t) {
       const Eigen::VectorXd q = integrate(model, s.q, s.v * t + s.a * (0.5 * t * t));
       const Eigen::VectorXd v = s.v + s.a * t;
@@ -183,12 +183,12 @@ TEST_P(FrameKinematics, acceleration_is_the_rate_of_velocity_along_the_motion) {
   }
 }
 
-TEST_P(FrameKinematics, jacobian_carries_velocities_and_accelerations) {
+TEST_P(FrameKinematics, Jacobian_MapsVelocitiesAndAccelerations) {
   std::mt19937_64 generator(4);
   const KernelState s = random_kernel_state(model, generator);
   const Eigen::VectorXd other = random_vector(model.nv, 1.0, generator);
   for (const Reference& reference : references) {
-    const MotionKernel kernel{tree, frame, SeenIn(model, frame, reference)};
+    const MotionKernel kernel{tree, frame, MovingReference(model, frame, reference)};
     const Blocks<double> blocks = kernel.derivatives<double>(s.q.data(), s.v.data(), s.a.data());
     const Eigen::MatrixXd J = as_matrix(blocks.dv, model.nv).topRows(6);
     const auto at = [&](const Eigen::VectorXd& a) {
@@ -199,7 +199,7 @@ TEST_P(FrameKinematics, jacobian_carries_velocities_and_accelerations) {
   }
 }
 
-TEST_P(FrameKinematics, rotation_derivative_turns_the_frame_in_its_own_axes) {
+TEST_P(FrameKinematics, RotationDerivative_TurnsTheFrameInItsOwnAxes) {
   std::mt19937_64 generator(5);
   const KernelState s = random_kernel_state(model, generator);
   const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
@@ -222,17 +222,18 @@ TEST_P(FrameKinematics, rotation_derivative_turns_the_frame_in_its_own_axes) {
   }
 }
 
-TEST_P(FrameKinematics, all_references_describe_one_motion) {
+TEST_P(FrameKinematics, AllReferences_DescribeOneMotion) {
   std::mt19937_64 generator(6);
   const KernelState s = random_kernel_state(model, generator);
   const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
   const auto velocity = [&](const Reference& reference) {
-    const SeenIn seen(model, frame, reference);
-    return frame_velocity(seen.compiled, reference_pose(seen.compiled, run.kinematics), run.state);
+    const MovingReference moving(model, frame, reference);
+    return frame_velocity(moving.compiled, reference_pose(moving.compiled, run.kinematics),
+                          run.state);
   };
   const auto acceleration = [&](const Reference& reference) {
-    const SeenIn seen(model, frame, reference);
-    return frame_acceleration(seen.compiled, reference_pose(seen.compiled, run.kinematics),
+    const MovingReference moving(model, frame, reference);
+    return frame_acceleration(moving.compiled, reference_pose(moving.compiled, run.kinematics),
                               run.kinematics, run.state);
   };
   const auto local = velocity(Reference::local());
@@ -247,13 +248,13 @@ TEST_P(FrameKinematics, all_references_describe_one_motion) {
   EXPECT_LE((R * to_eigen(spatial.linear) + turning - to_eigen(point.linear)).norm(), 1e-12);
 }
 
-TEST_P(FrameKinematics, entries_beyond_the_support_are_not_written) {
+TEST_P(FrameKinematics, EntriesBeyondTheSupport_AreNotWritten) {
   std::mt19937_64 generator(7);
   const KernelState s = random_kernel_state(model, generator);
   const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
   std::vector<double> out(static_cast<std::size_t>(6 * model.nv), 42.0);
-  const SeenIn seen(model, frame, Reference::world());
-  frame_jacobian(frame, seen.compiled, reference_pose(seen.compiled, run.kinematics),
+  const MovingReference moving(model, frame, Reference::world());
+  frame_jacobian(frame, moving.compiled, reference_pose(moving.compiled, run.kinematics),
                  run.kinematics, out.data(), model.nv);
   for (int k = 0; k < model.nv; ++k) {
     const bool supports = std::any_of(frame.support.begin(), frame.support.end(),
@@ -264,7 +265,7 @@ TEST_P(FrameKinematics, entries_beyond_the_support_are_not_written) {
 
 INSTANTIATE_TEST_SUITE_P(robots, FrameKinematics, ::testing::ValuesIn(test_robots()), robot_label);
 
-TEST(CompileFrame, knows_the_world_and_names_the_nearest_frame) {
+TEST(CompileFrame, World_IsAcceptedAndUnknownFramesAreRefused) {
   const Model model = TestRobot{"arm7", Base::Fixed, "tool"}.model();
   const CompiledFrame world = compile_frame(model, "world");
   EXPECT_EQ(world.body, -1);

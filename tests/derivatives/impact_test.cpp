@@ -1,5 +1,5 @@
-// Inelastic impacts: momentum, rest of the contacts, energy, and the derivatives of velocity and
-// impulse, over robots, references and contacts between two moving bodies.
+// Inelastic impacts: momentum, contacts at rest, energy, and derivatives of velocity and impulse,
+// for several robots, references, and contacts between two moving bodies.
 #include <gtest/gtest.h>
 
 #include "derivatives/constrained_derivatives.hpp"
@@ -48,7 +48,7 @@ std::vector<ImpactCase> impact_cases() {
   return available(cases, [](const ImpactCase& impact) { return impact.robot.name; });
 }
 
-/// v+ over Lambda, and their derivatives.
+/// Velocity v+ after the impact, impulse Lambda, and their derivatives.
 struct Result {
   Eigen::VectorXd velocity, impulse;
   Eigen::MatrixXd velocity_dq, velocity_dv, impulse_dq, impulse_dv;
@@ -136,7 +136,7 @@ Result by_differences(const Model& model, ConstrainedDynamics<double>& dynamics,
 
 class Impact : public ::testing::TestWithParam<ImpactCase> {
  protected:
-  /// With gains and a target far away, which an impact must not feel.
+  /// Contacts with gains and a distant target, which must not affect an impact.
   std::vector<ContactSpec> specs(const Reference& reference, Acceleration acceleration) const {
     std::vector<ContactSpec> result;
     for (const Touch& touch : GetParam().touches) {
@@ -162,10 +162,10 @@ class Impact : public ::testing::TestWithParam<ImpactCase> {
   std::mt19937_64 generator{57};
 };
 
-TEST_P(Impact, balances_momentum_stops_the_contacts_and_loses_energy) {
+TEST_P(Impact, Velocity_BalancesMomentumStopsContactsAndLosesEnergy) {
   for (const Reference& reference : contact_references()) {
     ConstrainedDynamics<double> dynamics(model, set(reference), {});
-    ContactDynamics door(model, specs(reference, Acceleration::TimeDerivative));
+    ContactDynamics full(model, specs(reference, Acceleration::TimeDerivative));
     for (int i = 0; i < 5; ++i) {
       const RobotState at = state();
       dynamics.impact(at.q.data(), at.v.data());
@@ -173,15 +173,15 @@ TEST_P(Impact, balances_momentum_stops_the_contacts_and_loses_energy) {
       const Eigen::VectorXd after = lane_matrix(dynamics.velocity_after, 0, model.nv, 1, 0);
       const Eigen::VectorXd change = lane_matrix(dynamics.a, 0, model.nv, 1, 0);
       const Eigen::VectorXd impulse = lane_matrix(dynamics.lambda, 0, dynamics.rows(), 1, 0);
-      door.acceleration(at.q, at.v, at.v);
-      const Eigen::MatrixXd M = door.mass_matrix(), J = door.jacobian();
+      full.acceleration(at.q, at.v, at.v);
+      const Eigen::MatrixXd M = full.mass_matrix(), J = full.jacobian();
       EXPECT_LE((after - at.v - change).norm(), 1e-12 * (1.0 + after.norm()));
       EXPECT_LE(relative_error(M * change, J.transpose() * impulse), 1e-10);
       EXPECT_LE((J * after).cwiseAbs().maxCoeff(), 1e-10 * (1.0 + after.norm()) * (1.0 + J.norm()));
       const double before_J = 0.5 * at.v.dot(M * at.v), after_J = 0.5 * after.dot(M * after);
       EXPECT_LT(after_J, before_J);
       EXPECT_NEAR(before_J - after_J, 0.5 * change.dot(M * change), 1e-10 * before_J);
-      // A second impact finds nothing left to stop.
+      // A second impact changes nothing.
       const Eigen::VectorXd once = after;
       dynamics.impact(at.q.data(), once.data());
       EXPECT_LE(relative_error(lane_matrix(dynamics.velocity_after, 0, model.nv, 1, 0), once),
@@ -190,7 +190,7 @@ TEST_P(Impact, balances_momentum_stops_the_contacts_and_loses_energy) {
   }
 }
 
-TEST_P(Impact, derivatives_equal_automatic_differentiation_and_differences) {
+TEST_P(Impact, Derivatives_EqualAutodiffAndDifferences) {
   constexpr Acceleration accelerations[] = {Acceleration::TimeDerivative, Acceleration::Spatial,
                                             Acceleration::Classical};
   int i = 0;
@@ -211,20 +211,20 @@ TEST_P(Impact, derivatives_equal_automatic_differentiation_and_differences) {
   }
 }
 
-TEST_P(Impact, a_push_on_the_joints_acts_like_momentum_that_was_there_before) {
+TEST_P(Impact, JointImpulse_ActsLikeMomentumBeforeTheImpact) {
   ConstrainedDynamics<double> dynamics(model, set(Reference::centered()), {});
   ConstrainedDerivatives<double> by(dynamics);
-  ContactDynamics door(model);
+  ContactDynamics full(model);
   const RobotState at = state();
   const Result got = evaluate(dynamics, by, at);
-  door.acceleration(at.q, at.v, at.v);
+  full.acceleration(at.q, at.v, at.v);
   const int n = model.nv, m = dynamics.rows();
-  const Eigen::MatrixXd M = door.mass_matrix();
+  const Eigen::MatrixXd M = full.mass_matrix();
   EXPECT_LE(relative_error(lane_matrix(by.d_dtau, 0, n, n, 0) * M, got.velocity_dv), 1e-9);
   EXPECT_LE(relative_error(lane_matrix(by.d_dtau, n, m, n, 0) * M, got.impulse_dv), 1e-9);
 }
 
-TEST_P(Impact, of_a_part_of_the_contacts_and_of_none) {
+TEST_P(Impact, SomeOrNoActiveContacts_EqualAutodiffOrChangeNothing) {
   const ContactSet contacts = set(Reference::centered());
   ConstrainedDynamics<double> dynamics(model, contacts, {});
   ConstrainedDerivatives<double> by(dynamics);
@@ -243,7 +243,7 @@ TEST_P(Impact, of_a_part_of_the_contacts_and_of_none) {
   EXPECT_EQ(difference(evaluate(dynamics, by, at), all), 0.0);
 }
 
-TEST_P(Impact, feels_no_gravity_gains_or_reference) {
+TEST_P(Impact, GravityGainsAndReference_DoNotMatter) {
   Model weightless = model;
   weightless.gravity.setZero();
   std::vector<ContactSpec> bare = specs(Reference::centered(), Acceleration::Classical);
@@ -266,7 +266,7 @@ TEST_P(Impact, feels_no_gravity_gains_or_reference) {
   }
 }
 
-TEST_P(Impact, lanes_equal_single_states) {
+TEST_P(Impact, PackLanes_EqualSingleStates) {
   using S = NativePack;
   for (const Reference& reference : contact_references()) {
     const ContactSet contacts = set(reference);
@@ -294,7 +294,7 @@ TEST_P(Impact, lanes_equal_single_states) {
   }
 }
 
-TEST_P(Impact, declared_twice_moves_alike_and_the_impulses_add_up) {
+TEST_P(Impact, DuplicatedContacts_MoveAlikeAndTheirImpulsesAddUp) {
   std::vector<ContactSpec> once = specs(Reference::centered(), Acceleration::TimeDerivative);
   std::vector<ContactSpec> twice = once;
   for (ContactSpec spec : once) {
@@ -327,7 +327,7 @@ TEST_P(Impact, declared_twice_moves_alike_and_the_impulses_add_up) {
   EXPECT_LE(relative_error(sum(got.impulse_dv), want.impulse_dv), 1e-7);
 }
 
-TEST_P(Impact, compliance_stays_where_it_was_asked_for) {
+TEST_P(Impact, Compliance_YieldsByMuTimesTheImpulse) {
   const ContactSet contacts = set(Reference::world());
   const ContactSolver soft{.mu = 0.05};
   ConstrainedDynamics<double> dynamics(model, contacts, soft);
@@ -335,13 +335,13 @@ TEST_P(Impact, compliance_stays_where_it_was_asked_for) {
   ConstrainedDerivatives<double> by(dynamics);
   const RobotState at = state();
   const Result got = evaluate(dynamics, by, at);
-  ContactDynamics door(model, specs(Reference::world(), Acceleration::TimeDerivative));
-  door.acceleration(at.q, at.v, at.v);
-  EXPECT_LE((Eigen::MatrixXd(door.jacobian()) * got.velocity + 0.05 * got.impulse).norm(), 1e-9);
+  ContactDynamics full(model, specs(Reference::world(), Acceleration::TimeDerivative));
+  full.acceleration(at.q, at.v, at.v);
+  EXPECT_LE((Eigen::MatrixXd(full.jacobian()) * got.velocity + 0.05 * got.impulse).norm(), 1e-9);
   EXPECT_LE(difference(got, by_autodiff(model, duals, at)), 1e-9);
 }
 
-TEST_P(Impact, leaves_a_state_at_rest_that_forward_can_go_on_from) {
+TEST_P(Impact, ForwardAfterImpact_StartsAtZeroVelocity) {
   ConstrainedDynamics<double> dynamics(model, set(Reference::centered()), {});
   const RobotState at = state();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
@@ -353,7 +353,7 @@ TEST_P(Impact, leaves_a_state_at_rest_that_forward_can_go_on_from) {
   EXPECT_EQ(after_impact, dynamics.a);
 }
 
-TEST_P(Impact, allocates_nothing_and_flags_what_is_not_finite) {
+TEST_P(Impact, Evaluation_AllocatesNothingAndFlagsNan) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   const ContactSolver solver{.mu = 1e-3, .max_proximal_iterations = 5};
   ConstrainedDynamics<double> dynamics(model, set(Reference::centered()), solver);

@@ -1,4 +1,4 @@
-// Results belong to the last evaluation: forces, derivatives and states of another are refused.
+// Results belong to the last evaluation; requests that need another evaluation are refused.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
@@ -26,7 +26,7 @@ class LastEvaluation : public ::testing::Test {
   Eigen::VectorXd ten_ = Eigen::VectorXd::Constant(1, 10.0);  // N
 };
 
-TEST_F(LastEvaluation, Inverse_HasTheForceThatWasAskedFor) {
+TEST_F(LastEvaluation, Inverse_HasTheGivenForce) {
   ASSERT_EQ(dynamics_.forward(s_.q, s_.v, s_.tau), Status::Ok);
   ASSERT_GT(std::abs(dynamics_.lambda()[0] - 10.0), 1.0);
   ASSERT_EQ(dynamics_.inverse(s_.q, s_.v, s_.tau, ten_), Status::Ok);
@@ -42,26 +42,26 @@ TEST_F(LastEvaluation, Acceleration_HasNoForces) {
   EXPECT_EQ(dynamics_.wrench(0, Reference::local()), Vector6::Zero());
 }
 
-TEST_F(LastEvaluation, WrenchDerivatives_OfAnotherStateAreRefused) {
+TEST_F(LastEvaluation, WrenchDerivativesOfAnotherState_AreRefused) {
   WrenchDerivatives out;
-  const auto of_another = [&] {
+  const auto refused_derivatives = [&] {
     return refusal([&] { dynamics_.wrench_derivatives(0, Reference::world(), out); });
   };
-  expect_words(of_another(), {"wrench_derivatives", "forward_derivatives()"});
+  expect_words(refused_derivatives(), {"wrench_derivatives", "forward_derivatives()"});
   ASSERT_EQ(dynamics_.forward(s_.q, s_.v, s_.tau), Status::Ok);
-  expect_words(of_another(), {"forward_derivatives()"});
+  expect_words(refused_derivatives(), {"forward_derivatives()"});
   ASSERT_EQ(dynamics_.forward_derivatives(), Status::Ok);
   dynamics_.wrench_derivatives(0, Reference::world(), out);
   const RowMatrix here = out.dq;
   ASSERT_EQ(dynamics_.forward(s_.q, 2.0 * s_.v, s_.tau), Status::Ok);
-  expect_words(of_another(), {"forward_derivatives()"});
+  expect_words(refused_derivatives(), {"forward_derivatives()"});
   ASSERT_EQ(dynamics_.inverse(s_.q, s_.v, s_.tau, ten_), Status::Ok);
   ASSERT_EQ(dynamics_.inverse_derivatives(), Status::Ok);
-  expect_words(of_another(), {"forward_derivatives()"});
-  EXPECT_EQ(out.dq, here) << "a refusal leaves it as it was";
+  expect_words(refused_derivatives(), {"forward_derivatives()"});
+  EXPECT_EQ(out.dq, here) << "a refused call leaves the output unchanged";
 }
 
-TEST_F(LastEvaluation, Batch_HasStatusesOfTheStatesOfItsLastCall) {
+TEST_F(LastEvaluation, Batch_HasTheStatusesOfItsLastCall) {
   ContactDynamicsBatch batch(model_, contacts_, 3);
   EXPECT_EQ(batch.status(0), Status::NotEvaluated);
   const Eigen::MatrixXd q = s_.q.replicate(1, 3), v = s_.v.replicate(1, 3),
@@ -79,7 +79,7 @@ TEST_F(LastEvaluation, Batch_HasStatusesOfTheStatesOfItsLastCall) {
   EXPECT_EQ(batch.status(0), Status::NotEvaluated);
 }
 
-TEST_F(LastEvaluation, RigidBody_WithAPayloadIsThatOfItsState) {
+TEST_F(LastEvaluation, RigidBodyWithAPayload_EqualsALoadedModel) {
   InertiaSpec brick;
   brick.mass = 2.0;
   brick.com = {0.05, 0.0, 0.1};

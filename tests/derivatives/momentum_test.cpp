@@ -1,4 +1,4 @@
-// Centre of mass, momentum and energy, and their derivatives.
+// Tests of centre of mass, momentum and energy, and of their derivatives.
 #include "derivatives/momentum.tpp"
 
 #include "burnish/base/views.hpp"
@@ -49,20 +49,20 @@ struct MomentumKernel {
   const Tree& tree;
 };
 
-class MomentumOf : public OnRobots {
+class RobotMomentum : public OnRobots {
  protected:
   Tree tree{model};
 };
 
-TEST_P(MomentumOf, derivatives_obey_the_kernel_law) {
+TEST_P(RobotMomentum, Derivatives_EqualAutodiffAndDifferences) {
   expect_kernel_law(model, MomentumKernel{tree});
   expect_lanes_alike(model, MomentumKernel{tree});
 }
 
-/// Only there is the wrench on the base a torque.
-class FloatingMomentumOf : public MomentumOf {};
+/// Robots with a floating base, where tau contains the wrench on the base.
+class FloatingRobotMomentum : public RobotMomentum {};
 
-/// Everything at one state.
+/// All quantities at one state.
 struct Evaluation {
   Evaluation(const Tree& t, const KernelState& s)
       : kinematics(t), mass(t), id(t), momentum(t), derivatives(t) {
@@ -80,7 +80,7 @@ struct Evaluation {
   MomentumDerivatives<double> derivatives;
 };
 
-TEST_P(MomentumOf, com_jacobian_is_linear_momentum_over_mass) {
+TEST_P(RobotMomentum, ComJacobian_IsLinearMomentumOverMass) {
   std::mt19937_64 generator(8);
   const Evaluation run(tree, random_kernel_state(model, generator));
   const Eigen::MatrixXd com = as_matrix(run.derivatives.com_dq, model.nv);
@@ -89,7 +89,7 @@ TEST_P(MomentumOf, com_jacobian_is_linear_momentum_over_mass) {
   EXPECT_LE(relative_error(com * model.total_mass(), linear), 1e-13);
 }
 
-TEST_P(MomentumOf, energy_is_that_of_the_mass_matrix) {
+TEST_P(RobotMomentum, KineticEnergy_EqualsTheFormWithTheMassMatrix) {
   std::mt19937_64 generator(9);
   const KernelState s = random_kernel_state(model, generator);
   const Evaluation run(tree, s);
@@ -100,7 +100,7 @@ TEST_P(MomentumOf, energy_is_that_of_the_mass_matrix) {
   EXPECT_LE(relative_error(as_vector(run.derivatives.kinetic_dv), M * s.v), 1e-12);
 }
 
-TEST_P(MomentumOf, energy_changes_by_the_power_of_the_torques) {
+TEST_P(RobotMomentum, EnergyRate_EqualsThePowerOfTheTorques) {
   // dE/dt = tau . v along any acceleration.
   std::mt19937_64 generator(10);
   for (int i = 0; i < 10; ++i) {
@@ -114,7 +114,7 @@ TEST_P(MomentumOf, energy_changes_by_the_power_of_the_torques) {
   }
 }
 
-TEST_P(MomentumOf, gravity_torque_is_the_bias_at_rest) {
+TEST_P(RobotMomentum, GravityTorque_IsTheBiasAtRest) {
   std::mt19937_64 generator(11);
   KernelState s = random_kernel_state(model, generator);
   s.v.setZero();
@@ -125,7 +125,7 @@ TEST_P(MomentumOf, gravity_torque_is_the_bias_at_rest) {
   EXPECT_EQ(torque, run.derivatives.potential_dq);
 }
 
-TEST_P(FloatingMomentumOf, momentum_changes_by_gravity_and_the_wrench_on_the_base) {
+TEST_P(FloatingRobotMomentum, MomentumRate_EqualsGravityPlusTheBaseWrench) {
   // tau of the free-flyer is the wrench on the base in its axes: S_k . w = tau_k for its six axes.
   std::mt19937_64 generator(12);
   for (int i = 0; i < 10; ++i) {
@@ -146,8 +146,8 @@ TEST_P(FloatingMomentumOf, momentum_changes_by_gravity_and_the_wrench_on_the_bas
   }
 }
 
-TEST_P(MomentumOf, centroidal_momentum_changes_by_moments_about_the_centre_of_mass) {
-  // Gravity has no moment about the centre of mass: both momenta change alike but for the weight.
+TEST_P(RobotMomentum, CentroidalMomentumRate_EqualsMomentsAboutTheCom) {
+  // Gravity has no moment about the centre of mass, so only the moment of the total force differs.
   std::mt19937_64 generator(13);
   const KernelState s = random_kernel_state(model, generator);
   const Evaluation run(tree, s);
@@ -163,8 +163,8 @@ TEST_P(MomentumOf, centroidal_momentum_changes_by_moments_about_the_centre_of_ma
   EXPECT_LE(relative_error(centroidal, wanted), 1e-11);
 }
 
-INSTANTIATE_TEST_SUITE_P(robots, MomentumOf, ::testing::ValuesIn(test_robots()), robot_label);
-INSTANTIATE_TEST_SUITE_P(robots, FloatingMomentumOf, ::testing::ValuesIn(floating_robots()),
+INSTANTIATE_TEST_SUITE_P(robots, RobotMomentum, ::testing::ValuesIn(test_robots()), robot_label);
+INSTANTIATE_TEST_SUITE_P(robots, FloatingRobotMomentum, ::testing::ValuesIn(floating_robots()),
                          robot_label);
 
 }  // namespace

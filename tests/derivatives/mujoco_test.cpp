@@ -14,7 +14,7 @@ namespace {
 
 constexpr int states_tried = 60;
 
-/// Worst errors, each relative to the largest entry of what is compared; kept as properties of the
+/// Largest error of each quantity, relative to its largest entry; recorded as properties of the
 /// test.
 class Worst {
  public:
@@ -37,7 +37,8 @@ class Worst {
   std::map<std::string, double> worst_;
 };
 
-ContactSpec held(const std::string& tool, const std::string& base, const Directions& directions) {
+ContactSpec tied_contact(const std::string& tool, const std::string& base,
+                         const Directions& directions) {
   return contact(tool, base, Reference::centered(), directions, Acceleration::Classical);
 }
 
@@ -67,21 +68,21 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.robot; }
 
-class Mujoco : public ::testing::TestWithParam<Case> {};
+class MujocoComparison : public ::testing::TestWithParam<Case> {};
 
-TEST_P(Mujoco, agrees_on_the_dynamics_without_contact) {
+TEST_P(MujocoComparison, DynamicsWithoutContact_Agree) {
   Worst worst;
   compare_free_motion(robot(GetParam().robot), worst);
   worst.expect_below(1e-10);
 }
 
-TEST_P(Mujoco, agrees_on_the_placements_and_jacobians_of_frames) {
+TEST_P(MujocoComparison, PlacementsAndJacobiansOfFrames_Agree) {
   const Model model = robot(GetParam().robot);
   MujocoModel theirs(model);
   std::mt19937_64 generator(8);
   Worst worst;
   for (const std::string& frame : GetParam().frames) {
-    ContactDynamics ours(model, {held(frame, "world", Directions::all())});
+    ContactDynamics ours(model, {tied_contact(frame, "world", Directions::all())});
     for (int i = 0; i < states_tried; ++i) {
       const Eigen::VectorXd q = random_configuration(model, generator);
       const Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
@@ -91,7 +92,7 @@ TEST_P(Mujoco, agrees_on_the_placements_and_jacobians_of_frames) {
       worst.note("velocity", ours.contact_velocity(), theirs.jacobian(frame) * v);
       const Eigen::Vector3d p = theirs.placement(frame).translation();
       const Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
-      // Near-singular postures are welcome: the placement does not depend on the contact.
+      // Near-singular postures are allowed: the placement does not depend on the contact.
       ours.forward(q, v, tau);
       worst.note("position", ours.force(0).tool_position, p);
       worst.note("rotation", ours.force(0).tool_rotation, theirs.placement(frame).linear());
@@ -100,7 +101,7 @@ TEST_P(Mujoco, agrees_on_the_placements_and_jacobians_of_frames) {
   worst.expect_below(1e-10);
 }
 
-INSTANTIATE_TEST_SUITE_P(robots, Mujoco,
+INSTANTIATE_TEST_SUITE_P(robots, MujocoComparison,
                          ::testing::Values(Case{"talos:fixed", {"tool", "left_sole_link"}},
                                            Case{"talos:right_arm", {"tool"}},
                                            Case{"talos",
@@ -122,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(robots, Mujoco,
                            return name;
                          });
 
-TEST(MujocoTrees, agrees_on_trees_of_every_kind_of_joint) {
+TEST(MujocoTreeComparison, RandomTreesOfAllJointKinds_Agree) {
   std::mt19937_64 generator(11);
   Worst worst;
   for (int i = 0; i < 4; ++i) {
@@ -134,7 +135,7 @@ TEST(MujocoTrees, agrees_on_trees_of_every_kind_of_joint) {
   worst.expect_below(1e-10);
 }
 
-TEST(MujocoTrees, agrees_on_trees_with_followers_of_every_kind) {
+TEST(MujocoTreeComparison, RandomTreesWithFollowers_Agree) {
   std::mt19937_64 generator(12);
   Worst worst;
   for (int i = 0; i < 6; ++i) {
@@ -148,7 +149,7 @@ TEST(MujocoTrees, agrees_on_trees_with_followers_of_every_kind) {
   worst.expect_below(1e-10);
 }
 
-TEST(MujocoSprings, agree_on_springs_of_joints_and_tendons) {
+TEST(MujocoSpringComparison, JointAndTendonSprings_Agree) {
   const mujoco::ModelPointer theirs = mujoco::compile(
       "<mujoco><compiler angle=\"radian\"/><worldbody><body><joint name=\"a\" type=\"hinge\""
       " axis=\"0 0 1\" stiffness=\"6\" springref=\"0.4\"/><geom size=\"0.1\" mass=\"1\"/>"
@@ -187,7 +188,7 @@ TEST(MujocoSprings, agree_on_springs_of_joints_and_tendons) {
 
 enum class Velocity { Zero, Tied, Any };
 
-/// Ties as rigid as rounding lets MuJoCo see: its motion is linear in a small compliance.
+/// Motion with rigid ties, extrapolated from two small compliances, in which it is linear.
 TiedMotion rigid(MujocoModel& theirs, const Eigen::VectorXd& tau) {
   constexpr double mu = 1e-10;
   const TiedMotion once = theirs.forward_tied(tau, mu), twice = theirs.forward_tied(tau, 2.0 * mu);
@@ -201,8 +202,8 @@ void compare_ties(const std::string& name, const std::vector<Tie>& ties, Velocit
   std::vector<ContactSpec> contacts;
   for (const Tie& tie : ties)
     contacts.push_back(
-        held(tie.tool, tie.base,
-             tie.kind == Tie::Kind::Weld ? Directions::all() : Directions::linear()));
+        tied_contact(tie.tool, tie.base,
+                     tie.kind == Tie::Kind::Weld ? Directions::all() : Directions::linear()));
   ContactSolver solver;
   solver.mu = mu;
   ContactDynamics ours(model, contacts, solver);
@@ -210,7 +211,7 @@ void compare_ties(const std::string& name, const std::vector<Tie>& ties, Velocit
   std::mt19937_64 generator(9);
   int tried = 0;
   for (int i = 0; i < states_tried;) {
-    ASSERT_LT(++tried, 2000) << "the ties are hardly ever independent";
+    ASSERT_LT(++tried, 2000) << "too few random states have independent ties";
     const Eigen::VectorXd q = random_configuration(model, generator);
     Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
     if (velocity == Velocity::Tied) v = at_rest(ours, q, v);
@@ -229,28 +230,28 @@ void compare_ties(const std::string& name, const std::vector<Tie>& ties, Velocit
 struct TiedCase {
   std::string name, robot;
   std::vector<Tie> ties;
-  bool tied_velocity;  ///< of a tie between moving bodies, and of a weld
+  bool tied_velocity;  ///< use velocities that satisfy the ties: for moving bodies and welds
 };
 
 void PrintTo(const TiedCase& c, std::ostream* out) { *out << c.name; }
 
-class MujocoTies : public ::testing::TestWithParam<TiedCase> {};
+class MujocoTieComparison : public ::testing::TestWithParam<TiedCase> {};
 
-TEST_P(MujocoTies, agree_at_rest_where_rigid) {
+TEST_P(MujocoTieComparison, RigidTiesAtRest_Agree) {
   const TiedCase& c = GetParam();
   Worst worst;
   compare_ties(c.robot, c.ties, Velocity::Zero, 0.0, worst);
   worst.expect_below(1e-9);
 }
 
-TEST_P(MujocoTies, agree_in_motion_where_rigid) {
+TEST_P(MujocoTieComparison, RigidTiesInMotion_Agree) {
   const TiedCase& c = GetParam();
   Worst worst;
   compare_ties(c.robot, c.ties, c.tied_velocity ? Velocity::Tied : Velocity::Any, 0.0, worst);
   worst.expect_below(1e-9);
 }
 
-TEST_P(MujocoTies, agree_in_motion_where_compliant) {
+TEST_P(MujocoTieComparison, CompliantTiesInMotion_Agree) {
   const TiedCase& c = GetParam();
   Worst worst;
   compare_ties(c.robot, c.ties, c.tied_velocity ? Velocity::Tied : Velocity::Any, 1e-3, worst);
@@ -260,7 +261,7 @@ TEST_P(MujocoTies, agree_in_motion_where_compliant) {
 constexpr Tie::Kind connect = Tie::Kind::Connect, weld = Tie::Kind::Weld;
 
 INSTANTIATE_TEST_SUITE_P(
-    robots, MujocoTies,
+    robots, MujocoTieComparison,
     ::testing::Values(TiedCase{"right_arm_tip", "talos:right_arm", {{connect, "tool"}}, false},
                       TiedCase{"arm7_tip", "arm7", {{connect, "tool"}}, false},
                       TiedCase{"arm7_weld", "arm7", {{weld, "tool"}}, true},

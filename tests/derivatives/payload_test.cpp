@@ -1,5 +1,5 @@
-// A payload as data: what is evaluated with it is what a robot evaluates that has it in its model,
-// and its parameters' derivatives are those of differences and of automatic differentiation.
+// Payloads that are set at run time. Results equal a model that contains the payload. Derivatives
+// by its parameters equal differences and automatic differentiation.
 #include <limits>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
@@ -23,7 +23,7 @@ InertiaSpec brick() {
   return result;
 }
 
-class PayloadOf : public OnRobots {
+class CarriedPayload : public OnRobots {
  protected:
   std::string tool = GetParam().tool;
   std::vector<ContactSpec> contacts() const {
@@ -35,11 +35,12 @@ class PayloadOf : public OnRobots {
   std::mt19937_64 generator{17};
 };
 
-TEST_P(PayloadOf, is_as_if_it_were_in_the_model) {
+TEST_P(CarriedPayload, SetPayload_EqualsAPayloadInTheModel) {
   const Model loaded = with_payload(model, {tool, brick()});
-  ContactDynamics told(model, contacts()), made(loaded, contacts()), bare(model, contacts());
+  ContactDynamics loaded_later(model, contacts()), made(loaded, contacts()),
+      bare(model, contacts());
   const RobotState s = regular_state(model, made, generator);
-  ASSERT_EQ(told.set_payload(tool, brick()), Status::Ok);
+  ASSERT_EQ(loaded_later.set_payload(tool, brick()), Status::Ok);
   const auto expect_same = [&](ContactDynamics& a, ContactDynamics& b) {
     ASSERT_EQ(a.forward(s.q, s.v, s.tau), b.forward(s.q, s.v, s.tau));
     a.forward_derivatives(), b.forward_derivatives();
@@ -47,15 +48,15 @@ TEST_P(PayloadOf, is_as_if_it_were_in_the_model) {
     EXPECT_LE(relative_error(a.lambda(), b.lambda()), 1e-13);
     EXPECT_LE(relative_error(a.da_dq(), b.da_dq()), 1e-13);
   };
-  expect_same(told, made);
-  // Another one goes in its place, and none leaves the robot as it was.
+  expect_same(loaded_later, made);
+  // A new payload replaces the old one; an empty payload restores the bare robot.
   InertiaSpec heavier = brick();
   heavier.mass = 9.0;
-  told.set_payload(tool, heavier);
-  told.set_payload(tool, brick());
-  expect_same(told, made);
-  told.set_payload(tool, {});
-  expect_same(told, bare);
+  loaded_later.set_payload(tool, heavier);
+  loaded_later.set_payload(tool, brick());
+  expect_same(loaded_later, made);
+  loaded_later.set_payload(tool, {});
+  expect_same(loaded_later, bare);
 
   RigidBody body(model), body_made(loaded);
   ASSERT_EQ(body.set_payload(tool, brick()), Status::Ok);
@@ -72,7 +73,7 @@ TEST_P(PayloadOf, is_as_if_it_were_in_the_model) {
   EXPECT_LE(relative_error(batch.a(0), made.a()), 1e-9);
 }
 
-TEST_P(PayloadOf, derivatives_by_parameters_equal_differences) {
+TEST_P(CarriedPayload, ParameterDerivatives_EqualDifferences) {
   ContactDynamics dynamics(model, contacts());
   ASSERT_EQ(dynamics.set_payload(tool, brick()), Status::Ok);
   const RobotState s = regular_state(model, dynamics, generator);
@@ -83,7 +84,7 @@ TEST_P(PayloadOf, derivatives_by_parameters_equal_differences) {
   EXPECT_EQ(dynamics.inertia_derivatives(bodies, d), Status::NotEvaluated);
   ASSERT_EQ(dynamics.forward_derivatives(), Status::Ok);
   ASSERT_EQ(dynamics.inertia_derivatives(bodies, d), Status::Ok);
-  // Of the body's parameters, in its own axes: those of a payload at its joint's frame.
+  // Differences by the parameters of the body, in its own axes.
   const std::string joint = model.joints[static_cast<std::size_t>(tool_body())].name;
   ContactDynamics moved(model, contacts());
   const Eigen::Isometry3d placement =
@@ -108,8 +109,8 @@ TEST_P(PayloadOf, derivatives_by_parameters_equal_differences) {
   EXPECT_LE(relative_error(got, wanted), 1e-6);
 }
 
-/// Torques by the parameters of all bodies with the parameters as duals: J_i^T (I_i a_i + v_i x*
-/// I_i v_i) summed over bodies, by the algebra of spatial vectors alone.
+/// Regressor of all bodies with the parameters as duals: the sum over bodies of
+/// J_i^T (I_i a_i + v_i x* I_i v_i), by spatial algebra alone.
 Eigen::MatrixXd regressor_by_duals(const Model& model, const RobotState& s,
                                    const Eigen::VectorXd& a) {
   const Tree tree(model);
@@ -149,7 +150,7 @@ Eigen::MatrixXd regressor_by_duals(const Model& model, const RobotState& s,
   return Y;
 }
 
-TEST_P(PayloadOf, derivatives_of_all_bodies_equal_those_of_duals_and_a_dense_system) {
+TEST_P(CarriedPayload, ParameterDerivativesOfAllBodies_EqualADenseSystem) {
   ContactDynamics dynamics(model, contacts());
   const RobotState s = regular_state(model, dynamics, generator);
   ASSERT_EQ(dynamics.forward(s.q, s.v, s.tau), Status::Ok);
@@ -169,7 +170,7 @@ TEST_P(PayloadOf, derivatives_of_all_bodies_equal_those_of_duals_and_a_dense_sys
   EXPECT_LE((J * d.a).cwiseAbs().maxCoeff() / std::max(1.0, d.a.cwiseAbs().maxCoeff()), 1e-8);
 }
 
-TEST_P(PayloadOf, what_cannot_be_carried_changes_nothing) {
+TEST_P(CarriedPayload, InvalidPayload_ChangesNothing) {
   ContactDynamics dynamics(model, contacts());
   const RobotState s = regular_state(model, dynamics, generator);
   dynamics.forward(s.q, s.v, s.tau);
@@ -187,7 +188,7 @@ TEST_P(PayloadOf, what_cannot_be_carried_changes_nothing) {
   EXPECT_EQ(before, dynamics.a());
 }
 
-TEST_P(PayloadOf, allocates_nothing) {
+TEST_P(CarriedPayload, Evaluation_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   ContactDynamics dynamics(model, contacts());
   RigidBody body(model);
@@ -215,7 +216,7 @@ TEST_P(PayloadOf, allocates_nothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, PayloadOf, ::testing::ValuesIn(test_robots()), robot_label);
+INSTANTIATE_TEST_SUITE_P(Robots, CarriedPayload, ::testing::ValuesIn(test_robots()), robot_label);
 
 }  // namespace
 }  // namespace burnish::test

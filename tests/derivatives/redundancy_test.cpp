@@ -1,4 +1,4 @@
-// Redundant contacts: what the proximal iterations give, in values and in derivatives.
+// Redundant contacts: results of the proximal iterations, and their derivatives.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,9 +12,9 @@
 namespace burnish {
 namespace {
 
-class TwicePad : public ::testing::Test {
+class DuplicatedPad : public ::testing::Test {
  protected:
-  TwicePad() {
+  DuplicatedPad() {
     first_.name = "first";
     first_.tool = "tool";
     first_.directions = Directions::pad_z();
@@ -33,7 +33,7 @@ class TwicePad : public ::testing::Test {
   Eigen::VectorXd q_, v_, tau_;
 };
 
-TEST_F(TwicePad, is_a_status_without_compliance_and_leaves_zeros) {
+TEST_F(DuplicatedPad, WithoutCompliance_GivesAStatusAndZeros) {
   ContactDynamics twice(model_, {first_, second_});
   EXPECT_EQ(twice.forward(q_, v_, tau_), Status::SingularContacts);
   EXPECT_EQ(twice.forward_derivatives(), Status::SingularContacts);
@@ -41,13 +41,13 @@ TEST_F(TwicePad, is_a_status_without_compliance_and_leaves_zeros) {
   EXPECT_EQ(twice.da_dq().norm(), 0.0);
 }
 
-TEST_F(TwicePad, is_diagnosed_by_name) {
+TEST_F(DuplicatedPad, Diagnosis_NamesTheRedundantRows) {
   const ContactDiagnosis found = diagnose(model_, ContactSet(model_, {first_, second_}), q_);
   ASSERT_EQ(found.redundant.size(), 3U);
   EXPECT_EQ(found.redundant[0].text(), "contact 'second', direction z: already held by first/z");
 }
 
-TEST_F(TwicePad, moves_like_one_pad_and_its_forces_add_up_in_values_and_derivatives) {
+TEST_F(DuplicatedPad, ProximalIterations_MoveLikeOnePadWithForcesAddedUp) {
   ContactDynamics once(model_, {first_});
   ContactDynamics twice(model_, {first_, second_}, proximal_);
   ASSERT_EQ(once.forward(q_, v_, tau_), Status::Ok);
@@ -70,7 +70,7 @@ TEST_F(TwicePad, moves_like_one_pad_and_its_forces_add_up_in_values_and_derivati
   close(sum(twice.dlambda_dtau()), once.dlambda_dtau());
 }
 
-TEST_F(TwicePad, without_iterations_keeps_the_compliance_that_was_asked_for) {
+TEST_F(DuplicatedPad, WithoutIterations_HasTheRequestedCompliance) {
   // alpha + kd nu = -mu lambda: the lower row of the relaxed KKT system.
   ContactDynamics soft(model_, {first_}, {.mu = 0.05});
   ASSERT_EQ(soft.forward(q_, v_, tau_), Status::Ok);
@@ -79,7 +79,7 @@ TEST_F(TwicePad, without_iterations_keeps_the_compliance_that_was_asked_for) {
   EXPECT_LE((soft.alpha() + 0.05 * lambda).norm(), 1e-10);
 }
 
-TEST_F(TwicePad, that_contradict_each_other_end_in_a_status) {
+TEST_F(DuplicatedPad, ContradictingPads_GiveNotConverged) {
   second_.kp.setConstant(50.0);
   second_.target.translation().z() = 3.0;
   ContactDynamics twice(model_, {first_, second_}, proximal_);
@@ -88,7 +88,7 @@ TEST_F(TwicePad, that_contradict_each_other_end_in_a_status) {
   EXPECT_GT(twice.proximal_residual(), 1e-11);
 }
 
-TEST_F(TwicePad, refuses_solver_options_that_mean_nothing) {
+TEST_F(DuplicatedPad, InvalidSolverOptions_AreRefused) {
   const auto make = [&](const ContactSolver& solver) {
     return ContactDynamics(model_, {first_}, solver);
   };
@@ -97,7 +97,7 @@ TEST_F(TwicePad, refuses_solver_options_that_mean_nothing) {
   EXPECT_THROW(make({.mu = 0.1, .max_proximal_iterations = -1}), Error);
 }
 
-TEST_F(TwicePad, derivatives_of_another_evaluation_are_refused) {
+TEST_F(DuplicatedPad, DerivativesOfAnotherEvaluation_AreRefused) {
   ContactDynamics dynamics(model_, {first_});
   EXPECT_EQ(dynamics.forward_derivatives(), Status::NotEvaluated);
   ASSERT_EQ(dynamics.forward(q_, v_, tau_), Status::Ok);

@@ -1,5 +1,4 @@
-// The door to a robot's state: its results against those of ContactDynamics and of differences, and
-// what it refuses.
+// RigidBody: results against ContactDynamics and differences, and refused input.
 #include "burnish/derivatives/rigid_body.hpp"
 
 #include <limits>
@@ -12,7 +11,7 @@
 namespace burnish::test {
 namespace {
 
-class RigidBodyOf : public OnRobots {
+class RigidBodyState : public OnRobots {
  protected:
   void SetUp() override {
     std::mt19937_64 generator(51);
@@ -20,7 +19,7 @@ class RigidBodyOf : public OnRobots {
     ASSERT_EQ(body.update(s.q, s.v, s.a), Status::Ok);
     body.update_derivatives();
   }
-  /// d(value)/dq by central differences, v and a held. `value` maps a RigidBody to a vector.
+  /// d(value)/dq by central differences, with v and a fixed. `value` maps a RigidBody to a vector.
   auto by_q(const auto& value) const {
     return by(
         [&](const Eigen::VectorXd& h) {
@@ -28,7 +27,7 @@ class RigidBodyOf : public OnRobots {
         },
         value);
   }
-  /// The same by v, q and a held.
+  /// d(value)/dv by central differences, with q and a fixed.
   auto by_v(const auto& value) const {
     return by([&](const Eigen::VectorXd& h) { return KernelState{s.q, s.v + h, s.a}; }, value);
   }
@@ -55,7 +54,7 @@ class RigidBodyOf : public OnRobots {
   int tool = body.frame(GetParam().tool);
 };
 
-TEST_P(RigidBodyOf, frame_derivatives_equal_differences) {
+TEST_P(RigidBodyState, FrameDerivatives_EqualDifferences) {
   for (const Reference& axes : {Reference::local(), Reference::centered(), Reference::world()}) {
     SCOPED_TRACE(axes.name());
     FrameDerivatives d;
@@ -69,7 +68,7 @@ TEST_P(RigidBodyOf, frame_derivatives_equal_differences) {
   }
 }
 
-TEST_P(RigidBodyOf, placement_derivatives_equal_differences) {
+TEST_P(RigidBodyState, PlacementDerivatives_EqualDifferences) {
   Eigen::Isometry3d target = body.placement(tool);
   target.rotate(Eigen::AngleAxisd(1.1, Eigen::Vector3d(1.0, 2.0, -0.5).normalized()));
   target.translation() += Eigen::Vector3d(0.2, -0.1, 0.3);
@@ -87,14 +86,14 @@ TEST_P(RigidBodyOf, placement_derivatives_equal_differences) {
   EXPECT_LE(relative_error(d.rotation, motion.jacobian.bottomRows(3)), 1e-13);
 }
 
-TEST_P(RigidBodyOf, placements_are_those_of_the_model) {
+TEST_P(RigidBodyState, Placements_EqualFramePlacements) {
   const auto placements = frame_placements(model, s.q);
   for (std::size_t i = 0; i < model.frames.size(); ++i)
     EXPECT_TRUE(body.placement(static_cast<int>(i)).isApprox(placements[i], 1e-13));
   EXPECT_TRUE(body.placement(body.frame("world")).isApprox(Eigen::Isometry3d::Identity()));
 }
 
-TEST_P(RigidBodyOf, momentum_derivatives_equal_differences) {
+TEST_P(RigidBodyState, MomentumAndEnergyDerivatives_EqualDifferences) {
   const auto com = [](RigidBody& b) { return b.com(); };
   const auto com_velocity = [](RigidBody& b) { return b.com_velocity(); };
   const auto momentum = [](RigidBody& b) { return b.momentum(); };
@@ -113,7 +112,7 @@ TEST_P(RigidBodyOf, momentum_derivatives_equal_differences) {
   EXPECT_LE(relative_error(body.potential_energy_dq().transpose(), by_q(potential)), 1e-7);
 }
 
-TEST_P(RigidBodyOf, agrees_with_the_dynamics_without_contacts) {
+TEST_P(RigidBodyState, EnergyAndGravityTorque_AgreeWithDynamicsWithoutContacts) {
   ContactDynamics free(model);
   const Eigen::VectorXd none(0);
   ASSERT_EQ(free.inverse(s.q, s.v, s.a, none), Status::Ok);
@@ -131,7 +130,7 @@ TEST_P(RigidBodyOf, agrees_with_the_dynamics_without_contacts) {
   EXPECT_LE(relative_error(body.gravity_torque(), free.tau()), 1e-12);
 }
 
-TEST_P(RigidBodyOf, without_accelerations_they_are_zero) {
+TEST_P(RigidBodyState, UpdateWithoutAcceleration_AssumesZero) {
   RigidBody other(model);
   ASSERT_EQ(other.update(s.q, s.v), Status::Ok);
   ASSERT_EQ(body.update(s.q, s.v, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
@@ -139,7 +138,7 @@ TEST_P(RigidBodyOf, without_accelerations_they_are_zero) {
             body.acceleration(tool, Reference::world()));
 }
 
-TEST_P(RigidBodyOf, a_refused_state_changes_nothing) {
+TEST_P(RigidBodyState, RefusedState_ChangesNothing) {
   const Vector6 before = body.velocity(tool, Reference::world());
   Eigen::VectorXd q = s.q, v = s.v, a = s.a;
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -164,9 +163,9 @@ TEST_P(RigidBodyOf, a_refused_state_changes_nothing) {
   EXPECT_EQ(body.velocity(tool, Reference::world()), before);
 }
 
-INSTANTIATE_TEST_SUITE_P(robots, RigidBodyOf, ::testing::ValuesIn(test_robots()), robot_label);
+INSTANTIATE_TEST_SUITE_P(robots, RigidBodyState, ::testing::ValuesIn(test_robots()), robot_label);
 
-TEST(RigidBodyDoor, starts_at_the_neutral_configuration_at_rest) {
+TEST(RigidBody, NewObject_IsNeutralAndAtRest) {
   const Model model = humanoid().model();
   const RigidBody body(model);
   const auto placements = frame_placements(model, model.q_neutral);
@@ -177,13 +176,13 @@ TEST(RigidBodyDoor, starts_at_the_neutral_configuration_at_rest) {
   EXPECT_EQ(body.kinetic_energy(), 0.0);
 }
 
-TEST(RigidBodyDoor, names_the_nearest_frame) {
+TEST(RigidBody, UnknownFrame_IsRefusedWithTheNearestName) {
   const RigidBody body(humanoid().model());
   testing::expect_words(testing::refusal([&] { body.frame("right_sole_lnk"); }),
                         {"'right_sole_lnk'", "'right_sole_link'"});
 }
 
-TEST(RigidBodyDoor, refuses_a_slip_velocity_that_is_not_positive) {
+TEST(RigidBody, SlipVelocityThatIsNotPositive_IsRefused) {
   const Model model = TestRobot{"arm7", Base::Fixed, ""}.model();
   testing::expect_words(testing::refusal([&] { RigidBody(model, 0.0); }),
                         {"slip_velocity", "positive"});

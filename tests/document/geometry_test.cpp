@@ -1,4 +1,4 @@
-// Rotations and placements as texts state them.
+// Tests of rotations and placements that are read from YAML.
 #include "document/geometry.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ Eigen::Isometry3d placement(const std::string& text) {
   return read_placement(Reader::parse(text, "a.yaml"));
 }
 
-TEST(Placement, IsTheSameByAnglesQuaternionAndMatrix) {
+TEST(Placement, AnglesQuaternionAndMatrix_GiveTheSamePlacement) {
   const Eigen::Isometry3d by_rpy = placement("{xyz: [1, 2, 3], rpy: [0, 0, 1.5707963267948966]}");
   const Eigen::Isometry3d by_matrix =
       placement("{xyz: [1, 2, 3], matrix: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}");
@@ -27,7 +27,7 @@ TEST(Placement, IsTheSameByAnglesQuaternionAndMatrix) {
   EXPECT_EQ(placement("{}").matrix(), Eigen::Matrix4d::Identity());
 }
 
-TEST(Placement, IsRefusedWhereItIsNoRotation) {
+TEST(Placement, InvalidRotationOrKey_IsRefused) {
   const auto refused = [](const char* text) { return refusal([&] { placement(text); }); };
   expect_words(refused("{matrix: [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}"), {"matrix: it is not a"});
   expect_words(refused("{matrix: [[1, 0, 0], [0, 1, 0]]}"), {"matrix: it has 2 rows; wanted 3"});

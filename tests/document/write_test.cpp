@@ -1,4 +1,4 @@
-// Trees that are written read back as they were.
+// Tests of the YAML and JSON writers: written trees read back unchanged.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -9,7 +9,7 @@
 namespace burnish::document {
 namespace {
 
-std::string odd_text(std::mt19937& random) {
+std::string special_text(std::mt19937& random) {
   static const std::vector<std::string> texts{"my arm #2",
                                               "plain",
                                               "null",
@@ -56,7 +56,7 @@ std::string odd_text(std::mt19937& random) {
   return texts[random() % texts.size()];
 }
 
-Node odd_tree(std::mt19937& random, int depth) {
+Node random_tree(std::mt19937& random, int depth) {
   switch (random() % (depth > 0 ? 6 : 4)) {
     case 0:
       return {};
@@ -67,19 +67,19 @@ Node odd_tree(std::mt19937& random, int depth) {
               .text = number_text(std::ldexp(static_cast<double>(random()) - 2e9,
                                              static_cast<int>(random() % 400) - 200))};
     case 3:
-      return {.kind = Kind::Text, .text = odd_text(random)};
+      return {.kind = Kind::Text, .text = special_text(random)};
     case 4: {
       Node list{.kind = Kind::List};
       for (std::size_t i = random() % 4; i > 0; --i)
-        list.values.push_back(odd_tree(random, depth - 1));
+        list.values.push_back(random_tree(random, depth - 1));
       return list;
     }
     default: {
       Node map{.kind = Kind::Map};
       for (std::size_t i = random() % 4; i > 0; --i) {
-        const std::string key = odd_text(random) + (i == 1 ? "" : std::to_string(i));
+        const std::string key = special_text(random) + (i == 1 ? "" : std::to_string(i));
         map.values.push_back({.kind = Kind::Text, .text = key});
-        map.values.push_back(odd_tree(random, depth - 1));
+        map.values.push_back(random_tree(random, depth - 1));
       }
       return map;
     }
@@ -94,10 +94,10 @@ bool same(const Node& a, const Node& b, bool is_key = false) {
   return true;
 }
 
-TEST(Writing, TreesReadBackAsTheyWereInYamlAndInJson) {
+TEST(DocumentWriter, RandomTree_ReadsBackUnchangedFromYamlAndJson) {
   std::mt19937 random(1);
   for (int i = 0; i < 2000; ++i) {
-    const Node tree = odd_tree(random, 3);
+    const Node tree = random_tree(random, 3);
     const std::string yaml = yaml_text(tree), json = json_text(tree);
     EXPECT_TRUE(same(parse_yaml(yaml, "a.yaml"), tree)) << yaml;
     EXPECT_TRUE(same(parse_json(json, "a.json"), tree)) << json;
@@ -106,7 +106,7 @@ TEST(Writing, TreesReadBackAsTheyWereInYamlAndInJson) {
   }
 }
 
-TEST(Writing, TextsAreInQuotesOnlyWhereTheyHaveToBe) {
+TEST(DocumentWriter, Text_IsQuotedOnlyWhereNecessary) {
   const auto text = [](const char* word) { return yaml_text({.kind = Kind::Text, .text = word}); };
   EXPECT_EQ(text("talos:right_arm"), "talos:right_arm");
   EXPECT_EQ(text("../robots/arm.urdf"), "../robots/arm.urdf");
@@ -116,7 +116,7 @@ TEST(Writing, TextsAreInQuotesOnlyWhereTheyHaveToBe) {
   EXPECT_EQ(parse_yaml(text("caf\xe9"), "a.yaml").text, "caf\xe9");
 }
 
-TEST(Writing, NumbersAreShortAndReadBack) {
+TEST(DocumentWriter, Number_IsShortAndReadsBack) {
   EXPECT_EQ(number_text(0.1), "0.1");
   EXPECT_EQ(number_text(-0.0), "-0");
   EXPECT_EQ(number_text(30.0), "30");

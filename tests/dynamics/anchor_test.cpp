@@ -1,4 +1,4 @@
-// References as values: what they are fixed in, how they are called and what is refused.
+// Tests of anchors and references as values: texts, names and refusals.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/reference.hpp"
@@ -9,7 +9,7 @@
 namespace burnish::test {
 namespace {
 
-TEST(Anchor, is_read_as_it_is_written) {
+TEST(Anchor, Text_ParsesBackToTheAnchor) {
   for (const Anchor& anchor : {Anchor(Anchor::Tool), Anchor(Anchor::Base), Anchor(Anchor::World),
                                Anchor("torso"), Anchor("tool"), Anchor("frame tool")})
     EXPECT_EQ(Anchor::parse(anchor.text()), anchor) << anchor.text();
@@ -18,7 +18,7 @@ TEST(Anchor, is_read_as_it_is_written) {
   EXPECT_EQ(Anchor("torso").text(), "torso");
 }
 
-TEST(ReferenceName, says_which_of_the_four_it_is_or_what_it_is_fixed_in) {
+TEST(ReferenceName, AnyReference_NamesItsKindOrItsFrames) {
   for (const std::string name : {"local", "centered", "surface", "world"})
     EXPECT_EQ(Reference::parse(name).name(), name);
   EXPECT_EQ((Reference{Anchor::Tool, "torso"}.name()), "axes of torso at the tool");
@@ -27,7 +27,7 @@ TEST(ReferenceName, says_which_of_the_four_it_is_or_what_it_is_fixed_in) {
                         {"'centred'", "did you mean 'centered'?"});
 }
 
-TEST(CompileReference, frames_of_one_body_are_that_body) {
+TEST(CompileReference, FrameOfTheTool_IsRecognizedAsTheTool) {
   const std::string name = built_robots().front().tool;
   const Model model = named_robot(built_robots().front().name);
   const CompiledFrame tool = compile_frame(model, name);

@@ -1,5 +1,5 @@
-// The mass matrix by articulated bodies: on every tree the same factor as the sparse one, and its
-// solves.
+// The articulated-body factorization of the mass matrix: its factor equals the sparse one on every
+// tree, and its solutions match the mass matrix.
 #include "dynamics/articulated.tpp"
 
 #include "base/decomposition.hpp"
@@ -23,9 +23,9 @@ struct Factored {
   bool bad = true;
 };
 
-class Articulated : public OnRobots {
+class ArticulatedFactor : public OnRobots {
  protected:
-  Articulated() {
+  ArticulatedFactor() {
     deep.deep = true;
     sparse.deep = false;
     for (int l = 0; l < native_lanes; ++l) {
@@ -48,7 +48,7 @@ class Articulated : public OnRobots {
   std::vector<Eigen::VectorXd> q, v;
 };
 
-TEST_P(Articulated, factor_is_the_sparse_one) {
+TEST_P(ArticulatedFactor, EveryTree_EqualsTheSparseFactor) {
   const Factored<NativePack> a = factored<NativePack>(deep), b = factored<NativePack>(sparse);
   EXPECT_FALSE(a.bad);
   for (int l = 0; l < native_lanes; ++l) {
@@ -65,7 +65,7 @@ TEST_P(Articulated, factor_is_the_sparse_one) {
   }
 }
 
-TEST_P(Articulated, inverse_and_solves_are_those_of_the_mass_matrix) {
+TEST_P(ArticulatedFactor, InverseAndSolutions_MatchTheMassMatrix) {
   const Factored<NativePack> run = factored<NativePack>(deep);
   const int n = model.nv, columns = n + 3;
   ArticulatedSolver<NativePack> solver(deep);
@@ -87,11 +87,12 @@ TEST_P(Articulated, inverse_and_solves_are_those_of_the_mass_matrix) {
         as_matrix({side.data(), side.data() + side.size()}, columns).leftCols(columns - 1);
     const Eigen::MatrixXd got = as_matrix(lane_values(solved, l), columns);
     EXPECT_LE(relative_error(got.leftCols(columns - 1), -solve_positive(M, right)), 1e-9);
-    EXPECT_EQ(got.col(columns - 1), Eigen::VectorXd::Constant(n, 7.0)) << "not its own";
+    EXPECT_EQ(got.col(columns - 1), Eigen::VectorXd::Constant(n, 7.0))
+        << "the last column must stay unwritten";
   }
 }
 
-TEST_P(Articulated, a_body_without_mass_is_found_as_by_the_sparse_factor) {
+TEST_P(ArticulatedFactor, MasslessBody_IsDetectedByBothFactorizations) {
   Tree massless = deep;
   TreeJoint& last = massless.joints.back();
   last.mass = 0.0;
@@ -103,11 +104,11 @@ TEST_P(Articulated, a_body_without_mass_is_found_as_by_the_sparse_factor) {
   EXPECT_TRUE(factored<NativePack>(massless).bad);
 }
 
-// Followers tie branches together, which articulated bodies know nothing of.
-INSTANTIATE_TEST_SUITE_P(robots, Articulated, ::testing::ValuesIn(robots_without_followers()),
+// Followers couple branches, which the articulated-body factorization does not support.
+INSTANTIATE_TEST_SUITE_P(robots, ArticulatedFactor, ::testing::ValuesIn(robots_without_followers()),
                          robot_label);
 
-TEST(DeepTrees, are_chains_of_22_joints_and_no_shorter_ones) {
+TEST(DeepTree, Chain_IsDeepFrom22Joints) {
   for (const int joints : {1, 21, 22, 40}) {
     TreeSpec tree;
     tree.name = "chain";
@@ -122,7 +123,7 @@ TEST(DeepTrees, are_chains_of_22_joints_and_no_shorter_ones) {
   }
 }
 
-TEST(DeepTrees, are_told_by_the_relatives_of_their_joints) {
+TEST(DeepTree, TestRobots_AreShallowExceptTheDeepOne) {
   for (const TestRobot& robot : test_robots())
     EXPECT_EQ(Tree(robot.model()).deep, robot.name == "deep") << robot.label();
 }

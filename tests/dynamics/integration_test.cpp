@@ -1,5 +1,5 @@
-// q (+) dq and q1 (-) q0 over every kind of joint: against the arithmetic on Eigen vectors, and
-// their derivatives against differences and automatic differentiation.
+// Integration q (+) dq and difference q1 (-) q0 for every kind of joint. They are compared with the
+// arithmetic on Eigen vectors, their derivatives with differences and automatic differentiation.
 #include "dynamics/integration.tpp"
 
 #include <cmath>
@@ -26,7 +26,7 @@ class Integration : public OnRobots {
     return dq;
   }
 
-  /// The whole nv x nv matrices: identities, and the blocks that are none.
+  /// Complete nv x nv matrices: identities, with the tangent blocks filled in.
   struct Pair {
     Eigen::MatrixXd first, second;
   };
@@ -54,7 +54,7 @@ class Integration : public OnRobots {
   std::mt19937_64 generator{91};
 };
 
-TEST_P(Integration, equals_the_arithmetic_on_vectors) {
+TEST_P(Integration, Integrate_EqualsTheVectorArithmetic) {
   for (const double scale : {0.0, 1e-12, 1e-5, 1e-3, 0.2, 1.0, 3.0, 10.0})
     for (int i = 0; i < 20; ++i) {
       const Eigen::VectorXd q = random_configuration(model, generator);
@@ -67,7 +67,7 @@ TEST_P(Integration, equals_the_arithmetic_on_vectors) {
     }
 }
 
-TEST_P(Integration, difference_equals_the_arithmetic_on_vectors) {
+TEST_P(Integration, Difference_EqualsTheVectorArithmetic) {
   for (const double scale : {0.0, 1e-12, 1e-7, 1e-5, 1e-3, 0.2, 1.0, 3.0, 10.0})
     for (int i = 0; i < 20; ++i) {
       const Eigen::VectorXd q0 = random_configuration(model, generator);
@@ -76,7 +76,7 @@ TEST_P(Integration, difference_equals_the_arithmetic_on_vectors) {
     }
 }
 
-TEST_P(Integration, difference_undoes_integration_within_half_a_turn) {
+TEST_P(Integration, DifferenceWithinHalfATurn_UndoesIntegration) {
   for (const double scale : scales)
     for (int i = 0; i < 20; ++i) {
       const Eigen::VectorXd q = random_configuration(model, generator);
@@ -85,7 +85,7 @@ TEST_P(Integration, difference_undoes_integration_within_half_a_turn) {
     }
 }
 
-TEST_P(Integration, keeps_rotations_at_unit_length) {
+TEST_P(Integration, ManySteps_KeepRotationsAtUnitLength) {
   Eigen::VectorXd q = random_configuration(model, generator);
   const Eigen::VectorXd dq = random_vector(model.nv, 0.3, generator);
   for (const Joint& joint : model.joints) {
@@ -99,7 +99,7 @@ TEST_P(Integration, keeps_rotations_at_unit_length) {
   EXPECT_LE((q - normalized(model, q)).cwiseAbs().maxCoeff(), 1e-15);
 }
 
-TEST_P(Integration, blocks_are_the_joints_of_several_entries) {
+TEST_P(Integration, TangentBlocks_AreTheJointsOfSeveralEntries) {
   std::vector<TangentBlock> blocks = tangent_blocks(tree);
   std::size_t found = 0;
   for (const Joint& joint : model.joints) {
@@ -113,7 +113,7 @@ TEST_P(Integration, blocks_are_the_joints_of_several_entries) {
   EXPECT_EQ(found, blocks.size());
 }
 
-TEST_P(Integration, jacobians_equal_automatic_differentiation) {
+TEST_P(Integration, Jacobians_EqualAutomaticDifferentiation) {
   const Tree& t = tree;
   for (const double scale : scales)
     for (int i = 0; i < 5; ++i) {
@@ -149,7 +149,7 @@ TEST_P(Integration, jacobians_equal_automatic_differentiation) {
     }
 }
 
-TEST_P(Integration, jacobians_equal_central_differences) {
+TEST_P(Integration, Jacobians_EqualCentralDifferences) {
   const double h = 1e-5;
   for (const double scale : scales) {
     const Eigen::VectorXd q = random_configuration(model, generator);
@@ -176,7 +176,7 @@ TEST_P(Integration, jacobians_equal_central_differences) {
   }
 }
 
-TEST_P(Integration, lanes_equal_single_states) {
+TEST_P(Integration, PackLanes_EqualSingleStates) {
   using S = NativePack;
   const auto nq = static_cast<std::size_t>(model.nq), nv = static_cast<std::size_t>(model.nv);
   for (int round = 0; round < 5; ++round) {
@@ -218,7 +218,7 @@ TEST_P(Integration, lanes_equal_single_states) {
   }
 }
 
-TEST_P(Integration, allocates_nothing) {
+TEST_P(Integration, Evaluation_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   const Eigen::VectorXd q = random_configuration(model, generator);
   Eigen::VectorXd out(model.nq), dq = random_vector(model.nv, 1.0, generator);
@@ -236,7 +236,7 @@ TEST_P(Integration, allocates_nothing) {
 
 INSTANTIATE_TEST_SUITE_P(robots, Integration, ::testing::ValuesIn(test_robots()), robot_label);
 
-TEST(IntegrationAtHalfATurn, difference_is_finite_and_of_length_pi) {
+TEST(ConfigurationDifference, HalfATurn_IsFiniteAndOfLengthPi) {
   const Model model = TestRobot{"every_joint", Base::FreeFlyer, "tip"}.model();
   const Tree tree(model);
   for (int axis = 0; axis < 3; ++axis) {
@@ -250,7 +250,7 @@ TEST(IntegrationAtHalfATurn, difference_is_finite_and_of_length_pi) {
   }
 }
 
-TEST(IntegrationAtRest, jacobians_are_identities_to_the_bit) {
+TEST(IntegrationJacobians, ZeroIncrement_GivesExactIdentities) {
   const Model model = TestRobot{"every_joint", Base::FreeFlyer, "tip"}.model();
   for (const TangentBlock& block : tangent_blocks(Tree(model))) {
     const double zero[6] = {};

@@ -42,7 +42,7 @@ struct InverseDynamicsKernel {
   const Tree& tree;
 };
 
-class Dynamics : public OnRobots {
+class FreeDynamics : public OnRobots {
  protected:
   Eigen::MatrixXd mass_matrix(const Eigen::VectorXd& q) const {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
@@ -52,14 +52,14 @@ class Dynamics : public OnRobots {
   Tree tree{model};
 };
 
-class FloatingDynamics : public Dynamics {};
+class FloatingDynamics : public FreeDynamics {};
 
-TEST_P(Dynamics, inverse_dynamics_obeys_the_kernel_law) {
+TEST_P(FreeDynamics, InverseDynamicsDerivatives_EqualAutodiffAndDifferences) {
   expect_kernel_law(model, InverseDynamicsKernel{tree});
   expect_lanes_alike(model, InverseDynamicsKernel{tree});
 }
 
-TEST_P(Dynamics, torque_is_mass_times_acceleration_plus_bias) {
+TEST_P(FreeDynamics, Torque_EqualsMassTimesAccelerationPlusBias) {
   std::mt19937_64 generator(21);
   const KernelState s = random_kernel_state(model, generator);
   const Evaluation<double> run(tree, s.q.data(), s.v.data(), s.a.data());
@@ -68,7 +68,7 @@ TEST_P(Dynamics, torque_is_mass_times_acceleration_plus_bias) {
   EXPECT_LE(relative_error(as_vector(tau), wanted), 1e-12);
 }
 
-TEST_P(Dynamics, mass_matrix_is_positive_definite_and_its_factor_is_its_own) {
+TEST_P(FreeDynamics, MassMatrix_IsPositiveDefiniteAndMatchesItsFactor) {
   std::mt19937_64 generator(22);
   for (int i = 0; i < 10; ++i) {
     const KernelState s = random_kernel_state(model, generator);
@@ -87,7 +87,7 @@ TEST_P(Dynamics, mass_matrix_is_positive_definite_and_its_factor_is_its_own) {
   }
 }
 
-TEST_P(Dynamics, forward_undoes_inverse) {
+TEST_P(FreeDynamics, ForwardDynamics_UndoesInverseDynamics) {
   std::mt19937_64 generator(23);
   const KernelState s = random_kernel_state(model, generator);
   const auto tau = InverseDynamicsKernel{tree}.values(s.q.data(), s.v.data(), s.a.data());
@@ -99,7 +99,7 @@ TEST_P(Dynamics, forward_undoes_inverse) {
   EXPECT_LE(relative_error(x, s.a), 1e-9);
 }
 
-TEST_P(FloatingDynamics, moving_the_whole_robot_changes_no_mass) {
+TEST_P(FloatingDynamics, MovedBase_LeavesTheMassMatrixUnchanged) {
   std::mt19937_64 generator(24);
   const KernelState s = random_kernel_state(model, generator);
   Eigen::VectorXd moved = s.q;
@@ -107,7 +107,7 @@ TEST_P(FloatingDynamics, moving_the_whole_robot_changes_no_mass) {
   EXPECT_LE(relative_error(mass_matrix(moved), mass_matrix(s.q)), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(robots, Dynamics, ::testing::ValuesIn(test_robots()), robot_label);
+INSTANTIATE_TEST_SUITE_P(robots, FreeDynamics, ::testing::ValuesIn(test_robots()), robot_label);
 INSTANTIATE_TEST_SUITE_P(robots, FloatingDynamics, ::testing::ValuesIn(floating_robots()),
                          robot_label);
 

@@ -1,4 +1,4 @@
-// Nothing is allocated after set-up: every evaluation of the doors inside an AllocationGuard.
+// RigidBody allocates nothing after set-up: every evaluation runs inside an AllocationGuard.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,14 +12,14 @@
 namespace burnish::test {
 namespace {
 
-TEST(AllocationGuard, sees_every_way_to_allocate) {
+TEST(AllocationGuard, EveryKindOfAllocation_IsCounted) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   const auto allocations_of = [](auto&& call) {
     const AllocationGuard guard;
     call();
     return guard.count();
   };
-  // Volatile, so that the compiler drops none of the pairs.
+  // Volatile, so that the compiler keeps every pair of allocation and release.
   volatile std::size_t size = 100;
   void* volatile kept = nullptr;
   EXPECT_EQ(allocations_of([] {}), 0);
@@ -30,7 +30,7 @@ TEST(AllocationGuard, sees_every_way_to_allocate) {
   EXPECT_GE(allocations_of([&] { Eigen::VectorXd::Zero(static_cast<long>(size)).eval(); }), 1);
 }
 
-class NoAllocation : public ::testing::TestWithParam<TestRobot> {
+class RigidBodyAllocation : public ::testing::TestWithParam<TestRobot> {
  protected:
   Model model = GetParam().model();
   std::mt19937_64 generator{41};
@@ -39,7 +39,7 @@ class NoAllocation : public ::testing::TestWithParam<TestRobot> {
   Eigen::VectorXd a = random_vector(model.nv, 1.0, generator);
 };
 
-TEST_P(NoAllocation, rigid_body) {
+TEST_P(RigidBodyAllocation, EvaluationAfterSetUp_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   RigidBody body(model);
   const int tool = body.frame(GetParam().tool);
@@ -73,7 +73,7 @@ TEST_P(NoAllocation, rigid_body) {
   EXPECT_TRUE(std::isfinite(sum));
 }
 
-INSTANTIATE_TEST_SUITE_P(robots, NoAllocation, ::testing::ValuesIn(test_robots()),
+INSTANTIATE_TEST_SUITE_P(robots, RigidBodyAllocation, ::testing::ValuesIn(test_robots()),
                          [](const auto& robot) { return robot.param.label(); });
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Damping and smoothed friction of joints.
+// Tests of the torques of damping and smoothed friction in joints.
 #include "dynamics/passive.hpp"
 
 #include <cmath>
@@ -38,14 +38,14 @@ Model arm_with_friction() {
   return model;
 }
 
-TEST(Passive, torques_obey_the_kernel_law) {
+TEST(PassiveTorque, Derivatives_EqualAutodiffAndDifferences) {
   const Model model = arm_with_friction();
   const PassiveKernel kernel{PassiveJoints(model, 0.5)};
   expect_kernel_law(model, kernel);
   expect_lanes_alike(model, kernel);
 }
 
-TEST(Passive, torques_brake_and_reach_the_coulomb_level) {
+TEST(PassiveTorque, MovingJoint_IsBrakedByDampingAndCoulombFriction) {
   const Model model = arm_with_friction();
   const PassiveKernel kernel{PassiveJoints(model)};
   std::mt19937_64 generator(31);
@@ -60,7 +60,7 @@ TEST(Passive, torques_brake_and_reach_the_coulomb_level) {
   }
 }
 
-TEST(Passive, refuses_a_slip_velocity_that_is_not_positive) {
+TEST(PassiveTorque, SlipVelocityThatIsNotPositive_IsRefused) {
   const Model model = arm_with_friction();
   for (const double slip : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
     testing::expect_words(testing::refusal([&] { PassiveJoints(model, slip); }),

@@ -1,4 +1,4 @@
-// Placements of frames against published ones and against each other.
+// Tests of the placements of frames, against published values and against each other.
 #include "burnish/dynamics/placement.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace burnish {
 namespace {
 
 #if BURNISH_HAS_ROBOTS
-TEST(Placement, ToolOfPublishedPostures) {
+TEST(FramePlacement, PublishedPosture_GivesThePublishedToolPosition) {
   const Robot arm = load_robot(BURNISH_ROBOTS_DIR "/talos:right_arm");
   const auto tool = [&](const char* posture) {
     return Eigen::Vector3d(frame_placement(arm.model, arm.posture(posture), "tool").translation());
@@ -23,7 +23,7 @@ TEST(Placement, ToolOfPublishedPostures) {
 
 #endif
 
-TEST(Placement, ListIsInTheOrderOfFrames) {
+TEST(FramePlacement, ListOfAll_IsInTheOrderOfFrames) {
   const Model model = test::named_robot(test::has_robot_files ? "crane" : "every_joint");
   std::mt19937_64 generator(2);
   const Eigen::VectorXd q = random_configuration(model, generator);
@@ -35,7 +35,7 @@ TEST(Placement, ListIsInTheOrderOfFrames) {
   }
 }
 
-TEST(Placement, FreeFlyerPutsItsLinkWhereQSays) {
+TEST(FramePlacement, FreeFlyer_PlacesItsLinkAsInQ) {
   const Model model = test::named_robot("arm7:floating");
   Eigen::VectorXd q = model.q_neutral;
   q.head<7>() << 1.0, 2.0, 3.0, 0.0, 0.0, std::sin(0.4), std::cos(0.4);
@@ -49,7 +49,7 @@ TEST(Placement, FreeFlyerPutsItsLinkWhereQSays) {
   FAIL() << "no link on the free-flyer";
 }
 
-TEST(Placement, WorldIsKnownAndOthersAreRefused) {
+TEST(FramePlacement, World_IsIdentityAndUnknownFramesAreRefused) {
   const Model model = test::named_robot("arm7");
   const Eigen::VectorXd q = model.q_neutral;
   EXPECT_TRUE(frame_placement(model, q, "world").isApprox(Eigen::Isometry3d::Identity()));

@@ -1,5 +1,5 @@
-// The regressor: with the parameters of all bodies it is inverse dynamics, and differentiates as
-// inverse dynamics does.
+// The regressor times the inertial parameters of all bodies equals inverse dynamics without
+// armature, in value and derivatives.
 #include "dynamics/regressor.tpp"
 
 #include "burnish/model/inertia.hpp"
@@ -11,7 +11,7 @@
 namespace burnish::test {
 namespace {
 
-/// Y theta, nv entries. Its derivatives are those of inverse dynamics.
+/// Torques Y theta (nv entries); inverse dynamics supplies their derivatives.
 struct RegressorKernel {
   template <class S>
   std::vector<S> values(const S* q, const S* v, const S* a) const {
@@ -58,7 +58,7 @@ class Regressor : public OnRobots {
   Tree tree{model};
 };
 
-TEST_P(Regressor, times_the_parameters_is_inverse_dynamics) {
+TEST_P(Regressor, TimesParameters_EqualsInverseDynamics) {
   const RegressorKernel kernel{tree, parameters()};
   std::mt19937_64 generator(61);
   for (int i = 0; i < 20; ++i) {
@@ -79,7 +79,7 @@ TEST_P(Regressor, times_the_parameters_is_inverse_dynamics) {
   }
 }
 
-TEST_P(Regressor, differentiates_as_inverse_dynamics_does) {
+TEST_P(Regressor, Derivatives_EqualInverseDynamicsDerivatives) {
   expect_kernel_law(model, RegressorKernel{tree, parameters()}, 3);
   expect_lanes_alike(model, RegressorKernel{tree, parameters()});
 }

@@ -1,4 +1,4 @@
-// Springs in joints, and springs and dampers of tendons.
+// Tests of springs in joints, and of springs and dampers of tendons.
 #include "dynamics/springs.tpp"
 
 #include <numbers>
@@ -37,15 +37,15 @@ SpringKernel kernel_of(const Model& model) {
   return {Springs(model), static_cast<std::size_t>(model.nv)};
 }
 
-Model sprung() { return compiled(tree_of_every_joint(), Base::FreeFlyer); }
+Model model_with_springs() { return compiled(tree_of_every_joint(), Base::FreeFlyer); }
 
-TEST(Springs, obey_the_kernel_law) {
-  expect_kernel_law(sprung(), kernel_of(sprung()));
-  expect_lanes_alike(sprung(), kernel_of(sprung()));
+TEST(Springs, Derivatives_EqualAutodiffAndDifferences) {
+  expect_kernel_law(model_with_springs(), kernel_of(model_with_springs()));
+  expect_lanes_alike(model_with_springs(), kernel_of(model_with_springs()));
 }
 
-TEST(Springs, pull_down_their_energy) {
-  const Model model = sprung();
+TEST(Springs, Torque_IsTheNegativeGradientOfTheEnergy) {
+  const Model model = model_with_springs();
   const SpringKernel kernel = kernel_of(model);
   std::mt19937_64 generator(3);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
@@ -63,8 +63,8 @@ TEST(Springs, pull_down_their_energy) {
   }
 }
 
-TEST(Springs, are_in_the_passive_torques_of_a_rigid_body) {
-  Model model = sprung();
+TEST(Springs, PassiveTorqueOfARigidBody_ContainsSprings) {
+  Model model = model_with_springs();
   model.damping.setConstant(0.3);
   const SpringKernel kernel = kernel_of(model);
   RigidBody body(model);
@@ -79,17 +79,17 @@ TEST(Springs, are_in_the_passive_torques_of_a_rigid_body) {
   EXPECT_LE(relative_error(body.passive_torque_dq(), as_matrix(blocks.dq, model.nv)), 1e-15);
   const Eigen::MatrixXd dv =
       as_matrix(blocks.dv, model.nv) - 0.3 * Eigen::MatrixXd::Identity(model.nv, model.nv);
-  body.update_derivatives();  // once more changes nothing
+  body.update_derivatives();  // a second call changes nothing
   EXPECT_LE(relative_error(body.passive_torque_dv(), dv), 1e-15);
   EXPECT_EQ(body.spring_energy(), spring_energy(kernel.springs, s.q.data()));
 }
 
-TEST(Springs, are_none_where_the_description_has_none) {
+TEST(Springs, DescriptionWithoutSprings_HasNone) {
   const Model model = compiled(tree_with_followers(), Base::Fixed);
   EXPECT_TRUE(Springs(model).empty());
 }
 
-/// Two hinges, the second on the circle.
+/// Two hinges; the second one is continuous.
 TreeSpec hinges() {
   TreeSpec tree = testing::two_links();
   tree.joints[1].type = JointType::Continuous;
@@ -104,7 +104,7 @@ Eigen::VectorXd torque(const TreeSpec& tree, const Posture& posture,
   return tau;
 }
 
-TEST(Springs, turn_back_to_their_rest_and_the_short_way_on_the_circle) {
+TEST(Springs, JointAwayFromRest_IsPulledBackByTheShortestRotation) {
   TreeSpec tree = hinges();
   tree.joints[0].stiffness = 2.0, tree.joints[0].rest = 0.5;
   tree.joints[1].stiffness = 3.0, tree.joints[1].rest = 3.0;
@@ -117,21 +117,21 @@ TEST(Springs, turn_back_to_their_rest_and_the_short_way_on_the_circle) {
   EXPECT_LT((tau.tail<3>() - Eigen::Vector3d(0.0, -1.8, 0.0)).norm(), 1e-12);
 }
 
-/// Whole and reduced: what a follower's spring does to its leader by virtual work.
-TEST(Springs, of_followers_stand_at_their_leaders) {
+/// Virtual work maps the spring torque of a follower to its leader.
+TEST(Springs, SpringOfAFollower_ActsOnItsLeader) {
   TreeSpec tree = testing::two_links();
   tree.joints[0].stiffness = 2.0, tree.joints[0].rest = 0.5;
   tree.joints[1].stiffness = 3.0, tree.joints[1].rest = -0.4;
   tree.joints[1].mimic = MimicSpec{"shoulder", -1.5, 0.2};
   for (const double q : {-1.0, 0.0, 0.7}) {
-    const double own = -2.0 * (q - 0.5), of_follower = -3.0 * (-1.5 * q + 0.2 + 0.4);
-    EXPECT_NEAR(torque(tree, {{"shoulder", {q}}})[0], own - 1.5 * of_follower, 1e-12);
+    const double leader_torque = -2.0 * (q - 0.5), follower_torque = -3.0 * (-1.5 * q + 0.2 + 0.4);
+    EXPECT_NEAR(torque(tree, {{"shoulder", {q}}})[0], leader_torque - 1.5 * follower_torque, 1e-12);
   }
   tree.joints[1].mimic->multiplier = 0.0;
   EXPECT_NEAR(torque(tree, {{"shoulder", {0.9}}})[0], -2.0 * 0.4, 1e-12);
 }
 
-TEST(Springs, of_followers_on_the_circle_add_up_at_one_angle) {
+TEST(Springs, SpringsOfContinuousFollowers_AddUp) {
   TreeSpec tree = hinges();
   tree.joints[0].type = JointType::Continuous;
   tree.joints[0].stiffness = 2.0, tree.joints[0].rest = 0.5;
@@ -140,7 +140,7 @@ TEST(Springs, of_followers_on_the_circle_add_up_at_one_angle) {
   EXPECT_NEAR(torque(tree, {{"shoulder", {1.5}}})[0], -5.0, 1e-12);
 }
 
-TEST(Tendons, pull_by_their_length_with_followers_and_locked_joints_taken_off) {
+TEST(TendonSpring, StretchedTendon_PullsFreeJointsAndLeaders) {
   TreeSpec tree = testing::two_links();
   tree.links.push_back(testing::link("far"));
   tree.joints.push_back(testing::joint("slide", JointType::Prismatic, "tip", "far"));

@@ -1,4 +1,4 @@
-// Laws of exact surfaces, for every shape: distances, normals, how they bend, where they are drawn.
+// Tests of exact surfaces of every shape: distances, normals, curvature, texts and refusals.
 #include "burnish/dynamics/surface_shape.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class SurfaceLaw : public ::testing::TestWithParam<SurfaceShape> {
  protected:
   Surface surface{GetParam(), place, upwards};
   Vector3d n = upwards.normalized();
-  /// Of the surface's neighbourhood.
+  /// Random point near the surface.
   Vector3d near(std::mt19937_64& generator) const {
     std::uniform_real_distribution<double> across(-0.08, 0.08), above(-0.02, 0.05);
     const Eigen::Matrix3d axes = Reference::surface_with_normal(upwards).rotation;
@@ -49,7 +49,7 @@ class SurfaceLaw : public ::testing::TestWithParam<SurfaceShape> {
   }
 };
 
-TEST_P(SurfaceLaw, passes_through_its_point_with_its_normal) {
+TEST_P(SurfaceLaw, GivenPoint_HasZeroDistanceAndTheGivenNormal) {
   const SurfaceDistance at = surface.at(place);
   EXPECT_NEAR(at.distance, 0.0, 1e-15);
   EXPECT_LT((at.normal - n).norm(), 1e-14);
@@ -57,7 +57,7 @@ TEST_P(SurfaceLaw, passes_through_its_point_with_its_normal) {
   EXPECT_LT(surface.at(place - 0.01 * n).distance, 0.0);
 }
 
-TEST_P(SurfaceLaw, normal_and_bend_are_the_distances_derivatives) {
+TEST_P(SurfaceLaw, NormalAndHessian_AreDerivativesOfTheDistance) {
   std::mt19937_64 generator(7);
   constexpr double h = 1e-5;
   for (int i = 0; i < 100; ++i) {
@@ -68,14 +68,14 @@ TEST_P(SurfaceLaw, normal_and_bend_are_the_distances_derivatives) {
       const Vector3d step = h * Vector3d::Unit(k);
       const SurfaceDistance more = surface.at(x + step), less = surface.at(x - step);
       EXPECT_NEAR((more.distance - less.distance) / (2.0 * h), at.normal[k], 1e-9);
-      EXPECT_LT(((more.normal - less.normal) / (2.0 * h) - at.bend.col(k)).norm(), 1e-7);
+      EXPECT_LT(((more.normal - less.normal) / (2.0 * h) - at.hessian.col(k)).norm(), 1e-7);
     }
-    EXPECT_LT((at.bend * at.normal).norm(), 1e-12);
-    EXPECT_LT((at.bend - at.bend.transpose()).norm(), 1e-14);
+    EXPECT_LT((at.hessian * at.normal).norm(), 1e-12);
+    EXPECT_LT((at.hessian - at.hessian.transpose()).norm(), 1e-14);
   }
 }
 
-TEST_P(SurfaceLaw, a_distance_leads_to_the_nearest_point) {
+TEST_P(SurfaceLaw, Distance_LeadsToTheNearestPoint) {
   std::mt19937_64 generator(8);
   for (int i = 0; i < 100; ++i) {
     const Vector3d x = near(generator);
@@ -87,7 +87,7 @@ TEST_P(SurfaceLaw, a_distance_leads_to_the_nearest_point) {
   }
 }
 
-TEST_P(SurfaceLaw, points_along_the_normal_are_on_it) {
+TEST_P(SurfaceLaw, PointAlongTheNormal_IsOnTheSurface) {
   std::mt19937_64 generator(9);
   for (int i = 0; i < 50; ++i) {
     const Vector3d x = near(generator), on = surface.along_normal(x);
@@ -96,7 +96,7 @@ TEST_P(SurfaceLaw, points_along_the_normal_are_on_it) {
   }
 }
 
-TEST_P(SurfaceLaw, its_quadric_is_the_surface_of_a_tips_centre_to_second_order) {
+TEST_P(SurfaceLaw, QuadricOfATip_MatchesTheDistanceToSecondOrder) {
   std::mt19937_64 generator(10);
   constexpr double radius = 0.02;
   for (int i = 0; i < 20; ++i) {
@@ -114,12 +114,12 @@ INSTANTIATE_TEST_SUITE_P(shapes, SurfaceLaw, ::testing::ValuesIn(shapes()), [](c
   return std::string(test.param.hollow ? "hollow_" : "") + name_of(test.param.kind);
 });
 
-TEST(Surfaces, BendAsTheirRadiiSay) {
+TEST(SurfaceCurvature, EveryShape_FollowsFromItsRadii) {
   const auto curvatures = [](const SurfaceShape& shape) {
     const Eigen::Matrix3d axes = Reference::surface_with_normal(upwards).rotation;
-    const Eigen::Matrix3d bend =
-        axes.transpose() * Surface(shape, place, upwards).at(place).bend * axes;
-    return Eigen::Vector2d(bend(0, 0), bend(1, 1));
+    const Eigen::Matrix3d curvature =
+        axes.transpose() * Surface(shape, place, upwards).at(place).hessian * axes;
+    return Eigen::Vector2d(curvature(0, 0), curvature(1, 1));
   };
   const auto near = [](const Eigen::Vector2d& a, double x, double y) {
     EXPECT_LT((a - Eigen::Vector2d(x, y)).norm(), 1e-12) << a.transpose();
@@ -133,7 +133,7 @@ TEST(Surfaces, BendAsTheirRadiiSay) {
   near(curvatures({.kind = Kind::Cone, .radius = 0.5, .half_angle = 0.7}), 0.0, 2.0);
 }
 
-TEST(Surfaces, ARidgeIsAsFarAsTheNearestOfItsTwoHalfPlanes) {
+TEST(RidgeSurface, Distance_IsToTheNearerHalfPlane) {
   const Eigen::Matrix3d axes = Reference::surface_with_normal(upwards).rotation;
   constexpr double edge = 0.03, slope = 0.3;
   for (const bool hollow : {false, true}) {
@@ -150,7 +150,7 @@ TEST(Surfaces, ARidgeIsAsFarAsTheNearestOfItsTwoHalfPlanes) {
       const SurfaceDistance at = surface.at(place + own * Vector3d(x, above(generator), z));
       const double height = x > edge ? rise * (x - edge) : 0.0;
       EXPECT_EQ(at.distance > 0.0, z > height);
-      // Half planes as points, a micrometre of distance apart.
+      // Points on both half planes, 20 micrometres apart.
       double nearest = 1.0;
       for (double u = -0.3; u < 0.3; u += 2e-5)
         nearest = std::min(nearest, std::hypot(x - u, z - (u > edge ? rise * (u - edge) : 0.0)));
@@ -164,23 +164,23 @@ TEST(Surfaces, ARidgeIsAsFarAsTheNearestOfItsTwoHalfPlanes) {
   }
 }
 
-TEST(Surfaces, AreRefusedInASentence) {
+TEST(SurfaceShape, InvalidDimension_IsRefused) {
   const auto refused = [](const SurfaceShape& shape, const char* words) {
     const std::string sentence = testing::refusal([&] { Surface(shape, place, upwards); });
     EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
   };
   refused({.kind = Kind::Sphere, .radius = -1.0}, "sphere: its radius is -1 m");
-  refused({.kind = Kind::Torus, .radius = 0.5, .ring = 0.4}, "thinner");
+  refused({.kind = Kind::Torus, .radius = 0.5, .ring = 0.4}, "less than the radius of its ring");
   refused({.kind = Kind::Cone, .half_angle = 2.0}, "half angle is 2 rad");
-  refused({.kind = Kind::Plane, .hollow = true}, "which a plane cannot be");
-  refused({.kind = Kind::Saddle, .hollow = true}, "curvatures of the other signs");
+  refused({.kind = Kind::Plane, .hollow = true}, "a plane cannot be hollow");
+  refused({.kind = Kind::Saddle, .hollow = true}, "curvatures with the opposite sign");
   refused({.kind = Kind::Ridge, .slope = -0.1}, "its slope is -0.1 rad");
   refused({.kind = Kind::Ellipsoid, .semi_axes = {0.1, 0.0, 0.1}}, "semi-axis is 0 m");
   EXPECT_NE(testing::refusal([] { Surface({}, place, Vector3d::Zero()); }).find("normal"),
             std::string::npos);
 }
 
-TEST(SurfaceShapes, AreReadFromAText) {
+TEST(SurfaceShape, Text_IsParsedAndInvalidTextIsRefused) {
   const SurfaceShape ball = SurfaceShape::parse("sphere:0.25:hollow");
   EXPECT_EQ(ball.text(), "hollow sphere of radius 0.25 m");
   EXPECT_EQ(SurfaceShape::parse("torus:0.1:0.6").text(),
@@ -195,14 +195,13 @@ TEST(SurfaceShapes, AreReadFromAText) {
               "surface '" + text + "': " + sentence);
   };
   refused("spere:1",
-          "there is no shape 'spere'; wanted such as sphere:0.3; did you mean 'sphere'?");
-  refused("sphere:1:2", "it states 2 numbers; a sphere has 1");
-  refused(
-      "cylinder:wide",
-      "'wide' is no number; wanted such as cylinder:0.3, and ':hollow' at the end of one that is "
-      "worked in");
+          "there is no shape 'spere'; wanted a shape such as sphere:0.3; did you mean 'sphere'?");
+  refused("sphere:1:2", "sphere is followed by 2 numbers; wanted 1 or none");
+  refused("cylinder:wide",
+          "'wide' is not a number; wanted numbers as in cylinder:0.3, and ':hollow' at the end if "
+          "the tool touches the inner side");
   refused("sphere:0", "sphere: its radius is 0 m; wanted a positive number");
-  refused("plane:hollow", "plane: it is hollow, which a plane cannot be");
+  refused("plane:hollow", "plane: a plane cannot be hollow");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The estimator on robots: consistency with noise of encoders and of the unit, drift, feet that
-// slip, bad input.
+// Tests of the base estimator on robots: consistency with encoder and IMU noise, drift, feet that
+// slip, invalid input.
 #include "burnish/estimate/base_estimator.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ using burnish::testing::refusal;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The noise is that of the encoders alone, and feet do not creep.
+/// Sets the options to the true noise: encoder noise only, and feet that do not creep.
 BaseEstimatorOptions with_true_noise(BaseEstimatorOptions options) {
   options.place_noise = 1e-6;
   options.turn_noise = 1e-6;
@@ -37,53 +37,53 @@ BaseEstimatorOptions with_true_noise(BaseEstimatorOptions options) {
   return options;
 }
 
-void expect_consistent(OnFeet robot, const RobotMotion& motion, const std::string& name) {
+void expect_consistent(LeggedRobot robot, const RobotMotion& motion, const std::string& name) {
   constexpr int seeds = 50;
   robot.options = with_true_noise(robot.options);
-  const std::vector<std::size_t> looks = {10, motion.q.size() / 3, motion.q.size() - 1};
-  std::vector<double> knowable(looks.size(), 0.0), whole(looks.size(), 0.0);
+  const std::vector<std::size_t> check_ticks = {10, motion.q.size() / 3, motion.q.size() - 1};
+  std::vector<double> observable(check_ticks.size(), 0.0), whole(check_ticks.size(), 0.0);
   double squares = 0.0;
   long rows = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     Estimation run(robot, motion, seed);
-    for (std::size_t i = 1, look = 0; i < motion.q.size(); ++i) {
+    for (std::size_t i = 1, sample = 0; i < motion.q.size(); ++i) {
       ASSERT_EQ(run.tick(i), Status::Ok);
       ASSERT_EQ(run.estimator.feet_that_slip(), 0U) << seed << " " << i;
-      if (look == looks.size() || i != looks[look]) continue;
-      knowable[look] += run.knowable_square(i) / seeds;
-      whole[look++] += run.whole_square(i) / seeds;
+      if (sample == check_ticks.size() || i != check_ticks[sample]) continue;
+      observable[sample] += run.observable_square(i) / seeds;
+      whole[sample++] += run.whole_square(i) / seeds;
     }
     squares += run.squared_innovations();
     rows += run.innovation_rows();
   }
-  const auto check = [&](double mean, int freedom, const std::string& what) {
-    EXPECT_GT(mean, chi_square_quantile(freedom * seeds, 0.5e-4) / seeds) << what;
-    EXPECT_LT(mean, chi_square_quantile(freedom * seeds, 1.0 - 0.5e-4) / seeds) << what;
-    ::testing::Test::RecordProperty(what, std::to_string(mean / freedom));
+  const auto check = [&](double mean, int dof, const std::string& label) {
+    EXPECT_GT(mean, chi_square_quantile(dof * seeds, 0.5e-4) / seeds) << label;
+    EXPECT_LT(mean, chi_square_quantile(dof * seeds, 1.0 - 0.5e-4) / seeds) << label;
+    ::testing::Test::RecordProperty(label, std::to_string(mean / dof));
   };
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    check(knowable[i], 11, name + "_knowable_at_" + std::to_string(looks[i]));
-    check(whole[i], 15, name + "_all_at_" + std::to_string(looks[i]));
+  for (std::size_t i = 0; i < check_ticks.size(); ++i) {
+    check(observable[i], 11, name + "_observable_at_" + std::to_string(check_ticks[i]));
+    check(whole[i], 15, name + "_all_at_" + std::to_string(check_ticks[i]));
   }
   const double mean = squares / static_cast<double>(rows);
   EXPECT_NEAR(mean, 1.0, 4.0 * std::sqrt(2.0 / static_cast<double>(rows))) << rows;
   ::testing::Test::RecordProperty(name + "_innovations", std::to_string(mean));
 }
 
-TEST(BaseEstimator, IsConsistentOnTwoSoles) {
-  const OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, StandingOnTwoSoles_IsConsistent) {
+  const LeggedRobot robot = humanoid_on_soles();
   expect_consistent(robot, standing_motion(robot, 4.0, 0.005), "soles");
 }
 
 #if BURNISH_HAS_ROBOTS
-TEST(BaseEstimator, IsConsistentAtATrot) {
-  const OnFeet robot = quadruped();
+TEST(BaseEstimator, Trot_IsConsistent) {
+  const LeggedRobot robot = quadruped();
   expect_consistent(robot, trotting_motion(robot, 4.0, 0.005), "trot");
 }
 #endif
 
-TEST(BaseEstimator, WithoutNoiseItIsExact) {
-  OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, NoNoise_GivesTheExactState) {
+  LeggedRobot robot = humanoid_on_soles();
   robot.options = with_true_noise(robot.options);
   BaseEstimatorOptions& o = robot.options;
   const RobotMotion motion = standing_motion(robot, 1.0, 0.001);
@@ -95,17 +95,17 @@ TEST(BaseEstimator, WithoutNoiseItIsExact) {
         Status::Ok);
   EXPECT_LT((estimator.q() - motion.q.back()).norm(), 1e-6);
   EXPECT_LT((estimator.v() - motion.v.back()).head<3>().norm(), 1e-5);
-  // The gyroscope's mean over the tick before.
+  // The estimated angular velocity is the gyroscope's mean over the last tick.
   EXPECT_LT((estimator.v() - motion.v.back()).norm(), 1e-3);
 }
 
-TEST(BaseEstimator, AUnitOnTheTrunkTellsOfTheBase) {
-  OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, ImuOnTheTrunk_EstimatesTheBase) {
+  LeggedRobot robot = humanoid_on_soles();
   const std::string unit = has_robot_files ? "torso_2_link" : "arm_1_link";
   robot.options.imu_frame = unit;
   const Model& model = robot.model;
   RobotMotion motion = standing_motion(robot, 0.5, 0.001);
-  // Joints between the unit and the base turn too.
+  // Joints between IMU and base move, too.
   RigidBody body(model);
   const auto twisted = [&](double t, VectorXd q) {
     VectorXd step = VectorXd::Zero(model.nv);
@@ -145,8 +145,8 @@ TEST(BaseEstimator, AUnitOnTheTrunkTellsOfTheBase) {
   EXPECT_LT((estimator.v() - motion.v.back()).norm(), 1e-2);
 }
 
-TEST(BaseEstimator, LearnsBiasesAndTiltAndDriftsSlowly) {
-  OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, StandingMotion_FindsBiasesAndTiltWithLittleDrift) {
+  LeggedRobot robot = humanoid_on_soles();
   robot.options.encoder_noise = 3e-4;
   const RobotMotion motion = standing_motion(robot, 6.0, 0.005);
   double yaw = 0.0, place = 0.0, tilt = 0.0, gyro = 0.0;
@@ -166,13 +166,13 @@ TEST(BaseEstimator, LearnsBiasesAndTiltAndDriftsSlowly) {
   EXPECT_LT(std::sqrt(yaw), 0.02);
 }
 
-/// How place and yaw drift from a time on until the motion ends: deviations over runs, m and rad,
-/// as they are and as the estimator claims, and microseconds per update.
+/// Drift of position and yaw from a time to the end of the motion: standard deviations over runs
+/// [m, rad], true and as claimed by the estimator, and time per update [us].
 struct Drift {
   double place = 0.0, height = 0.0, yaw = 0.0, tilt = 0.0, velocity = 0.0;
   double claimed_place = 0.0, claimed_yaw = 0.0, time = 0.0;
 };
-Drift drift_of(const OnFeet& robot, const RobotMotion& motion, double from) {
+Drift drift_of(const LeggedRobot& robot, const RobotMotion& motion, double from) {
   constexpr int runs = 10;
   const auto first = static_cast<std::size_t>(std::lround(from / motion.dt));
   const std::size_t last = motion.q.size() - 1;
@@ -198,7 +198,7 @@ Drift drift_of(const OnFeet& robot, const RobotMotion& motion, double from) {
     *square = std::sqrt(*square);
   BaseEstimator timed(robot.model, robot.options);
   EXPECT_EQ(timed.reset(motion.q[0], motion.v[0]), Status::Ok);
-  // The quickest 20 updates: other work on the machine only adds.
+  // Takes the quickest 20 updates, because other work on the machine only adds time.
   d.time = infinity;
   auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 1; i <= last; ++i) {
@@ -211,41 +211,41 @@ Drift drift_of(const OnFeet& robot, const RobotMotion& motion, double from) {
   }
   return d;
 }
-void print(const char* what, const Drift& d, double per, const char* of) {
+void print(const char* label, const Drift& d, double per, const char* of) {
   std::printf(
       "%-9s per %s: place %.2f mm, height %.2f mm, yaw %.3f deg; claimed over the whole: place "
       "%.2f "
       "mm, yaw %.3f deg; tilt %.3f deg, velocity %.2f mm/s; %.1f us per update\n",
-      what, of, 1e3 * d.place / per, 1e3 * d.height / per, 180.0 / M_PI * d.yaw / per,
+      label, of, 1e3 * d.place / per, 1e3 * d.height / per, 180.0 / M_PI * d.yaw / per,
       1e3 * d.claimed_place, 180.0 / M_PI * d.claimed_yaw, 180.0 / M_PI * d.tilt, 1e3 * d.velocity,
       d.time);
 }
 
-/// The figures of docs/state_estimation.md. Set BURNISH_TEST_LONG.
-TEST(BaseEstimator, FiguresOfDrift) {
+/// Prints the drift figures of docs/state_estimation.md. Runs only if BURNISH_TEST_LONG is set.
+TEST(BaseEstimator, Drift_StaysWithinThreeTimesTheClaimedDeviation) {
   if (std::getenv("BURNISH_TEST_LONG") == nullptr) GTEST_SKIP() << "set BURNISH_TEST_LONG";
-  const OnFeet robot = humanoid_on_soles();
+  const LeggedRobot robot = humanoid_on_soles();
   const Drift stands = drift_of(robot, standing_motion(robot, 20.0, 0.002), 5.0);
   print("stands", stands, 15.0 / 60.0, "minute");
   EXPECT_LT(stands.place, 3.0 * stands.claimed_place);
   EXPECT_LT(stands.yaw, 3.0 * stands.claimed_yaw);
 #if BURNISH_HAS_ROBOTS
-  const OnFeet walker = quadruped();
+  const LeggedRobot walker = quadruped();
   const RobotMotion trot = trotting_motion(walker, 12.0, 0.002);
   const Drift walks = drift_of(walker, trot, 2.0);
-  const double way = trot.q.back()[0] - trot.q[1000][0];
-  print("trots", walks, way, "metre");
+  const double distance = trot.q.back()[0] - trot.q[1000][0];
+  print("trots", walks, distance, "metre");
   EXPECT_LT(walks.place, 3.0 * walks.claimed_place);
 #endif
 }
 
-/// Foot 0 slides off over the ground at a speed, for a while.
-struct Sliding {
-  OnFeet robot;
+/// Motion in which foot 0 slides over the ground for a while.
+struct SlidingFoot {
+  LeggedRobot robot;
   RobotMotion motion;
 };
-Sliding sliding(double speed, double from, double to, double duration) {
-  Sliding result{humanoid_on_soles(), {}};
+SlidingFoot sliding(double speed, double from, double to, double duration) {
+  SlidingFoot result{humanoid_on_soles(), {}};
   std::vector<FootOverTime> feet;
   for (const FootSpec& foot : result.robot.options.feet) {
     const Pose at = frame_pose(result.robot, foot.frame);
@@ -263,14 +263,14 @@ Sliding sliding(double speed, double from, double to, double duration) {
   return result;
 }
 
-TEST(BaseEstimator, AFootThatSlipsIsLeftOutAndTakenBack) {
-  const Sliding s = sliding(0.15, 1.0, 1.4, 2.0);
+TEST(BaseEstimator, SlippingFoot_IsLeftOutUntilItStops) {
+  const SlidingFoot s = sliding(0.15, 1.0, 1.4, 2.0);
   const auto last = s.motion.q.size() - 1;
   double with_gate = 0.0, without = 0.0;
   for (const bool gated : {true, false}) {
-    OnFeet robot = s.robot;
+    LeggedRobot robot = s.robot;
     if (!gated) robot.options.gate = 1.0 - 1e-15;
-    if (!gated) robot.options.encoder_noise = 0.05;  // so wide that nothing is beyond it
+    if (!gated) robot.options.encoder_noise = 0.05;  // so large that no innovation exceeds the gate
     Estimation run(robot, s.motion, 5, true);
     run.encoder_noise = s.robot.options.encoder_noise;
     bool slipped = false;
@@ -278,7 +278,7 @@ TEST(BaseEstimator, AFootThatSlipsIsLeftOutAndTakenBack) {
       ASSERT_EQ(run.tick(i), Status::Ok);
       const double t = static_cast<double>(i) * s.motion.dt;
       const BaseEstimator::Feet out = run.estimator.feet_that_slip();
-      EXPECT_EQ(out & 2U, 0U) << "the foot that stands, at " << t;
+      EXPECT_EQ(out & 2U, 0U) << "the foot at rest is left out at " << t;
       if (t < 1.0) {
         EXPECT_EQ(out, 0U) << t;
       }
@@ -297,12 +297,12 @@ TEST(BaseEstimator, AFootThatSlipsIsLeftOutAndTakenBack) {
     }
   }
   EXPECT_LT(with_gate, 0.01);
-  EXPECT_GT(without, 0.02);  // half of the foot's way
+  EXPECT_GT(without, 0.02);  // half of the distance that the foot slid
 }
 
-/// Soles on ground that gives way: they tilt by 2 mrad as the load comes, and turn about the
-/// vertical by 0.3 mrad/s, each about its middle, which stays; as those of a simulated robot did.
-RobotMotion pivoting_motion(const OnFeet& robot, double duration, double dt) {
+/// Feet on soft ground: they tilt by 2 mrad as the load comes and yaw by 0.3 mrad/s, each about its
+/// center. A simulated robot moved like this.
+RobotMotion pivoting_motion(const LeggedRobot& robot, double duration, double dt) {
   std::vector<FootOverTime> feet;
   for (const FootSpec& foot : robot.options.feet) {
     const Pose at = frame_pose(robot, foot.frame);
@@ -316,8 +316,8 @@ RobotMotion pivoting_motion(const OnFeet& robot, double duration, double dt) {
   return robot_motion(robot.model, robot.q, swaying(base_of(robot.q), 0.1), feet, duration, dt);
 }
 
-TEST(BaseEstimator, SolesThatPivotInPlaceTakeNoYawAlong) {
-  OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, PivotingFeet_LeaveTheEstimatedYaw) {
+  LeggedRobot robot = humanoid_on_soles();
   BaseEstimatorOptions& o = robot.options;
   o.place_noise = 5e-4;
   o.turn_noise = 2e-3;
@@ -332,22 +332,22 @@ TEST(BaseEstimator, SolesThatPivotInPlaceTakeNoYawAlong) {
                 Status::Ok);
       EXPECT_EQ(estimator.feet_that_count(), 3U) << i;
     }
-    const Pose truth = base_of(motion.q.back()), told = base_of(estimator.q());
+    const Pose truth = base_of(motion.q.back()), estimate = base_of(estimator.q());
     VectorXd e(6);
-    e << log3(truth.R * told.R.transpose()), truth.p - told.p;
+    e << log3(truth.R * estimate.R.transpose()), truth.p - estimate.p;
     return e;
   };
-  // Where soles may turn, yaw is held by where the two stand; where they may not, it goes along.
-  const VectorXd free = error(3e-3), fixed = error(1e-5);
-  EXPECT_LT(std::abs(free[2]), 1e-4);
-  EXPECT_LT(free.head<2>().norm(), 2e-4);
-  EXPECT_LT(free.tail<3>().norm(), 3e-4);
+  // If feet may rotate, their positions determine yaw; if not, the estimated yaw follows the feet.
+  const VectorXd rotating = error(3e-3), fixed = error(1e-5);
+  EXPECT_LT(std::abs(rotating[2]), 1e-4);
+  EXPECT_LT(rotating.head<2>().norm(), 2e-4);
+  EXPECT_LT(rotating.tail<3>().norm(), 3e-4);
   EXPECT_GT(std::abs(fixed[2]), 5e-4);
 }
 
-TEST(BaseEstimator, FeetThatAreAllLostAreFoundAgain) {
-  // The base is set off by a blow that no sensor of the estimator's saw.
-  OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, AllFeetRejected_AreAcceptedAgain) {
+  // The IMU reads an acceleration that did not happen, which shifts the estimated base.
+  LeggedRobot robot = humanoid_on_soles();
   const RobotMotion motion = standing_motion(robot, 1.0, 0.002, 0.2);
   Estimation run(robot, motion, 3, true);
   for (std::size_t i = 1; i < motion.q.size(); ++i) {
@@ -362,8 +362,8 @@ TEST(BaseEstimator, FeetThatAreAllLostAreFoundAgain) {
   EXPECT_EQ(run.estimator.feet_that_count(), 3U);
 }
 
-TEST(BaseEstimator, FeetInTheAirAreNoAnchor) {
-  OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, FeetInTheAir_AreNotUsed) {
+  LeggedRobot robot = humanoid_on_soles();
   const RobotMotion motion = standing_motion(robot, 0.4, 0.002, 0.2);
   Estimation run(robot, motion, 4, true);
   for (std::size_t i = 1; i < motion.q.size(); ++i) {
@@ -372,14 +372,14 @@ TEST(BaseEstimator, FeetInTheAirAreNoAnchor) {
     ASSERT_EQ(run.tick(i, standing, motion.imu[i]), Status::Ok);
     EXPECT_EQ(run.estimator.feet_that_count(), standing);
     if (standing == 0U) {
-      EXPECT_GT(run.estimator.covariance()(3, 3), before(3, 3));  // it flies, and knows less
+      EXPECT_GT(run.estimator.covariance()(3, 3), before(3, 3));  // in flight the covariance grows
       EXPECT_EQ(run.estimator.innovation().rows, 0);
     }
   }
 }
 
-TEST(BaseEstimator, BadInputIsAnsweredWithAStatusAndChangesNothing) {
-  const OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, InvalidInput_ReturnsAStatusAndChangesNothing) {
+  const LeggedRobot robot = humanoid_on_soles();
   const RobotMotion motion = standing_motion(robot, 0.02, 0.002);
   Estimation run(robot, motion, 1);
   BaseEstimator& e = run.estimator;
@@ -416,14 +416,14 @@ TEST(BaseEstimator, BadInputIsAnsweredWithAStatusAndChangesNothing) {
   EXPECT_TRUE(e.q() == q && e.v() == v);
   EXPECT_TRUE(e.covariance() == P);
   EXPECT_EQ(e.update(good, q, v, 3, 0.002), Status::Ok);
-  // Bits beyond the feet are nobody's.
+  // Bits beyond the feet are ignored.
   EXPECT_EQ(e.update(good, q, v, ~0U, 0.002), Status::Ok);
   EXPECT_EQ(e.feet_that_count() & ~3U, 0U);
 }
 
-TEST(BaseEstimator, TicksAllocateNothing) {
+TEST(BaseEstimator, Update_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
-  const OnFeet robot = humanoid_on_soles();
+  const LeggedRobot robot = humanoid_on_soles();
   const RobotMotion motion = standing_motion(robot, 0.1, 0.002);
   BaseEstimator estimator(robot.model, robot.options);
   ASSERT_EQ(estimator.reset(motion.q[0], motion.v[0]), Status::Ok);
@@ -436,8 +436,8 @@ TEST(BaseEstimator, TicksAllocateNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(BaseEstimator, StartsWhereItIsTold) {
-  const OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, Reset_SetsStateAndCovariance) {
+  const LeggedRobot robot = humanoid_on_soles();
   BaseEstimator estimator(robot.model, robot.options);
   std::mt19937_64 generator(8);
   const VectorXd q = random_configuration(robot.model, generator);
@@ -454,8 +454,8 @@ TEST(BaseEstimator, StartsWhereItIsTold) {
   EXPECT_EQ(estimator.feet_that_count(), 0U);
 }
 
-TEST(BaseEstimator, RefusesOptionsThatWillNotDo) {
-  const OnFeet robot = humanoid_on_soles();
+TEST(BaseEstimator, InvalidOptions_AreRefused) {
+  const LeggedRobot robot = humanoid_on_soles();
   const auto refused = [&](const std::function<void(BaseEstimatorOptions&)>& change) {
     BaseEstimatorOptions options = robot.options;
     change(options);

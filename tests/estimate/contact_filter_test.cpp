@@ -1,5 +1,5 @@
-// The filter's linear maps against differences and automatic differentiation, and what it cannot
-// know.
+// Tests of the contact filter: its linear maps against finite differences and automatic
+// differentiation, and its unobservable directions.
 #include "estimate/contact_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A ball and a sole.
-const std::vector<char> ball_and_sole = {0, 1};
+/// Point foot (0) and planar foot (1).
+const std::vector<char> point_and_planar_foot = {0, 1};
 constexpr FootSet both = 3;
 constexpr int entries_of_xi = ContactFilter::unit_size + 9, seen_rows = 9;
 
@@ -30,7 +30,7 @@ struct State {
   InertialState<S> unit;
   Vec3<S> b_gyro, b_accelerometer;
   Vec3<S> d[2];
-  Mat3<S> C;  ///< of foot 1
+  Mat3<S> C;  ///< rotation of foot 1
 };
 
 State<double> state_of(const ContactFilter& filter) {
@@ -49,7 +49,7 @@ State<S> lifted(const State<double>& x) {
           lift<S>(x.C)};
 }
 
-/// exp(xi) X, and biases plus zeta.
+/// Returns exp(xi) X, with xi's bias entries added to the biases.
 template <class S>
 State<S> moved(const State<double>& from, const S* xi) {
   const auto at = [&](int entry) { return Vec3<S>{xi[entry], xi[entry + 1], xi[entry + 2]}; };
@@ -67,7 +67,7 @@ State<S> moved(const State<double>& from, const S* xi) {
   return x;
 }
 
-/// The xi of the first order with x = exp(xi) from, biases last.
+/// Returns xi to first order with x = exp(xi) from; biases last.
 template <class S>
 std::vector<S> error_of(const State<S>& x, const State<double>& from) {
   const State<S> hat = lifted<S>(from);
@@ -82,7 +82,7 @@ std::vector<S> error_of(const State<S>& x, const State<double>& from) {
                          x.d[1] - E * hat.d[1],
                          log_rotation(x.C * transposed(hat.C), angle)};
   std::vector<S> result;
-  for (const Vec3<S>& part : xi) result.insert(result.end(), {part.x, part.y, part.z});
+  for (const Vec3<S>& block : xi) result.insert(result.end(), {block.x, block.y, block.z});
   return result;
 }
 
@@ -94,7 +94,7 @@ State<S> after(State<S> x, const ImuReading& reading, double dt) {
   return x;
 }
 
-/// (h, Q) of both feet as they would be seen, as the rows of innovations at an estimate.
+/// Rows of the innovation of both feet at an estimate, from observations (h, Q) with noise.
 template <class S>
 std::vector<S> innovation_at(const State<S>& truth, const S* noise, const State<double>& estimate) {
   const State<S> hat = lifted<S>(estimate);
@@ -112,7 +112,7 @@ std::vector<S> innovation_at(const State<S>& truth, const S* noise, const State<
   return result;
 }
 
-/// The derivative by `size` variables at zero, by automatic differentiation.
+/// Derivative with respect to `size` variables at zero, by automatic differentiation.
 template <class Evaluate>
 MatrixXd exact(int size, const Evaluate& evaluate) {
   const Seeded x{VectorXd::Zero(size), MatrixXd::Identity(size, size)};
@@ -120,7 +120,7 @@ MatrixXd exact(int size, const Evaluate& evaluate) {
   return differentiate(x, none,
                        [&](const Duals& xi, const Duals& /*none*/) { return evaluate(xi.data()); });
 }
-/// The same by differences.
+/// Derivative with respect to `size` variables at zero, by finite differences.
 template <class Evaluate>
 MatrixXd differences(int size, const Evaluate& evaluate) {
   constexpr double h = 1e-5;
@@ -144,10 +144,10 @@ MatrixXd random_covariance(int size, double scale, std::mt19937_64& generator) {
   return scale * scale * (root * root.transpose() + MatrixXd::Identity(size, size));
 }
 
-/// Both feet stand, seen as `seen` says; a covariance with no zero in it.
-struct Standing {
-  explicit Standing(std::uint64_t seed, const FilterNoise& noise = {})
-      : generator(seed), filter(ball_and_sole, noise, gravity) {
+/// Filter with both feet standing, observed at `seen`, and a dense covariance.
+struct StandingFilter {
+  explicit StandingFilter(std::uint64_t seed, const FilterNoise& noise = {})
+      : generator(seed), filter(point_and_planar_foot, noise, gravity) {
     const InertialState<double> start{from_eigen(exp3(normal3(generator, 1.0))),
                                       from_eigen(normal3(generator, 1.0)),
                                       from_eigen(normal3(generator, 2.0))};
@@ -168,9 +168,9 @@ bool same(const MatrixXd& a, const MatrixXd& b, double relative) {
   return (a - b).norm() <= relative * b.norm();
 }
 
-TEST(ContactFilter, PropagationIsExactToFirstOrder) {
+TEST(ContactFilter, Propagation_IsExactToFirstOrder) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Standing s(seed);
+    StandingFilter s(seed);
     const State<double> before = state_of(s.filter);
     const MatrixXd P = s.filter.covariance();
     const ImuReading reading{normal3(s.generator, 2.0), normal3(s.generator, 9.0)};
@@ -188,10 +188,10 @@ TEST(ContactFilter, PropagationIsExactToFirstOrder) {
   }
 }
 
-TEST(ContactFilter, NoiseOfReadingsEntersAsItIsDefined) {
+TEST(ContactFilter, ImuNoise_EntersTheCovarianceAsDefined) {
   const FilterNoise noise{0.01, 0.1, 0.001, 0.02, 0.03, 0.05};
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    Standing s(seed, noise);
+    StandingFilter s(seed, noise);
     const State<double> before = state_of(s.filter);
     const MatrixXd P = s.filter.covariance();
     const ImuReading reading{normal3(s.generator, 2.0), normal3(s.generator, 9.0)};
@@ -201,7 +201,7 @@ TEST(ContactFilter, NoiseOfReadingsEntersAsItIsDefined) {
     const MatrixXd Phi = exact(entries_of_xi, [&](const Dual* xi) {
       return error_of(after(moved(before, xi), reading, dt), next);
     });
-    // True readings are those that came, less noise.
+    // The true readings are the measured readings less noise.
     const MatrixXd by_noise = exact(6, [&](const Dual* n) {
       State<Dual> x = lifted<Dual>(before);
       x.b_gyro += Vec3<Dual>{n[0], n[1], n[2]};
@@ -224,12 +224,12 @@ TEST(ContactFilter, NoiseOfReadingsEntersAsItIsDefined) {
   }
 }
 
-TEST(ContactFilter, FeetThatArePutDownHaveTheErrorsOfWhereTheyWereSeen) {
+TEST(ContactFilter, AddedFeet_GetTheCovarianceOfTheirObservation) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    Standing s(seed);
+    StandingFilter s(seed);
     const State<double> hat = state_of(s.filter);
     const MatrixXd P = s.filter.covariance();
-    // Truth: the unit is off by xi, the feet are seen with noise.
+    // The true state differs from the estimate by xi; the feet are observed with noise.
     const MatrixXd by = exact(ContactFilter::unit_size + seen_rows, [&](const Dual* x) {
       std::vector<Dual> xi(x, x + ContactFilter::unit_size);
       xi.resize(entries_of_xi, Dual(0.0));
@@ -251,9 +251,9 @@ TEST(ContactFilter, FeetThatArePutDownHaveTheErrorsOfWhereTheyWereSeen) {
   }
 }
 
-TEST(ContactFilter, UpdatesAreKalmansWithTheExactDerivativesOfWhatIsSeen) {
+TEST(ContactFilter, Update_IsAKalmanUpdateWithExactDerivatives) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Standing s(seed);
+    StandingFilter s(seed);
     s.filter.propagate({normal3(s.generator, 1.0), normal3(s.generator, 9.0)}, 0.02);
     const State<double> hat = state_of(s.filter);
     const MatrixXd P = s.filter.covariance();
@@ -270,7 +270,7 @@ TEST(ContactFilter, UpdatesAreKalmansWithTheExactDerivativesOfWhatIsSeen) {
         exact(9, [&](const Dual* n) { return innovation_at(lifted<Dual>(hat), n, hat); });
     const MatrixXd N = random_covariance(seen_rows, 0.003, s.generator);
 
-    // What is seen: small errors off the estimate.
+    // Observations with small errors relative to the estimate.
     std::vector<SeenFoot> seen(2);
     for (int k = 0; k < 2; ++k)
       seen[static_cast<std::size_t>(k)].p = transpose_times(hat.unit.R, hat.d[k] - hat.unit.p) +
@@ -293,7 +293,7 @@ TEST(ContactFilter, UpdatesAreKalmansWithTheExactDerivativesOfWhatIsSeen) {
     EXPECT_NEAR(s.filter.squared_innovation(), r.dot(S.inverse() * r), 1e-9);
     EXPECT_EQ(s.filter.innovation_rows(), 9);
     const std::vector<double> moved_by = error_of(state_of(s.filter), hat);
-    // error_of() leaves J_l out, whose part is of second order.
+    // error_of() omits J_l, whose effect is of second order.
     for (int i = 0; i < entries_of_xi; ++i)
       EXPECT_NEAR(moved_by[static_cast<std::size_t>(i)], change[i], 1e-3 * change.norm());
     const State<double> wanted = moved(hat, change.data());
@@ -302,7 +302,7 @@ TEST(ContactFilter, UpdatesAreKalmansWithTheExactDerivativesOfWhatIsSeen) {
   }
 }
 
-/// Moving and turning the world about the vertical, as directions of xi: three places, then yaw.
+/// Unobservable directions of xi: translations of the world, then rotation about the vertical.
 MatrixXd unknowable() {
   MatrixXd n = MatrixXd::Zero(entries_of_xi, 4);
   for (const int entry : {int{ContactFilter::p}, 15, 18}) n.block<3, 3>(entry, 0).setIdentity();
@@ -310,10 +310,11 @@ MatrixXd unknowable() {
   return n;
 }
 
-TEST(ContactFilter, PlaceAndYawAreNeverLearnt) {
-  // Without noise of the process, information n^T P^-1 n along them stays, whatever is seen.
+TEST(ContactFilter, PositionAndYaw_AreNeverObserved) {
+  // Without process noise, the information n^T P^-1 n along these directions stays constant for any
+  // observation.
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    Standing s(seed);
+    StandingFilter s(seed);
     const MatrixXd n = unknowable();
     const auto information = [&] {
       return MatrixXd(n.transpose() * s.filter.covariance().ldlt().solve(n));
@@ -333,17 +334,17 @@ TEST(ContactFilter, PlaceAndYawAreNeverLearnt) {
       ASSERT_TRUE(good);
     }
     EXPECT_TRUE(same(information(), at_first, 1e-5)) << information() << "\n\n" << at_first;
-    EXPECT_LT(s.filter.covariance()(0, 0), 0.1 * tilt_at_first);  // the rest is learnt
+    EXPECT_LT(s.filter.covariance()(0, 0), 0.1 * tilt_at_first);  // tilt is observable
   }
 }
 
-TEST(ContactFilter, MovingAndTurningTheWorldChangesNothingButThat) {
+TEST(ContactFilter, MovedAndRotatedWorld_MovesAndRotatesTheEstimate) {
   const FilterNoise noise{0.01, 0.1, 0.001, 0.02, 0.03, 0.05};
-  Standing a(7, noise), b(7, noise);
+  StandingFilter a(7, noise), b(7, noise);
   const Matrix3d Z = exp3(Vector3d(0.0, 0.0, 1.9));
   const Vector3d t(100.0, -40.0, 3.0);
-  // The other starts in the world turned by Z and moved by t: xi then turns with the adjoint of
-  // (Z, 0, t), of which it has no error.
+  // Filter b starts in a world rotated by Z and translated by t. Its xi transforms with the adjoint
+  // of (Z, 0, t), which is exact.
   MatrixXd Ad = MatrixXd::Identity(15, 15);
   Matrix3d t_cross;
   t_cross << 0.0, -t.z(), t.y(), t.z(), 0.0, -t.x(), -t.y(), t.x(), 0.0;
@@ -377,10 +378,10 @@ TEST(ContactFilter, MovingAndTurningTheWorldChangesNothingButThat) {
   EXPECT_LT((a.filter.b_gyro() - b.filter.b_gyro()).norm(), 1e-8);
 }
 
-TEST(ContactFilter, AfterManyTicksTheCovarianceIsStillOne) {
-  // Four minutes at 1 kHz in which place and yaw grow uncertain and all else does not.
+TEST(ContactFilter, ManyTicks_KeepTheCovariancePositiveDefinite) {
+  // Four minutes at 1 kHz, in which only position and yaw become more uncertain.
   const FilterNoise noise{1e-3, 1e-2, 1e-5, 1e-4, 1e-3, 1e-3};
-  Standing s(11, noise);
+  StandingFilter s(11, noise);
   const MatrixXd quiet = 1e-9 * MatrixXd::Identity(seen_rows, seen_rows);
   for (int i = 0; i < 240000; ++i) {
     const State<double> hat = state_of(s.filter);
@@ -403,8 +404,8 @@ TEST(ContactFilter, AfterManyTicksTheCovarianceIsStillOne) {
   EXPECT_LT((R * R.transpose() - Matrix3d::Identity()).norm(), 1e-14);
 }
 
-TEST(ContactFilter, FeetThatAreLiftedLeaveNothingBehind) {
-  Standing s(3);
+TEST(ContactFilter, RemovedFeet_ClearTheirCovariance) {
+  StandingFilter s(3);
   const MatrixXd P = s.filter.covariance();
   s.filter.remove(both);
   EXPECT_EQ(s.filter.standing(), 0U);

@@ -1,4 +1,5 @@
-// Where feet are seen from the unit, and how joints move that, on robots.
+// Tests of the poses of feet seen from the IMU, and of their derivatives with respect to joints, on
+// robots.
 #include "estimate/foot_kinematics.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +17,9 @@
 namespace burnish::test {
 namespace {
 
-/// A robot with a floating base, its unit's frame ("": the base) and feet.
+/// Robot with a floating base, the frame of its IMU ("": the base) and its feet.
 struct Case {
-  std::string robot, unit;
+  std::string robot, imu;
   std::vector<std::string> feet;
 };
 
@@ -40,16 +41,16 @@ Eigen::VectorXd random_q(const Model& model, std::mt19937_64& generator) {
   return random_configuration(model, generator);
 }
 
-TEST(FootKinematics, FeetAreWhereFramesAre) {
+TEST(FootKinematics, FootPoses_EqualTheFramePlacements) {
   std::mt19937_64 generator(1);
   for (const Case& c : cases()) {
     const Model model = named_robot(c.robot, Base::FreeFlyer);
-    FootKinematics kinematics(model, c.unit, c.feet);
+    FootKinematics kinematics(model, c.imu, c.feet);
     const Eigen::VectorXd q = random_q(model, generator);
     ASSERT_EQ(kinematics.update(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
-    const std::string unit = c.unit.empty() ? "root" : c.unit;
-    if (!model.has_frame(unit)) continue;
-    const Eigen::Isometry3d at = frame_placement(model, q, unit);
+    const std::string imu = c.imu.empty() ? "root" : c.imu;
+    if (!model.has_frame(imu)) continue;
+    const Eigen::Isometry3d at = frame_placement(model, q, imu);
     for (std::size_t k = 0; k < c.feet.size(); ++k) {
       const Eigen::Isometry3d wanted = at.inverse() * frame_placement(model, q, c.feet[k]);
       const SeenFoot& seen = kinematics.seen(static_cast<int>(k));
@@ -59,14 +60,14 @@ TEST(FootKinematics, FeetAreWhereFramesAre) {
   }
 }
 
-/// The foot in the unit: its place, and the axial vector of dR R^T at dR = R - R_0.
+/// Pose of the foot in the IMU's frame: position, and the axial vector of dR R^T at dR = R - R_0.
 template <class S>
-std::vector<S> seen_of(const Tree& tree, const CompiledFrame& unit, const CompiledFrame& foot,
+std::vector<S> seen_of(const Tree& tree, const CompiledFrame& imu, const CompiledFrame& foot,
                        const Mat3<double>& R_0, const S* q) {
   Kinematics<S> kinematics(tree);
   const std::vector<S> v(static_cast<std::size_t>(tree.nv), S(0.0));
   update_kinematics(tree, q, v.data(), kinematics);
-  const FramePose<S> seen = seen_from(pose_of(unit, kinematics), pose_of(foot, kinematics));
+  const FramePose<S> seen = seen_from(pose_of(imu, kinematics), pose_of(foot, kinematics));
   const Mat3<S> turn = seen.R * transposed(lift<S>(R_0));
   const S half(0.5);
   return {seen.p.x,
@@ -77,16 +78,16 @@ std::vector<S> seen_of(const Tree& tree, const CompiledFrame& unit, const Compil
           (turn.c0.y - turn.c1.x) * half};
 }
 
-TEST(FootKinematics, JacobiansAndVelocitiesAreExact) {
+TEST(FootKinematics, JacobiansAndVelocities_AreExact) {
   std::mt19937_64 generator(2);
   for (const Case& c : cases()) {
     const Model model = named_robot(c.robot, Base::FreeFlyer);
     const Tree tree(model);
-    FootKinematics kinematics(model, c.unit, c.feet);
-    const CompiledFrame unit = c.unit.empty()
-                                   ? CompiledFrame{0, Mat3<double>::identity(),
-                                                   Vec3<double>::zero(), moving_axes(model, 0)}
-                                   : compile_frame(model, c.unit);
+    FootKinematics kinematics(model, c.imu, c.feet);
+    const CompiledFrame imu = c.imu.empty()
+                                  ? CompiledFrame{0, Mat3<double>::identity(), Vec3<double>::zero(),
+                                                  moving_axes(model, 0)}
+                                  : compile_frame(model, c.imu);
     for (int trial = 0; trial < 3; ++trial) {
       Eigen::VectorXd q = random_q(model, generator);
       q.head<7>() << 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0;
@@ -97,22 +98,22 @@ TEST(FootKinematics, JacobiansAndVelocitiesAreExact) {
         const Mat3<double> R_0 = kinematics.seen(static_cast<int>(k)).R;
         const Eigen::MatrixXd exact =
             differentiate(model, q, v, [&](const Duals& at, const Duals& /*v*/) {
-              return seen_of<Dual>(tree, unit, foot, R_0, at.data());
+              return seen_of<Dual>(tree, imu, foot, R_0, at.data());
             }).dq;
         const Eigen::MatrixXd J = kinematics.jacobian(static_cast<int>(k));
         Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(6, model.nv);
         for (std::size_t i = 0; i < kinematics.columns().size(); ++i)
           whole.col(kinematics.columns()[i]) = J.col(static_cast<Eigen::Index>(i));
         EXPECT_LT((whole - exact).rightCols(model.nv - 6).norm(), 1e-10) << c.robot << c.feet[k];
-        // The base moves nothing that is seen from the unit.
+        // The motion of the base has no effect on poses seen from the IMU.
         EXPECT_LT(exact.leftCols(6).norm(), 1e-10);
         constexpr double h = 1e-6;
         Eigen::VectorXd step = Eigen::VectorXd::Zero(model.nv);
         for (int i = 6; i < model.nv; ++i) {
           step[i] = h;
           const Eigen::VectorXd up = integrate(model, q, step), down = integrate(model, q, -step);
-          const std::vector<double> a = seen_of<double>(tree, unit, foot, R_0, up.data()),
-                                    b = seen_of<double>(tree, unit, foot, R_0, down.data());
+          const std::vector<double> a = seen_of<double>(tree, imu, foot, R_0, up.data()),
+                                    b = seen_of<double>(tree, imu, foot, R_0, down.data());
           for (int row = 0; row < 6; ++row)
             EXPECT_NEAR(
                 whole(row, i),
@@ -131,14 +132,14 @@ TEST(FootKinematics, JacobiansAndVelocitiesAreExact) {
   }
 }
 
-TEST(FootKinematics, BadStatesAreAnsweredWithAStatus) {
+TEST(FootKinematics, InvalidState_ReturnsAStatus) {
   const Model model = named_robot("every_joint", Base::FreeFlyer);
   FootKinematics kinematics(model, "", {"tip"});
   Eigen::VectorXd q = model.q_neutral, v = Eigen::VectorXd::Zero(model.nv);
   const Vec3<double> seen = kinematics.seen(0).p;
   EXPECT_EQ(kinematics.update(q.head(model.nq - 1), v), Status::WrongSize);
   EXPECT_EQ(kinematics.update(q, v.head(3)), Status::WrongSize);
-  q[0] = nan;  // of the base: not looked at
+  q[0] = nan;  // position of the base, which is not used
   EXPECT_EQ(kinematics.update(q, v), Status::Ok);
   q[8] = nan;
   EXPECT_EQ(kinematics.update(q, v), Status::NotFinite);
@@ -148,7 +149,7 @@ TEST(FootKinematics, BadStatesAreAnsweredWithAStatus) {
   EXPECT_EQ(kinematics.seen(0).p.x, seen.x);
 }
 
-TEST(FootKinematics, RefusesRobotsAndFramesThatWillNotDo) {
+TEST(FootKinematics, UnknownFrameOrFixedBase_IsRefused) {
   using burnish::testing::expect_words;
   using burnish::testing::refusal;
   const Model model = named_robot("every_joint", Base::FreeFlyer);

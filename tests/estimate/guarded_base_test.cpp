@@ -1,4 +1,4 @@
-// A base whose inertial unit goes wrong or falls silent, told by the feet alone then.
+// Tests of a base whose IMU fails or falls silent: the feet alone then estimate the base.
 #include "burnish/estimate/guarded_base.hpp"
 
 #include <gtest/gtest.h>
@@ -15,21 +15,21 @@ using Eigen::VectorXd;
 
 constexpr double degree = M_PI / 180.0;
 
-/// What becomes of a reading, at a time: null where there is none.
+/// Changes a reading at a time; returns false if there is no reading.
 using Spoil = std::function<bool(ImuReading&, double)>;
 
-/// A guarded base that is fed with what noisy sensors say of a motion.
+/// Guarded base that is fed with noisy sensor readings of a motion.
 class GuardedRun {
  public:
-  GuardedRun(const OnFeet& robot, const RobotMotion& motion, std::uint64_t seed)
+  GuardedRun(const LeggedRobot& robot, const RobotMotion& motion, std::uint64_t seed)
       : guarded(robot.model, robot.options), robot_(&robot), motion_(&motion), generator_(seed) {
     const BaseEstimatorOptions& o = robot.options;
-    unit_ = {{o.gyro_noise, o.accelerometer_noise, o.gyro_bias_walk, o.accelerometer_bias_walk, 0.0,
-              0.0},
-             motion.dt,
-             &generator_,
-             normal3(generator_, o.gyro_bias_deviation),
-             normal3(generator_, o.accelerometer_bias_deviation)};
+    imu_ = {{o.gyro_noise, o.accelerometer_noise, o.gyro_bias_walk, o.accelerometer_bias_walk, 0.0,
+             0.0},
+            motion.dt,
+            &generator_,
+            normal3(generator_, o.gyro_bias_deviation),
+            normal3(generator_, o.accelerometer_bias_deviation)};
     if (guarded.reset(motion.q[0], motion.v[0]) != Status::Ok) throw Error("no start");
   }
 
@@ -38,12 +38,12 @@ class GuardedRun {
     std::normal_distribution<double> draw(0.0, robot_->options.encoder_noise);
     for (Eigen::Index k = 6; k < noise.size(); ++k) noise[k] = draw(generator_);
     const VectorXd q = integrate(robot_->model, motion_->q[i], noise);
-    ImuReading reading = unit_.read(motion_->imu[i]);
+    ImuReading reading = imu_.read(motion_->imu[i]);
     const double time = static_cast<double>(i) * motion_->dt;
-    const bool says = !spoil || spoil(reading, time);
+    const bool reads = !spoil || spoil(reading, time);
     const double since = motion_->dt * (1.0 + waited_);
     const Status status =
-        guarded.update(says ? &reading : nullptr, q, motion_->v[i], standing, loads, since);
+        guarded.update(reads ? &reading : nullptr, q, motion_->v[i], standing, loads, since);
     waited_ = status == Status::Ok ? 0 : waited_ + 1;
     return status;
   }
@@ -60,23 +60,23 @@ class GuardedRun {
   Spoil spoil;
 
  private:
-  const OnFeet* robot_;
+  const LeggedRobot* robot_;
   const RobotMotion* motion_;
   std::mt19937_64 generator_;
-  NoisyUnit unit_{};
+  NoisyImu imu_{};
   int waited_ = 0;
 };
 
-/// What comes of a fault from a time on.
+/// Effects of a fault that starts at fault_time.
 struct Outcome {
-  double turn = 0.0, place = 0.0;  ///< largest errors, rad, m
-  double found_after = infinity;   ///< s
-  double jump = 0.0;               ///< largest way from tick to tick, m
+  double turn = 0.0, place = 0.0;  ///< largest errors [rad], [m]
+  double found_after = infinity;   ///< time from the fault to its detection [s]
+  double jump = 0.0;               ///< largest jump of the estimate in a tick [m]
   int takeovers = 0;
 };
 constexpr double fault_time = 1.0;
 
-Outcome outcome(const OnFeet& robot, const RobotMotion& motion, const Spoil& spoil,
+Outcome outcome(const LeggedRobot& robot, const RobotMotion& motion, const Spoil& spoil,
                 std::uint64_t seed) {
   GuardedRun run(robot, motion, seed);
   run.spoil = [&](ImuReading& reading, double time) {
@@ -94,32 +94,33 @@ Outcome outcome(const OnFeet& robot, const RobotMotion& motion, const Spoil& spo
     if (run.guarded.source() != BaseSource::Filter)
       result.found_after = std::min(result.found_after, time - fault_time);
     const Vector3d moved = run.guarded.q().head<3>() - before.head<3>();
-    const Vector3d truly = motion.q[i].head<3>() - motion.q[i - 1].head<3>();
-    if (time > fault_time) result.jump = std::max(result.jump, (moved - truly).norm());
+    const Vector3d true_motion = motion.q[i].head<3>() - motion.q[i - 1].head<3>();
+    if (time > fault_time) result.jump = std::max(result.jump, (moved - true_motion).norm());
     before = run.guarded.q();
   }
   result.takeovers = run.guarded.takeovers();
   return result;
 }
 
-/// Runs start at the truth: what is believed of the tilt then is not to be taken for a bias.
-OnFeet told_well(OnFeet robot) {
+/// Sets small initial deviations, because runs start at the true state. Otherwise the filter
+/// mistakes a bias for initial tilt.
+LeggedRobot with_exact_start(LeggedRobot robot) {
   robot.options.tilt_deviation = 2e-3;
   robot.options.velocity_deviation = 0.01;
   return robot;
 }
-std::vector<std::pair<std::string, OnFeet>> standing_robots() {
-  std::vector<std::pair<std::string, OnFeet>> result = {
-      {"two soles", told_well(humanoid_on_soles())}};
+std::vector<std::pair<std::string, LeggedRobot>> standing_robots() {
+  std::vector<std::pair<std::string, LeggedRobot>> result = {
+      {"two soles", with_exact_start(humanoid_on_soles())}};
 #if BURNISH_HAS_ROBOTS
-  result.emplace_back("four balls", told_well(quadruped()));
+  result.emplace_back("four point feet", with_exact_start(quadruped()));
 #endif
   return result;
 }
 
-/// The largest of several seeds and axes.
-void expect_borne(const std::string& what, const std::function<Spoil(const Vector3d&)>& along,
-                  double latest) {
+/// Expects small errors and a takeover within `latest` [s], over several seeds and axes.
+void expect_tolerated(const std::string& fault, const std::function<Spoil(const Vector3d&)>& along,
+                      double latest) {
   for (const auto& [name, robot] : standing_robots()) {
     const RobotMotion motion = standing_motion(robot, 2.5, 0.002);
     Outcome worst;
@@ -131,14 +132,14 @@ void expect_borne(const std::string& what, const std::function<Spoil(const Vecto
         worst.place = std::max(worst.place, o.place);
         worst.jump = std::max(worst.jump, o.jump);
         worst.found_after = std::max(worst.found_after, o.found_after);
-        EXPECT_EQ(o.takeovers, latest < infinity ? 1 : o.takeovers) << what << name << axis;
+        EXPECT_EQ(o.takeovers, latest < infinity ? 1 : o.takeovers) << fault << name << axis;
       }
-    EXPECT_LT(worst.turn, 1.0 * degree) << what << ", " << name;
-    EXPECT_LT(worst.place, 0.01) << what << ", " << name;
-    EXPECT_LE(worst.found_after, latest) << what << ", " << name;
-    EXPECT_LT(worst.jump, 3e-3) << what << ", " << name;
+    EXPECT_LT(worst.turn, 1.0 * degree) << fault << ", " << name;
+    EXPECT_LT(worst.place, 0.01) << fault << ", " << name;
+    EXPECT_LE(worst.found_after, latest) << fault << ", " << name;
+    EXPECT_LT(worst.jump, 3e-3) << fault << ", " << name;
     const auto record = [&, &robot_name = name](const char* figure, double value) {
-      std::string key = what + " " + robot_name + " " + figure;
+      std::string key = fault + " " + robot_name + " " + figure;
       std::replace(key.begin(), key.end(), ' ', '_');
       ::testing::Test::RecordProperty(key, std::to_string(value));
     };
@@ -149,7 +150,7 @@ void expect_borne(const std::string& what, const std::function<Spoil(const Vecto
   }
 }
 
-TEST(GuardedBase, AGyroscopeThatStepsIsFound) {
+TEST(GuardedBase, GyroscopeStep_IsDetected) {
   const auto step = [](double size) {
     return [size](const Vector3d& axis) -> Spoil {
       return [=](ImuReading& reading, double) {
@@ -158,13 +159,13 @@ TEST(GuardedBase, AGyroscopeThatStepsIsFound) {
       };
     };
   };
-  expect_borne("gyro 0.1", step(0.1), 0.5);
-  expect_borne("gyro 0.3", step(0.3), 0.05);
-  expect_borne("gyro 1", step(1.0), 0.02);
-  expect_borne("gyro 30", step(30.0), 0.003);
+  expect_tolerated("gyro 0.1", step(0.1), 0.5);
+  expect_tolerated("gyro 0.3", step(0.3), 0.05);
+  expect_tolerated("gyro 1", step(1.0), 0.02);
+  expect_tolerated("gyro 30", step(30.0), 0.003);
 }
 
-TEST(GuardedBase, AnAccelerometerThatStepsIsFound) {
+TEST(GuardedBase, AccelerometerStep_IsDetected) {
   const auto step = [](double size) {
     return [size](const Vector3d& axis) -> Spoil {
       return [=](ImuReading& reading, double) {
@@ -173,13 +174,13 @@ TEST(GuardedBase, AnAccelerometerThatStepsIsFound) {
       };
     };
   };
-  expect_borne("accelerometer 1", step(1.0), 0.3);
-  expect_borne("accelerometer 5", step(5.0), 0.1);
-  expect_borne("accelerometer 50", step(50.0), 0.03);
+  expect_tolerated("accelerometer 1", step(1.0), 0.3);
+  expect_tolerated("accelerometer 5", step(5.0), 0.1);
+  expect_tolerated("accelerometer 50", step(50.0), 0.03);
 }
 
-TEST(GuardedBase, StepsTooSmallToBeFoundDoLittle) {
-  expect_borne(
+TEST(GuardedBase, UndetectableStep_CausesLittleError) {
+  expect_tolerated(
       "gyro 0.03",
       [](const Vector3d& axis) -> Spoil {
         return [=](ImuReading& reading, double) {
@@ -190,8 +191,8 @@ TEST(GuardedBase, StepsTooSmallToBeFoundDoLittle) {
       infinity);
 }
 
-TEST(GuardedBase, AUnitThatIsFrozenOrSilentIsDoneWithout) {
-  expect_borne(
+TEST(GuardedBase, FrozenOrSilentImu_IsReplacedByTheFeet) {
+  expect_tolerated(
       "frozen",
       [](const Vector3d&) -> Spoil {
         return [last = std::optional<ImuReading>()](ImuReading& reading, double) mutable {
@@ -201,11 +202,11 @@ TEST(GuardedBase, AUnitThatIsFrozenOrSilentIsDoneWithout) {
         };
       },
       infinity);
-  expect_borne(
+  expect_tolerated(
       "silent", [](const Vector3d&) -> Spoil { return [](ImuReading&, double) { return false; }; },
       0.0061);
-  expect_borne(
-      "no number",
+  expect_tolerated(
+      "not finite",
       [](const Vector3d& axis) -> Spoil {
         return [=](ImuReading& reading, double) {
           reading.gyro += nan * axis;
@@ -215,7 +216,7 @@ TEST(GuardedBase, AUnitThatIsFrozenOrSilentIsDoneWithout) {
       0.0061);
 }
 
-TEST(GuardedBase, AUnitThatIsRightAgainCountsAgain) {
+TEST(GuardedBase, RecoveredImu_IsUsedAgain) {
   for (const auto& [name, robot] : standing_robots()) {
     const RobotMotion motion = standing_motion(robot, 4.0, 0.002);
     for (const bool silent : {false, true}) {
@@ -246,7 +247,7 @@ TEST(GuardedBase, AUnitThatIsRightAgainCountsAgain) {
 }
 
 /// Foot 0 slides over the ground while the robot sways.
-RobotMotion sliding_motion(const OnFeet& robot, double speed, double duration, double dt) {
+RobotMotion sliding_motion(const LeggedRobot& robot, double speed, double duration, double dt) {
   std::vector<FootOverTime> feet;
   for (const FootSpec& foot : robot.options.feet) {
     const Pose at = frame_pose(robot, foot.frame);
@@ -262,13 +263,13 @@ RobotMotion sliding_motion(const OnFeet& robot, double speed, double duration, d
   return robot_motion(robot.model, robot.q, swaying(base_of(robot.q), 0.5), feet, duration, dt);
 }
 
-TEST(GuardedBase, NoiseAndFeetThatSlipAreNoFaultOfTheUnit) {
+TEST(GuardedBase, NoiseAndSlippingFeet_AreNoImuFault) {
   for (const auto& [name, robot] : standing_robots()) {
     std::vector<RobotMotion> motions = {standing_motion(robot, 4.0, 0.002)};
     for (const double speed : {0.03, 0.15, 0.5})
       motions.push_back(sliding_motion(robot, speed, 2.0, 0.002));
 #if BURNISH_HAS_ROBOTS
-    if (name == "four balls") motions.push_back(trotting_motion(robot, 3.0, 0.002));
+    if (name == "four point feet") motions.push_back(trotting_motion(robot, 3.0, 0.002));
 #endif
     for (std::size_t m = 0; m < motions.size(); ++m)
       for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -279,8 +280,8 @@ TEST(GuardedBase, NoiseAndFeetThatSlipAreNoFaultOfTheUnit) {
   }
 }
 
-/// The robot, stiff, turns about the front edges of its feet: all of them alike.
-TEST(GuardedBase, ARobotThatTipsIsNoFaultOfTheUnit) {
+/// The rigid robot tips about the front edges of its feet.
+TEST(GuardedBase, TippingRobot_IsNoImuFault) {
   for (const auto& [name, robot] : standing_robots()) {
     int taken = 0;
     const Vector3d edge =
@@ -288,7 +289,7 @@ TEST(GuardedBase, ARobotThatTipsIsNoFaultOfTheUnit) {
     const Pose start = base_of(robot.q);
     for (const double rate : {0.2, 0.6}) {
       const auto tipped = [=](const Pose& pose, double t) {
-        const double s = std::clamp(t - 1.0, 0.0, 0.3);  // sets off smoothly
+        const double s = std::clamp(t - 1.0, 0.0, 0.3);  // starts smoothly
         const Matrix3d R = exp3({0.0, rate * s * s / 0.6, 0.0});
         return Pose{R * pose.R, edge + R * (pose.p - edge)};
       };
@@ -306,18 +307,19 @@ TEST(GuardedBase, ARobotThatTipsIsNoFaultOfTheUnit) {
         taken += run.guarded.takeovers();
       }
     }
-    // How far it moves says that it tips: of the quadruped's unit, which is low, not beyond doubt.
+    // The travel of the feet shows that the robot tips. It is ambiguous for the quadruped, whose
+    // IMU is low.
     EXPECT_LE(taken, name == "two soles" ? 0 : 1) << name;
   }
 }
 
-TEST(GuardedBase, AFootMaySlipOrBeLiftedWhileTheFeetTellTheBase) {
-  const OnFeet robot = told_well(humanoid_on_soles());
+TEST(GuardedBase, SlippingOrLiftedFoot_IsToleratedWithoutImu) {
+  const LeggedRobot robot = with_exact_start(humanoid_on_soles());
   const RobotMotion motion = sliding_motion(robot, 0.15, 2.5, 0.002);
   for (const bool lifts : {false, true}) {
     GuardedRun run(robot, motion, 7);
     run.spoil = [](ImuReading&, double time) { return time < 0.8; };
-    Eigen::Vector2d loads(300.0, 600.0);  // the right foot, which stays, bears more
+    Eigen::Vector2d loads(300.0, 600.0);  // the right foot, which does not slip, carries more
     for (std::size_t i = 1; i < motion.q.size(); ++i) {
       const double time = static_cast<double>(i) * motion.dt;
       const bool is_up = lifts && time > 0.95 && time < 1.45;
@@ -330,12 +332,12 @@ TEST(GuardedBase, AFootMaySlipOrBeLiftedWhileTheFeetTellTheBase) {
   }
 }
 
-TEST(GuardedBase, WithoutUnitAndFeetTheBaseIsLost) {
+TEST(GuardedBase, NoImuAndNoFeet_LoseTheBase) {
   for (const auto& [name, robot] : standing_robots()) {
     const RobotMotion motion = standing_motion(robot, 2.0, 0.002, 0.1);
     GuardedRun run(robot, motion, 8);
     run.spoil = [](ImuReading&, double time) { return time < 0.5 || time > 1.0; };
-    double longest = 0.0;
+    double max_lost_for = 0.0;
     for (std::size_t i = 1; i < motion.q.size(); ++i) {
       const double time = static_cast<double>(i) * motion.dt;
       (void)run.tick(i, time > 0.7 && time < 1.2 ? 0U : motion.standing[i]);
@@ -349,16 +351,16 @@ TEST(GuardedBase, WithoutUnitAndFeetTheBaseIsLost) {
         EXPECT_EQ(run.guarded.source(), BaseSource::Filter) << name << time;
         EXPECT_EQ(run.guarded.lost_for(), 0.0);
       }
-      longest = std::max(longest, run.guarded.lost_for());
+      max_lost_for = std::max(max_lost_for, run.guarded.lost_for());
       EXPECT_TRUE(run.guarded.q().allFinite() && run.guarded.v().allFinite());
     }
-    EXPECT_NEAR(longest, 0.3, 0.01) << name;
+    EXPECT_NEAR(max_lost_for, 0.3, 0.01) << name;
     EXPECT_LT(run.turn_error(motion.q.size() - 1), 2.0 * degree) << name;
   }
 }
 
-TEST(GuardedBase, BadInputIsAnsweredWithAStatusAndChangesNothing) {
-  const OnFeet robot = humanoid_on_soles();
+TEST(GuardedBase, InvalidInput_ReturnsAStatusAndChangesNothing) {
+  const LeggedRobot robot = humanoid_on_soles();
   const RobotMotion motion = standing_motion(robot, 0.1, 0.002);
   GuardedRun run(robot, motion, 1);
   for (std::size_t i = 1; i < motion.q.size(); ++i) ASSERT_EQ(run.tick(i), Status::Ok);
@@ -385,16 +387,16 @@ TEST(GuardedBase, BadInputIsAnsweredWithAStatusAndChangesNothing) {
     EXPECT_TRUE(g.q().allFinite() && g.v().allFinite());
   }
   EXPECT_EQ(g.source(), BaseSource::Feet);
-  OnFeet other = robot;
+  LeggedRobot other = robot;
   other.options.watch.window = 0.0;
   burnish::testing::expect_words(
       burnish::testing::refusal([&] { GuardedBase(other.model, other.options); }),
       {"watch.window", "0"});
 }
 
-TEST(GuardedBase, TicksAllocateNothing) {
+TEST(GuardedBase, Update_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
-  const OnFeet robot = humanoid_on_soles();
+  const LeggedRobot robot = humanoid_on_soles();
   const RobotMotion motion = standing_motion(robot, 2.0, 0.002);
   GuardedBase guarded(robot.model, robot.options);
   ASSERT_EQ(guarded.reset(motion.q[0], motion.v[0]), Status::Ok);
@@ -402,9 +404,9 @@ TEST(GuardedBase, TicksAllocateNothing) {
   const AllocationGuard guard;
   for (std::size_t i = 1; i < motion.q.size(); ++i) {
     const double time = static_cast<double>(i) * motion.dt;
-    const bool says = time < 0.8 || time > 1.2;
-    (void)guarded.update(says ? &motion.imu[i] : nullptr, motion.q[i], motion.v[i],
-                         time > 1.0 && time < 1.1 ? 0U : 3U, loads, says ? motion.dt : 0.004);
+    const bool reads = time < 0.8 || time > 1.2;
+    (void)guarded.update(reads ? &motion.imu[i] : nullptr, motion.q[i], motion.v[i],
+                         time > 1.0 && time < 1.1 ? 0U : 3U, loads, reads ? motion.dt : 0.004);
   }
   EXPECT_EQ(guard.count(), 0);
   EXPECT_EQ(guarded.takeovers(), 1);

@@ -1,5 +1,5 @@
-// Robots on their feet, how they move there, and an estimator that is fed with what noisy sensors
-// say of it.
+// Legged robots, their motions, and an estimator that is fed with noisy sensor readings of a
+// motion.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,15 +14,15 @@
 
 namespace burnish::test {
 
-/// A robot on its feet, with the unit in its base.
-struct OnFeet {
+/// Robot on its feet, with the IMU in its base.
+struct LeggedRobot {
   Model model;
   Eigen::VectorXd q;
   BaseEstimatorOptions options;
 };
 
-inline OnFeet humanoid_on_soles() {
-  OnFeet robot;
+inline LeggedRobot humanoid_on_soles() {
+  LeggedRobot robot;
   if (has_robot_files) {
     robot.model = named_robot("talos", Base::FreeFlyer);
 #if BURNISH_HAS_ROBOTS
@@ -37,8 +37,8 @@ inline OnFeet humanoid_on_soles() {
 }
 
 #if BURNISH_HAS_ROBOTS
-inline OnFeet quadruped() {
-  OnFeet robot;
+inline LeggedRobot quadruped() {
+  LeggedRobot robot;
   const auto loaded = load_robot(std::string(BURNISH_ROBOTS_DIR) + "/quadruped");
   robot.model = loaded.model;
   robot.q = loaded.reference_configuration();
@@ -51,13 +51,13 @@ inline OnFeet quadruped() {
 inline Pose base_of(const Eigen::VectorXd& q) {
   return {Eigen::Quaterniond(q[6], q[3], q[4], q[5]).toRotationMatrix(), q.head<3>()};
 }
-inline Pose frame_pose(const OnFeet& robot, const std::string& frame) {
+inline Pose frame_pose(const LeggedRobot& robot, const std::string& frame) {
   const Eigen::Isometry3d at = frame_placement(robot.model, robot.q, frame);
   return {at.linear(), at.translation()};
 }
 
-/// All feet stay where they are.
-inline RobotMotion standing_motion(const OnFeet& robot, double duration, double dt,
+/// Motion with all feet at rest on the ground.
+inline RobotMotion standing_motion(const LeggedRobot& robot, double duration, double dt,
                                    double size = 1.0) {
   std::vector<FootOverTime> feet;
   for (const FootSpec& foot : robot.options.feet) {
@@ -69,11 +69,11 @@ inline RobotMotion standing_motion(const OnFeet& robot, double duration, double 
 }
 
 #if BURNISH_HAS_ROBOTS
-/// A trot at 0.3 m/s after a moment on all feet, two of them at a time.
-inline RobotMotion trotting_motion(const OnFeet& robot, double duration, double dt) {
+/// Trot at 0.3 m/s after a moment on all feet, two feet at a time.
+inline RobotMotion trotting_motion(const LeggedRobot& robot, double duration, double dt) {
   constexpr double speed = 0.3, cycle = 0.4, down = 0.6, begin = 0.2;
   const Pose start = base_of(robot.q);
-  const auto walked = [](double t) {  // sets off smoothly
+  const auto walked = [](double t) {  // starts smoothly
     const double s = std::max(0.0, t - begin);
     return speed * (s < cycle ? s * s / (2.0 * cycle) : s - 0.5 * cycle);
   };
@@ -91,9 +91,9 @@ inline RobotMotion trotting_motion(const OnFeet& robot, double duration, double 
     const std::string frame = robot.options.feet[k].frame;
     const Pose first = frame_pose(robot, frame);
     const double offset = k == 0 || k == 3 ? 0.0 : 0.5;
-    // Steps: foot n stands from lift-off to lift-off ahead of the hip by half a stride.
+    // A foot stands from lift-off to lift-off, half a stride ahead of the hip in between.
     const auto cycles = [=](double t) { return (t - begin) / cycle + offset; };
-    const auto place = [=](double n) {  // where it stands in cycle n
+    const auto place = [=](double n) {  // position of the foot in cycle n
       if (n < 1.0) return Vector3d(first.p);
       const double middle = begin + (n - offset + 0.5 * down) * cycle;
       return Vector3d(first.p + Vector3d(walked(middle), 0.0, 0.0));
@@ -119,10 +119,10 @@ inline RobotMotion trotting_motion(const OnFeet& robot, double duration, double 
 }
 #endif
 
-/// An estimator fed with what noisy sensors say of a motion.
+/// Estimator that is fed with noisy sensor readings of a motion.
 class Estimation {
  public:
-  Estimation(const OnFeet& robot, const RobotMotion& motion, std::uint64_t seed,
+  Estimation(const LeggedRobot& robot, const RobotMotion& motion, std::uint64_t seed,
              bool exact_start = false)
       : estimator(robot.model, robot.options),
         encoder_noise(robot.options.encoder_noise),
@@ -130,12 +130,12 @@ class Estimation {
         motion_(&motion),
         generator_(seed) {
     const BaseEstimatorOptions& o = robot.options;
-    unit_ = {{o.gyro_noise, o.accelerometer_noise, o.gyro_bias_walk, o.accelerometer_bias_walk, 0.0,
-              0.0},
-             motion.dt,
-             &generator_,
-             normal3(generator_, o.gyro_bias_deviation),
-             normal3(generator_, o.accelerometer_bias_deviation)};
+    imu_ = {{o.gyro_noise, o.accelerometer_noise, o.gyro_bias_walk, o.accelerometer_bias_walk, 0.0,
+             0.0},
+            motion.dt,
+            &generator_,
+            normal3(generator_, o.gyro_bias_deviation),
+            normal3(generator_, o.accelerometer_bias_deviation)};
     Eigen::VectorXd q = motion.q[0], v = motion.v[0];
     if (!exact_start) {
       Vector3d turn = normal3(generator_, o.tilt_deviation);
@@ -156,25 +156,27 @@ class Estimation {
     for (Eigen::Index k = 6; k < noise.size(); ++k) noise[k] = draw(generator_);
     const Eigen::VectorXd q = integrate(robot_->model, motion_->q[i], noise);
     const Status status =
-        estimator.update(unit_.read(exact), q, motion_->v[i], standing, motion_->dt);
+        estimator.update(imu_.read(exact), q, motion_->v[i], standing, motion_->dt);
     squared_ += estimator.innovation().squared;
     rows_ += estimator.innovation().rows;
     return status;
   }
   Status tick(std::size_t i) { return tick(i, motion_->standing[i], motion_->imu[i]); }
 
-  /// As reset() takes covariances: world axes, of the unit (which is the base here).
+  /// Error of the estimate in the convention of reset()'s covariance: world axes, at the IMU (here
+  /// the base).
   Eigen::VectorXd error(std::size_t i) const {
-    const Pose truth = base_of(motion_->q[i]), told = base_of(estimator.q());
+    const Pose truth = base_of(motion_->q[i]), estimate = base_of(estimator.q());
     Eigen::VectorXd e(15);
-    e << log3(truth.R * told.R.transpose()),
-        truth.R * motion_->v[i].head<3>() - told.R * estimator.v().head<3>(), truth.p - told.p,
-        unit_.b_gyro - estimator.gyro_bias(),
-        unit_.b_accelerometer - estimator.accelerometer_bias();
+    e << log3(truth.R * estimate.R.transpose()),
+        truth.R * motion_->v[i].head<3>() - estimate.R * estimator.v().head<3>(),
+        truth.p - estimate.p, imu_.b_gyro - estimator.gyro_bias(),
+        imu_.b_accelerometer - estimator.accelerometer_bias();
     return e;
   }
-  /// Of tilt, velocity seen from the base, and biases, squared and scaled: 11 degrees.
-  double knowable_square(std::size_t i) const {
+  /// Normalized squared error of the 11 observable quantities: tilt, velocity seen from the base,
+  /// biases.
+  double observable_square(std::size_t i) const {
     const Vector3d v = base_of(estimator.q()).R * estimator.v().head<3>();
     Eigen::MatrixXd T = Eigen::MatrixXd::Zero(11, 15);
     T.topLeftCorner(2, 2).setIdentity();
@@ -197,10 +199,10 @@ class Estimation {
     return e.dot((T * estimator.covariance() * T.transpose()).ldlt().solve(e));
   }
 
-  const OnFeet* robot_;
+  const LeggedRobot* robot_;
   const RobotMotion* motion_;
   std::mt19937_64 generator_;
-  NoisyUnit unit_{};
+  NoisyImu imu_{};
   double squared_ = 0.0;
   long rows_ = 0;
 };

@@ -1,4 +1,5 @@
-// A unit's readings over a tick: integrated exactly, with exact slopes.
+// Tests of strapdown integration: IMU readings over a tick are integrated exactly, with exact
+// derivatives.
 #include "estimate/strapdown.hpp"
 
 #include <gtest/gtest.h>
@@ -17,14 +18,14 @@ InertialState<double> random_state(std::mt19937_64& generator) {
           from_eigen(normal3(generator, 3.0))};
 }
 
-/// Angles on both sides of the branch at 1 rad, and none.
+/// Zero, and angles on both sides of the branch at 1 rad.
 const std::vector<double> angles = {0.0, 1e-9, 1e-4, 0.02, 0.7, 0.9999999, 1.0000001, 2.5, 6.0};
 
 Vec3<double> some_vector(std::mt19937_64& generator, double length) {
   return from_eigen(Vector3d(length * normal3(generator, 1.0).normalized()));
 }
 
-TEST(Strapdown, SeriesAreThoseOfTheExponential) {
+TEST(Strapdown, RotationSeries_EqualTheExponentialSeries) {
   std::mt19937_64 generator(1);
   for (const double angle : angles) {
     const Vec3<double> phi = some_vector(generator, angle);
@@ -45,7 +46,7 @@ TEST(Strapdown, SeriesAreThoseOfTheExponential) {
   }
 }
 
-TEST(Strapdown, ReadingsThatAreHeldAreIntegratedExactly) {
+TEST(Strapdown, ConstantReadings_AreIntegratedExactly) {
   std::mt19937_64 generator(2);
   const Vec3<double> g = from_eigen(gravity);
   for (int trial = 0; trial < 20; ++trial) {
@@ -61,7 +62,7 @@ TEST(Strapdown, ReadingsThatAreHeldAreIntegratedExactly) {
   }
 }
 
-TEST(Strapdown, SlopesAreExact) {
+TEST(Strapdown, Derivatives_AreExact) {
   std::mt19937_64 generator(3);
   for (const double angle : angles) {
     const Vec3<double> phi = some_vector(generator, angle), a = some_vector(generator, 9.0);
@@ -89,9 +90,9 @@ TEST(Strapdown, SlopesAreExact) {
   }
 }
 
-TEST(Strapdown, StatesAreAGroupWhoseErrorsDoNotDependOnThem) {
-  // X' of exp(xi) X is exp(Phi xi) X' with a Phi of gravity and time alone, to all orders: the
-  // logarithm is linear (Hartley et al., theorem on log-linear errors).
+TEST(Strapdown, Errors_PropagateIndependentlyOfTheState) {
+  // One step maps exp(xi) X to exp(Phi xi) X'. Phi depends only on gravity and time, to all orders:
+  // the logarithm is linear (Hartley et al., theorem on log-linear errors).
   std::mt19937_64 generator(4);
   const Vec3<double> g = from_eigen(gravity);
   constexpr double dt = 0.3;

@@ -1,4 +1,4 @@
-// Motions of a unit and of robots whose state is known, and what sensors say of them.
+// Motions of an IMU and of robots with exact states, and sensor readings of them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -34,14 +34,14 @@ inline Vector3d normal3(std::mt19937_64& generator, double deviation) {
   return deviation * Vector3d(x, y, z);
 }
 
-/// A frame in the world over time.
+/// Pose of a frame in the world over time.
 struct Pose {
   Matrix3d R = Matrix3d::Identity();
   Vector3d p = Vector3d::Zero();
 };
 using PoseOverTime = std::function<Pose(double)>;
 
-/// A standing robot's base that sways, bows and squats about where it is at the start.
+/// Motion of a standing robot's base: it sways, bows and squats about its initial pose.
 inline PoseOverTime swaying(const Pose& start, double size = 1.0) {
   return [start, size](double t) {
     const double w = 2.0 * M_PI * 0.6;
@@ -59,14 +59,14 @@ inline Vector3d velocity_at(const PoseOverTime& pose, double t) {
   constexpr double h = 1e-5;
   return (pose(t + h).p - pose(t - h).p) / (2.0 * h);
 }
-/// Body axes.
+/// Angular velocity in body axes.
 inline Vector3d turning_at(const PoseOverTime& pose, double t) {
   constexpr double h = 1e-5;
   return log3(pose(t - h).R.transpose() * pose(t + h).R) / (2.0 * h);
 }
 
-/// What a unit without noise says of the time from t to t + dt: readings that, held, lead from the
-/// one rotation and velocity to the other.
+/// IMU reading without noise between t and t + dt. Held constant, it leads from the first rotation
+/// and velocity to the second.
 inline ImuReading exact_reading(const PoseOverTime& pose, double t, double dt) {
   const Pose before = pose(t), after = pose(t + dt);
   ImuReading reading;
@@ -78,8 +78,8 @@ inline ImuReading exact_reading(const PoseOverTime& pose, double t, double dt) {
   return reading;
 }
 
-/// Readings with white noise and biases that walk.
-struct NoisyUnit {
+/// IMU readings with white noise and random-walk biases.
+struct NoisyImu {
   FilterNoise noise;
   double dt;
   std::mt19937_64* generator;
@@ -95,8 +95,8 @@ struct NoisyUnit {
   }
 };
 
-/// A robot's motion at the ticks of a clock: the whole state, what the unit in its base says of the
-/// time before each tick (of the first one nothing), and feet on the ground.
+/// Motion of a robot at the ticks of a clock: states, readings of the IMU in the base over the time
+/// before each tick (zero at the first), and standing feet.
 struct RobotMotion {
   double dt = 0.0;
   std::vector<Eigen::VectorXd> q, v;
@@ -104,7 +104,7 @@ struct RobotMotion {
   std::vector<FootSet> standing;
 };
 
-/// Where a foot is at a time, and whether it stands.
+/// Pose of a foot over time, and whether it stands.
 struct FootOverTime {
   std::string frame;
   bool sole = false;
@@ -112,8 +112,7 @@ struct FootOverTime {
   std::function<bool(double)> stands;
 };
 
-/// The joints that carry the feet are such that the feet are where they are to be: Newton's method
-/// from the tick before.
+/// Computes leg joints that put the feet at their poses, by Newton's method from the previous tick.
 inline RobotMotion robot_motion(const Model& model, const Eigen::VectorXd& q_start,
                                 const PoseOverTime& base, const std::vector<FootOverTime>& feet,
                                 double duration, double dt) {
@@ -131,7 +130,8 @@ inline RobotMotion robot_motion(const Model& model, const Eigen::VectorXd& q_sta
     q.segment<4>(3) = Eigen::Quaterniond(at.R).coeffs();
     for (int iteration = 0; iteration < (i == 0 ? 30 : 4); ++iteration) {
       Eigen::VectorXd step = rest;
-      if (body.update(q, rest) != Status::Ok) throw Error("the motion has no state");
+      if (body.update(q, rest) != Status::Ok)
+        throw Error("motion: the robot's state cannot be evaluated");
       for (const FootOverTime& foot : feet) {
         const int frame = body.frame(foot.frame);
         const Pose wanted = foot.pose(t);
@@ -148,7 +148,7 @@ inline RobotMotion robot_motion(const Model& model, const Eigen::VectorXd& q_sta
           error.tail(3) = log3(wanted.R.transpose() * body.placement(frame).linear());
         }
         J.leftCols(6).setZero();
-        // Joints between base and trunk move no foot; each leg has as many joints as rows.
+        // Joints between base and trunk do not move the feet; each leg has as many joints as rows.
         step -= J.transpose() * (J * J.transpose()).ldlt().solve(error);
       }
       q = integrate(model, q, step);

@@ -1,4 +1,4 @@
-// The problem files that come with burnish: each is solved, and to the same bits by any threads.
+// Tests of the example problems: each converges, to the same bits with any number of threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,27 +25,27 @@ std::vector<fs::path> examples() {
 
 class ExampleProblem : public ::testing::TestWithParam<fs::path> {};
 
-/// What limits push with, times how far rows have moved from the solution.
-double pushed_limits(Problem& problem, const DdpSolver& solver, int knot, const Eigen::VectorXd& x,
-                     const Eigen::VectorXd& u) {
+/// Returns the multipliers times the rows' changes since the solution.
+double limit_terms(Problem& problem, const DdpSolver& solver, int knot, const Eigen::VectorXd& x,
+                   const Eigen::VectorXd& u) {
   if (problem.rows(knot) == 0) return 0.0;
   const RowMatrix xs = solver.xs(), us = solver.us();
   const Eigen::VectorXd x_planned = xs.row(knot),
                         u_planned = us.row(std::min<Eigen::Index>(knot, us.rows() - 1));
   const bool ends = knot == problem.knots();
-  const std::vector<double> here = problem.row_values(knot, x.data(), ends ? nullptr : u.data());
+  const std::vector<double> current = problem.row_values(knot, x.data(), ends ? nullptr : u.data());
   const std::vector<double> planned =
       problem.row_values(knot, x_planned.data(), ends ? nullptr : u_planned.data());
   double sum = 0.0;
-  for (std::size_t i = 0; i < here.size(); ++i)
-    sum += solver.multipliers(knot)[static_cast<Eigen::Index>(i)] * (here[i] - planned[i]);
+  for (std::size_t i = 0; i < current.size(); ++i)
+    sum += solver.multipliers(knot)[static_cast<Eigen::Index>(i)] * (current[i] - planned[i]);
   return sum;
 }
 
-/// Cost of the solution's policy with h times `push` (N x nu) added to the controls, and what the
-/// limits push with: the Lagrangian. Entries that rest on a bound are held there: what is left may
-/// move both ways.
-double pushed_cost(Problem& problem, const DdpSolver& solver, const RowMatrix& push, double h) {
+/// Returns the Lagrangian of the solution's policy with h times `change` (N x nu) added to the
+/// controls. Controls that rest on a bound stay there; the others may move both ways.
+double changed_lagrangian(Problem& problem, const DdpSolver& solver, const RowMatrix& change,
+                          double h) {
   const StateShape& shape = problem.state();
   const RowMatrix xs = solver.xs(), us = solver.us();
   Eigen::VectorXd x = xs.row(0), next = x, dx(shape.ndx);
@@ -56,20 +56,20 @@ double pushed_cost(Problem& problem, const DdpSolver& solver, const RowMatrix& p
     if (nu > 0) {
       const Eigen::VectorXd x_planned = xs.row(k);
       problem.difference(x_planned.data(), x.data(), dx.data());
-      u.head(nu) += solver.gain(k) * dx + h * push.row(k).head(nu).transpose();
+      u.head(nu) += solver.gain(k) * dx + h * change.row(k).head(nu).transpose();
       const double *lower = problem.control_lower(k), *upper = problem.control_upper(k);
       for (int i = 0; i < nu && lower != nullptr; ++i)
         if (us(k, i) < lower[i] + 1e-6 || us(k, i) > upper[i] - 1e-6) u[i] = us(k, i);
     }
     cost += problem.roll(0, k, x.data(), u.data(), next.data()).cost +
-            pushed_limits(problem, solver, k, x, u);
+            limit_terms(problem, solver, k, x, u);
     x = next;
   }
   return cost + problem.roll(0, problem.knots(), x.data(), nullptr, nullptr).cost +
-         pushed_limits(problem, solver, problem.knots(), x, x);
+         limit_terms(problem, solver, problem.knots(), x, x);
 }
 
-TEST_P(ExampleProblem, NoChangeOfItsControlsIsCheaper) {
+TEST_P(ExampleProblem, Solution_IsALocalMinimum) {
   const ProblemFile file = read_problem_file(GetParam());
   Problem problem(file.spec);
   DdpSolver solver(problem, file.solver);
@@ -77,24 +77,24 @@ TEST_P(ExampleProblem, NoChangeOfItsControlsIsCheaper) {
   solver.set_guess(guess.xs, guess.us);
   ASSERT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
   const double cost = solver.summary().cost;
-  EXPECT_NEAR(pushed_cost(problem, solver, 0.0 * solver.us(), 0.0), cost, 1e-9 * cost);
+  EXPECT_NEAR(changed_lagrangian(problem, solver, 0.0 * solver.us(), 0.0), cost, 1e-9 * cost);
   std::mt19937_64 generator(5);
   for (int direction = 0; direction < 8; ++direction) {
-    RowMatrix push = solver.us();
-    for (Eigen::Index i = 0; i < push.size(); ++i)
-      push.data()[i] = static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0;
+    RowMatrix change = solver.us();
+    for (Eigen::Index i = 0; i < change.size(); ++i)
+      change.data()[i] = static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0;
     const double h = 1e-3;
-    const double plus = pushed_cost(problem, solver, push, h);
-    const double minus = pushed_cost(problem, solver, push, -h);
+    const double plus = changed_lagrangian(problem, solver, change, h);
+    const double minus = changed_lagrangian(problem, solver, change, -h);
     const double slope = (plus - minus) / (2.0 * h);
     const double curvature = (plus - 2.0 * cost + minus) / (h * h);
     ASSERT_GT(curvature, 0.0);
-    // What going on along this direction could save, by the parabola through the three.
+    // The saving along this direction, by the parabola through the three costs.
     EXPECT_LT(slope * slope / (2.0 * curvature), 1e-6 * cost) << "direction " << direction;
   }
 }
 
-TEST_P(ExampleProblem, HasTheSameBitsWithOneAndTwoThreads) {
+TEST_P(ExampleProblem, OneAndTwoThreads_GiveTheSameBits) {
   const ProblemFile file = read_problem_file(GetParam());
   const auto solve = [&](int threads, RowMatrix& us) {
     Problem problem(file.spec);
@@ -113,7 +113,7 @@ TEST_P(ExampleProblem, HasTheSameBitsWithOneAndTwoThreads) {
   EXPECT_EQ(us_one, us_two);
 }
 
-TEST_P(ExampleProblem, ConvergesFromItsOwnStart) {
+TEST_P(ExampleProblem, Solve_ConvergesFromItsOwnGuess) {
   const ProblemFile file = read_problem_file(GetParam());
   EXPECT_NE(file.description, "");
   Problem problem(file.spec);

@@ -1,4 +1,4 @@
-// What starts from `here`: along the axes that its cost names.
+// Tests of targets that start from `here`: offsets and paths are along the axes of their cost.
 #include "files/here.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ namespace {
 
 class HereTargets : public ProblemFiles {
  protected:
-  /// Where a target of the tool's position leads at a time, from the tool at the start, along the
-  /// axes of the residual's rows [m].
+  /// Returns the displacement of a position target from the tool at the start, at a time, along
+  /// the axes of the residual's rows [m].
   Eigen::Vector3d moved(const std::string& axes, const std::string& target, double time) const {
     const ProblemFile file =
         read(small("frame: tool, target: here", "frame: tool, " + axes + ", target: " + target));
@@ -71,7 +71,7 @@ TEST_F(HereTargets, NumbersWithoutHere_StayInTheirOwnCoordinates) {
   EXPECT_LT((first - second).norm(), 1e-9);
 }
 
-/// Numbers are in the axes of a frame that stands turned at the world's origin.
+/// Numbers are in the axes of a frame that is rotated at the world's origin.
 TEST_F(HereTargets, FrameAtTheWorldsOrigin_HasNumbersInItsAxes) {
   ProblemSpec spec = read(small()).spec;
   Frame board{};

@@ -1,5 +1,5 @@
-// Problems with hard limits that an arm meets while it presses: those that have a solution end with
-// it within few iterations, the others say which limits cannot hold together.
+// Tests of problems with hard limits that an arm meets while it presses. Feasible problems converge
+// within few iterations; infeasible problems name the limits in conflict.
 #include <gtest/gtest.h>
 
 #include "burnish/solver/ddp.hpp"
@@ -8,14 +8,15 @@
 namespace burnish::testing {
 namespace {
 
-/// Iterations within which each of these solves must end.
-constexpr int most_iterations = 50;
+/// Largest number of iterations of each of these solves.
+constexpr int max_iterations = 50;
 
-/// An arm's tip goes up a board and presses with a force that swings, within a band. The tool's
-/// lean from the board's normal is at most `lean` [rad], but for the first `free` knots.
+/// An arm's tip goes up a board and presses with a sinusoidal force within a band. The tool's
+/// inclination from the board's normal is at most `incline` [rad], except at the first `free`
+/// knots.
 struct Board {
   std::string start, normal, goal;
-  double lean = 0.0;
+  double incline = 0.0;
   int free = 0;
 
   std::string text(const std::string& update) const {
@@ -28,7 +29,7 @@ struct Board {
         "      speed: {type: joint_velocity, limits: 0.3}\n"
         "      effort: {type: joint_torque, limits: 0.8}\n"
         "      band: {type: contact_force, contact: pad, lower: 13, upper: 17}\n";
-    const std::string bound = std::to_string(lean);
+    const std::string bound = std::to_string(incline);
     return arm + "start: {" + start + "}\n" +
            "contacts:\n"
            "  pad: {tool: tool, " +
@@ -44,31 +45,31 @@ struct Board {
            " target: {sine: {center: 15, amplitude: 3, rate: 6.28}}}\n"
            "stages:\n  slide:\n" +
            stage + "  press:\n" + stage +
-           "      lean: {type: frame_inclination, frame: tool, axis: [0, 0, -1], " + surface +
+           "      incline: {type: frame_inclination, frame: tool, axis: [0, 0, -1], " + surface +
            ", lower: -" + bound + ", upper: " + bound + "}\n" + "horizon: [" +
            (free > 0 ? "slide: " + std::to_string(free) + ", " : "") +
            "press: " + std::to_string(200 - free) +
            "]\n"
            "terminal: {posture: 0.1, along: 1e3}\n"
            "solver: {update: " +
-           update + ", max_iterations: " + std::to_string(most_iterations) + "}\n";
+           update + ", max_iterations: " + std::to_string(max_iterations) + "}\n";
   }
 };
 
-/// The start leans by 0.398 rad.
-Board leaning(double lean, int free = 0) {
-  return {"posture: ready", "[-0.3, 0, 1]", "[0.1044, 0, 0]", lean, free};
+/// Returns a board from which the tool is inclined by 0.398 rad at the start.
+Board inclined(double incline, int free = 0) {
+  return {"posture: ready", "[-0.3, 0, 1]", "[0.1044, 0, 0]", incline, free};
 }
-/// A board of 30 degrees, and the tool along its normal at the start. Without a bound the lean's
-/// largest value is 0.1571 rad.
-Board steep(double lean) {
+/// Returns a board of 30 degrees with the tool along its normal at the start. Without a bound, the
+/// largest inclination is 0.1571 rad.
+Board steep(double incline) {
   return {"q: [-0.0126, 0.0272, -0.1305, -2.3811, -0.2525, -1.5672, 0.3002]", "[-0.577, 0, 1]",
-          "[0.076545, 0, 0]", lean};
+          "[0.076545, 0, 0]", incline};
 }
 
 class LimitedProblem : public ProblemFiles, public ::testing::WithParamInterface<std::string> {
  protected:
-  /// `look` at the summary of a board's solve.
+  /// Solves the problem of a board and calls `look` with the problem and the solver.
   template <class Look>
   void solve(const Board& board, const Look& look) const {
     const ProblemFile file = read(board.text(GetParam()));
@@ -85,64 +86,66 @@ class LimitedProblem : public ProblemFiles, public ::testing::WithParamInterface
   }
 };
 
-TEST_P(LimitedProblem, BoundThatTheOptimumHardlyReaches_ConvergesToIt) {
+TEST_P(LimitedProblem, BoundNearTheOptimum_ConvergesToTheSameCost) {
   double cost = 0.0;
-  for (const double lean : {0.3, 0.17, 0.16, 0.158, 0.1571})
-    solve(steep(lean), [&](const Problem& /*problem*/, const DdpSolver& solver) {
+  for (const double incline : {0.3, 0.17, 0.16, 0.158, 0.1571})
+    solve(steep(incline), [&](const Problem& /*problem*/, const DdpSolver& solver) {
       const DdpSummary& s = solver.summary();
-      EXPECT_EQ(s.reason, StopReason::Converged) << lean;
+      EXPECT_EQ(s.reason, StopReason::Converged) << incline;
       EXPECT_TRUE(s.feasible);
       EXPECT_LE(s.iterations, 10);
       if (cost == 0.0) cost = s.cost;
-      EXPECT_NEAR(s.cost, cost, 1e-6 * cost) << lean;
+      EXPECT_NEAR(s.cost, cost, 1e-6 * cost) << incline;
     });
 }
 
 TEST_P(LimitedProblem, BoundFarBelowTheOptimum_Converges) {
   double cost = 0.0;
-  for (const double lean : {0.14, 0.08, 0.05, 0.02})
-    solve(steep(lean), [&](const Problem& /*problem*/, const DdpSolver& solver) {
+  for (const double incline : {0.14, 0.08, 0.05, 0.02})
+    solve(steep(incline), [&](const Problem& /*problem*/, const DdpSolver& solver) {
       const DdpSummary& s = solver.summary();
-      EXPECT_EQ(s.reason, StopReason::Converged) << lean;
+      EXPECT_EQ(s.reason, StopReason::Converged) << incline;
       EXPECT_TRUE(s.feasible);
       EXPECT_LE(s.iterations, 15);
-      EXPECT_GT(s.cost, cost) << "less room cannot be cheaper";
+      EXPECT_GT(s.cost, cost) << "a tighter bound cannot reduce the cost";
       cost = s.cost;
     });
 }
 
-TEST_P(LimitedProblem, StartOutside_EndsInfeasibleAndNamesWhatStopsIt) {
-  for (const double lean : {0.15, 0.3})
-    solve(leaning(lean), [&](const Problem& problem, const DdpSolver& solver) {
+TEST_P(LimitedProblem, StartBeyondABound_IsInfeasibleAndNamesTheConflict) {
+  for (const double incline : {0.15, 0.3})
+    solve(inclined(incline), [&](const Problem& problem, const DdpSolver& solver) {
       const DdpSummary& s = solver.summary();
-      EXPECT_EQ(s.reason, StopReason::Infeasible) << lean;
+      EXPECT_EQ(s.reason, StopReason::Infeasible) << incline;
       EXPECT_FALSE(s.feasible);
-      EXPECT_LT(s.iterations, most_iterations);
-      ASSERT_EQ(s.start_outside.size(), 1U);
-      EXPECT_EQ(name(problem, {0, s.start_outside[0].row}), "lean/tilt");
-      EXPECT_NEAR(s.start_outside[0].value, 0.398, 5e-4);
-      EXPECT_EQ(s.start_outside[0].upper, lean);
+      EXPECT_LT(s.iterations, max_iterations);
+      ASSERT_EQ(s.start_violations.size(), 1U);
+      EXPECT_EQ(name(problem, {0, s.start_violations[0].row}), "incline/tilt");
+      EXPECT_NEAR(s.start_violations[0].value, 0.398, 5e-4);
+      EXPECT_EQ(s.start_violations[0].upper, incline);
       ASSERT_FALSE(s.conflict.empty());
-      EXPECT_EQ(name(problem, s.conflict[0]), "lean/tilt");
+      EXPECT_EQ(name(problem, s.conflict[0]), "incline/tilt");
       std::string limits;
       for (const std::vector<RowPlace>& places : {s.conflict, s.stopping})
         for (const RowPlace& place : places) limits += name(problem, place) + " ";
       EXPECT_NE(limits.find("speed/joint_6"), std::string::npos) << limits;
-      const std::string sentence = solver.text(), bound = lean == 0.3 ? "0.3" : "0.15";
-      EXPECT_NE(sentence.find("the start is outside its limits: 'lean/tilt' is 0.398, allowed -" +
-                              bound + " to " + bound),
-                std::string::npos);
-      EXPECT_NE(sentence.find("no trajectory near this one keeps all limits: 'lean/tilt' (knot 0"),
-                std::string::npos);
+      const std::string sentence = solver.text(), bound = incline == 0.3 ? "0.3" : "0.15";
+      EXPECT_NE(
+          sentence.find("the initial state violates limits: 'incline/tilt' is 0.398, allowed -" +
+                        bound + " to " + bound),
+          std::string::npos);
+      EXPECT_NE(
+          sentence.find("no trajectory near this one satisfies all limits: 'incline/tilt' (knot 0"),
+          std::string::npos);
     });
 }
 
-TEST_P(LimitedProblem, StartOutsideWhatItsStageLimits_Converges) {
-  for (const double lean : {0.15, 0.3})
-    solve(leaning(lean, 40), [&](const Problem& /*problem*/, const DdpSolver& solver) {
-      EXPECT_EQ(solver.summary().reason, StopReason::Converged) << lean;
+TEST_P(LimitedProblem, StartBeyondABoundOfALaterStage_Converges) {
+  for (const double incline : {0.15, 0.3})
+    solve(inclined(incline, 40), [&](const Problem& /*problem*/, const DdpSolver& solver) {
+      EXPECT_EQ(solver.summary().reason, StopReason::Converged) << incline;
       EXPECT_TRUE(solver.summary().feasible);
-      EXPECT_TRUE(solver.summary().start_outside.empty());
+      EXPECT_TRUE(solver.summary().start_violations.empty());
     });
 }
 

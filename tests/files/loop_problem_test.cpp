@@ -1,5 +1,5 @@
-// Problems of robots with loops: every knot holds them, starts are consistent, hinges without
-// motors are not driven.
+// Tests of problems of robots with loops: every knot closes the loops, starts are consistent, and
+// hinges without motors have no control.
 #include <gtest/gtest.h>
 
 #include "burnish/contact/loops.hpp"
@@ -17,7 +17,7 @@ ProblemFile example(const std::string& name) {
 
 class LoopExample : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(LoopExample, holds_its_loops_to_a_tenth_of_a_millimetre) {
+TEST_P(LoopExample, Solution_ClosesLoopsWithinATenthOfAMillimetre) {
   const ProblemFile file = example(GetParam());
   Problem problem(file.spec);
   DdpSolver solver(problem, file.solver);
@@ -33,10 +33,10 @@ TEST_P(LoopExample, holds_its_loops_to_a_tenth_of_a_millimetre) {
   }
   RecordProperty("worst_m", std::to_string(worst));
   EXPECT_LT(worst, 1e-4);
-  EXPECT_GT(moved, 0.2) << "nothing moves";
+  EXPECT_GT(moved, 0.2) << "the robot must move";
 }
 
-TEST_P(LoopExample, starts_closed_and_drives_motors_alone) {
+TEST_P(LoopExample, Start_IsClosedAndOnlyMotorsHaveControls) {
   const ProblemFile file = example(GetParam());
   const Problem problem(file.spec);
   const Model& model = problem.model();
@@ -66,7 +66,7 @@ class LoopProblemFiles : public ProblemFiles {
   }
 };
 
-TEST_F(LoopProblemFiles, start_where_the_named_joint_says) {
+TEST_F(LoopProblemFiles, StartOfOneJoint_IsCompletedToAConsistentStart) {
   const ProblemFile file = read(bars("start: {posture: {drive: 1.1}, velocity: {drive: 2}}\n"));
   const Model& model = file.spec.model;
   const Eigen::VectorXd q = file.spec.initial_state.head(model.nq);
@@ -75,15 +75,15 @@ TEST_F(LoopProblemFiles, start_where_the_named_joint_says) {
   const Eigen::VectorXd v = file.spec.initial_state.segment(model.nq, model.nv);
   EXPECT_NEAR(v[model.joints[model.joint_index("drive")].v_index], 2.0, 1e-9);
   EXPECT_LT((project_velocity_onto_loops(model, q, v) - v).norm(), 1e-9);
-  EXPECT_GT(v.cwiseAbs().minCoeff(), 1e-3) << "all bars move";
+  EXPECT_GT(v.cwiseAbs().minCoeff(), 1e-3) << "every bar must move";
 }
 
-TEST_F(LoopProblemFiles, refuse_a_start_that_leaves_a_loop_open) {
+TEST_F(LoopProblemFiles, StartWithAnOpenLoop_IsRefused) {
   expect_words(refusal([&] { read(bars("start: {q: [0.8, 0.1, 1.2]}\n")); }),
                {"initial_state", "loop 'pin'", "mm", "project_onto_loops"});
 }
 
-TEST_F(LoopProblemFiles, have_gains_of_their_step_and_take_others) {
+TEST_F(LoopProblemFiles, LoopGains_FollowFromTheStepUnlessStated) {
   const ProblemFile file = read(bars(""));
   ASSERT_EQ(file.spec.contacts.size(), 1U);
   EXPECT_EQ(file.spec.contacts[0].name, "pin");

@@ -1,4 +1,4 @@
-// Problem files: what they say arrives, and what cannot be used is refused with a sentence.
+// Tests of problem files: every key is read, and a bad file is refused with its place.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -8,7 +8,7 @@
 namespace burnish::testing {
 namespace {
 
-TEST_F(ProblemFiles, SmallFileArrives) {
+TEST_F(ProblemFiles, SmallFile_IsReadWithItsDefaults) {
   const ProblemFile file = read(small());
   const ProblemSpec& spec = file.spec;
   ASSERT_EQ(spec.contacts.size(), 1U);
@@ -17,7 +17,7 @@ TEST_F(ProblemFiles, SmallFileArrives) {
   EXPECT_EQ(spec.contacts[0].kd[2], 50.0);
   const Eigen::VectorXd q = file.robot.reference_configuration();
   const Eigen::Isometry3d tool = frame_placement(spec.model, q, "tool");
-  EXPECT_TRUE(spec.contacts[0].target.isApprox(tool, 1e-12)) << "unless said: where the tool is";
+  EXPECT_TRUE(spec.contacts[0].target.isApprox(tool, 1e-12)) << "the default is the tool's pose";
   EXPECT_EQ(spec.initial_state.head(7), q);
   ASSERT_EQ(spec.stages.size(), 1U);
   const Stage& press = spec.stages[0];
@@ -34,7 +34,7 @@ TEST_F(ProblemFiles, SmallFileArrives) {
   EXPECT_EQ(file.guess.kind, WarmStart::Kind::Hold);
 }
 
-TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
+TEST_F(ProblemFiles, FileWithEveryKey_IsReadCompletely) {
   const ProblemFile file = read(
       arm +
       "description: all of it\n"
@@ -134,7 +134,7 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   const auto placement = [&](const char* frame) {
     return frame_placement(spec.model, spec.initial_state.head(7), frame);
   };
-  seen.target.at(0.0, p);  // here
+  seen.target.at(0.0, p);  // 'here' in the axes of link_3
   EXPECT_LT((placement("link_3") * Eigen::Vector3d(p) - placement("tool").translation()).norm(),
             1e-12);
   const auto& apart = std::get<residual::FrameDistance>(go.costs[14].residual);
@@ -150,9 +150,9 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_EQ(std::get<residual::SupportMargin>(go.costs[17].residual).points[1],
             Eigen::Vector2d(1, 0));
   EXPECT_EQ(go.costs[17].weights, Eigen::Vector3d(1, 2, 1));
-  const auto& leaning = *std::get<residual::ContactForce>(go.costs[18].residual).reference;
-  EXPECT_EQ(leaning.axes, Anchor("link_2"));
-  EXPECT_EQ(leaning.rotation.col(2), Eigen::Vector3d::UnitX());
+  const auto& force_reference = *std::get<residual::ContactForce>(go.costs[18].residual).reference;
+  EXPECT_EQ(force_reference.axes, Anchor("link_2"));
+  EXPECT_EQ(force_reference.rotation.col(2), Eigen::Vector3d::UnitX());
   std::get<residual::ContactForce>(go.costs[19].residual).target.at(0.2, f);
   EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
   const auto& turn = std::get<residual::FrameRotation>(go.costs[20].residual);
@@ -165,10 +165,10 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_LT(
       (Eigen::Quaterniond(xyzw[3], xyzw[0], xyzw[1], xyzw[2]).toRotationMatrix() - here).norm(),
       1e-9);
-  const auto& lean = std::get<residual::FrameInclination>(go.costs[21].residual);
-  EXPECT_EQ(lean.axis, Eigen::Vector3d(0.0, 0.0, -1.0));
+  const auto& inclination = std::get<residual::FrameInclination>(go.costs[21].residual);
+  EXPECT_EQ(inclination.axis, Eigen::Vector3d(0.0, 0.0, -1.0));
   Eigen::VectorXd angles(2);
-  lean.target.at(0.5, angles);
+  inclination.target.at(0.5, angles);
   EXPECT_EQ(angles, Eigen::Vector2d(0.1, 0.0));
   EXPECT_EQ(go.costs[21].weights, Eigen::Vector2d(1.0, 2.0));
   const auto& height = std::get<residual::FrameHeight>(go.costs[22].residual);
@@ -187,7 +187,7 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_EQ(file.guess.kind, WarmStart::Kind::Still);
 }
 
-TEST_F(ProblemFiles, KnotsHaveStepsOfTheirOwn) {
+TEST_F(ProblemFiles, HorizonSteps_SetTheStepsOfTheirKnots) {
   const ProblemFile file = read(small("- press: 5",
                                       "- press: 2\n"
                                       "  - press: {knots: 3, step: 0.03}\n"
@@ -199,7 +199,7 @@ TEST_F(ProblemFiles, KnotsHaveStepsOfTheirOwn) {
   for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_NEAR(steps[k], wanted[k], 1e-12) << k;
 }
 
-TEST_F(ProblemFiles, ConstraintsStandBesideCosts) {
+TEST_F(ProblemFiles, Constraints_AreReadWithTheirLimits) {
   const ProblemFile file =
       read(small("    costs:\n",
                  "    constraints:\n"
@@ -222,7 +222,7 @@ TEST_F(ProblemFiles, ConstraintsStandBesideCosts) {
   EXPECT_EQ(problem.rows(problem.knots()), spec.model.nv);
 }
 
-TEST_F(ProblemFiles, EdgesOfAPressureAreNamedAsTheyAreReported) {
+TEST_F(ProblemFiles, CenterOfPressure_RowsHaveTheNamesOfTheirEdges) {
   std::string text =
       small("    costs:\n",
             "    constraints:\n"
@@ -247,7 +247,7 @@ TEST_F(ProblemFiles, EdgesOfAPressureAreNamedAsTheyAreReported) {
   EXPECT_NEAR(rows[3], force[0] * (0.05 - centre.y()), 1e-9);
 }
 
-TEST_F(ProblemFiles, PointsFromATableAreInterpolatedAndHeld) {
+TEST_F(ProblemFiles, PointsOfATable_AreInterpolatedAndConstantOutside) {
   write("time [s],x [m],y [m],z [m]\n0,0,0,0\n1,1,0,2\n2,1,1,2\n", "path.csv");
   const ProblemFile file =
       read(small("frame: tool, target: here",
@@ -264,7 +264,7 @@ TEST_F(ProblemFiles, PointsFromATableAreInterpolatedAndHeld) {
   }
 }
 
-TEST_F(ProblemFiles, LineIsAtRestAtBothEnds) {
+TEST_F(ProblemFiles, LineTarget_IsAtRestAtBothEnds) {
   const ProblemFile file = read(small("target: 30",
                                       "target: {line: {from: 0, to: 30, start: 1,"
                                       " duration: 2}}"));
@@ -278,45 +278,45 @@ TEST_F(ProblemFiles, LineIsAtRestAtBothEnds) {
   }
 }
 
-TEST_F(ProblemFiles, TorquesThatAreRememberedCostWhereTheyAreSaidTo) {
+TEST_F(ProblemFiles, TorqueStates_HaveNoCostUnlessStated) {
   const ProblemFile file = read(small("", "", "torque_model: held\n"));
   ASSERT_TRUE(file.spec.torque_model && file.spec.torque_model->is_held());
   EXPECT_EQ(file.spec.initial_state.size(), 21);
-  EXPECT_GT(file.spec.initial_state.tail(7).norm(), 0.1) << "those that hold the robot";
-  const Eigen::VectorXd unsaid = file.spec.stages[0].costs[0].weights;
-  ASSERT_EQ(unsaid.size(), 21);
-  EXPECT_EQ(unsaid.head(14), Eigen::VectorXd::Ones(14));
-  EXPECT_TRUE(unsaid.tail(7).isZero(0.0));
-  const ProblemFile said = read(small("{type: state, weight: 2}",
-                                      "{type: state, weights: {tau: 3}}", "torque_model: held\n"));
-  EXPECT_EQ(said.spec.stages[0].costs[0].weights.tail(7), Eigen::VectorXd::Constant(7, 3.0));
+  EXPECT_GT(file.spec.initial_state.tail(7).norm(), 0.1) << "default: torques of the robot at rest";
+  const Eigen::VectorXd unstated = file.spec.stages[0].costs[0].weights;
+  ASSERT_EQ(unstated.size(), 21);
+  EXPECT_EQ(unstated.head(14), Eigen::VectorXd::Ones(14));
+  EXPECT_TRUE(unstated.tail(7).isZero(0.0));
+  const ProblemFile stated = read(small(
+      "{type: state, weight: 2}", "{type: state, weights: {tau: 3}}", "torque_model: held\n"));
+  EXPECT_EQ(stated.spec.stages[0].costs[0].weights.tail(7), Eigen::VectorXd::Constant(7, 3.0));
 }
 
-TEST_F(ProblemFiles, ForcesThatAreRememberedAreThoseThatHoldTheRobotUnlessSaid) {
+TEST_F(ProblemFiles, ForceStates_StartAtTheForcesAtRestUnlessStated) {
   const auto of = [&](const std::string& start) {
     return read(small("posture: 0.5",
                       "rate: {type: contact_force_rate, contact: pad}\n"
                       "      posture: 0.5",
-                      "remembered_forces: pad\n" + start));
+                      "force_states: pad\n" + start));
   };
-  const ProblemFile unsaid = of("");
-  ASSERT_EQ(unsaid.spec.initial_state.size(), 15);
-  const Eigen::VectorXd weights = unsaid.spec.stages[0].costs[1].weights;
-  ASSERT_EQ(weights.size(), 15) << "what is remembered of forces costs nothing";
+  const ProblemFile unstated = of("");
+  ASSERT_EQ(unstated.spec.initial_state.size(), 15);
+  const Eigen::VectorXd weights = unstated.spec.stages[0].costs[1].weights;
+  ASSERT_EQ(weights.size(), 15) << "force states have no cost by default";
   EXPECT_EQ(weights.head(14), Eigen::VectorXd::Ones(14));
   EXPECT_EQ(weights[14], 0.0);
-  Problem problem(unsaid.spec);
+  Problem problem(unstated.spec);
   const TrajectoryGuess guess = make_guess(problem, {});
   const Eigen::VectorXd x = guess.xs.row(1), u = guess.us.row(0);
-  EXPECT_NEAR(x[14], problem.forces(0, x, u)[0], 1e-9) << "a robot that is held";
-  EXPECT_NEAR(x[14], unsaid.spec.initial_state[14], 1e-12);
+  EXPECT_NEAR(x[14], problem.forces(0, x, u)[0], 1e-9) << "default: force of the robot at rest";
+  EXPECT_NEAR(x[14], unstated.spec.initial_state[14], 1e-12);
   EXPECT_EQ(of("start: {forces: {pad: 12}}\n").spec.initial_state[14], 12.0);
   const ProblemFile torques = of("torque_model: held\nstart: {torques: {hold: {pad: 30}}}\n");
   ASSERT_EQ(torques.spec.initial_state.size(), 22);
   EXPECT_EQ(torques.spec.initial_state[21], 30.0);
 }
 
-TEST_F(ProblemFiles, HoldIsARestingRobot) {
+TEST_F(ProblemFiles, HoldTarget_KeepsTheRobotAtRest) {
   const ProblemFile file =
       read(small("posture: 0.5", "hold: {type: control, target: {hold: {pad: 30}}}"));
   Problem problem(file.spec);
@@ -324,24 +324,24 @@ TEST_F(ProblemFiles, HoldIsARestingRobot) {
   std::get<residual::Control>(file.spec.stages[0].costs[0].residual).target.at(0.0, u);
   EXPECT_LT(problem.acceleration(0, file.spec.initial_state, u).norm(), 1e-9);
   EXPECT_NEAR(problem.forces(0, file.spec.initial_state, u)[0], 30.0, 1e-9);
-  // Without a force in mind: the guess.
+  // Without a given force, the guess is a robot at rest, too.
   const TrajectoryGuess guess = make_guess(problem, {});
   EXPECT_LT(problem.acceleration(0, file.spec.initial_state, guess.us.row(0).transpose()).norm(),
             1e-9);
 }
 
-struct Refused {
+struct BadFile {
   std::string from, to, more;
   std::vector<std::string> words;
 };
 
-TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
-  const std::vector<Refused> table{
+TEST_F(ProblemFiles, BadFiles_AreRefusedWithTheirPlace) {
+  const std::vector<BadFile> table{
       {"contacts:\n  pad", "contact:\n  pad", "", {"'contact' is unknown", "'contacts'?"}},
       {"directions: z", "direction: z", "", {"line 3: contacts.pad:", "'directions'?"}},
       {"directions: z", "directions: zz", "", {"contacts.pad.directions:", "unknown word 'zz'"}},
       {"tool: tool", "tool: tol", "", {"contacts.pad.tool:", "did you mean 'tool'"}},
-      {"kd: 50", "kd: much", "", {"contacts.pad.kd: 'much' is no number"}},
+      {"kd: 50", "kd: much", "", {"contacts.pad.kd: 'much' is not a number"}},
       {"kd: 50", "kd: [1, 2]", "", {"it has 2 numbers; wanted 6"}},
       {"kd: 50", "reference: sureface", "", {"contacts.pad.reference", "'surface'?"}},
       {"kd: 50", "reference: {axes: link_99}", "", {"'pad'", "reference", "did you mean"}},
@@ -349,15 +349,15 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"kd: 50",
        "reference: {local: {rpy: [0, 0, 1]}, axes: link_3}",
        "",
-       {"'local' stands alone"}},
+       {"'local' excludes all other keys"}},
       {"type: state", "type: stat", "", {"terms.posture.type", "did you mean 'state'?"}},
       {"weight: 2", "wheight: 2", "", {"terms.posture", "did you mean 'weight'?"}},
       {"posture: 0.5", "posture: -1", "", {"stages.press.costs.posture: it is -1"}},
-      {"posture: 0.5", "postur: 0.5", "", {"costs.postur: no term of this name", "'posture'?"}},
+      {"posture: 0.5", "postur: 0.5", "", {"costs.postur: unknown term", "'posture'?"}},
       {"contact: pad", "contact: pat", "", {"force.contact", "did you mean 'pad'?"}},
       {"target: 30", "target: [1, 2]", "", {"force.target: it has 2 numbers; wanted 1"}},
-      {"target: 30", "target: here", "", {"force.target: 'here' means nothing for this cost"}},
-      {"target: 30", "target: soon", "", {"force.target: 'soon' is no target"}},
+      {"target: 30", "target: here", "", {"force.target: 'here' is not defined for this residual"}},
+      {"target: 30", "target: soon", "", {"force.target: 'soon' is not a target"}},
       {"target: 30", "target: {ramp: 3}", "", {"force.target: key 'ramp' is unknown"}},
       {"target: 30", "target: {hold: {pat: 3}}", "", {"did you mean 'pad'?"}},
       {"target: 30",
@@ -376,7 +376,7 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"target: here", "target: nan", "", {"point.target: nan is not finite"}},
       {"frame: tool", "frame: tol", "", {"frame: ", "did you mean 'tool'?"}},
       {"contacts: [pad]", "contacts: [pod]", "", {"stages.press.contacts", "'pad'?"}},
-      {"contacts: [pad]", "contacts: []", "", {"term 'force'", "'pad'", "does not hold"}},
+      {"contacts: [pad]", "contacts: []", "", {"term 'force'", "'pad'", "is not active"}},
       {"step: 0.02",
        "constraints: {still: {type: joint_velocity, weight: 1}}",
        "",
@@ -384,7 +384,7 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"step: 0.02",
        "constraints: {still: {type: state, lower: 0}}",
        "",
-       {"constraints.still.type: a state", "'joint_velocity'"}},
+       {"constraints.still.type: the residual 'state' cannot", "'joint_velocity'"}},
       {"step: 0.02",
        "constraints: {still: {type: joint_velocity}}",
        "",
@@ -403,9 +403,9 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"- press: 5",
        "- press: {knots: 5, step: 0.01, duration: 9}",
        "",
-       {"'press' for 9 s in 5 knots", "0.01", "0.31 s"}},
+       {"'press' has a duration of 9 s in 5 knots", "0.01 s", "0.31 s"}},
       {"- press: 5", "- press: 2.5", "", {"it is 2.5; wanted a whole number"}},
-      {"- press: 5", "- press", "", {"horizon[0]: wanted a stage with its knots"}},
+      {"- press: 5", "- press", "", {"horizon[0]: wanted a stage with its number of knots"}},
       {"posture: 7", "force: {type: contact_force, contact: pad}", "", {"terminal, term 'force'"}},
       {"", "", "solver: {max_iteration: 3}\n", {"solver:", "did you mean 'max_iterations'?"}},
       {"",
@@ -415,8 +415,8 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"", "", "solver: {threads: 2000}\n", {"solver.threads: it is 2000; wanted 1 to 1024"}},
       {"",
        "",
-       "solver: {line_search: {merit_share: 1}}\n",
-       {"solver.line_search.merit_share: it is 1; wanted at least 0 and less than 1"}},
+       "solver: {line_search: {merit_fraction: 1}}\n",
+       {"solver.line_search.merit_fraction: it is 1; wanted at least 0 and less than 1"}},
       {"",
        "",
        "solver: {regularization: {factor: 1}}\n",
@@ -432,25 +432,28 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"", "", "start: {posture: {joint_9: 1}}\n", {"start.posture", "joint_9"}},
       {"", "", "start: {q: [1, 2]}\n", {"start.q: it has 2 numbers; wanted 7"}},
       {"", "", "start: {torques: hold}\n", {"start.torques", "only with a 'torque_model'"}},
-      {"", "", "start: {forces: {pad: 1}}\n", {"start.forces", "only with 'remembered_forces'"}},
-      {"", "", "remembered_forces: [pads]\n", {"remembered_forces", "'pads'", "'pad'"}},
+      {"", "", "start: {forces: {pad: 1}}\n", {"start.forces", "only with 'force_states'"}},
+      {"", "", "force_states: [pads]\n", {"force_states", "'pads'", "'pad'"}},
       {"", "", "torque_model: hold\n", {"torque_model: 'hold' is unknown", "did you mean 'held'?"}},
       {"", "", "torque_model: {cutof: 3}\n", {"torque_model:", "did you mean 'cutoff'?"}},
       {"", "", "torque_model: {cutoff: 300, discretization: euler}\n", {"unstable"}},
       {"", "", "control_bounds: {lower: 3, upper: 2}\n", {"control_lower 3 is above"}},
       {"", "", "actuation: {joints: [joint_8]}\n", {"actuation.joints", "joint_8"}},
       {"", "", "horizon: []\n", {"'horizon' is stated twice"}},
-      {"robot: ", "robot: [", "", {"this is no YAML"}},
+      {"robot: ", "robot: [", "", {"this is not valid YAML"}},
       {"/arm7", "/arm8", "", {"line 1: robot:", "arm8", "does not exist"}},
       {"kd: 50}", "kd: 50}\n  pad: {tool: tool}", "", {"key 'pad' is stated twice"}},
       {"type: state", "type: state, penalty: {barrier: limits}", "", {"states no limits"}},
-      {"type: state", "type: state, penalty: barrier", "", {"penalty: it has no numbers"}},
+      {"type: state",
+       "type: state, penalty: barrier",
+       "",
+       {"penalty: the penalty has no parameters"}},
       {"type: state",
        "type: state, weights: {joint_1: 1}",
        "",
        {"weights", "'joint_1' is unknown"}},
   };
-  for (const Refused& row : table) {
+  for (const BadFile& row : table) {
     const std::string text = small(row.from, row.to, row.more);
     const std::string sentence = refusal([&] { read(text); });
     expect_words(sentence, row.words);

@@ -1,4 +1,4 @@
-// References of problem files: rotations over time, and curved surfaces.
+// Tests of references in problem files: rotations over time, curved surfaces, and sliding friction.
 #include <gtest/gtest.h>
 
 #include "support/problem_files.hpp"
@@ -14,8 +14,8 @@ Eigen::Matrix3d about_z(double angle) {
   return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-TEST_F(ProblemFiles, ReferencesTurnOverTime) {
-  // Quarter turns about z, the second of the other sign, the third rounded.
+TEST_F(ProblemFiles, ReferencesOverTime_RotateByTableOrLine) {
+  // A quarter turn about z; the second quaternion has the other sign, the third is rounded.
   write("time [s],x [-],y,z,w\n0,0,0,0,1\n1,0,0,-0.38268343,-0.92387953\n2,0,0,0.7071,0.7071\n",
         "turn.csv");
   const std::string table = "{points: {file: turn.csv, columns: [x, y, z, w]}}";
@@ -30,11 +30,11 @@ TEST_F(ProblemFiles, ReferencesTurnOverTime) {
                      line +
                      "}}\n"
                      "  held: {type: frame_rotation, frame: tool, target: " +
-                     line + ", lower: -1, scale: 1, price: 3, square: 2}\n"));
+                     line + ", lower: -1, scale: 1, l1_weight: 3, quadratic_weight: 2}\n"));
   const Reference& pad = file.spec.contacts[0].reference;
   EXPECT_EQ(pad.axes, Anchor(Anchor::Base));
   EXPECT_LT((rotation_at(pad, -1.0) - about_z(0.0)).norm(), 1e-8);
-  EXPECT_LT((rotation_at(pad, 0.5) - about_z(M_PI / 8)).norm(), 1e-8) << "the short way";
+  EXPECT_LT((rotation_at(pad, 0.5) - about_z(M_PI / 8)).norm(), 1e-8) << "the shorter rotation";
   EXPECT_LT((rotation_at(pad, 1.5) - about_z(3 * M_PI / 8)).norm(), 1e-4);
   EXPECT_LT((rotation_at(pad, 9.0) - about_z(M_PI / 2)).norm(), 1e-4);
   const auto& velocity =
@@ -52,7 +52,7 @@ TEST_F(ProblemFiles, ReferencesTurnOverTime) {
   EXPECT_NEAR(xyzw[2], std::sin(0.35), 1e-12);
 }
 
-TEST_F(ProblemFiles, ContactsFollowCurvedSurfaces) {
+TEST_F(ProblemFiles, CurvedSurfaces_AreReadAsQuadrics) {
   const auto quadric = [&](const std::string& shape) {
     const ProblemFile file = read(small("directions: z", "directions: z, reference: {surface: {" +
                                                              shape + ", near: [0, 0, 0.5]}}"));
@@ -85,7 +85,7 @@ TEST_F(ProblemFiles, ContactsFollowCurvedSurfaces) {
             std::string::npos);
 }
 
-TEST_F(ProblemFiles, ToolsRub) {
+TEST_F(ProblemFiles, SlidingFriction_IsReadWithItsDefaults) {
   const ProblemFile file =
       read(small("directions: z", "directions: z, friction: {coefficient: 0.4, radius: 0.02}"));
   const auto& friction = file.spec.contacts[0].friction;
@@ -102,7 +102,7 @@ TEST_F(ProblemFiles, ToolsRub) {
   expect_words(refused("directions: linear, friction: {}"), {"has friction and holds x,y,z"});
 }
 
-TEST_F(ProblemFiles, RotationsOverTimeThatAreNoneAreRefused) {
+TEST_F(ProblemFiles, BadRotationsOverTime_AreRefused) {
   const auto refused = [&](const std::string& path) {
     return refusal(
         [&] { read(small("directions: z", "directions: z, reference: {local: {" + path + "}}")); });

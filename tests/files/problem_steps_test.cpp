@@ -1,5 +1,5 @@
-// Problems whose steps are too long for what they plan, and friction of a tool that follows from
-// them.
+// Tests of problems whose steps are too long for their motion, and of the default friction speed,
+// which follows from the step.
 #include <cmath>
 
 #include "burnish/ocp/check.hpp"
@@ -11,19 +11,19 @@
 namespace burnish::testing {
 namespace {
 
-struct Solved {
+struct SolveResult {
   DdpSummary summary;
   StepReport steps;
   std::vector<std::string> complaints;
-  bool derivatives = true;  ///< they pass the checker
+  bool derivatives = true;  ///< whether the derivatives pass the check
 };
 
 class ProblemSteps : public ProblemFiles {
  protected:
-  Solved solve(const std::string& text, bool check = false) const {
+  SolveResult solve(const std::string& text, bool check = false) const {
     const ProblemFile file = read(text);
     Problem problem(file.spec);
-    Solved result;
+    SolveResult result;
     result.complaints = step_complaints(problem);
     if (check) result.derivatives = check_problem(problem).pass;
     DdpSolver solver(problem, file.solver);
@@ -35,7 +35,7 @@ class ProblemSteps : public ProblemFiles {
   }
 };
 
-/// The arm reaches for a point, and comes to rest at the end.
+/// Returns a problem in which the arm reaches for a point and comes to rest at the end.
 std::string reaching(double step, int knots, const std::string& integrator) {
   return arm +
          "start: {posture: ready}\n"
@@ -58,8 +58,8 @@ std::string reaching(double step, int knots, const std::string& integrator) {
          "terminal: {point: 1e4, upright: 1e2, rest: 1e2}\n";
 }
 
-TEST_F(ProblemSteps, OfASecond_AreTooCoarse) {
-  const Solved coarse = solve(reaching(1.0, 150, "semi_implicit_euler"));
+TEST_F(ProblemSteps, StepsOfOneSecond_AreTooCoarse) {
+  const SolveResult coarse = solve(reaching(1.0, 150, "semi_implicit_euler"));
   EXPECT_EQ(coarse.summary.reason, StopReason::Converged);
   EXPECT_TRUE(coarse.steps.coarse);
   EXPECT_EQ(coarse.steps.status, Status::Ok);
@@ -69,20 +69,21 @@ TEST_F(ProblemSteps, OfASecond_AreTooCoarse) {
   expect_words(coarse.steps.warning(), {"1 s", "move, knot 149", "0.76 rad", "'joint_4'"});
 }
 
-TEST_F(ProblemSteps, ThatWereSuggested_AreNotTooCoarse) {
+TEST_F(ProblemSteps, SuggestedSteps_AreFineEnough) {
   for (const char* integrator : {"semi_implicit_euler", "runge_kutta_4"}) {
-    const Solved coarse = solve(reaching(0.5, 3, integrator));
+    const SolveResult coarse = solve(reaching(0.5, 3, integrator));
     ASSERT_TRUE(coarse.steps.coarse) << integrator;
-    const double enough = coarse.steps.step_enough;
-    ASSERT_GT(enough, 0.0);
-    const int knots = static_cast<int>(std::ceil(1.5 / enough));
-    const Solved fine = solve(reaching(1.5 / knots, knots, integrator));
+    const double step = coarse.steps.sufficient_step;
+    ASSERT_GT(step, 0.0);
+    const int knots = static_cast<int>(std::ceil(1.5 / step));
+    const SolveResult fine = solve(reaching(1.5 / knots, knots, integrator));
     EXPECT_EQ(fine.summary.reason, StopReason::Converged);
     EXPECT_FALSE(fine.steps.coarse) << fine.steps.warning();
   }
 }
 
-/// The tip goes up a board of 30 degrees within a band of forces, the contact as said.
+/// Returns a problem in which the tip goes up a board of 30 degrees within a band of forces;
+/// `friction` is added to the contact.
 std::string on_a_board(const std::string& friction, const std::string& integrator) {
   return arm +
          "start: {posture: ready}\n"
@@ -116,9 +117,9 @@ std::string on_a_board(const std::string& friction, const std::string& integrato
 
 class FrictionOnABoard : public ProblemSteps, public ::testing::WithParamInterface<const char*> {};
 
-TEST_P(FrictionOnABoard, WithoutASpeed_ConvergesAsFastAsWithoutFriction) {
-  const Solved smooth = solve(on_a_board("", GetParam()));
-  const Solved rough = solve(on_a_board(", friction: {coefficient: 0.3}", GetParam()), true);
+TEST_P(FrictionOnABoard, DefaultSpeed_ConvergesLikeAFrictionlessContact) {
+  const SolveResult smooth = solve(on_a_board("", GetParam()));
+  const SolveResult rough = solve(on_a_board(", friction: {coefficient: 0.3}", GetParam()), true);
   ASSERT_EQ(smooth.summary.reason, StopReason::Converged);
   EXPECT_EQ(rough.summary.reason, StopReason::Converged);
   EXPECT_LE(rough.summary.iterations, smooth.summary.iterations + 2);
@@ -128,8 +129,9 @@ TEST_P(FrictionOnABoard, WithoutASpeed_ConvergesAsFastAsWithoutFriction) {
   EXPECT_TRUE(rough.derivatives);
 }
 
-TEST_P(FrictionOnABoard, WithASpeedTooSmallForTheStep_IsComplainedAbout) {
-  const Solved steep = solve(on_a_board(", friction: {coefficient: 0.3, speed: 0.01}", GetParam()));
+TEST_P(FrictionOnABoard, SpeedTooSmallForTheStep_IsReported) {
+  const SolveResult steep =
+      solve(on_a_board(", friction: {coefficient: 0.3, speed: 0.01}", GetParam()));
   ASSERT_EQ(steep.complaints.size(), 1U);
   expect_words(steep.complaints[0], {"stage 'press'", "contact 'pad'", "0.01 m/s", "at least"});
 }

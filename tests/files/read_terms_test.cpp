@@ -1,4 +1,4 @@
-// What keys of a cost in a problem file make of its residual.
+// Tests of the keys of a cost in a problem file: the residual that they describe.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace burnish::testing {
 namespace {
 
-/// A foot on three directions that is pressed on, and what its cone says besides.
+/// Returns a problem with a foot that presses, and a friction cone with further keys.
 ProblemFile with_cone(const std::string& keys) {
   const Scratch scratch;
   return read_problem_file(
@@ -26,7 +26,7 @@ ProblemFile with_cone(const std::string& keys) {
                                      "horizon: [press: 2]\n"));
 }
 
-TEST(ReadTerms, SidesOfAConeAreNamedByWhereTheyLook) {
+TEST(TermReader, ConeSides_AreNamedByTheirDirections) {
   const ProblemFile file = with_cone(", friction: 0.7, sides: 4, lower: {side_90deg: 3, other: 2}");
   const Problem problem(file.spec);
   const std::vector<std::string> names{"cone/side_0deg", "cone/side_90deg", "cone/side_180deg",
@@ -35,13 +35,13 @@ TEST(ReadTerms, SidesOfAConeAreNamedByWhereTheyLook) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(problem.row_lower(0)[i], i == 1 ? 3.0 : 2.0);
 }
 
-TEST(ReadTerms, ConesAreExactUnlessSidesAreSaid) {
+TEST(TermReader, ConeWithoutSides_IsExact) {
   const std::vector<std::string> names{"cone/cone", "cone/normal"};
   EXPECT_EQ(Problem(with_cone("").spec).row_names(0), names);
   EXPECT_EQ(Problem(with_cone(", sides: 0").spec).row_names(0), names);
 }
 
-TEST(ReadTerms, SidesThatMakeNoPyramidAreRefusedWithTheirPlace) {
+TEST(TermReader, BadNumberOfSides_IsRefusedWithItsPlace) {
   for (const char* sides : {"1", "2", "33", "1000000000"})
     expect_words(refusal([&] { with_cone(std::string(", sides: ") + sides); }),
                  {"cone.sides: sides is ", sides, "wanted 3 to 32, or 0 for the cone itself"});
@@ -50,7 +50,7 @@ TEST(ReadTerms, SidesThatMakeNoPyramidAreRefusedWithTheirPlace) {
   expect_words(refusal([] { with_cone(", sides: 4.5"); }), {"cone.sides", "whole number"});
 }
 
-/// A joint without an effort limit beside others that have one, and a limit on torques.
+/// Returns a problem with a limit on torques, of a robot one of whose joints has no effort limit.
 ProblemFile with_torque_limit(const std::string& keys) {
   const Scratch scratch;
   scratch.write("loose.yaml",
@@ -66,22 +66,22 @@ ProblemFile with_torque_limit(const std::string& keys) {
                                              "horizon: [move: 2]\n"));
 }
 
-TEST(ReadTerms, LimitsOfTheRobot_SkipRowsThatHaveNone) {
+TEST(TermReader, RobotLimits_SkipJointsWithoutALimit) {
   const Problem problem(with_torque_limit(", limits: 0.9").spec);
   for (int row = 0; row < 7; ++row)
     EXPECT_EQ(std::isinf(problem.row_upper(0)[row]), row == 1) << row;
 }
 
-TEST(ReadTerms, RowsThatNothingScales_AreNamed) {
+TEST(TermReader, RowWithoutAScale_IsNamed) {
   expect_words(refusal([] { Problem(with_torque_limit(", upper: 5").spec); }),
                {"row 'joint_2'", "wanted scale"});
 }
 
-TEST(ReadTerms, JointLists_EmptyOrDoubledAreRefusedWithTheirPlace) {
+TEST(TermReader, EmptyOrRepeatedJoints_AreRefusedWithTheirPlace) {
   expect_words(refusal([] { with_torque_limit(", limits: 0.9, joints: []"); }),
-               {"tau.joints: it is empty; wanted at least one joint"});
+               {"tau.joints: the list is empty; wanted at least one joint"});
   expect_words(refusal([] { with_torque_limit(", limits: 0.9, joints: [joint_1, joint_1]"); }),
-               {"tau.joints: joint 'joint_1' stands twice"});
+               {"tau.joints: joint 'joint_1' is listed twice"});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A reader under libFuzzer, which calls this with one text after the other; which reader is a
-// definition of the build. What run() throws ends the program, and libFuzzer keeps the text.
+// Entry of a fuzz target: libFuzzer calls the reader that the build selects with one text after
+// another. An exception from run() ends the program, and libFuzzer saves the text.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -7,7 +7,7 @@
 #include "fuzz/readers.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int* /*count*/, char*** /*words*/) {
-  unsetenv("BURNISH_ROBOTS");  // robots by name are those of the source tree
+  unsetenv("BURNISH_ROBOTS");  // loads named robots from the source tree
   return 0;
 }
 

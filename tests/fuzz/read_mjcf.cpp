@@ -6,10 +6,10 @@
 namespace burnish::fuzz {
 namespace {
 
-/// A mesh where the text is none of a model: "mesh .obj" and what the file holds.
+/// Reads a mesh from a text "mesh .obj" followed by the contents of the file.
 void read_mesh(const std::string& text) {
-  constexpr std::size_t head = 9;  // "mesh .obj"
-  mjcf::inertia_of(mjcf::parse_triangles(text.substr(head), text.substr(5, 4), "input"),
+  constexpr std::size_t header = 9;  // "mesh .obj"
+  mjcf::inertia_of(mjcf::parse_triangles(text.substr(header), text.substr(5, 4), "input"),
                    mjcf::MeshInertia::Legacy, "input");
 }
 

@@ -8,7 +8,8 @@
 namespace burnish::fuzz {
 namespace {
 
-/// The descriptions that come along, whatever the settings name: each is read once, and no other.
+/// Returns one of the descriptions in the source tree for any name in the settings. Each is read
+/// once; no other file is read.
 const TreeSpec& description(const std::string& urdf) {
   static const auto trees = [] {
     std::map<std::string, TreeSpec> result;
@@ -28,14 +29,14 @@ void load(const RobotSettings& settings) {
 
 void read(const std::string& text) {
   const RobotSettingsFile file = parse_robot_settings(text, "robot.yaml");
-  // Who loads a robot reads one variant of it.
+  // Three variants are enough, because a robot is loaded with a single variant.
   int variants = 3;
   for (const auto& [name, variant] : file.variants) {
     if (variants-- == 0) break;
     try {
       load(with_variant(file.common, variant));
     } catch (const Error&) {
-      // The next one may be better.
+      // Tries the next variant.
     }
   }
   load(file.common);

@@ -4,7 +4,7 @@
 namespace burnish::fuzz {
 namespace {
 
-/// One joint of every kind.
+/// Tree with one joint of every type.
 TreeSpec every_joint() {
   TreeSpec tree;
   for (const auto& [name, type] : {std::pair{"hinge", JointType::Revolute},

@@ -9,7 +9,7 @@
 namespace burnish::fuzz {
 namespace {
 
-/// Comments such as "#set path.kind=spiral" are overrides of the command line.
+/// Returns overrides of the command line, taken from comments such as "#set path.kind=spiral".
 std::vector<std::string> overrides_in(const std::string& text) {
   constexpr std::string_view mark = "#set ";
   std::vector<std::string> result;
@@ -21,27 +21,27 @@ std::vector<std::string> overrides_in(const std::string& text) {
 
 template <class Task>
 void read_as(const std::string& text) {
-  const auto said = files::parse_said<Task>(text, "nowhere/input.yaml", overrides_in(text));
-  files::placed(said.texts, [&] { check_task(said.spec); });
-  const std::string written = task_text(said.spec);
+  const auto parsed = files::parse_said<Task>(text, "nowhere/input.yaml", overrides_in(text));
+  files::placed(parsed.texts, [&] { check_task(parsed.spec); });
+  const std::string written = task_text(parsed.spec);
   std::string again;
   try {
-    const Task back = files::parse_said<Task>(written, "nowhere/written.yaml").spec;
-    check_task(back);
-    again = task_text(back);
+    const Task reread = files::parse_said<Task>(written, "nowhere/written.yaml").spec;
+    check_task(reread);
+    again = task_text(reread);
   } catch (const Error& refusal) {
-    throw std::logic_error(std::string("a task that was written is refused: ") + refusal.what());
+    throw std::logic_error(std::string("reading refuses a written task: ") + refusal.what());
   }
-  if (again != written) throw std::logic_error("a task that was written reads back as another");
+  if (again != written) throw std::logic_error("a written task changes when it is read again");
 }
 
 void read(const std::string& text) {
   const auto task = document::Reader::parse(text, "nowhere/input.yaml").find("task");
   bool named = false;
-  each_named_task([&](const auto& known) {
-    if (named || !task || !task->is(known.name)) return;
+  each_named_task([&](const auto& candidate) {
+    if (named || !task || !task->is(candidate.name)) return;
     named = true;
-    read_as<typename std::decay_t<decltype(known)>::Task>(text);
+    read_as<typename std::decay_t<decltype(candidate)>::Task>(text);
   });
   if (!named) read_as<polishing::Task>(text);
 }

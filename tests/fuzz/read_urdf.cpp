@@ -12,7 +12,7 @@ void read(const std::string& text) {
   try {
     build_model(tree, floating);
   } catch (const Error&) {
-    // A fixed base refuses less: look at that too.
+    // A fixed base has fewer requirements, so the model is built with it as well.
   }
   build_model(tree, {});
 }

@@ -1,4 +1,4 @@
-// Every text that a reader once got wrong, and the corpus that fuzzing starts from.
+// Replays the corpus of the fuzz targets, and every text that a reader once handled wrongly.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Replay : public ::testing::TestWithParam<const Reader*> {};
+class ReaderReplay : public ::testing::TestWithParam<const Reader*> {};
 
-TEST_P(Replay, is_read_or_refused_in_one_sentence_within_a_second) {
+TEST_P(ReaderReplay, AnyText_IsReadOrRefusedInOneSentenceWithinASecond) {
   int files = 0;
   for (const char* kind : {"corpus", "regressions"}) {
     const fs::path folder = fs::path(BURNISH_FUZZ_DIR) / kind / GetParam()->name;
@@ -32,15 +32,15 @@ TEST_P(Replay, is_read_or_refused_in_one_sentence_within_a_second) {
   EXPECT_GT(files, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Reader, Replay,
+INSTANTIATE_TEST_SUITE_P(Reader, ReaderReplay,
                          ::testing::Values(&urdf, &mjcf, &srdf, &robot, &problem, &task, &request,
                                            &table),
-                         [](const ::testing::TestParamInfo<const Reader*>& given) {
-                           return std::string(given.param->name);
+                         [](const ::testing::TestParamInfo<const Reader*>& test) {
+                           return std::string(test.param->name);
                          });
 
-// The replay is worth nothing unless run() sees what is wrong.
-TEST(Run, fails_for_what_is_no_refusal_in_one_sentence) {
+// The replay is only meaningful if run() detects errors.
+TEST(ReaderRun, OtherExceptionOrHang_IsAnError) {
   const auto throws_another = [](const std::string&) { throw std::out_of_range("vector::at"); };
   EXPECT_THROW(run({"exceptions", throws_another}, ""), std::logic_error);
   const auto hangs = [](const std::string&) {

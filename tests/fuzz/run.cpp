@@ -7,29 +7,29 @@
 namespace burnish::fuzz {
 namespace {
 
-/// Processor time, which grows no faster on a machine that is busy.
+/// Processor time [s]; independent of other load on the machine.
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-[[noreturn]] void fail(const Reader& reader, const std::string& what) {
-  throw std::logic_error("the reader of " + std::string(reader.name) + " " + what);
+[[noreturn]] void fail(const Reader& reader, const std::string& problem) {
+  throw std::logic_error("the reader of " + std::string(reader.name) + " " + problem);
 }
 
 }  // namespace
 
 std::string run(const Reader& reader, const std::string& text) {
-  const double begun = seconds();
+  const double start = seconds();
   std::string sentence;
   try {
     reader.read(text);
   } catch (const Error& refusal) {
     sentence = refusal.what();
     if (sentence.empty() || sentence.find('\n') != std::string::npos)
-      fail(reader, "refuses with no sentence: '" + sentence + "'");
+      fail(reader, "refuses without a sentence: '" + sentence + "'");
   } catch (const std::exception& error) {
-    fail(reader, std::string("throws what is no Error: ") + error.what());
+    fail(reader, std::string("throws an exception other than Error: ") + error.what());
   }
-  const double took = seconds() - begun;
-  if (took > 1.0) fail(reader, "takes " + std::to_string(took) + " s");
+  const double duration = seconds() - start;
+  if (duration > 1.0) fail(reader, "takes " + std::to_string(duration) + " s");
   return sentence;
 }
 

@@ -1,4 +1,4 @@
-// Records of joints that turn without end: by angles, as encoders tell them, or by (cos, sin).
+// Tests of records of continuous joints, given as angles, as by encoders, or as (cos, sin).
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,14 +13,14 @@ namespace {
 
 constexpr double round_turn = 2.0 * M_PI;
 
-/// arm7, of whose joints every second one turns without end; one starts at half a turn.
-struct EndlessArm {
+/// Record of arm7 with a payload; every second joint is continuous, joint_3 starts at half a turn.
+struct ContinuousArm {
   Model model;
   Eigen::VectorXd start;
   Payload carried = drawn_payload("tool", 3);
   Trace trace;
 
-  EndlessArm() {
+  ContinuousArm() {
     TreeSpec tree = arm7::tree();
     for (const std::size_t i : {0U, 2U, 4U, 6U}) tree.joints[i].type = JointType::Continuous;
     model = build_model(tree, arm7::options(Base::Fixed));
@@ -32,12 +32,12 @@ struct EndlessArm {
     trace = record_motion(model, carried, motion, sensors);
   }
 };
-const EndlessArm& endless() {
-  static const EndlessArm one;
+const ContinuousArm& continuous_arm() {
+  static const ContinuousArm one;
   return one;
 }
 
-/// Angle of a joint in row i, -pi to pi where it turns without end.
+/// Returns the angle of a joint in row i; that of a continuous joint is between -pi and pi.
 double angle_of(const Trace& trace, const std::string& joint, int i) {
   const std::string name = "measured_q_" + joint;
   if (trace.has(name)) return trace.column(name)[i];
@@ -45,12 +45,12 @@ double angle_of(const Trace& trace, const std::string& joint, int i) {
 }
 
 using Change = std::function<double(const std::string& joint, int i, double angle)>;
-const Change as_it_is = [](const std::string&, int, double angle) { return angle; };
+const Change unchanged = [](const std::string&, int, double angle) { return angle; };
 
-/// The record with one column per joint, named by `prefix`; every `lost`-th row is missing.
-Trace by_angles(const Change& change = as_it_is, const std::string& prefix = "q_", int lost = 0) {
-  const Trace& full = endless().trace;
-  const Model& model = endless().model;
+/// Returns the record with one column per joint, named by `prefix`. Every `lost`-th row is missing.
+Trace by_angles(const Change& change = unchanged, const std::string& prefix = "q_", int lost = 0) {
+  const Trace& full = continuous_arm().trace;
+  const Model& model = continuous_arm().model;
   std::vector<TraceColumn> columns{{"time", "s"}};
   for (int k = 0; k < model.nv; ++k) columns.push_back({prefix + model.v_name(k), "rad"});
   for (int k = 0; k < model.nv; ++k) columns.push_back({"tau_" + model.v_name(k), "Nm"});
@@ -67,22 +67,22 @@ Trace by_angles(const Change& change = as_it_is, const std::string& prefix = "q_
 }
 
 Identification found_in(const Trace& trace) {
-  return identify(endless().model, motion_record(endless().model, trace));
+  return identify(continuous_arm().model, motion_record(continuous_arm().model, trace));
 }
 
 void expect_refused_record(const Trace& trace, const std::vector<std::string>& words) {
   try {
     (void)found_in(trace);
-    ADD_FAILURE() << "taken; wanted: " << words[0];
+    ADD_FAILURE() << "not refused; expected: " << words[0];
   } catch (const Error& error) {
     for (const std::string& word : words)
       EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
   }
 }
 
-TEST(ContinuousJoints, ByTheirAngles_GiveWhatCosineAndSineGive) {
-  const Identification by_pairs = found_in(endless().trace);
-  const double mass = endless().carried.inertia.mass;
+TEST(ContinuousJointRecord, Angles_GiveTheResultOfCosineAndSine) {
+  const Identification by_pairs = found_in(continuous_arm().trace);
+  const double mass = continuous_arm().carried.inertia.mass;
   EXPECT_NEAR(by_pairs.inertias[0].values[0], mass, 4.0 * by_pairs.inertias[0].sigma[0]);
   const auto expect_same = [&](const Trace& trace, double tolerance) {
     const Identification found = found_in(trace);
@@ -91,7 +91,7 @@ TEST(ContinuousJoints, ByTheirAngles_GiveWhatCosineAndSineGive) {
   };
   // joint_3 starts at half a turn: its angle jumps from pi to -pi and back.
   expect_same(by_angles(), 1e-9);
-  expect_same(by_angles(as_it_is, "measured_q_"), 1e-9);
+  expect_same(by_angles(unchanged, "measured_q_"), 1e-9);
   expect_same(by_angles([](const std::string& joint, int, double angle) {
                 const bool ends = joint == "joint_2" || joint == "joint_4" || joint == "joint_6";
                 return ends ? angle : angle + 3.0 * round_turn;
@@ -99,8 +99,8 @@ TEST(ContinuousJoints, ByTheirAngles_GiveWhatCosineAndSineGive) {
               1e-9);
 }
 
-TEST(ContinuousJoints, AnAngleBesideCosineAndSineOfAnother_IsTaken) {
-  const Trace& full = endless().trace;
+TEST(ContinuousJointRecord, AngleBesideCosineAndSine_IsRead) {
+  const Trace& full = continuous_arm().trace;
   std::vector<TraceColumn> columns;
   for (const TraceColumn& column : full.columns())
     if (column.name.find("q_joint_1.sin") == std::string::npos) {
@@ -120,18 +120,18 @@ TEST(ContinuousJoints, AnAngleBesideCosineAndSineOfAnother_IsTaken) {
   EXPECT_LE((values - found_in(full).inertias[0].values).norm(), 1e-9);
 }
 
-TEST(ContinuousJoints, LostSamplesAtAWrap_AreInterpolatedAlongTheTurn) {
-  const Identification found = found_in(by_angles(as_it_is, "q_", 50));
-  const double mass = endless().carried.inertia.mass;
+TEST(ContinuousJointRecord, LostSamplesAtAWrap_AreInterpolated) {
+  const Identification found = found_in(by_angles(unchanged, "q_", 50));
+  const double mass = continuous_arm().carried.inertia.mass;
   ASSERT_EQ(found.warnings.size(), 1U);
   EXPECT_NE(found.warnings[0].find("samples are missing"), std::string::npos);
   EXPECT_NEAR(found.inertias[0].values[0], mass, 0.005 * mass);
 }
 
-TEST(ContinuousJoints, FaultsOfAnAngle_AreNamedAsOfOtherJoints) {
-  const auto of = [](const std::string& wanted, const Change& change) {
+TEST(ContinuousJointRecord, FaultyAngle_IsNamedWithItsFault) {
+  const auto of = [](const std::string& changed, const Change& change) {
     return by_angles([=](const std::string& joint, int i, double angle) {
-      return joint == wanted ? change(joint, i, angle) : angle;
+      return joint == changed ? change(joint, i, angle) : angle;
     });
   };
   expect_refused_record(
@@ -152,24 +152,24 @@ TEST(ContinuousJoints, FaultsOfAnAngle_AreNamedAsOfOtherJoints) {
   expect_refused_record(of("joint_5", [](const std::string&, int i,
                                          double a) { return i == 700 ? std::nan("") : a; }),
                         {"'q_joint_5' holds a NaN or an infinity at 0.7 s"});
-  const Identification mended = found_in(
+  const Identification repaired = found_in(
       of("joint_5", [](const std::string&, int i, double a) { return i == 2000 ? a + 1.0 : a; }));
-  ASSERT_FALSE(mended.warnings.empty());
-  EXPECT_NE(mended.warnings[0].find("'q_joint_5' is off by up to 1 rad for 1 sample"),
+  ASSERT_FALSE(repaired.warnings.empty());
+  EXPECT_NE(repaired.warnings[0].find("'q_joint_5' is off by up to 1 rad for 1 sample"),
             std::string::npos);
 }
 
-TEST(ContinuousJoints, WithoutAPosition_AreRefusedWithTheColumnsThatWouldDo) {
+TEST(ContinuousJointRecord, MissingPosition_IsRefusedWithPossibleColumns) {
   const Trace angles = by_angles();
   std::vector<TraceColumn> columns = angles.columns();
   columns[1].name = "q_joint_one";
   expect_refused_record(Trace(columns, 10),
                         {"continuous joint 'joint_1'", "'q_joint_1'", "'q_joint_1.cos'"});
-  MotionRecord record = motion_record(endless().model, angles);
+  MotionRecord record = motion_record(continuous_arm().model, angles);
   record.q.conservativeResize(Eigen::NoChange, 9);
   try {
-    (void)identify(endless().model, record);
-    ADD_FAILURE() << "taken";
+    (void)identify(continuous_arm().model, record);
+    ADD_FAILURE() << "not refused";
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(),
                  "identify: q has 9 columns; wanted 7, an angle for each continuous joint, or 11, "
@@ -177,9 +177,10 @@ TEST(ContinuousJoints, WithoutAPosition_AreRefusedWithTheColumnsThatWouldDo) {
   }
 }
 
-TEST(ContinuousJoints, AreAnglesInAMotionThatIsToBeFollowed) {
-  const Model& model = endless().model;
-  const Excitation motion(model, endless().start, "tool", {.duration = 5.0, .candidates = 1});
+TEST(ContinuousJointRecord, ExcitationTrace_HasAnglesOfContinuousJoints) {
+  const Model& model = continuous_arm().model;
+  const Excitation motion(model, continuous_arm().start, "tool",
+                          {.duration = 5.0, .candidates = 1});
   const Trace trace = motion.trace(0.01);
   ASSERT_EQ(static_cast<int>(trace.columns().size()), 1 + 3 * model.nv);
   Eigen::VectorXd q, v, a;
@@ -199,7 +200,7 @@ TEST(ContinuousJoints, AreAnglesInAMotionThatIsToBeFollowed) {
   EXPECT_EQ(trace.columns()[3].unit, "rad");
 }
 
-TEST(AngleModel, HasTheDynamicsOfTheRobot) {
+TEST(AngleModel, InverseDynamics_EqualsTheRobots) {
   TreeSpec tree = arm7::tree();
   for (const std::size_t i : {0U, 2U, 3U}) tree.joints[i].type = JointType::Continuous;
   tree.joints[3].mimic = MimicSpec{"joint_1", -2.0, 0.4};

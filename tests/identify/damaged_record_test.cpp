@@ -1,5 +1,5 @@
-// Records that cannot be right: each is one simulated record, damaged. A wrong mass never comes
-// back: the record is refused with the column, the time and a guess, or mended with a warning.
+// Tests of identification from damaged copies of one simulated record. A damaged record never gives
+// a wrong mass: it is refused with column, time and likely cause, or repaired with a warning.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,13 +18,13 @@ constexpr double degrees_per_radian = 180.0 / M_PI;
 
 Eigen::VectorXd middle_of(const Model& model) { return 0.5 * (model.q_lower + model.q_upper); }
 
-/// arm7 with a payload that it does not know, 10 s at 250 Hz, sensors with noise.
-struct Recorded {
+/// Simulated record of arm7 with an unknown payload: 10 s at 250 Hz, sensors with noise.
+struct SimulatedRecord {
   Model model = named_robot("arm7");
   Payload carried = drawn_payload("tool", 3);
   MotionRecord record;
 
-  Recorded() {
+  SimulatedRecord() {
     const Excitation motion(model, middle_of(model), "tool", {.candidates = 8});
     Disturbances disturbances = disturbance_preset("sensors");
     disturbances.torque_sensor_noise = 0.05;
@@ -46,15 +46,16 @@ struct Recorded {
     return result;
   }
 };
-const Recorded& recorded() {
-  static const Recorded one;
+const SimulatedRecord& recorded() {
+  static const SimulatedRecord one;
   return one;
 }
 
 void expect_refused(const Damage& damage, const std::vector<std::string>& words) {
   try {
     const Identification found = identify(recorded().model, recorded().damaged(damage));
-    ADD_FAILURE() << "taken with " << found.inertias[0].values[0] << " kg; wanted: " << words[0];
+    ADD_FAILURE() << "not refused, found " << found.inertias[0].values[0]
+                  << " kg; expected: " << words[0];
   } catch (const Error& error) {
     for (const std::string& word : words)
       EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
@@ -62,23 +63,23 @@ void expect_refused(const Damage& damage, const std::vector<std::string>& words)
   }
 }
 
-/// The right mass, and a warning with these words.
-void expect_mended(const Damage& damage, const std::vector<std::string>& words) {
+/// Expects the true mass, and a warning with these words.
+void expect_repaired(const Damage& damage, const std::vector<std::string>& words) {
   const Identification found = identify(recorded().model, recorded().damaged(damage));
   const double mass = recorded().carried.inertia.mass;
   EXPECT_NEAR(found.inertias[0].values[0], mass, 0.005 * mass);
-  std::string said;
-  for (const std::string& warning : found.warnings) said += warning + "\n";
+  std::string warnings;
+  for (const std::string& warning : found.warnings) warnings += warning + "\n";
   for (const std::string& word : words)
-    EXPECT_NE(said.find(word), std::string::npos) << word << " is missing in: " << said;
+    EXPECT_NE(warnings.find(word), std::string::npos) << word << " is missing in: " << warnings;
 }
 
-TEST(DamagedRecord, AsItIs_IsTakenWithoutAWarning) {
+TEST(DamagedRecord, UndamagedRecord_GivesTheMassWithoutAWarning) {
   const Identification found = identify(recorded().model, recorded().record);
   EXPECT_EQ(found.warnings.size(), 0U) << found.warnings.front();
   EXPECT_NEAR(found.inertias[0].values[0], recorded().carried.inertia.mass,
               4.0 * found.inertias[0].sigma[0]);
-  // What is left is what noise explains.
+  // The residuals are explained by the noise.
   const Eigen::ArrayXd ratio = found.rms_after.array() / found.rms_expected.array();
   EXPECT_LE(ratio.maxCoeff(), 1.5);
   EXPECT_GE(ratio.minCoeff(), 0.1);
@@ -117,7 +118,7 @@ TEST(DamagedRecord, AnglesInDegrees_AreRefusedWithLimitsAndSpeeds) {
                  {"positions look like degrees", "beyond its limit", "per s"});
 }
 
-/// The record as a table, whose times are moved and whose rows are dropped.
+/// Returns the record read from a table. `moved` shifts each row's time, `dropped` omits rows.
 MotionRecord from_table(const std::function<double(int)>& moved,
                         const std::function<bool(int)>& dropped) {
   const Model& model = recorded().model;
@@ -129,7 +130,7 @@ MotionRecord from_table(const std::function<double(int)>& moved,
   Trace trace(columns, n);
   for (int i = 1; i + 1 < n; ++i) {
     if (dropped(i)) continue;
-    const double shift = moved(i);  // of a period: the value there by a parabola
+    const double shift = moved(i);  // fraction of a period; a parabola gives the values there
     const auto at = [&](const RowMatrix& all, int k) {
       const double a = all(i - 1, k), b = all(i, k), c = all(i + 1, k);
       return b + 0.5 * shift * (c - a) + 0.5 * shift * shift * (a - 2.0 * b + c);
@@ -170,14 +171,14 @@ TEST(DamagedRecord, LongGapsAndManyLostSamples_AreRefused) {
     } catch (const Error& error) {
       return error.what();
     }
-    return "taken";
+    return "not refused";
   };
   EXPECT_NE(refusal([](int i) { return i > 1000 && i < 1020; }).find("no samples for 80"),
             std::string::npos);
   EXPECT_NE(refusal([](int i) { return i % 10 == 0; }).find("% of its samples"), std::string::npos);
 }
 
-TEST(DamagedRecord, AWrappedAngleAtUnevenTimes_IsUnwrapped) {
+TEST(DamagedRecord, WrappedAngleAtUnevenTimes_IsUnwrapped) {
   const Model& model = recorded().model;
   const auto n = static_cast<int>(recorded().record.q.rows());
   std::vector<TraceColumn> columns{{"time", "s"}};
@@ -198,8 +199,8 @@ TEST(DamagedRecord, AWrappedAngleAtUnevenTimes_IsUnwrapped) {
   EXPECT_NEAR(found.inertias[0].values[0], mass, 0.005 * mass);
 }
 
-TEST(DamagedRecord, AWrappedAngle_IsUnwrapped) {
-  expect_mended(
+TEST(DamagedRecord, WrappedAngle_IsUnwrapped) {
+  expect_repaired(
       [](auto& r) {
         const double middle = r.q.col(5).mean();
         for (double& angle : r.q.col(5))
@@ -208,10 +209,10 @@ TEST(DamagedRecord, AWrappedAngle_IsUnwrapped) {
       {"'q_joint_6' wraps by 2 pi", " s"});
 }
 
-TEST(DamagedRecord, SingleOutliers_AreBridged) {
-  expect_mended([](auto& r) { r.q(1080, 1) += 3.0; },
-                {"'q_joint_2'", " rad for 1 sample", "at 4.32 s"});
-  expect_mended([](auto& r) { r.tau(1080, 1) += 300.0; }, {"'tau_joint_2'", "at 4.32 s"});
+TEST(DamagedRecord, SingleOutliers_AreBridgedAndManyRefused) {
+  expect_repaired([](auto& r) { r.q(1080, 1) += 3.0; },
+                  {"'q_joint_2'", " rad for 1 sample", "at 4.32 s"});
+  expect_repaired([](auto& r) { r.tau(1080, 1) += 300.0; }, {"'tau_joint_2'", "at 4.32 s"});
   expect_refused(
       [](auto& r) {
         for (int i = 20; i < r.q.rows() - 20; i += 50) r.q(i, 1) += 3.0;
@@ -230,7 +231,7 @@ TEST(DamagedRecord, JumpsAndStandstill_AreNamedWithTheirTimes) {
   expect_refused([](auto& r) { r.q(700, 2) = std::nan(""); }, {"'q_joint_3'", "NaN", "2.8 s"});
 }
 
-TEST(DamagedRecord, AnArmAtRest_IsRefused) {
+TEST(DamagedRecord, ArmAtRest_IsRefused) {
   expect_refused(
       [](auto& r) {
         r.q = r.q.row(0).replicate(r.q.rows(), 1).eval();
@@ -256,7 +257,7 @@ TEST(DamagedRecord, TimesInOtherUnits_AreRefused) {
   expect_refused([](auto& r) { r.period *= 2.0; }, {"the period looks like 0.004 s"});
 }
 
-TEST(DamagedRecord, LateTorques_AreNamed) {
+TEST(DamagedRecord, DelayedTorques_AreNamed) {
   const auto late = [](MotionRecord& r, int first, int last, Eigen::Index by) {
     const RowMatrix tau = r.tau;
     for (Eigen::Index i = 0; i < tau.rows(); ++i)
@@ -264,55 +265,56 @@ TEST(DamagedRecord, LateTorques_AreNamed) {
   };
   expect_refused([&](auto& r) { late(r, 1, 1, 50); }, {"'tau_joint_2' is 0.2 s behind"});
   expect_refused([&](auto& r) { late(r, 0, 6, 75); }, {"all torques are 0.", "s behind"});
-  expect_mended([&](auto& r) { late(r, 0, 6, 12); }, {"ms behind positions"});
+  expect_repaired([&](auto& r) { late(r, 0, 6, 12); }, {"ms behind the positions"});
 }
 
-/// Takes the gravity of `has` from the torques and adds that of `wanted`.
-void change_gravity(MotionRecord& record, const Model& has, const Model& wanted) {
-  ContactDynamics old_one(has), new_one(wanted);
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(has.nv), none;
+/// Replaces the gravity torques of `from` by those of `to`.
+void change_gravity(MotionRecord& record, const Model& from, const Model& to) {
+  ContactDynamics old_dynamics(from), new_dynamics(to);
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(from.nv), none;
   for (Eigen::Index i = 0; i < record.q.rows(); ++i) {
     const Eigen::VectorXd q = record.q.row(i).transpose();
-    ASSERT_EQ(old_one.inverse(q, still, still, none), Status::Ok);
-    ASSERT_EQ(new_one.inverse(q, still, still, none), Status::Ok);
-    record.tau.row(i) += (new_one.tau() - old_one.tau()).transpose();
+    ASSERT_EQ(old_dynamics.inverse(q, still, still, none), Status::Ok);
+    ASSERT_EQ(new_dynamics.inverse(q, still, still, none), Status::Ok);
+    record.tau.row(i) += (new_dynamics.tau() - old_dynamics.tau()).transpose();
   }
 }
 
-TEST(DamagedRecord, TorquesWithoutGravityOrWithAnother_AreNamed) {
+TEST(DamagedRecord, TorquesWithWrongGravity_AreNamed) {
   const Model with = with_payload(recorded().model, recorded().carried);
   Model without = with, robot_without = recorded().model, tilted = with;
   without.gravity.setZero();
   robot_without.gravity.setZero();
   tilted.gravity = Eigen::Vector3d(3.0, 0.0, -9.34);
-  expect_refused([&](auto& r) { change_gravity(r, with, without); }, {"without gravity"});
+  expect_refused([&](auto& r) { change_gravity(r, with, without); },
+                 {"weight of the robot and its payload"});
   expect_refused([&](auto& r) { change_gravity(r, recorded().model, robot_without); },
-                 {"against gravity"});
+                 {"weight of the robot's own links"});
   expect_refused([&](auto& r) { change_gravity(r, with, tilted); },
-                 {"gravity looks like", "mounted"});
+                 {"the torques fit a gravity of", "mounted"});
 }
 
-TEST(DamagedRecord, AnEncoderThatIsOff_IsNamed) {
+TEST(DamagedRecord, EncoderOffset_IsNamed) {
   expect_refused([](auto& r) { r.q.col(1).array() += 0.1; }, {"'q_joint_2' looks off"});
   expect_refused([](auto& r) { r.q.col(5).array() += 0.5 * M_PI; }, {"'q_joint_6' looks off"});
 }
 
-TEST(DamagedRecord, FrictionWithoutItsOption_IsAHintAndEnlargesTheDeviation) {
-  const auto rubbing = [](MotionRecord& r) {
+TEST(DamagedRecord, UnmodelledFriction_IsAHintAndEnlargesTheDeviation) {
+  const auto add_friction = [](MotionRecord& r) {
     for (int k = 0; k < r.tau.cols(); ++k)
       for (Eigen::Index i = 1; i + 1 < r.tau.rows(); ++i) {
         const double v = (r.q(i + 1, k) - r.q(i - 1, k)) / (2.0 * r.period);
         r.tau(i, k) += 0.5 * v + 0.2 * std::tanh(v / 0.02);
       }
   };
-  const Identification found = identify(recorded().model, recorded().damaged(rubbing));
+  const Identification found = identify(recorded().model, recorded().damaged(add_friction));
   const double error = found.inertias[0].values[0] - recorded().carried.inertia.mass;
   EXPECT_LE(std::abs(error), 4.0 * found.inertias[0].sigma[0]);
   ASSERT_FALSE(found.warnings.empty());
   EXPECT_NE(found.warnings[0].find("--friction"), std::string::npos) << found.warnings[0];
 }
 
-TEST(SignalCheck, StepsOfNoiseAndOfAMovingEncoder_AreNotSudden) {
+TEST(SignalCheck, NoiseAndMovingEncoder_HaveNoSuddenSteps) {
   std::mt19937_64 generator(1);
   std::normal_distribution<double> draw;
   Eigen::VectorXd noise(20000), encoder(20000);

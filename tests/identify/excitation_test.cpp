@@ -1,4 +1,4 @@
-// Motions about postures that take much of what the joints can give.
+// Tests of excitation about postures that need a large part of the joints' effort limits.
 #include "burnish/identify/excitation.hpp"
 
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@ namespace burnish::test {
 namespace {
 
 constexpr ExcitationSpec few{.candidates = 4};
-constexpr int lifting = 1;  // entry of v of joint_2, which carries most of the arm
+constexpr int lifting = 1;  // entry of joint_2 in v; joint_2 carries most of the arm
 
-/// Torque of joint_2 that holds arm7 in its posture "ready" [Nm].
+/// Returns the torque of joint_2 that holds arm7 in its posture "ready" [Nm].
 double holding_torque() {
   const Model model = arm7::model(Base::Fixed);
   ContactDynamics dynamics(model);
@@ -30,7 +30,7 @@ Model arm_with_effort(double limit) {
 std::string refusal_with_effort(double limit, const ExcitationSpec& spec = few) {
   try {
     const Excitation motion(arm_with_effort(limit), arm7::ready(), "tool", spec);
-    return "taken: " + (motion.warnings().empty() ? "" : motion.warnings().front());
+    return "not refused: " + (motion.warnings().empty() ? "" : motion.warnings().front());
   } catch (const Error& error) {
     return error.what();
   }
@@ -44,22 +44,22 @@ void expect_in(const std::string& sentence, const std::vector<std::string>& word
 TEST(Excitation, StartBeyondAnEffortLimit_IsRefusedWithTheJoint) {
   const double torque = holding_torque();
   expect_in(refusal_with_effort(0.9 * torque),
-            {"joint 'joint_2' takes ", " Nm to hold the start", "more than its effort limit of ",
+            {"joint 'joint_2' needs ", " Nm to hold the start", "more than its effort limit of ",
              "--posture", "robot.yaml"});
   expect_in(refusal_with_effort(0.0), {"more than its effort limit of 0 Nm"});
 }
 
-TEST(Excitation, StartBeyondTheShareOfAnEffortLimit_IsRefusedWithTheShare) {
+TEST(Excitation, StartBeyondTheEffortFraction_IsRefusedWithTheFraction) {
   const double limit = holding_torque() / 0.9;
   expect_in(refusal_with_effort(limit), {"joint 'joint_2'", "more than 0.8 of its effort limit of",
                                          "--posture", "--effort-share"});
   expect_in(refusal_with_effort(limit, {.effort_share = 1.0, .candidates = 4}),
-            {"taken: the motion is reduced to "});
+            {"not refused: the motion is reduced to "});
 }
 
 TEST(Excitation, NoMotionWithinAnEffortLimit_IsRefusedWithTheJoint) {
   expect_in(refusal_with_effort(holding_torque() / 0.79999),
-            {"no motion was found", "joint 'joint_2' would need ", "even at 7 % of that size"});
+            {"no motion was found", "joint 'joint_2' would need ", "even at 7 % of the full size"});
 }
 
 TEST(Excitation, MotionBeyondAnEffortLimit_IsReducedWithAWarning) {
@@ -87,7 +87,7 @@ TEST(Excitation, RobotWithALoop_IsRefused) {
   const Model model = named_robot("four_bar");
   try {
     const Excitation motion(model, model.q_neutral, "tool", few);
-    ADD_FAILURE() << "taken";
+    ADD_FAILURE() << "not refused";
   } catch (const Error& error) {
     expect_in(error.what(), {"'four_bar' has the loop ", "--lock"});
   }

@@ -1,4 +1,4 @@
-// Simulated records of arms that do not do what they were to do.
+// Tests of the check that a simulated arm follows its planned motion.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -9,7 +9,7 @@
 namespace burnish::test {
 namespace {
 
-/// arm7 whose joint_5 turns without end, about its posture "ready".
+/// A motion of arm7 about its posture "ready"; joint_5 is continuous.
 struct ShortMotion {
   Model model = [] {
     TreeSpec tree = arm7::tree();
@@ -24,8 +24,8 @@ struct ShortMotion {
       "tool",
       {.duration = 5.0, .candidates = 1}};
 
-  /// The motion as it was planned, with joint_5 off by `angle` and joint_2 by `lift` [rad], and
-  /// joint_2 asked for `torque` [Nm] at a time [s].
+  /// Returns the planned motion with joint_5 off by `angle`, joint_2 off by `lift` [rad] and a
+  /// commanded torque `torque` of joint_2 [Nm], each a function of time [s].
   using AtTime = std::function<double(double)>;
   Trace trace(const AtTime& angle, const AtTime& lift, const AtTime& torque) const {
     std::vector<TraceColumn> columns{{"time", "s"}};
@@ -50,37 +50,38 @@ const ShortMotion& short_motion() {
   static const ShortMotion one;
   return one;
 }
-double nothing(double) { return 0.0; }
+double zero(double) { return 0.0; }
 
 std::vector<std::string> sentences(const Trace& trace) {
   return check_followed(short_motion().model, short_motion().motion, trace);
 }
 
 TEST(FollowCheck, MotionAsPlanned_HasNoWarning) {
-  EXPECT_TRUE(sentences(short_motion().trace(nothing, nothing, nothing)).empty());
-  // A wrist that swings, and a joint that is late while its torque suffices.
+  EXPECT_TRUE(sentences(short_motion().trace(zero, zero, zero)).empty());
+  // A wrist may swing, and a joint may lag while its torque is below the limit.
   const auto swing = [](double t) { return 0.6 * std::sin(t); };
   const auto late = [](double t) { return 0.05 * std::sin(t); };
-  EXPECT_TRUE(sentences(short_motion().trace(swing, late, nothing)).empty());
-  // The limit is met for a moment, while the joint follows.
+  EXPECT_TRUE(sentences(short_motion().trace(swing, late, zero)).empty());
+  // The torque is at its limit for a moment, while the joint follows.
   EXPECT_TRUE(sentences(short_motion().trace(swing, late, [](double) { return 181.0; })).empty());
 }
 
-TEST(FollowCheck, JointThatTurnsElsewhere_IsAWarningWithDistanceAndTimes) {
+TEST(FollowCheck, JointOffItsMotion_IsAWarningWithDistanceAndTime) {
   const auto away = [](double t) { return t < 2.0 ? 0.0 : -2.0; };
-  const std::vector<std::string> said = sentences(short_motion().trace(away, nothing, nothing));
-  ASSERT_EQ(said.size(), 1U);
+  const std::vector<std::string> warnings = sentences(short_motion().trace(away, zero, zero));
+  ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(
-      said[0].rfind("joint 'joint_5' leaves the planned motion at 2 s and is 2 rad from it", 0), 0U)
-      << said[0];
+      warnings[0].rfind("joint 'joint_5' leaves the planned motion at 2 s and is 2 rad from it", 0),
+      0U)
+      << warnings[0];
 }
 
-TEST(FollowCheck, JointThatFallsAtItsEffortLimit_IsRefusedWithDistanceAndTimes) {
+TEST(FollowCheck, JointFallingAtItsEffortLimit_IsRefusedWithDistanceAndTimes) {
   const auto sagging = [](double t) { return t < 3.0 ? 0.0 : 0.2 * (t - 3.0); };
-  const Trace trace = short_motion().trace(nothing, sagging, [](double) { return -180.1; });
+  const Trace trace = short_motion().trace(zero, sagging, [](double) { return -180.1; });
   try {
     (void)sentences(trace);
-    ADD_FAILURE() << "taken";
+    ADD_FAILURE() << "not refused";
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what())
                   .rfind("the simulated arm cannot follow the motion: joint 'joint_2' leaves the "
@@ -92,8 +93,8 @@ TEST(FollowCheck, JointThatFallsAtItsEffortLimit_IsRefusedWithDistanceAndTimes) 
   }
 }
 
-TEST(FollowCheck, TrialOfAnArmThatCannotCarryThePayload_IsRefused) {
-  // 3 kg take 15 Nm and more of joint_2, which has little to spare.
+TEST(FollowCheck, ArmTooWeakForThePayload_IsRefused) {
+  // A payload of 3 kg needs at least 15 Nm more of joint_2, which has little reserve.
   Model weak = arm7::model(Base::Fixed);
   weak.effort_limit[1] = 36.0;
   const Excitation motion(weak, arm7::ready(), "tool", {.duration = 5.0, .candidates = 4});
@@ -101,7 +102,7 @@ TEST(FollowCheck, TrialOfAnArmThatCannotCarryThePayload_IsRefused) {
   while (drawn_payload("tool", heavy).inertia.mass < 2.5) ++heavy;
   try {
     (void)try_identification(weak, motion, disturbance_preset("sensors"), {}, heavy);
-    ADD_FAILURE() << "taken";
+    ADD_FAILURE() << "not refused";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("cannot follow the motion: joint 'joint_2'"),
               std::string::npos)

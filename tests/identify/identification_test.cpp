@@ -1,4 +1,4 @@
-// Payloads and bodies that are identified from simulated motions with noise.
+// Tests of identification from simulated motions with noise: payloads, links, friction and rotors.
 #include <gtest/gtest.h>
 
 #include "burnish/identify/trial.hpp"
@@ -27,13 +27,13 @@ Disturbances sensors() {
   return result;
 }
 
-class Identified : public ::testing::Test {
+class PayloadIdentification : public ::testing::Test {
  protected:
   Model model = named_robot("arm7");
   Excitation motion{model, start_of(model), "tool", {.candidates = 8}};
 };
 
-TEST_F(Identified, APayloadToAPercentWithinWhatItStates) {
+TEST_F(PayloadIdentification, NoisySensors_GiveTheMassWithinOnePercent) {
   std::vector<Trial> trials;
   for (std::uint64_t seed = 0; seed < 4; ++seed)
     trials.push_back(try_identification(model, motion, sensors(), {}, seed));
@@ -50,8 +50,8 @@ TEST_F(Identified, APayloadToAPercentWithinWhatItStates) {
   }
 }
 
-TEST_F(Identified, AFastMotionWithinWhatItStates) {
-  // No noise: what is left is what smoothing takes, and what it states is nothing else.
+TEST_F(PayloadIdentification, FastMotion_HasErrorsWithinStatedDeviation) {
+  // Without noise, smoothing is the only error, and the stated deviation must cover it.
   const Excitation fast(model, start_of(model), "tool",
                         {.highest = 1.5, .speed_share = 1.0, .speed = 3.0, .candidates = 4});
   IdentificationSpec spec;
@@ -71,7 +71,7 @@ TEST_F(Identified, AFastMotionWithinWhatItStates) {
     EXPECT_LE(std::abs(noisy.error[i]), 4.0 * noisy.found.inertias[0].sigma[i]) << i;
 }
 
-TEST_F(Identified, TheMassOfALinkThatIsOtherwiseThanTheModelSays) {
+TEST_F(PayloadIdentification, LinkHeavierThanItsModel_IsEstimated) {
   const std::string link = "flange";
   const int body = frame_on_body("test", model, link).body;
   Model heavier = model;
@@ -90,7 +90,7 @@ TEST_F(Identified, TheMassOfALinkThatIsOtherwiseThanTheModelSays) {
 }
 
 #ifdef BURNISH_HAS_MUJOCO
-TEST_F(Identified, APayloadThatAnotherEngineMoves) {
+TEST_F(PayloadIdentification, MujocoRecord_GivesThePayload) {
   const Payload carried = drawn_payload("tool", 5);
   SceneSpec scene;
   scene.surface.point = Eigen::Vector3d(0.0, 0.0, -100.0);
@@ -105,9 +105,9 @@ TEST_F(Identified, APayloadThatAnotherEngineMoves) {
 }
 #endif
 
-TEST_F(Identified, FrictionWhereTorquesAreThoseOfMotors) {
+TEST_F(PayloadIdentification, MotorTorques_GiveJointFriction) {
   Disturbances d = sensors();
-  d.joint_coulomb = 0.1;  // more would hold the last joints still: the controller knows of none
+  d.joint_coulomb = 0.1;  // more would stop the last joints: the controller does not compensate it
   d.joint_viscous = 0.5;
   const Payload carried = drawn_payload("tool", 3);
   const Trace trace = record_motion(model, carried, motion, d);
@@ -125,10 +125,10 @@ TEST_F(Identified, FrictionWhereTorquesAreThoseOfMotors) {
   }
 }
 
-TEST_F(Identified, FrictionAndRotorsOfEachJointWithAPayload) {
-  Model known = model;
-  known.armature.setConstant(0.05);
-  Model real = with_payload(known, drawn_payload("tool", 4));
+TEST_F(PayloadIdentification, MotorTorques_GiveFrictionAndRotorInertias) {
+  Model nominal = model;
+  nominal.armature.setConstant(0.05);
+  Model real = with_payload(nominal, drawn_payload("tool", 4));
   for (int k = 0; k < model.nv; ++k) {
     real.armature[k] = 0.03 + 0.01 * k;
     real.damping[k] = 0.2 + 0.1 * k;
@@ -137,7 +137,7 @@ TEST_F(Identified, FrictionAndRotorsOfEachJointWithAPayload) {
   SceneSpec scene;
   scene.surface.point = Eigen::Vector3d(0.0, 0.0, -100.0);
   const auto plant = make_ideal_plant(real, scene);
-  const Trace trace = record_motion(*plant, known, motion, sensors());
+  const Trace trace = record_motion(*plant, nominal, motion, sensors());
   MotionRecord record = motion_record(model, trace);
   for (int k = 0; k < model.nv; ++k)
     record.tau.col(k) = trace.column("tau_applied_" + model.v_name(k));
@@ -166,8 +166,8 @@ TEST_F(Identified, FrictionAndRotorsOfEachJointWithAPayload) {
     EXPECT_LE(std::abs(error[i]), 4.0 * found.inertias[0].sigma[i]) << i << ' ' << error[i];
 }
 
-TEST_F(Identified, WhatTheMotionDoesNotShowIsSaid) {
-  // Nearly at rest: weights show, what turning takes does not.
+TEST_F(PayloadIdentification, SmallMotion_NamesUnobservableParameters) {
+  // Nearly at rest the motion shows the weight, not the moments of inertia.
   ExcitationSpec spec;
   spec.range = 0.02;
   spec.highest = 0.1;
@@ -177,13 +177,13 @@ TEST_F(Identified, WhatTheMotionDoesNotShowIsSaid) {
   const std::vector<int> missing = trial.found.inertias[0].not_shown();
   EXPECT_GE(missing.size(), 2U);
   ASSERT_FALSE(trial.found.warnings.empty());
-  EXPECT_NE(trial.found.warnings[0].find("does not show"), std::string::npos);
-  // What is said of them is honest: errors are within what was believed.
+  EXPECT_NE(trial.found.warnings[0].find("does not determine"), std::string::npos);
+  // Even for the parameters that are not shown, errors are within the stated deviations.
   for (int i = 0; i < 10; ++i)
     EXPECT_LE(std::abs(trial.error[i]), 4.0 * trial.found.inertias[0].sigma[i]) << i;
 }
 
-TEST_F(Identified, ExcitationStaysWithinLimits) {
+TEST_F(PayloadIdentification, Excitation_StaysWithinLimits) {
   Eigen::VectorXd q, v, a, before;
   for (double t = 0.0; t <= motion.duration(); t += 0.01) {
     motion.at(t, q, v, a);
@@ -198,7 +198,7 @@ TEST_F(Identified, ExcitationStaysWithinLimits) {
       EXPECT_LE(v.norm() + a.norm(), 1e-12);
     }
   }
-  // Velocities and accelerations are those of the positions.
+  // Velocities and accelerations are the derivatives of the positions.
   const double h = 1e-5;
   Eigen::VectorXd ahead, behind, v_ahead, v_behind, other;
   for (const double t : {0.4, 3.3, 9.6}) {
@@ -210,7 +210,7 @@ TEST_F(Identified, ExcitationStaysWithinLimits) {
   }
 }
 
-TEST_F(Identified, BadRecordsAreRefusedWithOneSentence) {
+TEST_F(PayloadIdentification, BadRecords_AreRefusedInOneSentence) {
   MotionRecord record;
   record.q = RowMatrix::Zero(3000, model.nq);
   record.tau = RowMatrix::Zero(3000, model.nv);
@@ -220,7 +220,7 @@ TEST_F(Identified, BadRecordsAreRefusedWithOneSentence) {
     change(bad);
     try {
       (void)identify(model, bad, spec);
-      ADD_FAILURE() << "taken: " << with;
+      ADD_FAILURE() << "not refused; expected: " << with;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(with), std::string::npos) << error.what();
     }

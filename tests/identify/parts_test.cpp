@@ -1,4 +1,4 @@
-// What identification is made of: smoothing, and coordinates in which every body is one.
+// Tests of the parts of identification: smoothing, and log-Cholesky coordinates of inertias.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -15,7 +15,7 @@ using identify_detail::LogCholesky;
 using identify_detail::Matrix10;
 using identify_detail::Smoother;
 
-TEST(Smoothing, IsExactForPolynomialsOfDegreeFive) {
+TEST(Smoothing, PolynomialOfDegreeFive_IsReproduced) {
   const double period = 1e-3;
   const Smoother smoother(40, period);
   Eigen::VectorXd signal(201);
@@ -29,7 +29,7 @@ TEST(Smoothing, IsExactForPolynomialsOfDegreeFive) {
   EXPECT_NEAR(smoother.at(signal, 100, 2), -6.0, 1e-7);
 }
 
-TEST(Smoothing, TakesNoiseAway) {
+TEST(Smoothing, WhiteNoise_IsReducedByTheExpectedFactor) {
   std::mt19937_64 generator(1);
   std::normal_distribution<double> draw;
   const Smoother smoother(60, 1e-3);
@@ -39,11 +39,11 @@ TEST(Smoothing, TakesNoiseAway) {
     for (double& x : noise) x = draw(generator);
     square += std::pow(smoother.at(noise, 60, 0), 2);
   }
-  // 225/64 of the noise's variance over the number of samples, of degree four (five) in the middle.
+  // Variance of the smoothed noise: 225/64 / samples, for a fit of degree 4 or 5 at the middle.
   EXPECT_NEAR(std::sqrt(square / 400.0), std::sqrt(225.0 / 64.0 / 121.0), 0.03);
 }
 
-TEST(Smoothing, MeansLetSlowPartsThroughAndNoFastOnes) {
+TEST(Smoothing, WindowMeans_PassLowFrequenciesOnly) {
   const int half = 50;
   const Eigen::VectorXd weights = identify_detail::bell(half);
   EXPECT_NEAR(weights.sum(), 1.0, 1e-12);
@@ -57,7 +57,7 @@ TEST(Smoothing, MeansLetSlowPartsThroughAndNoFastOnes) {
   for (double turns = 4.0; turns < 20.0; turns += 0.1) EXPECT_LT(left_of(turns), 1e-3) << turns;
 }
 
-TEST(LogCholesky, LeadsBackAndIsDifferentiatedExactly) {
+TEST(LogCholesky, Inertia_RoundTripsWithExactDerivatives) {
   std::mt19937_64 generator(2);
   for (int trial = 0; trial < 20; ++trial) {
     const InertiaSpec solid = testing::random_inertia(generator);
@@ -73,7 +73,7 @@ TEST(LogCholesky, LeadsBackAndIsDifferentiatedExactly) {
   }
 }
 
-TEST(LogCholesky, AnyNumbersAreABody) {
+TEST(LogCholesky, AnyCoordinates_GiveAPhysicalInertia) {
   std::mt19937_64 generator(3);
   for (int trial = 0; trial < 50; ++trial) {
     const Vector10 theta = LogCholesky::parameters(random_vector(10, 2.0, generator));

@@ -1,4 +1,5 @@
-// Every contact there is, differentiated right: see support/contact_laws.hpp.
+// Derivatives of every kind of contact against automatic differentiation and differences; see
+// support/contact_laws.hpp.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -10,7 +11,7 @@ namespace {
 
 class ContactLaw : public ::testing::TestWithParam<std::tuple<LawRobot, std::string>> {};
 
-TEST_P(ContactLaw, derivatives_equal_automatic_differentiation_and_differences) {
+TEST_P(ContactLaw, Derivatives_EqualAutomaticDifferentiationAndDifferences) {
   const auto& [robot, reference] = GetParam();
   for (const LawRow& row : sweep(robot, reference, law_states())) {
     SCOPED_TRACE(row.directions.text() + (row.two_bodies ? ", two bodies" : ", one body") +

@@ -1,5 +1,5 @@
-// All loops of a robot at once, at postures that close them: derivatives against automatic
-// differentiation through the same kernels, and a KKT system put together by itself.
+// Dynamics with all loops of a robot, at postures that close them. Derivatives are compared with
+// automatic differentiation of the same kernels, motion and forces with a KKT system.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -25,7 +25,7 @@ struct LoopRobot {
 };
 void PrintTo(const LoopRobot& robot, std::ostream* out) { *out << robot.name; }
 
-/// Two legs of a tripod, the plate tied to one of them by a weld or a hinge in place of a ball.
+/// Two legs of a tripod; a weld or a hinge replaces the ball joint that closes the loop.
 TreeSpec two_legs(const Directions& first) {
   TreeSpec tree = testing::tripod();
   tree.loops.pop_back();
@@ -74,7 +74,7 @@ MatrixXd stacked(const MatrixXd& a, const MatrixXd& lambda) {
   return both;
 }
 
-TEST_P(LoopLaw, derivatives_are_those_of_automatic_differentiation) {
+TEST_P(LoopLaw, Derivatives_EqualAutomaticDifferentiation) {
   const std::vector<ContactSpec> loops = loop_contacts(model, {90.0, 19.0});
   ContactDynamics dynamics(model, loops);
   ConstrainedDynamics<Dual> dual(model, ContactSet(model, loops), {});
@@ -101,7 +101,7 @@ TEST_P(LoopLaw, derivatives_are_those_of_automatic_differentiation) {
   EXPECT_EQ(done, law_states());
 }
 
-TEST_P(LoopLaw, motion_is_that_of_the_kkt_system) {
+TEST_P(LoopLaw, MotionAndForces_SolveTheKktSystem) {
   ContactDynamics dynamics(model, loop_contacts(model));
   ContactDynamics free(model);
   for (int i = 0; i < law_states(); ++i) {

@@ -1,3 +1,4 @@
+// Tests of the exponential maps of rotations and placements, and of their right Jacobians.
 #include "math/exponential.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ template <int n>
 using RealMatrix = Eigen::Matrix<Real, n, n>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-// Both sides of the two places where the series end, 0.5 and 1, and beyond half a turn.
+// Angles on both sides of 0.5 and 1, where the series end, and beyond half a turn [rad].
 constexpr double all_angles[] = {
     0.0, 1e-160, 1e-12, 1e-6, 1e-3, 0.1, 0.499999, 0.5, 0.7, 0.999999999999,
     1.0, 1.3,    2.0,   3.0,  3.14, 4.0, 6.0,      9.0};
@@ -68,10 +69,10 @@ Vector6 to_vector(const Motion<double>& m) {
   return x;
 }
 
-/// Rounding: the powers of ad grow with the angle.
+/// Bound on rounding errors, which grow with the angle like the powers of ad.
 double rounding(double angle) { return 4e-15 * (1.0 + angle * angle); }
 
-TEST(ExpCoefficients, equal_their_sums_in_extended_precision) {
+TEST(ExpCoefficients, AllAngles_EqualExtendedPrecisionSums) {
   for (const double angle : all_angles) {
     const auto c_of = [&](int n) {
       Real term = 1.0L;
@@ -93,7 +94,7 @@ TEST(ExpCoefficients, equal_their_sums_in_extended_precision) {
   }
 }
 
-TEST(ExpCoefficients, series_and_closed_form_meet) {
+TEST(ExpCoefficients, SeriesAndClosedForm_AgreeAtTheSwitch) {
   const auto below = exp_coefficients(std::nextafter(1.0, 0.0)), above = exp_coefficients(1.0);
   EXPECT_NEAR(below.so3_1, above.so3_1, 1e-15);
   EXPECT_NEAR(below.so3_2, above.so3_2, 1e-15);
@@ -106,7 +107,7 @@ TEST(ExpCoefficients, series_and_closed_form_meet) {
               1e-15);
 }
 
-TEST(ExpRotation, equals_the_series_of_the_matrix) {
+TEST(ExpRotation, AllAngles_EqualTheMatrixSeries) {
   std::mt19937_64 generator(1);
   for (const double angle : all_angles)
     for (int i = 0; i < 20; ++i) {
@@ -119,7 +120,7 @@ TEST(ExpRotation, equals_the_series_of_the_matrix) {
     }
 }
 
-TEST(ExpPosition, equals_the_series_of_the_placement) {
+TEST(ExpPosition, AllAngles_EqualThePlacementSeries) {
   std::mt19937_64 generator(2);
   for (const double angle : all_angles)
     for (int i = 0; i < 20; ++i) {
@@ -131,7 +132,7 @@ TEST(ExpPosition, equals_the_series_of_the_placement) {
     }
 }
 
-TEST(RightJacobian, equals_its_series) {
+TEST(RightJacobian, AllAngles_EqualItsSeries) {
   std::mt19937_64 generator(3);
   for (const double angle : all_angles)
     for (int i = 0; i < 20; ++i) {
@@ -148,7 +149,7 @@ TEST(RightJacobian, equals_its_series) {
     }
 }
 
-TEST(RightJacobian, is_undone_by_the_derivative_of_the_logarithm) {
+TEST(RightJacobian, LogarithmDerivative_IsItsInverse) {
   std::mt19937_64 generator(4);
   for (const double angle : all_angles) {
     if (angle > 3.1416) continue;
@@ -166,7 +167,7 @@ TEST(RightJacobian, is_undone_by_the_derivative_of_the_logarithm) {
   }
 }
 
-TEST(RightJacobian, is_what_automatic_differentiation_of_the_exponential_says) {
+TEST(RightJacobian, AllAngles_EqualAutomaticDifferentiation) {
   using test::Dual;
   std::mt19937_64 generator(5);
   for (const double angle : all_angles) {
@@ -195,7 +196,7 @@ TEST(RightJacobian, is_what_automatic_differentiation_of_the_exponential_says) {
   }
 }
 
-TEST(Exponentials, lanes_at_different_angles_equal_the_double_version) {
+TEST(Exponential, PackLanes_EqualScalarResults) {
   std::mt19937_64 generator(6);
   constexpr double angle_of[] = {0.0, 1e-9, 0.49, 0.51, 0.99, 1.01, 3.1, 7.0};
   Motion<double> xi[8], m[8];

@@ -1,3 +1,4 @@
+// Tests of the logarithms of rotations and placements, and of their derivatives.
 #include "math/logarithm.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ Eigen::Matrix4d exponential(const Motion<double>& xi) {
   return sum;
 }
 
-TEST(LogRotation, inverts_the_exponential_at_every_angle) {
+TEST(LogRotation, AllAngles_InvertTheExponential) {
   std::mt19937_64 generator(1);
   for (const double angle :
        {0.0, 1e-12, 1e-8, 1e-5, 1e-3, 0.1, 0.69, 0.71, 1.0, 2.0, 3.0, 3.14, 3.1415926})
@@ -55,7 +56,7 @@ TEST(LogRotation, inverts_the_exponential_at_every_angle) {
     }
 }
 
-TEST(LogRotation, of_half_a_turn_is_finite_and_of_length_pi) {
+TEST(LogRotation, HalfATurn_IsFiniteAndOfLengthPi) {
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Matrix3d R = rotation(M_PI * Eigen::Vector3d::Unit(axis));
     EXPECT_NEAR(log_of(R).norm(), M_PI, 1e-12);
@@ -63,7 +64,7 @@ TEST(LogRotation, of_half_a_turn_is_finite_and_of_length_pi) {
   }
 }
 
-TEST(LogRotation, of_the_identity_is_zero_with_finite_coefficients) {
+TEST(LogRotation, Identity_IsZeroWithFiniteCoefficients) {
   double theta = 1.0;
   const Vec3<double> phi = log_rotation(Mat3<double>::identity(), theta);
   EXPECT_EQ(theta, 0.0);
@@ -74,14 +75,14 @@ TEST(LogRotation, of_the_identity_is_zero_with_finite_coefficients) {
   EXPECT_DOUBLE_EQ(c.se3_4, -1.0 / 720);
 }
 
-TEST(LogCoefficients, series_and_closed_form_meet) {
+TEST(LogCoefficients, SeriesAndClosedForm_AgreeAtTheSwitch) {
   const auto below = log_coefficients(0.7 - 1e-9), above = log_coefficients(0.7 + 1e-9);
   EXPECT_NEAR(below.so3, above.so3, 1e-10);
   EXPECT_NEAR(below.se3_2, above.se3_2, 1e-10);
   EXPECT_NEAR(below.se3_4, above.se3_4, 1e-10);
 }
 
-TEST(LogPlacement, inverts_the_exponential) {
+TEST(LogPlacement, AllAngles_InvertTheExponential) {
   std::mt19937_64 generator(2);
   for (const double angle : {1e-6, 0.3, 0.69, 0.71, 1.5, 3.0})
     for (int i = 0; i < 20; ++i) {
@@ -105,7 +106,7 @@ Motion<double> rate_by_differences(const Eigen::Matrix4d& M, const Motion<double
          (1.0 / (2 * h));
 }
 
-TEST(LogPlacement, its_derivative_equals_differences_on_both_sides_of_the_series) {
+TEST(LogPlacement, Derivative_EqualsDifferencesOnBothSidesOfTheSwitch) {
   std::mt19937_64 generator(3);
   for (const double angle : {1e-9, 0.05, 0.4, 0.68, 0.72, 1.5, 2.8})
     for (int i = 0; i < 20; ++i) {
@@ -123,7 +124,7 @@ TEST(LogPlacement, its_derivative_equals_differences_on_both_sides_of_the_series
     }
 }
 
-TEST(LogRotation, lanes_at_different_angles_equal_the_double_version) {
+TEST(LogRotation, PackLanes_EqualScalarResults) {
   std::mt19937_64 generator(4);
   constexpr double angles[] = {0.0, 1e-9, 0.3, 0.7, 1.5, 2.5, 3.1, 3.14159};
   Mat3<Pack<8>> R;

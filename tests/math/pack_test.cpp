@@ -1,3 +1,4 @@
+// Tests of packs of numbers: arithmetic, selection, transposition, sine and cosine in each lane.
 #include "math/pack.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ double ulps(double got, double want) {
   return std::abs(got - want) / (next - std::abs(want));
 }
 
-TYPED_TEST(PackLaw, arithmetic_acts_lane_by_lane) {
+TYPED_TEST(PackLaw, Arithmetic_ActsLaneByLane) {
   const auto a = numbered<TypeParam>(1.5, 0.25), b = numbered<TypeParam>(-2.0, 3.0);
   const TypeParam sum = a + b, product = a * b, quotient = b / a, negative = -a;
   for (int l = 0; l < Lanes<TypeParam>::count; ++l) {
@@ -39,7 +40,7 @@ TYPED_TEST(PackLaw, arithmetic_acts_lane_by_lane) {
   }
 }
 
-TYPED_TEST(PackLaw, select_chooses_in_each_lane_by_its_own_mask) {
+TYPED_TEST(PackLaw, Select_ChoosesInEachLaneByItsMask) {
   const auto a = numbered<TypeParam>(-1.0, 1.0);
   const TypeParam chosen = select(less(a, TypeParam(1.0)), TypeParam(10.0), TypeParam(20.0));
   for (int l = 0; l < Lanes<TypeParam>::count; ++l)
@@ -48,7 +49,7 @@ TYPED_TEST(PackLaw, select_chooses_in_each_lane_by_its_own_mask) {
   EXPECT_FALSE(any(less(a, TypeParam(-5.0))));
 }
 
-TYPED_TEST(PackLaw, a_nan_is_never_less_and_is_found_by_its_lane) {
+TYPED_TEST(PackLaw, Nan_IsNeverLessInItsLane) {
   auto a = numbered<TypeParam>(1.0, 1.0);
   Lanes<TypeParam>::set(a, Lanes<TypeParam>::count - 1, std::nan(""));
   const auto finite = less(TypeParam(a * TypeParam(0.0)), TypeParam(1.0));
@@ -56,7 +57,7 @@ TYPED_TEST(PackLaw, a_nan_is_never_less_and_is_found_by_its_lane) {
   EXPECT_FALSE(lane_of(finite, Lanes<TypeParam>::count - 1));
 }
 
-TYPED_TEST(PackLaw, transposing_exchanges_packs_and_lanes) {
+TYPED_TEST(PackLaw, Transpose_ExchangesPacksAndLanes) {
   constexpr int n = Lanes<TypeParam>::count;
   TypeParam rows[n];
   for (int i = 0; i < n; ++i) rows[i] = numbered<TypeParam>(100.0 * i, 1.0);
@@ -65,7 +66,7 @@ TYPED_TEST(PackLaw, transposing_exchanges_packs_and_lanes) {
     for (int l = 0; l < n; ++l) EXPECT_EQ(rows[i].lane(l), 100.0 * l + i);
 }
 
-TYPED_TEST(PackLaw, unpacking_writes_the_wanted_lanes_anywhere_and_nothing_else) {
+TYPED_TEST(PackLaw, Unpack_WritesOnlyTheChosenLanes) {
   constexpr int n = Lanes<TypeParam>::count;
   TypeParam rows[n];
   for (int i = 0; i < n; ++i) rows[i] = numbered<TypeParam>(100.0 * i, 1.0);
@@ -81,7 +82,7 @@ TYPED_TEST(PackLaw, unpacking_writes_the_wanted_lanes_anywhere_and_nothing_else)
   }
 }
 
-TYPED_TEST(PackLaw, sine_and_cosine_are_within_two_units_in_the_last_place) {
+TYPED_TEST(PackLaw, SineAndCosine_AreWithinTwoUnitsInTheLastPlace) {
   std::mt19937_64 generator(7);
   double worst = 0.0;
   for (const double range : {1e-3, 1.0, 10.0, 1e3, 1e5}) {
@@ -93,7 +94,7 @@ TYPED_TEST(PackLaw, sine_and_cosine_are_within_two_units_in_the_last_place) {
       sine_cosine(x, s, c);
       for (int l = 0; l < Lanes<TypeParam>::count; ++l) {
         const double want_s = std::sin(x.lane(l)), want_c = std::cos(x.lane(l));
-        // Near a zero only the error against 1 is bounded.
+        // Near a zero, only the absolute error is bounded.
         if (std::abs(want_s) > 1e-3) worst = std::max(worst, ulps(s.lane(l), want_s));
         if (std::abs(want_c) > 1e-3) worst = std::max(worst, ulps(c.lane(l), want_c));
         EXPECT_NEAR(s.lane(l), want_s, 3e-16);
@@ -104,7 +105,7 @@ TYPED_TEST(PackLaw, sine_and_cosine_are_within_two_units_in_the_last_place) {
   EXPECT_LE(worst, 2.0);
 }
 
-TYPED_TEST(PackLaw, sine_and_cosine_beyond_the_polynomials_range_are_those_of_the_library) {
+TYPED_TEST(PackLaw, SineAndCosineOfALargeAngle_EqualTheStandardLibrary) {
   const auto x = numbered<TypeParam>(1e5 - 0.5, 1e6);
   TypeParam s, c;
   sine_cosine(x, s, c);
@@ -114,7 +115,7 @@ TYPED_TEST(PackLaw, sine_and_cosine_beyond_the_polynomials_range_are_those_of_th
   }
 }
 
-TYPED_TEST(PackLaw, sine_and_cosine_of_a_lane_are_the_same_beside_an_angle_beyond_the_range) {
+TYPED_TEST(PackLaw, SineAndCosine_DoNotDependOnTheOtherLanes) {
   constexpr int n = Lanes<TypeParam>::count;
   auto x = numbered<TypeParam>(0.1, 0.7);
   TypeParam s, c, far_s, far_c;
@@ -127,7 +128,7 @@ TYPED_TEST(PackLaw, sine_and_cosine_of_a_lane_are_the_same_beside_an_angle_beyon
   }
 }
 
-TEST(NativePack, has_the_width_of_the_target) {
+TEST(NativePack, Width_MatchesTheInstructionSet) {
 #if defined(__AVX512F__)
   EXPECT_EQ(native_lanes, 8);
 #elif defined(__AVX2__)

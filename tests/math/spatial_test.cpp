@@ -1,3 +1,4 @@
+// Tests of the spatial algebra of motions, forces and inertias, and of Gram products.
 #include "math/spatial.hpp"
 
 #include <gtest/gtest.h>
@@ -14,14 +15,14 @@ using V = Vec3<double>;
 using M6 = Motion<double>;
 using F6 = Force<double>;
 
-class Spatial : public ::testing::Test {
+class SpatialAlgebra : public ::testing::Test {
  protected:
   double draw() { return uniform_(generator_); }
   V vector() { return {draw(), draw(), draw()}; }
   M6 motion() { return {vector(), vector()}; }
   F6 force() { return {vector(), vector()}; }
   Inertia<double> inertia() {
-    // A handful of point masses is a body by construction.
+    // Five point masses always make a physical body.
     Inertia<double> I{0.0, V::zero(), {0, 0, 0, 0, 0, 0}};
     for (int i = 0; i < 5; ++i) {
       const V c = vector();
@@ -38,7 +39,7 @@ class Spatial : public ::testing::Test {
   std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
 };
 
-TEST_F(Spatial, cross_products_of_motions_and_forces_are_dual) {
+TEST_F(SpatialAlgebra, MotionAndForceCrossProducts_AreDual) {
   for (int i = 0; i < 20; ++i) {
     const M6 m = motion(), n = motion();
     const F6 f = force();
@@ -46,21 +47,21 @@ TEST_F(Spatial, cross_products_of_motions_and_forces_are_dual) {
   }
 }
 
-TEST_F(Spatial, power_does_not_depend_on_the_point) {
+TEST_F(SpatialAlgebra, Power_DoesNotDependOnThePoint) {
   const M6 m = motion();
   const F6 f = force();
   const V p = vector();
   EXPECT_NEAR(dot(at_point(m, p), at_point(f, p)), dot(m, f), 1e-14);
 }
 
-TEST_F(Spatial, inertia_is_symmetric_and_positive) {
+TEST_F(SpatialAlgebra, Inertia_IsSymmetricAndPositive) {
   const Inertia<double> I = inertia();
   const M6 m = motion(), n = motion();
   EXPECT_NEAR(dot(m, I * n), dot(n, I * m), 1e-13);
   EXPECT_GT(dot(m, I * m), 0.0);
 }
 
-TEST_F(Spatial, coriolis_operator_is_half_the_rate_of_the_momentum_term) {
+TEST_F(SpatialAlgebra, CoriolisOperator_EqualsItsCrossProductForm) {
   // 2 B(v) u = u x* (I v) + v x* (I u) - I (v x u)
   for (int i = 0; i < 20; ++i) {
     const Inertia<double> I = inertia();
@@ -77,7 +78,7 @@ TEST_F(Spatial, coriolis_operator_is_half_the_rate_of_the_momentum_term) {
   }
 }
 
-TEST(GramProduct, equals_the_plain_sum_for_every_size_and_selection_of_rows) {
+TEST(GramProduct, AnySizeAndSelectedRows_EqualThePlainSum) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<double> draw(-1.0, 1.0);
   const int n = 14, rows = 9;
@@ -88,10 +89,10 @@ TEST(GramProduct, equals_the_plain_sum_for_every_size_and_selection_of_rows) {
   for (int ni = 0; ni <= n; ++ni)
     for (int nj = 0; nj <= n; ++nj) {
       std::vector<double> c(n * n, 1.0), d(n * n, 1.0), e(n * n, 1.0);
-      const Strided<const double> A{a.data(), n}, B{b.data(), n};
-      gram<Gram::Set>(A, B, selected, 0, ni, 0, nj, Strided<double>{c.data(), n});
-      gram<Gram::Add>(A, B, selected, 0, ni, 0, nj, Strided<double>{d.data(), n});
-      gram<Gram::SetNegative>(A, B, selected, 0, ni, 0, nj, Strided<double>{e.data(), n});
+      const StridedView<const double> A{a.data(), n}, B{b.data(), n};
+      gram<Gram::Set>(A, B, selected, 0, ni, 0, nj, StridedView<double>{c.data(), n});
+      gram<Gram::Add>(A, B, selected, 0, ni, 0, nj, StridedView<double>{d.data(), n});
+      gram<Gram::SetNegative>(A, B, selected, 0, ni, 0, nj, StridedView<double>{e.data(), n});
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
           double sum = 0.0;

@@ -1,4 +1,4 @@
-// What is read beside what MuJoCo reads from the same text.
+// Tests that compare the MJCF reader with MuJoCo on the same text.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/rigid_body.hpp"
@@ -16,14 +16,14 @@ using namespace std::string_literals;
 
 struct Text {
   std::string name;
-  std::string model;  ///< what stands in <mujoco>
+  std::string model;  ///< content of <mujoco>
   double tolerance = 1e-10;
 };
 void PrintTo(const Text& text, std::ostream* out) { *out << text.name; }
 
-class MjcfAgreement : public ::testing::TestWithParam<Text> {};
+class MjcfComparison : public ::testing::TestWithParam<Text> {};
 
-TEST_P(MjcfAgreement, WithMujocoOnMassesBiasAndPlacements) {
+TEST_P(MjcfComparison, MassMatrixBiasAndPlacements_EqualMujocos) {
   const std::string text = "<mujoco>" + GetParam().model + "</mujoco>";
   const TreeSpec tree = parse_mjcf(text, "model.xml");
   const Agreement agreement = compare(tree, *mujoco::compile(text), 50);
@@ -48,7 +48,7 @@ std::string one_solid(const std::string& geom) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Joints, MjcfAgreement,
+    Joints, MjcfComparison,
     ::testing::Values(
         Text{"hinges", two_bodies("<joint name='j'/>", "<joint name='k' axis='1 1 0'/>")},
         Text{"anchors", two_bodies("<joint name='j' pos='0.1 0.2 0.3' axis='0 1 1'/>",
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
-    Solids, MjcfAgreement,
+    Solids, MjcfComparison,
     ::testing::Values(
         Text{"sphere", one_solid("<geom type='sphere' size='0.2' pos='0.1 0.2 0.3'/>")},
         Text{"capsule", one_solid("<geom type='capsule' size='0.1 0.4' euler='20 30 40'/>")},
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
         Text{"box",
              one_solid("<geom type='box' size='0.1 0.2 0.4' xyaxes='1 1 0 0 1 1' mass='3'/>")},
         Text{"box_between", one_solid("<geom type='box' size='0.1' fromto='0 0 0.1 -1 2 3'/>")},
-        // MuJoCo finds principal axes of several solids to seven digits.
+        // MuJoCo computes the principal axes of several solids to seven digits.
         Text{"several",
              one_solid("<geom type='box' size='0.1 0.2 0.4' pos='0.1 0 0'/><geom size='0.3' "
                        "pos='0 0.5 0'/><geom type='capsule' size='0.1' fromto='0 0 0 1 0 1'/>"),
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
                  one_solid(std::string("<geom size='0.3' pos='1 0 0'/>") + inertial)},
         Text{"of_given_total_mass",
              "<compiler settotalmass='5'/>" + one_solid("<geom size='0.3' pos='1 0 0'/>")},
-        Text{"least",
+        Text{"lower_bounds",
              "<compiler boundmass='2' boundinertia='0.5'/>" +
                  one_solid("<geom type='box' size='0.1 0.2 0.4' euler='10 20 30' mass='1'/>")},
         Text{"full_inertia",
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
              1e-6}),
     [](const auto& test) { return test.param.name; });
 
-/// Siblings whose names, and those of their joints, are not in the order of the file.
+/// Siblings that are not in the alphabetical order of their names or of their joints' names.
 const char* const unsorted =
     "<worldbody><body name='zeta'><joint name='z' axis='0 1 0'/><joint name='a' type='slide'/>"
     "<geom size='0.1'/><body name='y' pos='1 0 0'><joint name='q'/><geom size='0.1'/></body><body "
@@ -125,17 +125,17 @@ const char* const unsorted =
     "size='0.1'/></body></worldbody>";
 
 INSTANTIATE_TEST_SUITE_P(
-    Orders, MjcfAgreement,
+    Orders, MjcfComparison,
     ::testing::Values(
         Text{"siblings", unsorted},
         Text{"two_worlds", two_bodies("<joint/>", "<joint/>") + unsorted},
-        Text{"held_and_coupled",
+        Text{"locked_and_coupled",
              std::string(unsorted) +
                  "<equality><joint joint1='z' polycoef='0.3 0 0 0 0'/><joint joint1='q' joint2='k' "
                  "polycoef='0.1 -2 0 0 0'/></equality>"}),
     [](const auto& test) { return test.param.name; });
 
-/// Names of all joints of MuJoCo's reading.
+/// Returns the names of the joints in MuJoCo's order.
 std::vector<std::string> joint_names(const mjModel& model) {
   std::vector<std::string> names;
   for (int j = 0; j < model.njnt; ++j) names.push_back(name_in(model, mjOBJ_JOINT, j));
@@ -143,14 +143,14 @@ std::vector<std::string> joint_names(const mjModel& model) {
 }
 std::vector<std::string> joint_names(const Model& model) {
   std::vector<std::string> names;
-  for (const StatedJoint& joint : model.stated_joints) names.push_back(joint.name);
+  for (const FileJoint& joint : model.file_joints) names.push_back(joint.name);
   return names;
 }
 
-TEST(MjcfOrder, IsMujocos) {
+TEST(MjcfJointOrder, UnsortedBodies_HaveMujocosOrder) {
   for (const std::string& text :
        {"<mujoco>" + std::string(unsorted) + "</mujoco>",
-        // a prefix that sorts before what stands in front of it
+        // names whose common prefix sorts before the name in front of them
         "<mujoco><worldbody><body name='zeta'><joint name='first' axis='0 1 0'/><geom "
         "type='capsule' fromto='0 0 0 0.5 0 0' size='0.02'/></body><body name='alpha' pos='0 1 "
         "0'><joint name='afterwards' axis='0 1 0'/><geom type='capsule' fromto='0 0 0 0.2 0 0' "
@@ -158,7 +158,7 @@ TEST(MjcfOrder, IsMujocos) {
     EXPECT_EQ(joint_names(build_model(parse_mjcf(text))), joint_names(*mujoco::compile(text)));
 }
 
-TEST(MjcfOrder, OfFilesIsMujocos) {
+TEST(MjcfJointOrder, CorpusFiles_HaveMujocosOrder) {
   int compared = 0;
   const std::filesystem::path folder = BURNISH_ROBOTS_DIR "/../tests/fuzz/corpus/mjcf";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -167,7 +167,7 @@ TEST(MjcfOrder, OfFilesIsMujocos) {
     try {
       theirs = load(entry.path());
     } catch (const Error&) {
-      continue;  // newer than this MuJoCo
+      continue;  // needs a newer MuJoCo
     }
     EXPECT_LE(compare(read_mjcf(entry.path()), *theirs, 5).coordinates, 1e-12) << entry.path();
     ++compared;
@@ -175,7 +175,7 @@ TEST(MjcfOrder, OfFilesIsMujocos) {
   EXPECT_GE(compared, 1);
 }
 
-TEST(MjcfOrder, OfIncludedFilesIsWhereTheyAreIncluded) {
+TEST(MjcfJointOrder, IncludedFiles_HaveMujocosOrder) {
   const Scratch scratch;
   const std::string body = "<body name='%'><joint name='%_joint'/><geom size='0.1'/></body>";
   const auto named = [&](const std::string& name) {
@@ -192,7 +192,7 @@ TEST(MjcfOrder, OfIncludedFilesIsWhereTheyAreIncluded) {
   EXPECT_EQ(joint_names(build_model(read_mjcf(file))), joint_names(*load(file)));
 }
 
-/// Three branches that loops and couplings tie, with references off zero.
+/// Returns three branches for loops and couplings, with references other than zero.
 const std::string& branches() {
   static const std::string world =
       "<compiler angle='radian'/><worldbody><body name='a' pos='0.2 0 0.1' euler='0.1 0.2 "
@@ -205,13 +205,13 @@ const std::string& branches() {
   return world;
 }
 
-/// Where the frames of a loop are: position of the second in the world beside the first.
+/// Returns the vector between the origins of a loop's frames, in world axes [m].
 Vector3d gap(const RigidBody& body, const LoopSpec& loop) {
   return body.placement(body.frame(loop.first_link)) * loop.first.translation() -
          body.placement(body.frame(loop.second_link)) * loop.second.translation();
 }
 
-TEST(MjcfAgreementOnLoops, IsWithMujocosErrorsOfPosition) {
+TEST(MjcfLoops, PositionErrors_EqualMujocos) {
   const std::string text =
       "<mujoco>" + branches() +
       "<equality><connect body1='c' body2='b' anchor='0.1 0.2 0.3'/><connect "
@@ -239,7 +239,7 @@ TEST(MjcfAgreementOnLoops, IsWithMujocosErrorsOfPosition) {
       const Vector3d want = Eigen::Map<const Vector3d>(data->efc_pos + row);
       EXPECT_LE((gap(body, tree.loops[loop]) - want).norm(), 1e-12) << "loop " << loop;
       if (loop < 2) continue;
-      // MuJoCo's error is the vector of a quaternion, the sine of half the angle.
+      // MuJoCo's error is the vector part of a quaternion: the sine of half the angle.
       const LoopSpec& weld = tree.loops[loop];
       const Eigen::Matrix3d first =
           body.placement(body.frame(weld.first_link)).linear() * weld.first.linear();
@@ -253,13 +253,13 @@ TEST(MjcfAgreementOnLoops, IsWithMujocosErrorsOfPosition) {
   }
 }
 
-TEST(MjcfAgreementOnCouplings, IsWhereMujocoHasNoError) {
+TEST(MjcfCouplings, Followers_HaveNoErrorInMujoco) {
   const std::string text = "<mujoco>" + branches() +
                            "<equality><joint joint1='x' joint2='y' polycoef='0.3 -2 0 0 0'/><joint "
                            "joint1='x' joint2='z' "
                            "polycoef='0.1 0.5 0 0 0'/></equality></mujoco>";
   const Model model = build_model(parse_mjcf(text));
-  ASSERT_EQ(model.nv, 2);  // y and w lead
+  ASSERT_EQ(model.nv, 2);  // y and w are the leaders
   const auto theirs = mujoco::compile(text);
   const mujoco::DataPointer data(mj_makeData(theirs.get()));
   std::mt19937_64 generator(6);
@@ -278,7 +278,7 @@ TEST(MjcfAgreementOnCouplings, IsWhereMujocoHasNoError) {
   }
 }
 
-TEST(MjcfAgreementOnTendons, IsWithMujocosLengths) {
+TEST(MjcfTendons, RestLengths_EqualMujocos) {
   const std::string text =
       "<mujoco>" + branches() +
       "<tendon><fixed name='t' stiffness='3'><joint joint='x' coef='0.5'/><joint joint='w' "
@@ -292,7 +292,7 @@ TEST(MjcfAgreementOnTendons, IsWithMujocosLengths) {
   EXPECT_NEAR(tree.tendons[1].rest, theirs->tendon_length0[1] + 0.1, 1e-15);
 }
 
-TEST(MjcfAgreementOnPassiveTorques, IsWithMujocos) {
+TEST(MjcfPassiveTorques, SpringsAndDampers_EqualMujocos) {
   const std::string text =
       "<mujoco><default><joint damping='0.3'/></default>" + branches() +
       "<worldbody><body pos='0 0 1'><joint name='f' type='free' damping='0.2'/>" + inertial +
@@ -308,7 +308,7 @@ TEST(MjcfAgreementOnPassiveTorques, IsWithMujocos) {
   EXPECT_LE(agreement.passive, 1e-10);
 }
 
-TEST(MjcfAgreementOnSprings, IsWithMujocosRest) {
+TEST(MjcfSprings, StiffnessAndRest_EqualMujocos) {
   const std::string text = "<mujoco>" + branches() + "</mujoco>";
   const TreeSpec tree = parse_mjcf(text);
   const auto theirs = mujoco::compile(text);
@@ -322,9 +322,9 @@ TEST(MjcfAgreementOnSprings, IsWithMujocosRest) {
   }
 }
 
-TEST(MjcfAgreementOnMeshes, IsWithMujocoWhereTheMassIsStated) {
+TEST(MjcfMeshes, StatedMass_GivesMujocosInertia) {
   const Scratch scratch;
-  // Not convex, so that the legacy sum is no volume.
+  // The mesh is not convex, so that MuJoCo's legacy sum differs from the volume.
   scratch.write(
       "l.obj",
       "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 1\nv 2 0 1\nv 2 1 1\n"

@@ -1,5 +1,5 @@
-// Public collections of MJCF, where a folder with some is named: BURNISH_MJCF. Each file is read,
-// and its dynamics compared with MuJoCo's. Prints the table of docs/robots.md.
+// Compares public collections of MJCF files with MuJoCo, if BURNISH_MJCF names a folder with some.
+// Prints the table of docs/robots.md.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -34,8 +34,8 @@ struct Counts {
   int read = 0, refused = 0, agreed = 0;
 };
 
-/// What MuJoCo says of the file itself, where it reads that. Its own inertias of geoms are good to
-/// seven digits, and its meshes are rounded to floats.
+/// Returns the error against MuJoCo's reading of the file itself, or "-" where MuJoCo refuses it.
+/// MuJoCo computes inertias of geoms to seven digits and rounds meshes to floats.
 std::string by_file(const fs::path& file, const TreeSpec& tree) {
   try {
     char text[32];
@@ -46,7 +46,7 @@ std::string by_file(const fs::path& file, const TreeSpec& tree) {
   }
 }
 
-/// Of the copy, which has the file's equalities; "-" where it has none that are carried over.
+/// Returns rows and error of the equalities, of MuJoCo's copy of the file; "-" without equalities.
 std::string under_equalities(const fs::path& file, const TreeSpec& tree, mjModel& copy) {
   const TiedAgreement tied = compare_tied(tree, copy, states_tried);
   EXPECT_LE(tied.worst(), 1e-9) << file;
@@ -78,7 +78,7 @@ void look_at(const fs::path& file, const fs::path& folder, Counts& counts) {
     const Agreement agreement = compare(tree, *theirs, states_tried);
     const double worst = agreement.worst();
     EXPECT_LE(worst, 1e-10) << file;
-    // The copy has no tendons.
+    // The copy may lack tendons of the file.
     if (tree.tendons.empty()) {
       EXPECT_LE(agreement.passive, 1e-9) << file;
     }
@@ -95,7 +95,7 @@ void look_at(const fs::path& file, const fs::path& folder, Counts& counts) {
               tied.c_str());
 }
 
-TEST(MjcfCollection, AgreesWithMujoco) {
+TEST(MjcfCollection, PublicFiles_AgreeWithMujoco) {
   const char* folder = std::getenv("BURNISH_MJCF");
   if (folder == nullptr || !fs::is_directory(folder))
     GTEST_SKIP() << "BURNISH_MJCF names no folder with MJCF files";

@@ -44,7 +44,7 @@ double placement_error(const mjModel& theirs, const mjData& data, const RigidBod
   return worst;
 }
 
-/// How far qpos and qvel are from what the order of the model's joints makes of a state.
+/// Returns the error of qpos and qvel against the state, mapped by the model's joint order.
 double coordinate_error(const JointOrder& order, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                         const mjModel& theirs, const mjData& data) {
   if (order.nq() != theirs.nq || order.nv() != theirs.nv)
@@ -71,7 +71,7 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
   std::set<std::string> links;
   for (const LinkSpec& link : tree.links) links.insert(link.name);
   ContactDynamics ours(model);
-  // Coulomb friction is a constraint there.
+  // MuJoCo treats Coulomb friction as a constraint, not as a passive torque.
   Model without_friction = model;
   without_friction.friction.setZero();
   RigidBody body(without_friction);
@@ -91,7 +91,7 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
     worst.placement = std::max(worst.placement, placement_error(theirs, *data, body, links));
     if (model.nv == 0) continue;
     const Eigen::MatrixXd M = mass_matrix_of(theirs, *data);
-    // The armature of a floating joint meets the rate of v in burnish, along axes that turn.
+    // burnish multiplies the armature of a floating joint by the rate of v, along rotating axes.
     const Eigen::VectorXd armature =
         Eigen::Map<const Eigen::VectorXd>(theirs.dof_armature, theirs.nv);
     const Eigen::VectorXd b = Eigen::Map<Eigen::VectorXd>(data->qfrc_bias, theirs.nv) + M * drift -
@@ -102,7 +102,7 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
     };
     worst.mass_matrix =
         std::max(worst.mass_matrix, error(ours.mass_matrix(), B.transpose() * M * B));
-    // What gravity and motion add up to may cancel: it is beside what a weight does.
+    // Gravity and velocity terms may cancel, so that the error is relative to the weight, too.
     const Eigen::VectorXd want = B.transpose() * b;
     const double scale =
         std::max({want.cwiseAbs().maxCoeff(), (B.transpose() * M * B).norm(), 1e-12});
@@ -125,7 +125,7 @@ mujoco::ModelPointer load(const fs::path& file) {
 
 namespace {
 
-/// Writes the copy, element by element.
+/// Writes the copy element by element.
 class Copy {
  public:
   Copy(const fs::path& file, const TreeSpec& tree) : folder_(file.parent_path()) {
@@ -255,7 +255,7 @@ class Copy {
     Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
     at.linear() = axes;
     at.translation() = inertia.com;
-    // load_masses() puts in the true ones: MuJoCo refuses what moves without a mass.
+    // load_masses() sets the true values; MuJoCo refuses moving bodies without a mass.
     text += "<inertial " + mujoco::pose_attributes(at) + " mass=\"1\" diaginertia=\"1 1 1\"/>\n";
   }
 
@@ -304,7 +304,7 @@ class Copy {
   std::vector<std::unique_ptr<tinyxml2::XMLDocument>> documents_;
   const XMLElement* root_;
   std::map<std::string, InertiaSpec> masses_;
-  std::set<std::string> taken_, tendons_;  // of bodies; of fixed tendons that were written
+  std::set<std::string> taken_, tendons_;  // names of bodies; names of copied fixed tendons
 };
 
 }  // namespace
@@ -327,7 +327,7 @@ void load_masses(const TreeSpec& tree, mjModel& theirs) {
     mju_copy3(theirs.body_ipos + 3 * body, link.inertia.com.data());
     mju_copy4(theirs.body_iquat + 4 * body, wxyz);
   }
-  // Of bodies that move along axes of their own MuJoCo keeps the inertia from the start.
+  // MuJoCo computes constants of the inertias once, at the start.
   const mujoco::DataPointer data(mj_makeData(&theirs));
   mj_setConst(&theirs, data.get());
 }

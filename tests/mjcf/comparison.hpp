@@ -1,5 +1,5 @@
-// An MJCF file as burnish reads it beside MuJoCo's own reading, or, of files that MuJoCo 2.2.2 does
-// not read, beside MuJoCo's reading of a copy with bodies and joints alone.
+// Compares burnish's reading of an MJCF file with MuJoCo's. If MuJoCo 2.2.2 cannot read the file,
+// it reads a copy with bodies, joints, fixed tendons and equalities only.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +10,30 @@
 
 namespace burnish::testing {
 
-/// Worst errors over random states, each relative to the largest entry of what is compared.
+/// Worst errors over random states, each relative to the largest entry of the compared values.
 struct Agreement {
   double mass_matrix = 0.0;
   double bias = 0.0;
-  double placement = 0.0;    ///< of bodies, m and entries of rotations
-  double passive = 0.0;      ///< torques of springs and dampers, of joints and tendons
-  double coordinates = 0.0;  ///< of qpos and qvel as vectors, mapped there and back
+  double placement = 0.0;    ///< of bodies: positions [m] and entries of rotations
+  double passive = 0.0;      ///< torques of springs and dampers in joints and tendons
+  double coordinates = 0.0;  ///< qpos and qvel, mapped from burnish to MuJoCo and back
   double worst() const { return std::max({mass_matrix, bias, placement, coordinates}); }
 };
 
-/// Followers and held joints of the tree move by themselves in MuJoCo; what it says is reduced.
-/// Throws Error where the two have other joints, or have them in another order.
+/// Compares the two models. Followers and locked joints move independently in MuJoCo; its results
+/// are reduced to the leaders. Throws Error if the models differ in joints or in their order.
 Agreement compare(const TreeSpec& tree, mjModel& theirs, int states);
 
-/// MuJoCo's reading of a file. Throws Error with its sentence.
+/// Returns MuJoCo's reading of a file. Throws Error with MuJoCo's reason.
 mujoco::ModelPointer load(const std::filesystem::path& file);
 
-/// A text for MuJoCo 2.2.2 with the bodies, joints, fixed tendons, equalities and defaults of the
-/// file, taken from it element by element, and the masses of the tree. Throws Error where a frame
-/// of MuJoCo 3 holds joints.
+/// Returns a text for MuJoCo 2.2.2 with the file's bodies, joints, fixed tendons, equalities and
+/// defaults, and the masses of the tree. Throws Error if a frame contains joints, as MuJoCo 3
+/// allows.
 std::string plain_copy(const std::filesystem::path& file, const TreeSpec& tree);
 
-/// Masses and inertias of the tree to the last digit; MuJoCo's own reading of an inertia is good to
-/// seven.
+/// Sets masses and inertias of MuJoCo's model to those of the tree; MuJoCo reads inertias to seven
+/// digits only.
 void load_masses(const TreeSpec& tree, mjModel& theirs);
 
 }  // namespace burnish::testing

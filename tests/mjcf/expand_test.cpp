@@ -1,5 +1,5 @@
-// <attach> and <replicate> beside the same written out by hand, as burnish reads that and as MuJoCo
-// 2.2.2, which knows neither, does.
+// Tests of <attach> and <replicate>: each model equals the same model written out, in burnish and
+// in MuJoCo 2.2.2, which reads neither element.
 #include <gtest/gtest.h>
 
 #include "burnish/mjcf/mjcf.hpp"
@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a tree says, in words, to the last digit but one.
-std::string said(const TreeSpec& tree) {
+/// Returns a tree as text with twelve digits, for comparison.
+std::string text_of(const TreeSpec& tree) {
   std::string text;
   char number[40];
   const auto add = [&](const std::string& word) { text += word + " "; };
@@ -58,7 +58,7 @@ std::string said(const TreeSpec& tree) {
 
 void expect_same(const TreeSpec& tree, const std::string& by_hand) {
   const TreeSpec same = parse_mjcf(by_hand, "m.xml");
-  EXPECT_EQ(said(tree), said(same));
+  EXPECT_EQ(text_of(tree), text_of(same));
   const auto theirs = mujoco::compile(by_hand);
   EXPECT_LE(compare(tree, *theirs, 20).worst(), 1e-10);
   EXPECT_LE(compare_tied(tree, *theirs, 10).worst(), 1e-9);
@@ -73,8 +73,8 @@ std::string swing(const std::string& attributes, const std::string& suffix) {
          "' axis='0 1 0'/>" + swung_mass + "<site name='s" + suffix + "' pos='0 0 0.1'/></body>";
 }
 
-TEST(MjcfReplicate, TurnsAndMovesEachCopyFromTheOneBefore) {
-  // After each step the offset is turned along: a square.
+TEST(MjcfReplicate, OffsetAndRotation_AddUpFromCopyToCopy) {
+  // Each step also rotates the next offset: the copies form a square.
   expect_same(parse_mjcf(model("<worldbody><replicate count='4' offset='1 0 0' euler='0 0 90'>" +
                                swing("pos='0 0.1 0'", "") + "</replicate></worldbody>"),
                          "m.xml"),
@@ -84,7 +84,7 @@ TEST(MjcfReplicate, TurnsAndMovesEachCopyFromTheOneBefore) {
                     swing("pos='0.1 1 0' euler='0 0 270'", "3") + "</worldbody>"));
 }
 
-TEST(MjcfReplicate, NumbersWithAsManyDigitsAsItsCount) {
+TEST(MjcfReplicate, Names_HaveTheDigitsOfTheCount) {
   const TreeSpec tree =
       parse_mjcf(model("<worldbody><replicate count='10' offset='0 0 1' sep='-'>" + swing("", "") +
                        "</replicate></worldbody>"));
@@ -95,7 +95,7 @@ TEST(MjcfReplicate, NumbersWithAsManyDigitsAsItsCount) {
   EXPECT_EQ(tree.links[5].line, 1);
 }
 
-TEST(MjcfReplicate, NestsWithTheInnerNumberFirst) {
+TEST(MjcfReplicate, NestedCopies_HaveTheInnerNumberFirst) {
   const TreeSpec tree = parse_mjcf(
       model("<worldbody><replicate count='2' offset='0 1 0'><frame pos='0 0 0.5'><replicate "
             "count='2' offset='1 0 0' sep='_'>" +
@@ -106,12 +106,12 @@ TEST(MjcfReplicate, NestsWithTheInnerNumberFirst) {
                   swing("pos='0 1 0.5'", "_01") + swing("pos='1 1 0.5'", "_11") + "</worldbody>"));
 }
 
-TEST(MjcfReplicate, CopiesWhatNamesTheCopies) {
+TEST(MjcfReplicate, ReferencesToCopiedElements_AreCopied) {
   const auto two = [](const std::string& suffix, const std::string& pos) {
     return swing("pos='" + pos + "'", suffix) + "<body name='c" + suffix + "' pos='" + pos +
            "'><joint name='k" + suffix + "' axis='1 0 0'/>" + swung_mass + "</body>";
   };
-  const auto naming = [](const std::string& s) {
+  const auto coupling = [](const std::string& s) {
     return "<joint joint1='k" + s + "' joint2='j" + s + "' polycoef='0.1 2 0 0 0'/>";
   };
   const auto tendon = [](const std::string& s) {
@@ -124,18 +124,18 @@ TEST(MjcfReplicate, CopiesWhatNamesTheCopies) {
   const std::string still = "<body name='still'><joint name='free'/>" + swung_mass + "</body>";
   const TreeSpec tree = parse_mjcf(
       model("<worldbody>" + still + "<replicate count='2' offset='0 1 0'>" + two("", "0 0 0.2") +
-            "</replicate></worldbody><tendon>" + tendon("") + "</tendon><equality>" + naming("") +
+            "</replicate></worldbody><tendon>" + tendon("") + "</tendon><equality>" + coupling("") +
             "<weld body1='b' body2='still'/></equality><actuator>" + motor("") + "</actuator>"),
       "m.xml");
   expect_same(tree, model("<worldbody>" + still + two("0", "0 0 0.2") + two("1", "0 1 0.2") +
                           "</worldbody><tendon>" + tendon("0") + tendon("1") +
-                          "</tendon><equality>" + naming("0") + naming("1") +
+                          "</tendon><equality>" + coupling("0") + coupling("1") +
                           "</equality><actuator>" + motor("0") + motor("1") + "</actuator>"));
-  ASSERT_EQ(tree.warnings.size(), 1u);  // of the weld one end is gone, as in MuJoCo
-  expect_words(tree.warnings[0], {"something replicated and something else", "<weld>"});
+  ASSERT_EQ(tree.warnings.size(), 1u);  // the weld is lost with its replicated body, as in MuJoCo
+  expect_words(tree.warnings[0], {"both to replicated and to other elements", "<weld>"});
 }
 
-/// A model with units, defaults, a mesh and sections of its own.
+/// A model with its own units, defaults, mesh, equalities and actuators.
 const std::string arm_text =
     "<mujoco model='arm'><compiler angle='radian' meshdir='parts'/><default><joint damping='0.3' "
     "axis='0 1 0'/><default class='wrist'><joint range='-0.5 0.5'/><geom rgba='1 0 0 "
@@ -143,11 +143,11 @@ const std::string arm_text =
     "0.5'/></asset><worldbody><light/><body name='base' pos='0 0 0.1'><joint name='turn'/><geom "
     "size='0.1' material='red'/>" +
     swung_mass +
-    "<body name='hand' pos='0 0 0.4' euler='0 0.2 0' childclass='wrist'><joint name='bend'/>"
+    "<body name='hand' pos='0 0 0.4' euler='0 0.2 0' childclass='wrist'><joint name='flex'/>"
     "<geom type='mesh' mesh='tip' mass='0.5'/><body "
     "name='finger' pos='0 0 0.2'><joint name='grip' type='slide'/>" +
     swung_mass + "</body></body></body><body name='other'><joint name='lone'/>" + swung_mass +
-    "</body></worldbody><equality><joint joint1='grip' joint2='bend' polycoef='0 0.5 0 0 0'/>"
+    "</body></worldbody><equality><joint joint1='grip' joint2='flex' polycoef='0 0.5 0 0 0'/>"
     "<joint joint1='lone' joint2='turn'/></equality><actuator><motor joint='turn' "
     "ctrlrange='-4 4'/><motor joint='lone'/></actuator></mujoco>";
 const std::string tip_mesh =
@@ -169,7 +169,7 @@ class MjcfAttach : public ::testing::Test {
 };
 const std::string with_arm = "<asset><model name='a' file='arms/arm.xml'/></asset>";
 
-TEST_F(MjcfAttach, ReadsABodyOfAnotherModelUnderAPrefix) {
+TEST_F(MjcfAttach, BodyOfAnotherModel_IsReadUnderItsPrefix) {
   const TreeSpec tree =
       read("<compiler angle='degree'/><default><joint damping='7'/></default>" + with_arm +
            "<worldbody><body name='post' pos='1 0 0' euler='0 0 90'><joint name='swivel'/>" +
@@ -177,7 +177,7 @@ TEST_F(MjcfAttach, ReadsABodyOfAnotherModelUnderAPrefix) {
            "<frame pos='0 0 0.3'><attach model='a' body='base' prefix='left_'/></frame></body>"
            "</worldbody>");
   ASSERT_EQ(tree.links.size(), 5u);
-  // By hand, in radians; the damping of the one model is not the other's.
+  // Written out in radians; each model keeps its own default damping.
   const TreeSpec same = read_mjcf(scratch.write(
       "hand.xml",
       "<mujoco model='m'><compiler angle='radian' meshdir='arms/parts'/><asset><mesh "
@@ -187,34 +187,34 @@ TEST_F(MjcfAttach, ReadsABodyOfAnotherModelUnderAPrefix) {
           "<body name='left_base' pos='0 0 0.4'><joint name='left_turn' axis='0 1 0' "
           "damping='0.3'/><geom size='0.1' rgba='1 0 0 0.5'/>" +
           swung_mass +
-          "<body name='left_hand' pos='0 0 0.4' euler='0 0.2 0'><joint name='left_bend' axis='0 1 "
+          "<body name='left_hand' pos='0 0 0.4' euler='0 0.2 0'><joint name='left_flex' axis='0 1 "
           "0' damping='0.3' range='-0.5 0.5'/><geom type='mesh' mesh='tip' mass='0.5' rgba='1 0 0 "
           "1'/><body name='left_finger' pos='0 0 0.2'><joint "
           "name='left_grip' type='slide' axis='0 1 0' damping='0.3' range='-0.5 0.5'/>" +
           swung_mass +
           "</body></body></body></body></worldbody><equality><joint joint1='left_grip' "
-          "joint2='left_bend' polycoef='0 0.5 0 0 0'/></equality><actuator><motor "
+          "joint2='left_flex' polycoef='0 0.5 0 0 0'/></equality><actuator><motor "
           "joint='left_turn' ctrlrange='-4 4'/></actuator></mujoco>"));
-  EXPECT_EQ(said(tree), said(same));
+  EXPECT_EQ(text_of(tree), text_of(same));
   EXPECT_TRUE(tree.warnings.empty());
 }
 
-TEST_F(MjcfAttach, ReadsWholeModelsAndSeveral) {
+TEST_F(MjcfAttach, WholeModelAndReplicatedBody_AreRead) {
   const TreeSpec tree =
       read(with_arm +
            "<worldbody><attach model='a' prefix='x_'/><replicate count='2' offset='0 2 0'>"
            "<attach model='a' body='hand' prefix='y_'/></replicate></worldbody>");
   const Model model = build_model(tree);
-  EXPECT_EQ(model.nv, 2 + 2);  // finger and lone follow
-  for (const char* joint : {"x_turn", "x_bend", "x_grip", "x_lone", "y_bend0", "y_grip1"})
+  EXPECT_EQ(model.nv, 2 + 2);  // 'grip' and 'lone' are followers
+  for (const char* joint : {"x_turn", "x_flex", "x_grip", "x_lone", "y_flex0", "y_grip1"})
     EXPECT_NO_THROW(model.joint_index(joint)) << joint;
-  EXPECT_EQ(model.joints[static_cast<std::size_t>(model.joint_index("y_bend1"))]
+  EXPECT_EQ(model.joints[static_cast<std::size_t>(model.joint_index("y_flex1"))]
                 .placement.translation()
                 .y(),
             2.0);
 }
 
-TEST_F(MjcfAttach, ReadsABodyOfItsOwnModelAgain) {
+TEST_F(MjcfAttach, BodyOfTheSameModel_IsCopiedWithItsActuator) {
   expect_same(
       parse_mjcf(model("<worldbody>" + swing("", "") +
                        "<frame pos='0 1 0'><attach body='b' prefix='again_'/></frame>"
@@ -228,7 +228,7 @@ TEST_F(MjcfAttach, ReadsABodyOfItsOwnModelAgain) {
             "ctrlrange='-2 2' ctrllimited='true'/></actuator>"));
 }
 
-TEST_F(MjcfAttach, RefusesWhatCannotBeMeant) {
+TEST_F(MjcfAttach, BadAttachOrReplicate_IsRefused) {
   const auto in_world = [](const std::string& inside) {
     return with_arm + "<worldbody>" + swing("", "") + inside + "</worldbody>";
   };
@@ -237,16 +237,16 @@ TEST_F(MjcfAttach, RefusesWhatCannotBeMeant) {
   expect_words(refused(in_world("<attach model='a' body='bose' prefix='x_'/>")),
                {"body 'bose'", "did you mean 'base'"});
   expect_words(refused(in_world("<attach model='a' body='base'/>")), {"'prefix'"});
-  expect_words(refused(in_world("<attach prefix='x_'/>")), {"neither a model nor a body"});
+  expect_words(refused(in_world("<attach prefix='x_'/>")), {"neither another model nor a body"});
   expect_words(refused("<worldbody><body name='b'>" + swung_mass +
                        "<attach body='b' prefix='x_'/></body></worldbody>"),
-               {"attaches what it stands in"});
+               {"attaches an element that contains it"});
   for (const char* count : {"1.5", "-1", "1e9"})
     expect_words(refused(in_world("<replicate count='" + std::string(count) + "'/>")),
                  {"count", count, "whole number"});
   std::string many = swing("", "");
   for (int i = 0; i < 3; ++i) many = "<replicate count='100'>" + many + "</replicate>";
-  expect_words(refused("<worldbody>" + many + "</worldbody>"), {"50000", "copied"});
+  expect_words(refused("<worldbody>" + many + "</worldbody>"), {"copies more than 50000 elements"});
   std::string deep = swing("", "");
   for (int i = 0; i < 25; ++i) deep = "<replicate count='1'>" + deep + "</replicate>";
   expect_words(refused("<worldbody>" + deep + "</worldbody>"), {"20", "deep"});

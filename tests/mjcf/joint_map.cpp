@@ -8,8 +8,8 @@
 namespace burnish::testing {
 namespace {
 
-/// For each of MuJoCo's joints the tree's: by its name, or else the next that the file does not
-/// name.
+/// Returns the tree's joint for each of MuJoCo's joints: by its name, or the next one that the file
+/// does not name.
 std::vector<std::string> joints_of(const TreeSpec& tree, const mjModel& theirs) {
   std::set<std::string> stated;
   for (int j = 0; j < theirs.njnt; ++j) stated.insert(name_in(theirs, mjOBJ_JOINT, j));
@@ -45,8 +45,8 @@ JointMap::JointMap(const TreeSpec& tree, const Model& model, const mjModel& thei
   }
 }
 
-/// A joint that an equality holds by itself is where that says: at y0 + a0.
-void JointMap::place_held_joints(mjData& data) const {
+/// Sets a joint that an equality holds alone to the position of the equality, y0 + a0.
+void JointMap::place_locked_joints(mjData& data) const {
   for (int e = 0; e < theirs_.neq; ++e) {
     const int joint = theirs_.eq_obj1id[e];
     if (theirs_.eq_type[e] != mjEQ_JOINT || theirs_.eq_obj2id[e] >= 0) continue;
@@ -60,7 +60,7 @@ void JointMap::store(const Eigen::VectorXd& q, const Eigen::VectorXd& v, mjData&
   B.setZero(theirs_.nv, model_.nv);
   drift.setZero(theirs_.nv);
   mju_copy(data.qpos, theirs_.qpos0, theirs_.nq);
-  place_held_joints(data);
+  place_locked_joints(data);
   for (int j = 0; j < theirs_.njnt; ++j) {
     const int index = ours_[static_cast<std::size_t>(j)];
     if (index < 0) continue;

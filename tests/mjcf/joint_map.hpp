@@ -1,4 +1,4 @@
-// Joints of a tree beside those of MuJoCo's reading: where each state stands in the other.
+// Maps states of a burnish model to MuJoCo's coordinates of the same file.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -13,23 +13,23 @@ namespace burnish::testing {
 
 std::string name_in(const mjModel& model, int type, int index);
 
-/// Places of the joints in both. Followers and held joints of the tree move by themselves in
-/// MuJoCo.
+/// Map between the joints of a model and MuJoCo's. Followers and locked joints of the tree move
+/// independently in MuJoCo.
 class JointMap {
  public:
-  /// Throws Error where the two have other joints.
+  /// Throws Error if the models have different joints.
   JointMap(const TreeSpec& tree, const Model& model, const mjModel& theirs);
 
-  /// Writes qpos and qvel, the matrix B with qvel = B v and its rate of change times v.
+  /// Writes qpos and qvel, the matrix B with qvel = B v, and the drift dB/dt v.
   void store(const Eigen::VectorXd& q, const Eigen::VectorXd& v, mjData& data, Eigen::MatrixXd& B,
              Eigen::VectorXd& drift) const;
 
  private:
-  void place_held_joints(mjData& data) const;
+  void place_locked_joints(mjData& data) const;
 
   const Model& model_;
   const mjModel& theirs_;
-  std::vector<int> ours_;  // index of a joint of the model, -1: held
+  std::vector<int> ours_;  // index of the model's joint for each of MuJoCo's joints; -1 if locked
 };
 
 }  // namespace burnish::testing

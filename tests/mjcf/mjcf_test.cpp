@@ -1,3 +1,4 @@
+// Tests of the MJCF reader: bodies, defaults, masses, visuals, actuators, equalities, keyframes.
 #include "burnish/mjcf/mjcf.hpp"
 
 #include <gtest/gtest.h>
@@ -24,12 +25,12 @@ TreeSpec parse(const std::string& inside) {
 std::string refused(const std::string& inside) {
   return refusal([&] { parse(inside); });
 }
-/// One body in the world.
+/// Returns a world with one body.
 std::string body(const std::string& inside, const std::string& attributes = "") {
   return "<worldbody><body name='b' " + attributes + ">" + inside + "</body></worldbody>";
 }
 const std::string mass = "<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>";
-/// A hinge on each of two bodies, one on the other.
+/// Returns a chain of two bodies with a hinge each.
 std::string two_hinges(const std::string& x = "", const std::string& y = "") {
   return "<worldbody><body name='a'><joint name='x' " + x + "/>" + mass +
          "<body name='b' pos='1 0 0'><joint name='y' " + y + "/>" + mass +
@@ -46,13 +47,13 @@ const JointSpec& joint_of(const TreeSpec& tree, const std::string& name) {
     if (joint.name == name) return joint;
   throw Error("no joint " + name);
 }
-/// The warning with a word in it; "" if there is none.
+/// Returns the warning that contains a word, or "".
 std::string warning_of(const TreeSpec& tree, const std::string& word) {
   for (const std::string& warning : tree.warnings)
     if (warning.find(word) != std::string::npos) return warning;
   return "";
 }
-/// The note with a word in it, likewise.
+/// Returns the note that contains a word, or "".
 std::string note_of(const TreeSpec& tree, const std::string& word) {
   for (const std::string& note : tree.notes)
     if (note.find(word) != std::string::npos) return note;
@@ -68,7 +69,7 @@ Eigen::Matrix3d turn(double angle, const Vector3d& axis) {
 
 // ---- Bodies and joints
 
-TEST(Mjcf, HasTheWorldAsItsRoot) {
+TEST(Mjcf, TwoHinges_AreReadBelowTheWorld) {
   const TreeSpec tree = parse(two_hinges());
   EXPECT_EQ(tree.name, "m");
   EXPECT_EQ(tree.source, "m.xml");
@@ -83,12 +84,12 @@ TEST(Mjcf, HasTheWorldAsItsRoot) {
   EXPECT_EQ(build_model(tree).nv, 2);
 }
 
-TEST(Mjcf, IsNamedByItsFileWhereItHasNoName) {
+TEST(Mjcf, NamelessModel_HasTheNameOfItsFile) {
   EXPECT_EQ(parse_mjcf("<mujoco>" + body(mass) + "</mujoco>", "dir/go.xml").name, "go");
   EXPECT_EQ(parse_mjcf("<mujoco>" + body(mass) + "</mujoco>", "/dev/fd/3").name, "robot");
 }
 
-TEST(Mjcf, KnowsEveryFormOfOrientation) {
+TEST(Mjcf, EveryFormOfOrientation_IsRead) {
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
   EXPECT_TRUE(rotation_of("").isIdentity(0.0));
   EXPECT_TRUE(rotation_of("quat='2 0 0 2'").isApprox(turn(0.5 * pi, z), 1e-15));
@@ -105,7 +106,7 @@ TEST(Mjcf, KnowsEveryFormOfOrientation) {
                   .isApprox(turn(0.2, y) * turn(0.1, z) * turn(0.3, x), 1e-14));
 }
 
-TEST(Mjcf, TurnsDegreesIntoRadiansWhereAnglesAre) {
+TEST(Mjcf, AnglesInDegrees_AreConvertedExceptOfSlides) {
   const std::string joints = body(
       "<joint name='h' range='-90 180' ref='90' springref='45' stiffness='2'/>"
       "<joint name='s' type='slide' range='-1 2' ref='0.5' springref='0.25' stiffness='3'/>" +
@@ -125,7 +126,7 @@ TEST(Mjcf, TurnsDegreesIntoRadiansWhereAnglesAre) {
   }
 }
 
-TEST(Mjcf, LimitsJointsAsTheCompilerIsToldTo) {
+TEST(Mjcf, JointLimits_FollowLimitedAndAutolimits) {
   const auto limit = [](const std::string& attributes, const std::string& compiler) {
     return joint_of(parse("<compiler angle='radian' " + compiler + "/>" +
                           body("<joint name='j' " + attributes + "/>" + mass)),
@@ -142,7 +143,7 @@ TEST(Mjcf, LimitsJointsAsTheCompilerIsToldTo) {
                {"line 1", "'j'", "range"});
 }
 
-TEST(Mjcf, CarriesWhatResistsAJoint) {
+TEST(Mjcf, DampingFrictionAndArmature_AreRead) {
   const JointSpec joint = joint_of(
       parse(body("<joint name='j' damping='0.1' frictionloss='0.2' armature='0.3'/>" + mass)), "j");
   EXPECT_EQ(joint.damping, 0.1);
@@ -150,7 +151,7 @@ TEST(Mjcf, CarriesWhatResistsAJoint) {
   EXPECT_EQ(joint.armature, 0.3);
 }
 
-TEST(Mjcf, MakesAChainOfSeveralJoints) {
+TEST(Mjcf, SeveralJointsOfABody_BecomeAChain) {
   const TreeSpec tree =
       parse(body("<joint name='z'/><joint name='a' axis='0 2 0'/><joint axis='1 0 0'/>" + mass,
                  "pos='1 2 3'"));
@@ -166,20 +167,20 @@ TEST(Mjcf, MakesAChainOfSeveralJoints) {
   EXPECT_EQ(link_of(tree, "b").inertia.mass, 1.0);
 }
 
-TEST(Mjcf, KeepsTheBodysFrameWhereAJointLiesOffIt) {
+TEST(Mjcf, JointOffTheBodyOrigin_KeepsTheBodyFrame) {
   const Model model =
       build_model(parse(body("<joint name='j' pos='1 0 0'/>" + mass, "pos='5 0 0'")));
   const int frame = model.frame_index("b");
-  // Turned by a quarter about the point (6, 0, 0), the body lies at (6, -1, 0).
+  // A quarter turn about the point (6, 0, 0) moves the body from (5, 0, 0) to (6, -1, 0).
   const Joint& joint = model.joints[0];
   const Isometry3d at = joint.placement * Eigen::AngleAxisd(0.5 * pi, Vector3d::UnitZ()) *
                         model.frames[static_cast<std::size_t>(frame)].placement;
   EXPECT_TRUE(at.translation().isApprox(Vector3d(6, -1, 0), 1e-14));
 }
 
-TEST(Mjcf, CountsPositionsFromTheReference) {
+TEST(Mjcf, ReferencePosition_IsThePoseOfTheFile) {
   const TreeSpec tree = parse("<compiler angle='radian'/>" + two_hinges("ref='0.5'"));
-  // At q = ref the file's drawing.
+  // At q = ref the robot has the pose of the file.
   const JointSpec& joint = joint_of(tree, "x");
   EXPECT_TRUE((joint.placement.linear() * turn(0.5, Vector3d::UnitZ())).isIdentity(1e-15));
   ASSERT_TRUE(tree.postures.contains("qpos0"));
@@ -187,7 +188,7 @@ TEST(Mjcf, CountsPositionsFromTheReference) {
   EXPECT_FALSE(parse(two_hinges()).postures.contains("qpos0"));
 }
 
-TEST(Mjcf, FloatsOnAFreeJoint) {
+TEST(Mjcf, FreeJoint_BecomesTheFloatingBase) {
   for (const char* joint : {"<freejoint/>", "<joint type='free'/>"}) {
     const TreeSpec tree = parse(body(joint + mass, "pos='1 2 3' quat='0 1 0 0'"));
     const JointSpec& root = joint_of(tree, "root_joint");
@@ -202,7 +203,7 @@ TEST(Mjcf, FloatsOnAFreeJoint) {
   expect_words(refused(body("<joint/><freejoint/>" + mass)), {"only one", "2 joints"});
 }
 
-TEST(Mjcf, TurnsOnABall) {
+TEST(Mjcf, BallJoint_IsReadWithAWarningOfItsRange) {
   const TreeSpec tree =
       parse(body("<joint name='j' type='ball' pos='0 0 1' range='0 60'/>" + mass));
   EXPECT_EQ(joint_of(tree, "j").type, JointType::Ball);
@@ -211,7 +212,7 @@ TEST(Mjcf, TurnsOnABall) {
   expect_words(warning_of(tree, "ball"), {"range", "'j'"});
 }
 
-TEST(Mjcf, ComposesFrames) {
+TEST(Mjcf, NestedFrames_AreComposed) {
   const TreeSpec tree = parse(
       "<default><default class='c'><joint armature='3'/></default></default><worldbody>"
       "<frame pos='1 0 0' euler='0 0 90' childclass='c'><frame pos='1 0 0'><body name='b' pos='0 1 "
@@ -222,13 +223,13 @@ TEST(Mjcf, ComposesFrames) {
   const JointSpec& joint = joint_of(tree, "j");
   EXPECT_EQ(joint.armature, 3.0);
   EXPECT_TRUE(joint.axis.isApprox(Vector3d::UnitZ(), 1e-15));
-  // The frame's (0, 0, 1) is (0, -1, 2) in the body, which is (1 + 2, 1 + 0 - 1, ...) turned.
+  // The point (0, 0, 1) of the inner frame is (0, -1, 2) in the body.
   EXPECT_TRUE(joint.placement.translation().isApprox(Vector3d(0 + 1, 1, 2), 1e-14));
   ASSERT_EQ(tree.frames.size(), 1u);
   EXPECT_TRUE(tree.frames[0].placement.translation().isApprox(Vector3d(0, -1, 2), 1e-14));
 }
 
-TEST(Mjcf, MakesUpNamesThatAreFree) {
+TEST(Mjcf, NamelessBodies_GetUnusedNames) {
   const TreeSpec tree = parse("<worldbody><body>" + mass + "</body><body>" + mass +
                               "</body><body name='body'>" + mass + "</body></worldbody>");
   EXPECT_EQ(tree.links[1].name, "body_1");
@@ -238,7 +239,7 @@ TEST(Mjcf, MakesUpNamesThatAreFree) {
 
 // ---- Defaults
 
-TEST(Mjcf, InheritsDefaultsFromTheClassesAround) {
+TEST(Mjcf, Defaults_AreInheritedFromEnclosingClasses) {
   const TreeSpec tree = parse(
       "<default><joint damping='1' armature='1'/><default class='arm'><joint damping='2'/><default "
       "class='wrist'><joint axis='1 0 0'/></default></default></default><worldbody>"
@@ -254,13 +255,13 @@ TEST(Mjcf, InheritsDefaultsFromTheClassesAround) {
   EXPECT_EQ(joint_of(tree, "w").damping, 1.0);
 }
 
-TEST(Mjcf, OverlaysOnlyTheSizesThatAreStated) {
+TEST(Mjcf, PartialSize_OverridesOnlyItsNumbers) {
   const TreeSpec tree = parse("<default><geom type='box' size='0.1 0.2 0.3'/></default>" +
                               body("<geom size='0.5'/>"));
   EXPECT_NEAR(link_of(tree, "b").inertia.mass, 1000.0 * 8 * 0.5 * 0.2 * 0.3, 1e-12);
 }
 
-TEST(Mjcf, GivesAFreejointNoDefaults) {
+TEST(Mjcf, FreejointElement_HasNoDefaults) {
   const std::string defaults = "<default><joint armature='1' damping='2'/></default>";
   EXPECT_EQ(joint_of(parse(defaults + body("<freejoint name='f'/>" + mass)), "f").armature, 0.0);
   EXPECT_EQ(joint_of(parse(defaults + body("<joint type='free' name='f'/>" + mass)), "f").damping,
@@ -269,7 +270,7 @@ TEST(Mjcf, GivesAFreejointNoDefaults) {
 
 // ---- Masses
 
-TEST(Mjcf, ReadsInertials) {
+TEST(Mjcf, Inertials_AreReadInBothForms) {
   const InertiaSpec full =
       link_of(parse(body("<inertial pos='1 2 3' mass='2' fullinertia='4 5 6 0.1 0.2 0.3'/>")), "b")
           .inertia;
@@ -286,7 +287,7 @@ TEST(Mjcf, ReadsInertials) {
       diagonal.inertia_at_com.isApprox(Eigen::Matrix3d(Vector3d(2, 1, 2.5).asDiagonal()), 1e-15));
 }
 
-/// Mass and principal moments of one geom at the body's origin.
+/// Returns the inertia of a body with one geom at its origin.
 InertiaSpec of_geom(const std::string& attributes) {
   return link_of(parse(body("<geom " + attributes + "/>")), "b").inertia;
 }
@@ -299,7 +300,8 @@ void expect_solid(const std::string& attributes, double kg, const Vector3d& mome
       << moments.transpose();
 }
 
-/// Mass and moments of a surface of revolution about z, cut into rings: r(t), z(t), t in 0..1.
+/// Returns the principal moments of a surface of revolution about z, summed over rings. `curve`
+/// returns r and z for t in 0..1.
 template <class Curve>
 Vector3d turned_shell(double kg, Curve&& curve) {
   constexpr int rings = 24000;
@@ -313,19 +315,19 @@ Vector3d turned_shell(double kg, Curve&& curve) {
   return kg / area * Vector3d(across, across, along);
 }
 
-TEST(Mjcf, WeighsPrimitives) {
+TEST(Mjcf, PrimitiveGeoms_HaveTheirSolidInertia) {
   expect_solid("size='0.5'", 1000 * pi / 6, Vector3d::Constant(0.4 * 1000 * pi / 6 * 0.25));
   expect_solid("type='box' size='0.5 1 1.5' mass='12'", 12, Vector3d(13, 10, 5));
   expect_solid("type='ellipsoid' size='1 2 3' density='3'", 24 * pi,
                24 * pi / 5 * Vector3d(13, 10, 5));
   expect_solid("type='cylinder' size='1 3' mass='12'", 12, Vector3d(39, 39, 6));
-  // A capsule without length is a ball, and one without thickness a rod.
+  // A capsule without length is a sphere, and a capsule without radius is a rod.
   expect_solid("type='capsule' size='1 1e-9' mass='5'", 5, Vector3d(2, 2, 2));
   EXPECT_NEAR(of_geom("type='capsule' size='1e-6 1.5' mass='4'").inertia_at_com(0, 0), 3.0, 1e-5);
   EXPECT_NEAR(of_geom("type='capsule' size='1 0.5' density='1'").mass, pi + 4 * pi / 3, 1e-12);
 }
 
-TEST(Mjcf, WeighsShells) {
+TEST(Mjcf, ShellGeoms_HaveTheirShellInertia) {
   expect_solid("size='0.5' shellinertia='true' density='1'", pi, Vector3d::Constant(pi / 6));
   const auto mean = [](const std::string& attributes) { return of_geom(attributes).mass; };
   EXPECT_NEAR(mean("type='capsule' size='1 2' shellinertia='true' density='1'"), 12 * pi, 1e-12);
@@ -333,7 +335,7 @@ TEST(Mjcf, WeighsShells) {
   EXPECT_NEAR(mean("type='box' size='1 2 3' shellinertia='true' density='1'"), 88, 1e-12);
   expect_solid(
       "type='cylinder' size='1 2' shellinertia='true' mass='3'", 3, turned_shell(3, [](double t) {
-        // Lid, side, lid, of the lengths 1, 4, 1.
+        // The curve is a lid, the side and a lid, with lengths 1, 4 and 1.
         const double s = 6 * t;
         return s < 1 ? std::pair(s, -2.0) : s < 5 ? std::pair(1.0, s - 3) : std::pair(6 - s, 2.0);
       }));
@@ -344,14 +346,14 @@ TEST(Mjcf, WeighsShells) {
                  if (s < quarter + 4) return std::pair(1.0, s - quarter - 2);
                  return std::pair(std::cos(s - quarter - 4), 2 + std::sin(s - quarter - 4));
                }));
-  // Six faces of a cube of edge 2: about an axis four of them at 1 m, 4/3 + 1/3 ... = 10/3 m / 2.
+  // A cubic shell of edge a has moments of 5/18 m a^2.
   expect_solid("type='box' size='1 1 1' shellinertia='true' mass='3'", 3,
                Vector3d::Constant(10.0 / 3));
   expect_solid("type='ellipsoid' size='1 1 1' shellinertia='true' mass='3'", 3,
                Vector3d::Constant(2));
 }
 
-TEST(Mjcf, InfersMassesOnlyWhereToldTo) {
+TEST(Mjcf, MassesFromGeoms_FollowTheCompilerOptions) {
   const std::string geoms = body("<geom size='0.5' group='2'/>" + mass);
   const auto weight = [](const std::string& compiler, const std::string& world) {
     return link_of(parse("<compiler " + compiler + "/>" + world), "b").inertia.mass;
@@ -364,20 +366,20 @@ TEST(Mjcf, InfersMassesOnlyWhereToldTo) {
   EXPECT_EQ(weight("settotalmass='7'", geoms), 7.0);
 }
 
-TEST(Mjcf, MakesInertiasEvenThatNoSolidHas) {
+TEST(Mjcf, BalanceInertia_ReplacesAnImpossibleInertia) {
   const std::string world = body("<inertial pos='0 0 0' mass='1' diaginertia='1 1 4'/>");
   EXPECT_EQ(link_of(parse(world), "b").inertia.inertia_at_com(2, 2), 4.0);
   EXPECT_TRUE(link_of(parse("<compiler balanceinertia='true'/>" + world), "b")
                   .inertia.inertia_at_com.isApprox(2.0 * Eigen::Matrix3d::Identity(), 1e-14));
 }
 
-/// A cube of edge 2 about the point (1, 0, 0), cut into triangles that look outwards.
+/// Returns a cube of edge 2 about the point (1, 0, 0), as triangles with outward normals.
 std::string cube_obj() {
   return "v 0 -1 -1\nv 2 -1 -1\nv 2 1 -1\nv 0 1 -1\nv 0 -1 1\nv 2 -1 1\nv 2 1 1\nv 0 1 1\n"
          "f 4 3 2 1\nf 5/1 6/2 7/3 8\nf 1//1 2//1 6//1 5//1\nf 2 3 7 6\nf -6 -5 -1 -2\nf 4 1 5 8\n";
 }
 
-TEST(Mjcf, WeighsMeshes) {
+TEST(Mjcf, MeshGeoms_HaveTheInertiaOfTheirMesh) {
   const Scratch scratch;
   scratch.write("meshes/cube.obj", cube_obj());
   const auto read = [&](const std::string& mesh, const std::string& geom = "") {
@@ -395,7 +397,7 @@ TEST(Mjcf, WeighsMeshes) {
   }
   const InertiaSpec shell = link_of(read("inertia='shell'", "mass='3'"), "b").inertia;
   EXPECT_TRUE(shell.inertia_at_com.isApprox(10.0 / 3 * Eigen::Matrix3d::Identity(), 1e-13));
-  // Scaled after it was put at its reference; a mirror turns its triangles.
+  // The reference pose comes before the scale. A mirrored mesh reverses its triangles.
   const InertiaSpec scaled =
       link_of(read("scale='-1 2 1' refpos='1 0 5' inertia='exact'"), "b").inertia;
   EXPECT_NEAR(scaled.mass, 16000.0, 1e-9);
@@ -407,7 +409,7 @@ TEST(Mjcf, WeighsMeshes) {
   EXPECT_TRUE(visual.placement.translation().isApprox(Vector3d(-2, 0, -10), 1e-14));
 }
 
-TEST(Mjcf, ReadsMeshesOfEveryFormat) {
+TEST(Mjcf, MeshesInStlAndMsh_AreRead) {
   const Scratch scratch;
   std::string ascii = "solid a tetrahedron\n", facets, msh;
   const std::vector<Vector3d> v = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -451,10 +453,10 @@ TEST(Mjcf, ReadsMeshesOfEveryFormat) {
   const TreeSpec cut =
       read_mjcf(scratch.write("m.xml", "<mujoco><asset><mesh file='a.stl'/></asset>" +
                                            body("<geom type='mesh' mesh='a'/>") + "</mujoco>"));
-  expect_words(warning_of(cut, "cut off"), {"a.stl"});
+  expect_words(warning_of(cut, "ends too early"), {"a.stl"});
 }
 
-TEST(Mjcf, SaysOnceWhichMeshesAreAbsent) {
+TEST(Mjcf, AbsentMeshes_AreNamedInOneWarning) {
   const TreeSpec tree = parse(
       "<asset><mesh file='a.stl'/></asset><worldbody><body name='b'>" + mass +
       "<geom type='mesh' mesh='a'/></body><body><joint/><geom type='mesh' mesh='a'/><body><geom "
@@ -467,9 +469,9 @@ TEST(Mjcf, SaysOnceWhichMeshesAreAbsent) {
                {"'arn'", "did you mean 'arm'"});
 }
 
-// ---- What is drawn
+// ---- Visuals
 
-TEST(Mjcf, DrawsWhatIsMeantToBeSeen) {
+TEST(Mjcf, VisualGeoms_AreDrawnElseCollisionGeoms) {
   const std::string geoms =
       "<geom type='capsule' size='0.1 0.2' rgba='1 0 0 1'/><geom type='box' size='1 2 3' "
       "material='m'/>"
@@ -477,16 +479,16 @@ TEST(Mjcf, DrawsWhatIsMeantToBeSeen) {
   const TreeSpec tree =
       parse("<asset><material name='m' rgba='0 1 0 1'/></asset>" + body(geoms + mass));
   const std::vector<VisualSpec>& visuals = link_of(tree, "b").visuals;
-  ASSERT_EQ(visuals.size(), 4u);  // a capsule is three solids
+  ASSERT_EQ(visuals.size(), 4u);  // a capsule is drawn as three solids
   EXPECT_EQ(std::get<CylinderShape>(visuals[0].shape).length, 0.4);
   EXPECT_EQ(visuals[2].placement.translation(), Vector3d(0, 0, 0.2));
   EXPECT_EQ(std::get<BoxShape>(visuals[3].shape).size, Vector3d(2, 4, 6));
   EXPECT_EQ(visuals[3].rgba, Eigen::Vector4d(0, 1, 0, 1));
-  // What collides is drawn where there is nothing else.
+  // Collision geoms are drawn if there are no others.
   EXPECT_EQ(link_of(parse(body("<geom size='1' group='3'/>" + mass)), "b").visuals.size(), 1u);
 }
 
-TEST(Mjcf, HasSitesAsFrames) {
+TEST(Mjcf, Sites_BecomeFrames) {
   const TreeSpec tree =
       parse(body("<site name='tip' pos='1 2 3' euler='0 0 90'/><site/><site name='b'/>" + mass));
   ASSERT_EQ(tree.frames.size(), 2u);
@@ -509,7 +511,7 @@ double effort(const std::string& actuators, const std::string& joint = "x",
       .effort_limit;
 }
 
-TEST(Mjcf, LimitsEffortsToWhatActuatorsGive) {
+TEST(Mjcf, Actuators_SetEffortLimits) {
   EXPECT_EQ(effort(""), infinity);
   EXPECT_EQ(effort("<motor joint='x' gear='50' ctrlrange='-1 1'/>"), 50.0);
   EXPECT_EQ(effort("<motor joint='x' gear='50' ctrlrange='-1 1'/>", "y"), 0.0);
@@ -531,7 +533,7 @@ TEST(Mjcf, LimitsEffortsToWhatActuatorsGive) {
   expect_words(refusal([] { effort("<motor joint='z'/>"); }), {"line 1", "motor", "'z'"});
 }
 
-TEST(Mjcf, SharesDefaultsAmongActuators) {
+TEST(Mjcf, ActuatorDefaults_ApplyToEveryKind) {
   const TreeSpec tree = parse(
       "<default><general forcerange='-3 3'/><default class='big'><motor "
       "gear='10'/></default></default>" +
@@ -542,7 +544,7 @@ TEST(Mjcf, SharesDefaultsAmongActuators) {
 
 // ---- Equalities and tendons
 
-TEST(Mjcf, LetsJointsFollowOthers) {
+TEST(Mjcf, LinearJointEquality_MakesAFollower) {
   const TreeSpec tree =
       parse("<compiler angle='radian'/>" + two_hinges("ref='0.5'", "ref='0.25'") +
             "<equality><joint joint1='y' joint2='x' polycoef='0.1 2 0 0 0'/></equality>");
@@ -552,7 +554,7 @@ TEST(Mjcf, LetsJointsFollowOthers) {
   EXPECT_EQ(mimic->multiplier, 2.0);
   EXPECT_DOUBLE_EQ(mimic->offset, 0.1 + 0.25 - 2 * 0.5);
   EXPECT_EQ(build_model(tree).nv, 1);
-  // A joint that follows already leads the other.
+  // The first equality makes y a follower; the second one makes z a follower of y.
   const std::string three = "<worldbody><body name='a'><joint name='x'/>" + mass +
                             "</body><body><joint name='y'/>" + mass +
                             "</body><body><joint name='z'/>" + mass + "</body></worldbody>";
@@ -567,13 +569,13 @@ TEST(Mjcf, LetsJointsFollowOthers) {
                                "<equality><joint joint1='y' joint2='x'/><joint joint1='x' "
                                "joint2='y'/></equality>");
   expect_words(warning_of(twice, "coupled already"), {"line 1"});
-  const TreeSpec bent = parse(
+  const TreeSpec quadratic = parse(
       two_hinges() + "<equality><joint joint1='y' joint2='x' polycoef='0 1 1 0 0'/></equality>");
-  EXPECT_FALSE(joint_of(bent, "y").mimic.has_value());
-  EXPECT_NE(warning_of(bent, "not linear"), "");
+  EXPECT_FALSE(joint_of(quadratic, "y").mimic.has_value());
+  EXPECT_NE(warning_of(quadratic, "nonlinear"), "");
 }
 
-TEST(Mjcf, HoldsAJointThatAnEqualityHoldsAlone) {
+TEST(Mjcf, EqualityOfOneJoint_LocksTheJoint) {
   const TreeSpec tree = parse("<compiler angle='radian'/>" + two_hinges("", "ref='0.5'") +
                               "<equality><joint joint1='y' polycoef='0.25 0 0 0 0'/></equality>"
                               "<keyframe><key name='k' qpos='1 0.75'/></keyframe>");
@@ -581,10 +583,10 @@ TEST(Mjcf, HoldsAJointThatAnEqualityHoldsAlone) {
   EXPECT_TRUE(
       joint_of(tree, "y").placement.linear().isApprox(turn(0.25, Vector3d::UnitZ()), 1e-15));
   EXPECT_EQ(tree.postures.at("k").size(), 1u);
-  EXPECT_NE(note_of(tree, "fixed there"), "");
+  EXPECT_NE(note_of(tree, "fixed at that value"), "");
 }
 
-TEST(Mjcf, HoldsWhatHangsOnAHeldJoint) {
+TEST(Mjcf, LockedJoint_LocksFollowersAndShortensTendons) {
   const TreeSpec tree = parse(
       "<compiler angle='radian'/><worldbody><body name='a'><joint name='x'/>" + mass +
       "</body><body><joint name='y'/>" + mass + "</body><body><joint name='z'/>" + mass +
@@ -593,7 +595,7 @@ TEST(Mjcf, HoldsWhatHangsOnAHeldJoint) {
       "coef='4'/></fixed></tendon><equality><joint joint1='y' joint2='x' polycoef='0.5 2 0 0 "
       "0'/><tendon "
       "tendon1='u' polycoef='1'/></equality>");
-  // The length 4 x is held at 1: x at 0.25, y at 1, and of 3 of the other tendon 2.5 are left.
+  // Tendon u locks x at 0.25, which locks y at 1. Tendon t loses x; its rest becomes 2.5.
   EXPECT_EQ(joint_of(tree, "x").type, JointType::Fixed);
   EXPECT_EQ(joint_of(tree, "y").type, JointType::Fixed);
   EXPECT_TRUE(joint_of(tree, "y").placement.linear().isApprox(turn(1.0, Vector3d::UnitZ()), 1e-14));
@@ -604,7 +606,7 @@ TEST(Mjcf, HoldsWhatHangsOnAHeldJoint) {
   EXPECT_EQ(build_model(tree).nv, 1);
 }
 
-TEST(Mjcf, ClosesLoops) {
+TEST(Mjcf, ConnectAndWeld_BecomeLoops) {
   const std::string world =
       "<worldbody><body name='a' pos='1 0 0' euler='0 0 90'><joint name='x'/>" + mass +
       "<site name='s' pos='0 0 1'/><body name='c' pos='0 0 2'><joint name='z'/>" + mass +
@@ -635,7 +637,7 @@ TEST(Mjcf, ClosesLoops) {
   EXPECT_TRUE(weld.first.translation().isApprox(Vector3d(1, 1, 1), 1e-15));
   EXPECT_EQ(weld.second.translation(), Vector3d(0, 0, 1));
   const LoopSpec posed = loop("<weld body1='a' body2='b' relpose='1 2 3 2 0 0 0' anchor='0 0 1'/>");
-  EXPECT_EQ(posed.first.translation(), Vector3d(1, 2, 3));  // where the anchor is
+  EXPECT_EQ(posed.first.translation(), Vector3d(1, 2, 3));  // pose of the anchor
   EXPECT_TRUE(posed.first.linear().isIdentity(0.0));
   const TreeSpec idle = parse(world + "<weld body1='a' active='false'/></equality>");
   EXPECT_TRUE(idle.loops.empty());
@@ -645,7 +647,7 @@ TEST(Mjcf, ClosesLoops) {
   expect_words(refused(world + "<connect body1='a' body2='b'/></equality>"), {"anchor"});
 }
 
-TEST(Mjcf, HasFixedTendons) {
+TEST(Mjcf, FixedTendons_AreReadAndSpatialOnesReported) {
   const std::string parts =
       "<joint joint='x' coef='2'/><joint joint='y' coef='-3'/></fixed></tendon>";
   const auto tendon = [&](const std::string& attributes, const std::string& more = "") {
@@ -661,11 +663,11 @@ TEST(Mjcf, HasFixedTendons) {
   EXPECT_EQ(plain.stiffness, 4.0);
   EXPECT_EQ(plain.damping, 5.0);
   EXPECT_FALSE(plain.held);
-  EXPECT_DOUBLE_EQ(plain.rest, -0.75);  // at the rest of the joints' springs
+  EXPECT_DOUBLE_EQ(plain.rest, -0.75);  // length at the rest of the joints' springs
   EXPECT_EQ(tendon("stiffness='4' springlength='0.1'").rest, 0.1);
   const TendonSpec held = tendon("", "<equality><tendon tendon1='t' polycoef='0.125'/></equality>");
   EXPECT_TRUE(held.held);
-  EXPECT_DOUBLE_EQ(held.rest, 2 * 0.5 + 0.125);  // beside the length at the reference
+  EXPECT_DOUBLE_EQ(held.rest, 2 * 0.5 + 0.125);  // polycoef adds to the length at the reference
   const TreeSpec three = parse(
       two_hinges() + "<worldbody><body><joint name='z'/>" + mass +
       "</body></worldbody><tendon><fixed name='t'><joint joint='x' coef='1'/><joint joint='z' "
@@ -687,7 +689,7 @@ TEST(Mjcf, HasFixedTendons) {
 
 // ---- Keyframes
 
-TEST(Mjcf, HasKeyframesAsPostures) {
+TEST(Mjcf, Keyframes_BecomePostures) {
   const std::string world = "<worldbody><body name='base'><freejoint/>" + mass +
                             "<body name='leg'><joint name='hip' "
                             "type='ball'/>" +
@@ -705,16 +707,16 @@ TEST(Mjcf, HasKeyframesAsPostures) {
   expect_words(warning_of(tree, "qpos"), {"line 1", "2 numbers", "13", "left out"});
 }
 
-// ---- The file around
+// ---- Gravity, includes, errors and notes
 
-TEST(Mjcf, TakesItsGravity) {
+TEST(Mjcf, GravityOption_IsRead) {
   EXPECT_FALSE(parse(two_hinges()).gravity.has_value());
   EXPECT_EQ(parse("<option gravity='0 0 -1.6'/>" + two_hinges()).gravity, Vector3d(0, 0, -1.6));
   EXPECT_EQ(parse("<option><flag gravity='disable'/></option>" + two_hinges()).gravity,
             Vector3d(0, 0, 0));
 }
 
-TEST(Mjcf, IncludesFiles) {
+TEST(Mjcf, IncludedFiles_AreReadAndTheirErrorsNamed) {
   const Scratch scratch;
   scratch.write("parts/joints.xml", "<mujocoinclude><joint name='j'/></mujocoinclude>");
   scratch.write("defaults.xml", "<mujoco><default><joint damping='3'/></default></mujoco>");
@@ -731,19 +733,19 @@ TEST(Mjcf, IncludesFiles) {
   expect_words(read("<include file='defaults.xml'/>" + body("<joint/>" + mass)),
                {"defaults.xml", "line 2", "damping"});
   expect_words(refused("<include file='defaults.xml'/>" + body(mass)),
-               {"'defaults.xml'", "by itself"});
+               {"'defaults.xml'", "cannot include files"});
 }
 
-TEST(Mjcf, ListsAllProblemsWithTheirLines) {
+TEST(Mjcf, SeveralProblems_AreListedWithTheirLines) {
   const std::string sentence = refused(
       "\n<worldbody><body name='b' quat='0 0 0 0'>\n<joint name='j' type='hing'/>\n<inertial "
       "mass='a' "
       "pos='0 0 0'/></body></worldbody>");
-  expect_words(sentence, {"3 problems", "line 2: body 'b'", "no rotation", "line 3: joint 'j'",
+  expect_words(sentence, {"3 problems", "line 2: body 'b'", "not a rotation", "line 3: joint 'j'",
                           "did you mean 'hinge'", "line 4", "mass = 'a'"});
 }
 
-TEST(Mjcf, RefusesWhatCannotBeMeant) {
+TEST(Mjcf, BadModel_IsRefusedWithItsReason) {
   expect_words(refused("<compiler coordinate='global'/>" + body(mass)), {"line 1", "global"});
   expect_words(refused("<compiler eulerseq='xyw'/>" + body(mass)), {"'xyw'"});
   expect_words(refused("<compiler angle='grad'/>" + body(mass)), {"'grad'", "degree"});
@@ -764,7 +766,7 @@ TEST(Mjcf, RefusesWhatCannotBeMeant) {
   expect_words(refusal([] { parse_mjcf("", "r.xml"); }), {"r.xml", "empty", "MJCF"});
 }
 
-TEST(Mjcf, SaysWhatItPassesOverInOneSentence) {
+TEST(Mjcf, IgnoredElements_AreOneNote) {
   const TreeSpec tree =
       parse("<worldbody><light/><light/><camera/><body name='b'>" + mass +
             "</body></worldbody><sensor><gyro/></sensor><asset><texture/></asset>");
@@ -773,7 +775,7 @@ TEST(Mjcf, SaysWhatItPassesOverInOneSentence) {
   expect_words(tree.notes[0], {"m.xml", "2 <light>", "1 <camera>", "1 <gyro>", "1 <texture>"});
 }
 
-TEST(Mjcf, IsStrictAboutWhatChangesDynamicsAlone) {
+TEST(Mjcf, StrictReading_RejectsOnlyWarningsAboutDynamics) {
   ModelOptions strict;
   strict.strict = true;
   const std::string hinge = "<joint name='j' range='0 1'/>" + mass;
@@ -786,10 +788,10 @@ TEST(Mjcf, IsStrictAboutWhatChangesDynamicsAlone) {
   EXPECT_EQ(model.notes.size(), 4u);
   EXPECT_NE(note_of(plain, "gains of servos"), "");
   EXPECT_NE(note_of(plain, "'_site'"), "");
-  for (const char* odd :
+  for (const char* unsupported :
        {"<plugin plugin='mujoco.elasticity.cable'/>", "<gerom/>", "<flexcomp/>"}) {
-    const TreeSpec tree = parse(body(hinge + odd));
-    ASSERT_EQ(tree.warnings.size(), 1u) << odd;
+    const TreeSpec tree = parse(body(hinge + unsupported));
+    ASSERT_EQ(tree.warnings.size(), 1u) << unsupported;
     expect_words(refusal([&] { build_model(tree, strict); }), {"strict", "line 1"});
   }
   expect_words(refused(body(hinge + "<composite type='cable'/>") +
@@ -797,7 +799,7 @@ TEST(Mjcf, IsStrictAboutWhatChangesDynamicsAlone) {
                {"body 'B_last' does not exist", "<composite>"});
   const TreeSpec soft = parse(body(hinge) + "<deformable><flex name='f'/><skin/></deformable>");
   expect_words(warning_of(soft, "soft"), {"flex 'f'"});
-  expect_words(note_of(soft, "passed over"), {"1 <skin>"});
+  expect_words(note_of(soft, "ignored elements"), {"1 <skin>"});
 }
 
 }  // namespace

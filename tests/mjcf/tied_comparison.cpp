@@ -16,11 +16,11 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// ---- What the tree carries of MuJoCo's equalities
+// ---- Equalities of MuJoCo that the tree contains
 
 bool is_linear(const mjtNum* data) { return data[2] == 0.0 && data[3] == 0.0 && data[4] == 0.0; }
 
-/// Joints of a fixed tendon that count.
+/// Returns the number of joints of a fixed tendon with a coefficient other than zero.
 int parts_of(const mjModel& model, int tendon) {
   int parts = 0;
   for (int w = 0; w < model.tendon_num[tendon]; ++w)
@@ -47,10 +47,10 @@ int rows_of(const mjModel& model, int equality) {
 
 // ---- dJ/dt qvel of the equalities
 
-/// A point of a body.
+/// A point of a body, in world axes.
 struct Point {
   int body;
-  Vector3d at;  ///< in the world
+  Vector3d at;  ///< position [m]
 };
 
 Point point_of(const mjData& data, int body, const mjtNum* in_body) {
@@ -59,7 +59,7 @@ Point point_of(const mjData& data, int body, const mjtNum* in_body) {
                     axes * Eigen::Map<const Vector3d>(in_body)};
 }
 
-/// World axes, linear rows first: 6 x nv.
+/// Returns the Jacobian of a point in world axes, 6 x nv, with the linear rows first.
 MatrixXd jacobian(const mjModel& model, mjData& data, const Point& point) {
   RowMajor linear(3, model.nv), angular(3, model.nv);
   mj_jac(&model, &data, linear.data(), angular.data(), point.at.data(), point.body);
@@ -68,8 +68,8 @@ MatrixXd jacobian(const mjModel& model, mjData& data, const Point& point) {
   return both;
 }
 
-/// Acceleration of the point and of its body's axes at qacc = 0, world axes; the gravity that
-/// MuJoCo counts in is the same for every point. mj_rnePostConstraint comes before.
+/// Returns the acceleration of a point and of its body's axes at qacc = 0, in world axes. It
+/// includes MuJoCo's gravity, which cancels between two points. Needs mj_rnePostConstraint.
 Eigen::Matrix<double, 6, 1> drift(const mjModel& model, mjData& data, const Point& point) {
   double twist[6], rate[6];
   mj_objectVelocity(&model, &data, mjOBJ_XBODY, point.body, twist, 0);
@@ -81,8 +81,8 @@ Eigen::Matrix<double, 6, 1> drift(const mjModel& model, mjData& data, const Poin
   return result;
 }
 
-/// dJ/dt qvel of a connect or a weld whose velocity is zero. MuJoCo's rows are S times the relative
-/// motion of two points, whatever axes and scale it writes a weld's rotation in.
+/// Returns dJ/dt qvel of a connect or weld at zero constraint velocity. MuJoCo's rows are S times
+/// the relative motion of two points, so that axes and scale of a weld's rotation do not matter.
 VectorXd loop_drift(const mjModel& model, mjData& data, int equality, const MatrixXd& J) {
   const bool is_weld = model.eq_type[equality] == mjEQ_WELD;
   const mjtNum* stated = model.eq_data + mjNEQDATA * equality;
@@ -95,7 +95,7 @@ VectorXd loop_drift(const mjModel& model, mjData& data, int equality, const Matr
   const MatrixXd S =
       relative.transpose().completeOrthogonalDecomposition().solve(J.transpose()).transpose();
   if ((S * relative - J).norm() > 1e-9 * (1.0 + J.norm()))
-    throw Error("MuJoCo ties other points by equality " + std::to_string(equality));
+    throw Error("MuJoCo's rows use other points in equality " + std::to_string(equality));
   return S * (drift(model, data, first) - drift(model, data, second)).head(J.rows());
 }
 
@@ -104,7 +104,7 @@ struct Rows {
   VectorXd drift;
 };
 
-/// Those of all equalities at the state in `data`. Couplings are linear: theirs do not change.
+/// Returns the rows of all equalities at the state in `data`. Couplings are linear: no drift.
 Rows equality_rows(const mjModel& model, mjData& data) {
   mju_zero(data.qacc, model.nv);
   mj_rnePostConstraint(&model, &data);
@@ -117,12 +117,12 @@ Rows equality_rows(const mjModel& model, mjData& data) {
     if (n > 1) rows.drift.segment(row, n) = loop_drift(model, data, e, J.middleRows(row, n));
     row += n;
   }
-  if (row != data.nefc) throw Error("MuJoCo holds more than equalities");
+  if (row != data.nefc) throw Error("MuJoCo has constraints other than equalities");
   return rows;
 }
 
-/// The least change of acceleration, by Gauss's principle: with M = L L^T and y = L^T (a - free),
-/// the shortest y for which J a = -drift. Rows that others imply change nothing.
+/// Returns the acceleration by Gauss's principle. With M = L L^T and y = L^T (a - free), it has the
+/// shortest y for which J a = -drift. Redundant rows change nothing.
 VectorXd constrained(const MatrixXd& M, const VectorXd& force, const Rows& rows) {
   const Eigen::LLT<MatrixXd> factor(M);
   const VectorXd free = factor.solve(force);
@@ -135,8 +135,8 @@ VectorXd constrained(const MatrixXd& M, const VectorXd& force, const Rows& rows)
   return free + factor.matrixU().solve(y);
 }
 
-/// Of the state in `data`, with the armature of floating bodies as in burnish: it meets the rate of
-/// v, along axes that turn.
+/// Returns MuJoCo's acceleration of the state in `data`. As in burnish, the armature of floating
+/// bodies multiplies the rate of v, along rotating axes.
 VectorXd their_acceleration(const mjModel& model, mjData& data, const VectorXd& tau,
                             const VectorXd& axes_turn) {
   mj_fwdPosition(&model, &data);
@@ -151,7 +151,7 @@ VectorXd their_acceleration(const mjModel& model, mjData& data, const VectorXd& 
   return constrained(M, force, equality_rows(model, data));
 }
 
-/// States of the tree on its loops, and what burnish says there.
+/// The burnish model: states on the loops, and their accelerations.
 class OurSide {
  public:
   explicit OurSide(const TreeSpec& tree)
@@ -161,7 +161,7 @@ class OurSide {
 
   const Model& model() const { return model_; }
 
-  /// A posture on the loops where their rows are independent, if there is one near a random one.
+  /// Returns a posture on the loops with independent rows, if one is near a random posture.
   std::optional<VectorXd> posture(std::mt19937_64& generator) {
     VectorXd q = random_configuration(model_, generator);
     if (model_.loops.empty()) return q;
@@ -193,7 +193,7 @@ class OurSide {
     options.gravity = tree.gravity.value_or(options.gravity);
     return build_model(tree, options);
   }
-  /// Coulomb friction is a constraint in MuJoCo.
+  /// MuJoCo treats Coulomb friction as a constraint, not as a passive torque.
   static Model without_friction(Model model) {
     model.friction.setZero();
     return model;
@@ -218,7 +218,7 @@ TiedAgreement compare_tied(const TreeSpec& tree, mjModel& theirs, int states) {
   }
   if (worst.rows == 0) return worst;
   OurSide ours(tree);
-  if (ours.model().nv > 300) states = std::min(states, 2);  // as soft bodies are
+  if (ours.model().nv > 300) states = std::min(states, 2);  // large models, as of soft bodies
   const mujoco::DataPointer data(mj_makeData(&theirs));
   const JointMap map(tree, ours.model(), theirs);
   std::mt19937_64 generator(4);

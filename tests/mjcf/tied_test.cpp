@@ -1,4 +1,4 @@
-// Forward dynamics under equalities beside MuJoCo's own terms: loops, followers, held joints.
+// Tests of forward dynamics under equalities against MuJoCo: loops, followers, locked joints.
 #include <gtest/gtest.h>
 
 #include "burnish/mjcf/mjcf.hpp"
@@ -11,15 +11,15 @@ namespace {
 
 struct Mechanism {
   std::string name;
-  std::string model;  ///< what stands in <mujoco>
-  int rows;           ///< of MuJoCo's equalities
-  int loops, nv;      ///< of the tree
+  std::string model;  ///< content of <mujoco>
+  int rows;           ///< rows of MuJoCo's equalities
+  int loops, nv;      ///< loops and velocities of the tree
 };
 void PrintTo(const Mechanism& mechanism, std::ostream* out) { *out << mechanism.name; }
 
-class MjcfTied : public ::testing::TestWithParam<Mechanism> {};
+class MjcfEqualities : public ::testing::TestWithParam<Mechanism> {};
 
-TEST_P(MjcfTied, AcceleratesAsMujocosTermsSay) {
+TEST_P(MjcfEqualities, Accelerations_EqualMujocos) {
   const Mechanism& mechanism = GetParam();
   const std::string text = "<mujoco>" + mechanism.model + "</mujoco>";
   const TreeSpec tree = parse_mjcf(text);
@@ -41,7 +41,7 @@ std::string bar(const std::string& name, const std::string& pos, const std::stri
 }
 const std::string hinge = "' axis='0 1 0' damping='0.3' armature='0.01'/>";
 
-/// Crank, coupler and rocker in the plane of x and z; what hangs on the rocker closes the chain.
+/// Returns a crank, a coupler and a rocker in the x-z plane; `last` is added to the rocker.
 std::string bars(const std::string& last, const std::string& equality) {
   return "<worldbody>" +
          bar("crank", "0 0 0",
@@ -52,7 +52,7 @@ std::string bars(const std::string& last, const std::string& equality) {
 }
 const std::string ball = "<joint type='ball' armature='0.02'/>";
 
-/// A foot on two hinges that two motors drive by rods.
+/// A foot on two hinges, driven by two motors with rods.
 const std::string ankle =
     "<worldbody>" +
     bar("foot", "0 0 0",
@@ -65,8 +65,7 @@ const std::string ankle =
     "</worldbody><equality><connect body1='left_rod' body2='foot' anchor='0 0 -0.2'/><connect "
     "body1='right_rod' body2='foot' anchor='0 0 -0.2'/></equality>";
 
-/// On a floating hand: one finger follows the other, a third part follows that by a tendon, and a
-/// joint is held.
+/// A floating hand: one finger follows the other, a tip follows by a tendon, and a cover is locked.
 const std::string gripper =
     "<worldbody>" +
     bar("hand", "0 0 1",
@@ -81,7 +80,7 @@ const std::string gripper =
     "0.8 0 0 0'/><tendon tendon1='t' polycoef='0.2 0 0 0 0'/><joint joint1='cover' polycoef='0.3 0 "
     "0 0 0'/></equality>";
 
-/// An arm whose end is welded to a floating box.
+/// An arm with its end welded to a floating box.
 const std::string welded =
     "<option gravity='1 -2 -7'/><worldbody>" +
     bar("upper", "0 0 1",
@@ -92,9 +91,9 @@ const std::string welded =
     "anchor='0.05 0 0'/></equality>";
 
 INSTANTIATE_TEST_SUITE_P(
-    Mechanisms, MjcfTied,
+    Mechanisms, MjcfEqualities,
     ::testing::Values(
-        // In a plane one row of the three says nothing.
+        // In a plane, one of the three rows is redundant.
         Mechanism{"four_bar",
                   bars("", "<connect body1='coupler' body2='rocker' anchor='0.3 0 0.05'/>"), 3, 1,
                   3},

@@ -1,4 +1,4 @@
-// What is no tree of physical bodies is refused, by name.
+// Descriptions that are not a tree of physical bodies are refused by name.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -73,7 +73,7 @@ const std::vector<BadTree>& bad_trees() {
       {"Armature", [](Tree& t) { t.joints[0].armature = -3; }, {"'b'", "armature", "-3"}},
       {"InertiaHuge",
        [](Tree& t) { t.links[4].inertia.mass = t.links[4].inertia.com[0] = 1e160; },
-       {"joint 'd'", "too large"}},
+       {"joint 'd'", "overflows"}},
       {"VisualSize",
        [](Tree& t) {
          t.links[1].visuals = {{SphereShape{-1}, Eigen::Isometry3d::Identity(), {}}};
@@ -90,9 +90,9 @@ const std::vector<BadTree>& bad_trees() {
   return trees;
 }
 
-class BadTrees : public ::testing::TestWithParam<BadTree> {};
+class InvalidTree : public ::testing::TestWithParam<BadTree> {};
 
-TEST_P(BadTrees, AreRefusedByName) {
+TEST_P(InvalidTree, AnyDefect_IsRefusedByName) {
   TreeSpec tree = branching_tree();
   ASSERT_NO_THROW(build_model(tree));
   GetParam().spoil(tree);
@@ -101,10 +101,10 @@ TEST_P(BadTrees, AreRefusedByName) {
   expect_words(refusal([&] { build_model(tree); }), words);
 }
 
-INSTANTIATE_TEST_SUITE_P(Build, BadTrees, ::testing::ValuesIn(bad_trees()),
+INSTANTIATE_TEST_SUITE_P(Build, InvalidTree, ::testing::ValuesIn(bad_trees()),
                          [](const auto& test) { return test.param.name; });
 
-TEST(Build, ListsAllProblemsOfATree) {
+TEST(ModelBuild, SeveralProblems_AreAllListed) {
   TreeSpec tree = branching_tree();
   tree.links[1].inertia.mass = -1.2;
   tree.joints[0].axis.setZero();
@@ -117,19 +117,19 @@ TEST(Build, ListsAllProblemsOfATree) {
                 "(2) link 'a': mass -1.2", "(3) joint 'b': its axis", "(4) joint 'b': damping"});
 }
 
-TEST(Build, WarnsOfPositionLimitsOfABall) {
+TEST(ModelBuild, PositionLimitOfABall_IsIgnoredWithAWarning) {
   TreeSpec tree = branching_tree();
   tree.joints[0].type = JointType::Ball;
-  tree.joints[0].axis.setZero();  // none is asked for
+  tree.joints[0].axis.setZero();  // a ball joint needs no axis
   EXPECT_TRUE(build_model(tree).warnings.empty());
   tree.joints[0].upper = 1.0;
   const Model model = build_model(tree);
   ASSERT_EQ(model.warnings.size(), 1u);
-  expect_words(model.warnings[0], {"joint 'b'", "ball", "passed over"});
+  expect_words(model.warnings[0], {"joint 'b'", "ball", "ignored"});
   EXPECT_TRUE(std::isinf(model.q_upper[model.joints[0].q_index]));
 }
 
-TEST(Build, RefusesBadOptions) {
+TEST(ModelBuild, InvalidOptions_AreRefused) {
   ModelOptions options;
   options.gravity[2] = nan;
   expect_words(refusal([&] { build_model(branching_tree(), options); }), {"gravity"});
@@ -140,7 +140,7 @@ TEST(Build, RefusesBadOptions) {
   options.base = Base::FreeFlyer;
   TreeSpec tree = branching_tree();
   tree.joints[0].name = "root_joint";
-  expect_words(refusal([&] { build_model(tree, options); }), {"root_joint", "rename"});
+  expect_words(refusal([&] { build_model(tree, options); }), {"root_joint", "another name"});
   EXPECT_NO_THROW(build_model(tree));
 }
 

@@ -1,3 +1,4 @@
+// Tests of build_model(): order of joints, placements, lumped bodies, tables, names and frames.
 #include <gtest/gtest.h>
 
 #include "burnish/model/model.hpp"
@@ -30,7 +31,7 @@ TreeSpec chain(int links, JointType type) {
   return tree;
 }
 
-TEST(Build, OrdersJointsDepthFirstChildrenByName) {
+TEST(ModelBuild, Joints_AreOrderedDepthFirstAndByName) {
   const Model model = build_model(branching_tree());
   EXPECT_EQ(names(model.joints), (std::vector<std::string>{"c", "d", "b", "e"}));
   EXPECT_EQ(model.joints[0].parent, -1);
@@ -41,14 +42,14 @@ TEST(Build, OrdersJointsDepthFirstChildrenByName) {
   EXPECT_EQ(model.joints[3].v_index, 3);
 }
 
-TEST(Build, OrderDoesNotHangOnTheOrderOfTheFile) {
+TEST(ModelBuild, OrderOfTheFile_DoesNotChangeTheOrderOfJoints) {
   TreeSpec turned = branching_tree();
   std::reverse(turned.joints.begin(), turned.joints.end());
   std::reverse(turned.links.begin(), turned.links.end());
   EXPECT_EQ(names(build_model(turned).joints), names(build_model(branching_tree()).joints));
 }
 
-TEST(Build, LinksMoveAsTheDescriptionSays) {
+TEST(ModelBuild, RandomTree_PlacesLinksAsDescribed) {
   std::mt19937_64 generator(1);
   for (int round = 0; round < 20; ++round) {
     const TreeSpec tree = random_tree(generator, 18);
@@ -68,7 +69,7 @@ TEST(Build, LinksMoveAsTheDescriptionSays) {
   }
 }
 
-TEST(Build, RotationFromZIsExactForAxesOfTheFrame) {
+TEST(ModelBuild, RotationFromZ_IsExactForAxesOfTheFrame) {
   EXPECT_EQ(rotation_from_z(Eigen::Vector3d::UnitZ()), Eigen::Matrix3d::Identity());
   std::mt19937_64 generator(2);
   std::vector<Eigen::Vector3d> axes;
@@ -87,7 +88,7 @@ TEST(Build, RotationFromZIsExactForAxesOfTheFrame) {
   }
 }
 
-TEST(Build, NormalisesAxes) {
+TEST(ModelBuild, AxisOfAnyLength_IsNormalized) {
   TreeSpec tree = branching_tree();
   tree.joints[0].axis = Eigen::Vector3d(0.0, 3.0, 0.0);
   const Model model = build_model(tree);
@@ -110,7 +111,7 @@ struct Composite {
   }
 };
 
-TEST(Build, LumpsFixedLinksWithoutLosingMassOrInertia) {
+TEST(ModelBuild, FixedLinks_AreLumpedWithAllMassAndInertia) {
   std::mt19937_64 generator(3);
   for (int round = 0; round < 10; ++round) {
     const TreeSpec tree = random_tree(generator, 18);
@@ -136,7 +137,7 @@ TEST(Build, LumpsFixedLinksWithoutLosingMassOrInertia) {
   }
 }
 
-TEST(Build, LumpsByHand) {
+TEST(ModelBuild, LumpedPointMasses_EqualAHandCalculation) {
   // A point of 1 kg on the axis and one of 3 kg fixed 4 m from it along x.
   TreeSpec tree;
   tree.links = {link("base"), link("near"), link("far")};
@@ -154,7 +155,7 @@ TEST(Build, LumpsByHand) {
   EXPECT_EQ(model.joints[0].inertia_at_com, model.joints[0].inertia_at_com.transpose());
 }
 
-TEST(Build, FixedBaseCarriesTheRootInTheWorld) {
+TEST(ModelBuild, FixedBase_CarriesTheRootInTheWorld) {
   ModelOptions options;
   options.base_placement.translation() = Eigen::Vector3d(1.0, 2.0, 3.0);
   const Model model = build_model(branching_tree(), options);
@@ -167,7 +168,7 @@ TEST(Build, FixedBaseCarriesTheRootInTheWorld) {
   EXPECT_DOUBLE_EQ(model.total_mass(), 4.0);
 }
 
-TEST(Build, FreeFlyerCarriesTheRoot) {
+TEST(ModelBuild, FreeFlyer_CarriesTheRoot) {
   std::mt19937_64 generator(4);
   ModelOptions options;
   options.base = Base::FreeFlyer;
@@ -186,7 +187,7 @@ TEST(Build, FreeFlyerCarriesTheRoot) {
   EXPECT_DOUBLE_EQ(model.total_mass(), 6.0);
 }
 
-TEST(Build, TablesOverQAndV) {
+TEST(ModelBuild, Tables_FollowTheOrderOfQAndV) {
   TreeSpec tree = branching_tree();
   JointSpec& b = tree.joints[0];
   b.lower = -1.0;
@@ -196,7 +197,7 @@ TEST(Build, TablesOverQAndV) {
   b.damping = 5.0;
   b.friction = 6.0;
   b.armature = 7.0;
-  tree.joints[4].lower = -1.0;  // of a continuous joint: does not count
+  tree.joints[4].lower = -1.0;  // a continuous joint ignores its range
   tree.joints[4].upper = 1.0;
   const Model model = build_model(tree);
   EXPECT_EQ(model.q_lower,
@@ -214,7 +215,7 @@ TEST(Build, TablesOverQAndV) {
   EXPECT_EQ(model.gravity, Eigen::Vector3d(0.0, 0.0, -9.81));
 }
 
-TEST(Build, SupportIsTheWayToTheRoot) {
+TEST(ModelBuild, Support_IsThePathToTheRoot) {
   std::mt19937_64 generator(5);
   for (const Base base : {Base::Fixed, Base::FreeFlyer}) {
     ModelOptions options;
@@ -223,13 +224,13 @@ TEST(Build, SupportIsTheWayToTheRoot) {
     EXPECT_TRUE(model.support(-1).empty());
     for (std::size_t i = 0; i < model.joints.size(); ++i) {
       const Joint& spec = model.joints[i];
-      std::vector<int> way;
+      std::vector<int> path;
       for (int k = spec.v_index + spec.nv - 1; k >= 0;
            k = model.parent_of_v[static_cast<std::size_t>(k)]) {
-        way.insert(way.begin(), k);
+        path.insert(path.begin(), k);
       }
       const auto support = model.support(static_cast<int>(i));
-      EXPECT_EQ(std::vector<int>(support.begin(), support.end()), way);
+      EXPECT_EQ(std::vector<int>(support.begin(), support.end()), path);
       std::vector<int> owners;
       for (int owner = static_cast<int>(i); owner >= 0;
            owner = model.joints[static_cast<std::size_t>(owner)].parent) {
@@ -238,15 +239,15 @@ TEST(Build, SupportIsTheWayToTheRoot) {
           owners.insert(owners.begin(), owner);
         }
       }
-      ASSERT_EQ(owners.size(), way.size());
-      for (std::size_t k = 0; k < way.size(); ++k) {
-        EXPECT_EQ(model.joint_of_v[static_cast<std::size_t>(way[k])], owners[k]);
+      ASSERT_EQ(owners.size(), path.size());
+      for (std::size_t k = 0; k < path.size(); ++k) {
+        EXPECT_EQ(model.joint_of_v[static_cast<std::size_t>(path[k])], owners[k]);
       }
     }
   }
 }
 
-TEST(Build, NamesEntries) {
+TEST(ModelBuild, EntriesOfQAndV_AreNamed) {
   TreeSpec tree;
   tree.links = {link("base"), link("a"), link("b"), link("c"), link("d"), link("e")};
   tree.joints = {joint("a", JointType::Planar, "base", "a"),
@@ -264,7 +265,7 @@ TEST(Build, NamesEntries) {
   EXPECT_THROW(model.q_name(-1), Error);
 }
 
-TEST(Build, SeesNothingOddInJointsInARowWithoutMassBetween) {
+TEST(ModelBuild, MasslessLinksBetweenJoints_GiveNoWarning) {
   EXPECT_TRUE(build_model(test::tree_of_joints_in_a_row()).warnings.empty());
   TreeSpec tree = test::tree_of_joints_in_a_row();
   for (LinkSpec& spec : tree.links)
@@ -274,17 +275,17 @@ TEST(Build, SeesNothingOddInJointsInARowWithoutMassBetween) {
   expect_words(model.warnings[0], {"'to_c'", "'to_tip'", "move no mass"});
 }
 
-TEST(Build, FindsByName) {
+TEST(ModelBuild, FramesAndJoints_AreFoundByName) {
   const Model model = build_model(branching_tree());
   EXPECT_TRUE(model.has_frame("base"));
   EXPECT_FALSE(model.has_frame("bas"));
   expect_words(refusal([&] { model.frame_index("bse"); }), {"bse", "branches", "did you mean"});
   expect_words(refusal([&] { model.joint_index("arm"); }), {"joint 'arm'"});
-  // "a" to "e" name a link and a joint each: the link's frame is meant.
+  // "a" to "e" each name a link and a joint: the frame of the link is found.
   EXPECT_EQ(model.frames[static_cast<std::size_t>(model.frame_index("a"))].kind, FrameKind::Link);
 }
 
-TEST(Build, CarriesVisuals) {
+TEST(ModelBuild, Visuals_KeepLinkAndPlacement) {
   TreeSpec tree = branching_tree();
   VisualSpec visual{SphereShape{0.1}, Eigen::Isometry3d::Identity(), Eigen::Vector4d::Ones()};
   visual.placement.translation() = Eigen::Vector3d(0.0, 0.0, 1.0);
@@ -296,7 +297,7 @@ TEST(Build, CarriesVisuals) {
   EXPECT_TRUE(model.visuals[0].placement.translation().isApprox(Eigen::Vector3d(0.1, 0.2, 1.3)));
 }
 
-TEST(Build, AddsFrames) {
+TEST(ModelBuild, AddedFrames_AreFixedToTheirParents) {
   ModelOptions options;
   FrameSpec tool{"tool", "e", Eigen::Isometry3d::Identity()};
   tool.placement.translation().z() = 2.0;
@@ -318,7 +319,7 @@ TEST(Build, AddsFrames) {
   expect_words(refusal([&] { build_model(branching_tree(), options); }), {"tool", "placement"});
 }
 
-TEST(Build, TakesAPosture) {
+TEST(ModelBuild, Posture_GivesAConfiguration) {
   ModelOptions options;
   options.base = Base::FreeFlyer;
   const Model model = build_model(branching_tree(), options);
@@ -335,11 +336,11 @@ TEST(Build, TakesAPosture) {
   expect_words(wrong({{"e", {0.0, 1.0}}}), {"'e'", "2 values", "wanted 1"});
   expect_words(wrong({{"e", {nan}}}), {"'e'", "nan"});
   expect_words(wrong({{"root_joint", {0, 0, 0, 0, 0, 0, 2}}}), {"quaternion", "2"});
-  // On a fixed base the base's own value is passed over.
+  // A fixed base ignores the value of the root joint.
   EXPECT_NO_THROW(configuration(build_model(branching_tree()), posture));
 }
 
-TEST(Build, AllowsATreeAtTheLimits) {
+TEST(ModelBuild, TreeAtTheSizeLimits_IsAllowed) {
   EXPECT_EQ(build_model(chain(500, JointType::Revolute)).nv, 499);
   EXPECT_EQ(build_model(chain(1, JointType::Revolute)).nv, 0);
   expect_words(refusal([&] { build_model(chain(501, JointType::Fixed)); }), {"501", "500", "l500"});

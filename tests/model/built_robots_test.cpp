@@ -1,4 +1,4 @@
-// The robots in code that stand in for robots in files are what they say.
+// Robots that are built in code equal the robots in files that they replace.
 #include <gtest/gtest.h>
 
 #include "support/robots.hpp"
@@ -7,7 +7,7 @@ namespace burnish::test {
 namespace {
 
 #if BURNISH_HAS_ROBOTS
-/// Everything of two models but what is only drawn.
+/// Compares two models except their visuals.
 void expect_alike(const Model& built, const Model& read) {
   const double rounding = 1e-15;
   ASSERT_EQ(built.joints.size(), read.joints.size());
@@ -43,7 +43,7 @@ void expect_alike(const Model& built, const Model& read) {
   EXPECT_EQ(built.armature, read.armature);
 }
 
-TEST(BuiltArm7, is_the_arm_of_its_file) {
+TEST(BuiltArm7, Model_EqualsTheArmOfItsFile) {
   const Robot arm = load_robot(BURNISH_ROBOTS_DIR "/arm7");
   expect_alike(arm7::model(Base::Fixed), arm.model);
   EXPECT_EQ(arm7::ready(), arm.posture("ready"));
@@ -51,7 +51,7 @@ TEST(BuiltArm7, is_the_arm_of_its_file) {
 }
 #endif
 
-TEST(BuiltBiped, sits_on_two_level_soles) {
+TEST(BuiltBiped, HalfSittingPosture_HasTwoLevelSoles) {
   const Model model = biped::model(Base::FreeFlyer);
   const Eigen::VectorXd q = biped::half_sitting(model);
   const Eigen::Isometry3d left = testing::frame_placement(model, q, "left_sole_link");

@@ -1,5 +1,5 @@
-// Joints that mimic others: they follow with no entries of their own, pass their limits to their
-// leaders, and are held where a leader is locked.
+// Joints that mimic others (followers). They have no entries of their own, pass their limits to
+// their leaders, and are locked with them.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -35,7 +35,7 @@ const Joint& joint_of(const Model& model, const std::string& name) {
   return model.joints[static_cast<std::size_t>(model.joint_index(name))];
 }
 
-/// Placements by the book, with the value of each follower computed from its leader's as written.
+/// Compares with placements for which each follower's value is computed from its leader.
 void expect_placements(const TreeSpec& tree, const Model& model, Posture posture) {
   const Eigen::VectorXd q = configuration(model, posture);
   for (std::size_t round = 0; round < tree.joints.size(); ++round)
@@ -45,10 +45,11 @@ void expect_placements(const TreeSpec& tree, const Model& model, Posture posture
                               spec.mimic->offset};
   for (const auto& [name, placement] : link_placements(tree, posture, tree.links[0].name))
     EXPECT_TRUE(burnish::frame_placement(model, q, name).isApprox(placement, 1e-12)) << name;
-  EXPECT_TRUE(configuration(model, posture).isApprox(q, 1e-12)) << "with their values written out";
+  EXPECT_TRUE(configuration(model, posture).isApprox(q, 1e-12))
+      << "with the values of followers written out";
 }
 
-TEST(Followers, HaveNoEntriesOfTheirOwn) {
+TEST(Followers, Entries_BelongToTheLeader) {
   const Model model = build_model(coupled_hand());
   ASSERT_EQ(model.joints.size(), 4u);
   EXPECT_EQ(model.nq, 2);
@@ -68,7 +69,7 @@ TEST(Followers, HaveNoEntriesOfTheirOwn) {
   EXPECT_EQ(model.locked_joints, std::vector<std::string>{});
 }
 
-TEST(Followers, AreWhereTheirLeadersPutThem) {
+TEST(Followers, Placements_FollowTheLeaders) {
   const TreeSpec hand = coupled_hand();
   expect_placements(hand, build_model(hand), {{"wrist", {0.7}}, {"z_first", {0.3}}});
   const TreeSpec tree = tree_with_followers();
@@ -80,7 +81,7 @@ TEST(Followers, AreWhereTheirLeadersPutThem) {
                      {"to_z_3", {0.1, -0.2, 0.3, 0.5, 0.5, -0.5, 0.5}}});
 }
 
-TEST(Followers, EntriesThatMoveACommonBodyAreOnOneWayToTheRoot) {
+TEST(Followers, EntriesThatMoveACommonBody_AreOnOnePathToTheRoot) {
   std::mt19937_64 generator(3);
   for (int round = 0; round < 20; ++round) {
     ModelOptions options;
@@ -99,7 +100,7 @@ TEST(Followers, EntriesThatMoveACommonBodyAreOnOneWayToTheRoot) {
   }
 }
 
-TEST(Followers, PassEffortFrictionDampingAndArmatureToTheLeader) {
+TEST(Followers, EffortFrictionDampingAndArmature_PassToTheLeader) {
   TreeSpec tree = coupled_hand();
   for (JointSpec& spec : tree.joints) {
     spec.effort_limit = 10.0;
@@ -115,13 +116,13 @@ TEST(Followers, PassEffortFrictionDampingAndArmatureToTheLeader) {
   EXPECT_NEAR(model.damping[v], 0.2 * (1.0 + 4.0 + 9.0), 1e-12);
   EXPECT_NEAR(model.armature[v], 0.1 * (1.0 + 4.0 + 9.0), 1e-12);
   EXPECT_NEAR(model.velocity_limit[v], 2.0, 1e-12);
-  EXPECT_EQ(model.effort_limit[0], 10.0) << "the wrist leads nobody";
-  // One that states no effort leaves the leader's.
+  EXPECT_EQ(model.effort_limit[0], 10.0) << "the wrist has no followers";
+  // A follower without an effort limit adds nothing.
   tree.joints[2].effort_limit = std::numeric_limits<double>::infinity();
   EXPECT_NEAR(build_model(tree).effort_limit[v], 10.0 * (1.0 + 3.0), 1e-12);
 }
 
-TEST(Followers, LeaveTheRangeInWhichAllAreWithinTheirLimits) {
+TEST(Followers, LimitsOfFollowers_NarrowTheRangeOfTheLeader) {
   TreeSpec tree = coupled_hand();
   tree.joints[1].lower = -0.5;
   tree.joints[1].upper = 0.5;
@@ -135,7 +136,7 @@ TEST(Followers, LeaveTheRangeInWhichAllAreWithinTheirLimits) {
   tree.joints[3].lower = 1.0;
   expect_words(refusal([&] { build_model(tree); }),
                {"hand.urdf", "'third'", "'z_first'", "limits of both"});
-  // With multiplier 0 the offset alone counts.
+  // With multiplier 0, only the offset matters.
   tree = coupled_hand();
   tree.joints[3].mimic->multiplier = 0.0;
   tree.joints[3].upper = 0.4;
@@ -144,11 +145,11 @@ TEST(Followers, LeaveTheRangeInWhichAllAreWithinTheirLimits) {
   EXPECT_EQ(build_model(tree).q_upper[q], std::numeric_limits<double>::infinity());
 }
 
-TEST(Followers, OfContinuousJointsTakeWholeMultipliers) {
-  for (const bool leader_is_endless : {true, false}) {
+TEST(Followers, ContinuousJoints_NeedWholeMultipliers) {
+  for (const bool leader_is_continuous : {true, false}) {
     TreeSpec tree = coupled_hand();
-    tree.joints[1].type = leader_is_endless ? JointType::Continuous : JointType::Revolute;
-    tree.joints[2].type = leader_is_endless ? JointType::Revolute : JointType::Continuous;
+    tree.joints[1].type = leader_is_continuous ? JointType::Continuous : JointType::Revolute;
+    tree.joints[2].type = leader_is_continuous ? JointType::Revolute : JointType::Continuous;
     tree.joints[3].mimic->multiplier = -2.0;
     for (const double multiplier : {3.0, -2.0, 0.0, 1.0}) {
       tree.joints[2].mimic->multiplier = multiplier;
@@ -168,7 +169,7 @@ TEST(Followers, OfContinuousJointsTakeWholeMultipliers) {
   expect_words(refusal([&] { build_model(tree); }), {"'second'", "'z_first'", "slides"});
 }
 
-TEST(Followers, AreHeldByALockedLeader) {
+TEST(Followers, LockedLeader_LocksItsFollowers) {
   ModelOptions options;
   options.locked = {"z_first"};
   options.posture = {{"z_first", {0.3}}};
@@ -183,11 +184,11 @@ TEST(Followers, AreHeldByALockedLeader) {
   options.posture["third"] = {-0.5};
   expect_words(refusal([&] { build_model(coupled_hand(), options); }),
                {"'third'", "'second'", "-0.55", "posture"});
-  options.locked = {"z_first", "third"};  // by name: held at its own value
+  options.locked = {"z_first", "third"};  // locked by name, at its own value
   EXPECT_NO_THROW(build_model(coupled_hand(), options));
 }
 
-TEST(Followers, LockedWhileTheLeaderMovesNeedAValue) {
+TEST(Followers, LockedFollowerOfAMovingLeader_NeedsAValue) {
   ModelOptions options;
   options.locked = {"second"};
   expect_words(refusal([&] { build_model(coupled_hand(), options); }),
@@ -199,7 +200,7 @@ TEST(Followers, LockedWhileTheLeaderMovesNeedAValue) {
   EXPECT_EQ(model.locked_joints, (std::vector<std::string>{"second", "third"}));
 }
 
-TEST(Followers, AreFreeWithTheirLeader) {
+TEST(Followers, FreeLeader_FreesItsFollowers) {
   ModelOptions options;
   options.free = {"z_first"};
   const Model model = build_model(coupled_hand(), options);
@@ -213,20 +214,20 @@ TEST(Followers, AreFreeWithTheirLeader) {
                {"'second'", "'z_first'", "locked"});
 }
 
-TEST(Followers, OfFixedJointsAreHeldAndFixedFollowersAreNone) {
+TEST(Followers, FixedLeader_LocksFollowersAndFixedFollowersAreIgnored) {
   TreeSpec tree = coupled_hand();
   tree.joints[1].type = JointType::Fixed;
-  const Model held = build_model(tree);
-  EXPECT_EQ(held.nv, 1);
-  EXPECT_EQ(held.locked_joints, (std::vector<std::string>{"second", "third"}));
+  const Model locked = build_model(tree);
+  EXPECT_EQ(locked.nv, 1);
+  EXPECT_EQ(locked.locked_joints, (std::vector<std::string>{"second", "third"}));
   tree = coupled_hand();
   tree.joints[2].type = JointType::Fixed;
   tree.joints[3].mimic.reset();
   tree.joints[2].mimic->leader = "nobody";
-  EXPECT_EQ(build_model(tree).nv, 3) << "what is fixed copies nobody";
+  EXPECT_EQ(build_model(tree).nv, 3) << "a fixed joint has no leader";
 }
 
-TEST(Followers, RefuseCyclesUnknownLeadersAndJointsOfSeveralCoordinates) {
+TEST(Followers, CycleUnknownLeaderOrSeveralCoordinates_AreRefused) {
   TreeSpec tree = coupled_hand();
   tree.joints[1].mimic = MimicSpec{"third", 1.0, 0.0};
   expect_words(refusal([&] { build_model(tree); }), {"hand.urdf", "copies itself"});
@@ -243,7 +244,7 @@ TEST(Followers, RefuseCyclesUnknownLeadersAndJointsOfSeveralCoordinates) {
   expect_words(refusal([&] { build_model(tree); }), {"'second'", "one coordinate"});
 }
 
-TEST(Followers, StandForALeaderInAPostureAndMustNotContradictIt) {
+TEST(Followers, PostureOfAFollower_SetsTheLeaderAndMustNotContradictIt) {
   const Model model = build_model(coupled_hand());
   const int q = joint_of(model, "z_first").q_index;
   EXPECT_NEAR(configuration(model, {{"second", {0.5}}})[q], 0.2, 1e-12);
@@ -258,15 +259,15 @@ TEST(Followers, StandForALeaderInAPostureAndMustNotContradictIt) {
   TreeSpec tree = coupled_hand();
   tree.joints[1].type = tree.joints[2].type = JointType::Continuous;
   tree.joints[3].mimic->multiplier = 1.0;
-  const Model endless = build_model(tree);
-  EXPECT_NO_THROW(configuration(endless, {{"z_first", {3.0}}, {"second", {6.1 - 6.2831853}}}));
+  const Model continuous = build_model(tree);
+  EXPECT_NO_THROW(configuration(continuous, {{"z_first", {3.0}}, {"second", {6.1 - 6.2831853}}}));
   expect_words(refusal([&] {
-                 configuration(endless, {{"second", {1.0}}});
+                 configuration(continuous, {{"second", {1.0}}});
                }),
                {"'second'", "'z_first'", "without a value"});
 }
 
-TEST(Followers, ALeaderWithoutMassMovesThatOfItsFollowers) {
+TEST(Followers, MasslessLeader_MovesTheMassOfItsFollowers) {
   TreeSpec tree = coupled_hand();
   tree.links[2].inertia = {};  // of z_first
   EXPECT_NO_THROW(build_model(tree));

@@ -1,4 +1,4 @@
-// Mass distributions: moved, put together, refused, and as parameters.
+// Tests of mass distributions: moved, combined, as parameters, and refused.
 #include "burnish/model/inertia.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 InertiaSpec random_solid(std::mt19937_64& generator) { return testing::random_inertia(generator); }
 
-/// What a sum over points says: the definition itself.
+/// Point masses, whose inertia follows from the definition.
 struct Points {
   std::vector<std::pair<double, Eigen::Vector3d>> masses;
   InertiaSpec inertia() const {
@@ -43,7 +43,7 @@ void expect_same(const InertiaSpec& got, const InertiaSpec& want) {
   EXPECT_TRUE(got.inertia_at_com.isApprox(want.inertia_at_com, 1e-11));
 }
 
-TEST(Inertia, PlacedAndPutTogetherAsPointsAre) {
+TEST(Inertia, PlacedAndCombined_EqualsPointMasses) {
   std::mt19937_64 generator(3);
   const Points a = random_points(generator), b = random_points(generator);
   const Eigen::Isometry3d placement = testing::random_placement(generator);
@@ -53,18 +53,18 @@ TEST(Inertia, PlacedAndPutTogetherAsPointsAre) {
   expect_same(together(a.inertia(), {}), a.inertia());
 }
 
-TEST(Inertia, ParametersLeadBack) {
+TEST(Inertia, Parameters_ConvertBackAndAddUp) {
   std::mt19937_64 generator(4);
   const InertiaSpec solid = random_solid(generator);
   const Vector10 theta = inertia_parameters(solid);
   expect_same(inertia_of(theta), solid);
-  // They add up, as masses do.
+  // Parameters of combined bodies add up.
   const InertiaSpec other = random_solid(generator);
   EXPECT_TRUE(inertia_parameters(together(solid, other))
                   .isApprox(theta + inertia_parameters(other), 1e-12));
 }
 
-TEST(Inertia, ParametersAreLinearInWhereTheyAreSeenFrom) {
+TEST(Inertia, ParametersInAnotherFrame_AreALinearMap) {
   std::mt19937_64 generator(6);
   const InertiaSpec solid = random_solid(generator);
   const Eigen::Isometry3d placement = testing::random_placement(generator);
@@ -75,7 +75,7 @@ TEST(Inertia, ParametersAreLinearInWhereTheyAreSeenFrom) {
   EXPECT_GT(Eigen::Matrix4d(pseudo_inertia(theta)).determinant(), 0.0);
 }
 
-TEST(Inertia, WhatNoSolidHasIsRefused) {
+TEST(Inertia, UnphysicalInertia_IsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto with = [](double mass, const Eigen::Vector3d& moments) {
     InertiaSpec inertia;
@@ -105,7 +105,7 @@ TEST(Inertia, WhatNoSolidHasIsRefused) {
   }
 }
 
-TEST(Inertia, APayloadIsAddedToItsBody) {
+TEST(Inertia, Payload_IsAddedToItsBody) {
   const Model model = built_robots().front().model(Base::Fixed);
   std::mt19937_64 generator(5);
   Payload payload{built_robots().front().tool, random_solid(generator)};

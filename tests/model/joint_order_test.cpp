@@ -1,3 +1,4 @@
+// Tests of the order of joints and of conversions to the orders and conventions of other programs.
 #include "burnish/model/joint_order.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ VectorXd vector(std::initializer_list<double> values) {
   return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// Joints of all kinds from one base, in an order that is not that of their names.
+/// Joints of all kinds on one base, not listed in the order of their names.
 TreeSpec star(SiblingOrder order) {
   TreeSpec tree;
   tree.name = "star";
@@ -45,14 +46,14 @@ std::vector<std::string> names_of(const Model& model) {
   return names;
 }
 
-TEST(SiblingOrder, IsByNameOrAsListed) {
+TEST(SiblingOrder, EitherChoice_SortsByNameOrAsListed) {
   EXPECT_EQ(names_of(build_model(star(SiblingOrder::ByName))),
             (std::vector<std::string>{"arm", "ball", "circle", "copy", "float", "plane", "turn"}));
   EXPECT_EQ(names_of(build_model(star(SiblingOrder::AsListed))),
             (std::vector<std::string>{"turn", "ball", "float", "copy", "circle", "plane", "arm"}));
 }
 
-TEST(JointOrder, MapsAListOfNamesToEntries) {
+TEST(JointOrder, ListOfNames_MapsToEntries) {
   const Model model = build_model(star(SiblingOrder::ByName));
   const JointOrder order(model, {"turn", "copy", "arm", "circle", "plane", "ball", "float"});
   EXPECT_EQ(order.nq(), 1 + 1 + 1 + 1 + 3 + 4 + 7);
@@ -74,9 +75,9 @@ TEST(JointOrder, MapsAListOfNamesToEntries) {
   EXPECT_TRUE(order.q_to(q).isApprox(theirs));
 }
 
-class Conventions : public ::testing::TestWithParam<JointConvention> {};
+class JointConventions : public ::testing::TestWithParam<JointConvention> {};
 
-TEST_P(Conventions, LeadThereAndBack) {
+TEST_P(JointConventions, Conversion_RoundTripsAndKeepsThePower) {
   const Model model = build_model(star(SiblingOrder::ByName));
   const JointOrder order(model, {"plane", "float", "ball", "turn", "circle", "arm"}, GetParam());
   std::mt19937_64 generator(4);
@@ -93,11 +94,11 @@ TEST_P(Conventions, LeadThereAndBack) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Conventions,
+INSTANTIATE_TEST_SUITE_P(All, JointConventions,
                          ::testing::Values(JointConvention::Angles, JointConvention::Same,
                                            JointConvention::Mujoco));
 
-TEST(JointOrder, OfMujocoHasWFirstAndLinearVelocitiesInTheWorld) {
+TEST(JointOrder, MujocoConvention_HasWFirstAndLinearVelocityInTheWorld) {
   const Model model = build_model(star(SiblingOrder::ByName));
   const JointOrder order(model, {"float", "arm", "ball", "circle", "plane", "turn"},
                          JointConvention::Mujoco);
@@ -115,7 +116,7 @@ TEST(JointOrder, OfMujocoHasWFirstAndLinearVelocitiesInTheWorld) {
   EXPECT_NEAR(v[index("float").v_index + 1], -1.0, 1e-15);
 }
 
-TEST(JointOrder, AddsFollowersToTheirLeaders) {
+TEST(JointOrder, Followers_AreAddedToTheirLeaders) {
   const Model model = build_model(star(SiblingOrder::ByName));
   const JointOrder order(model, {"turn", "copy"});
   const VectorXd tau = order.tau_from(vector({1.0, 0.25}), model.q_neutral);
@@ -127,7 +128,7 @@ TEST(JointOrder, AddsFollowersToTheirLeaders) {
   EXPECT_EQ(order.v_to(v, model.q_neutral), vector({0.5, -1.0}));
 }
 
-TEST(JointOrder, KnowsWhereLockedJointsAreHeld) {
+TEST(JointOrder, LockedJoints_HaveTheirLockedValues) {
   ModelOptions options;
   options.locked = {"arm", "circle", "ball"};
   options.posture = {{"arm", {0.4}}, {"circle", {1.2}}, {"ball", {0.6, 0, 0, 0.8}}};
@@ -141,21 +142,23 @@ TEST(JointOrder, KnowsWhereLockedJointsAreHeld) {
   EXPECT_TRUE(order.q_from(theirs).isApprox(model.q_neutral));
   VectorXd moved = theirs;
   moved[17] = 0.5;
-  expect_words(refusal([&] { order.q_from(moved); }), {"'star'", "'arm'", "0.1 off", "held"});
+  expect_words(refusal([&] { order.q_from(moved); }),
+               {"'star'", "'arm'", "differs by 0.1", "locked"});
   EXPECT_NO_THROW(order.q_from(moved, 0.2));
   moved = theirs;
   moved[12] = 0.3;
-  expect_words(refusal([&] { order.q_from(moved); }), {"'copy'", "0.2 off", "leader"});
+  expect_words(refusal([&] { order.q_from(moved); }), {"'copy'", "differs by 0.2", "leader"});
 }
 
-TEST(JointOrder, RefusesNamesAndNumbers) {
+TEST(JointOrder, InvalidNamesOrNumbers_AreRefused) {
   const Model model = build_model(star(SiblingOrder::ByName));
-  const auto of = [&](std::vector<std::string> names) {
+  const auto refused = [&](std::vector<std::string> names) {
     return refusal([&] { JointOrder(model, std::move(names)); });
   };
-  expect_words(of({"trun"}), {"robot 'star'", "'trun'", "does not exist", "did you mean 'turn'?"});
-  expect_words(of({"arm", ""}), {"joint number 2", "no name"});
-  expect_words(of({"arm", "arm"}), {"'arm' is twice"});
+  expect_words(refused({"trun"}),
+               {"robot 'star'", "'trun'", "does not exist", "did you mean 'turn'?"});
+  expect_words(refused({"arm", ""}), {"joint number 2", "no name"});
+  expect_words(refused({"arm", "arm"}), {"'arm' is twice"});
   const JointOrder part(model, {"arm", "turn"});
   expect_words(refusal([&] {
                  part.q_from(vector({0, 0}));
@@ -165,12 +168,12 @@ TEST(JointOrder, RefusesNamesAndNumbers) {
   expect_words(refusal([&] {
                  part.tau_from(vector({0, 0, 0}), model.q_neutral);
                }),
-               {"torques have 3 entries", "order has 2"});
+               {"torques have 3 entries", "wanted 2"});
   const double undefined = std::numeric_limits<double>::quiet_NaN();
   expect_words(refusal([&] {
                  part.tau_from(vector({0, undefined}), model.q_neutral);
                }),
-               {"torques hold a NaN"});
+               {"torques are not finite"});
   const JointOrder whole = JointOrder::mujoco(model);
   VectorXd theirs = whole.q_to(model.q_neutral);
   theirs[1] = 0.5;  // w of the ball

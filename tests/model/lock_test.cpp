@@ -1,3 +1,4 @@
+// Tests of locked joints: postures, followers, and refusals.
 #include <gtest/gtest.h>
 
 #include "burnish/model/model.hpp"
@@ -30,7 +31,7 @@ double height(const Model& model, const std::string& frame) {
   return frame_placement(model, model.q_neutral, frame).translation().z();
 }
 
-TEST(Lock, EqualsTheFreeModelAtThatPosture) {
+TEST(LockedJoints, RandomPosture_EqualsTheFreeModel) {
   std::mt19937_64 generator(11);
   for (int round = 0; round < 20; ++round) {
     const TreeSpec tree = random_tree(generator, 18);
@@ -61,7 +62,7 @@ TEST(Lock, EqualsTheFreeModelAtThatPosture) {
   }
 }
 
-TEST(Lock, WithoutAPostureHoldsAtZero) {
+TEST(LockedJoints, NoPosture_LocksAtZero) {
   ModelOptions options;
   options.locked = {"wrist", "first", "second", "third"};
   const Model model = build_model(hand(), options);
@@ -69,7 +70,7 @@ TEST(Lock, WithoutAPostureHoldsAtZero) {
   EXPECT_NEAR(height(model, "one"), 0.6, 1e-15);
 }
 
-TEST(Lock, FreeLocksAllOthers) {
+TEST(LockedJoints, OptionFree_LocksAllOthers) {
   ModelOptions options;
   options.free = {"wrist"};
   const Model model = build_model(hand(), options);
@@ -83,14 +84,14 @@ TEST(Lock, FreeLocksAllOthers) {
   EXPECT_EQ(build_model(hand(), options).joints.size(), 2u);
 }
 
-TEST(Lock, LockedJointsArePassedOverInPostures) {
+TEST(LockedJoints, ValuesInALaterPosture_AreIgnored) {
   ModelOptions options;
   options.free = {"wrist"};
   const Model model = build_model(hand(), options);
   EXPECT_EQ(configuration(model, {{"first", {1.0}}, {"wrist", {0.5}}})[0], 0.5);
 }
 
-TEST(Lock, MimicFollowsItsLockedLeader) {
+TEST(LockedJoints, FollowerOfALockedLeader_IsLockedWithIt) {
   ModelOptions options;
   options.free = {"wrist"};
   options.posture = {{"first", {0.3}}};
@@ -100,7 +101,7 @@ TEST(Lock, MimicFollowsItsLockedLeader) {
   EXPECT_NEAR(std::atan2(turned(1, 0), turned(0, 0)), -(2.0 * 0.3 + 0.1) + 0.5, 1e-12);
 }
 
-TEST(Lock, PostureComesBeforeTheLeader) {
+TEST(LockedJoints, FollowerWithAPosture_IgnoresItsLeader) {
   ModelOptions options;
   options.free = {"wrist"};
   options.posture = {{"first", {0.3}}, {"second", {-0.2}}};
@@ -110,7 +111,7 @@ TEST(Lock, PostureComesBeforeTheLeader) {
   EXPECT_NEAR(std::atan2(turned(1, 0), turned(0, 0)), 0.7, 1e-12);
 }
 
-TEST(Lock, MimicNeedsALockedLeaderOrAValue) {
+TEST(LockedJoints, FollowerOfAMovingLeader_NeedsAValue) {
   ModelOptions options;
   options.locked = {"second", "third"};
   expect_words(refusal([&] { build_model(hand(), options); }),
@@ -119,7 +120,7 @@ TEST(Lock, MimicNeedsALockedLeaderOrAValue) {
   EXPECT_EQ(build_model(hand(), options).nv, 2);
 }
 
-TEST(Lock, RefusesLockedMimicsThatHaveNoValue) {
+TEST(LockedJoints, FollowerWithAnInvalidLeader_IsRefused) {
   TreeSpec tree = hand();
   tree.joints[2].mimic->leader = "firstt";
   ModelOptions options;
@@ -136,7 +137,7 @@ TEST(Lock, RefusesLockedMimicsThatHaveNoValue) {
   expect_words(refusal([&] { build_model(tree, options); }), {"'second'", "one coordinate"});
 }
 
-TEST(Lock, RefusesWhatItDoesNotKnow) {
+TEST(LockedJoints, InvalidNamesOrPostures_AreRefused) {
   TreeSpec tree = hand();
   tree.links.push_back(link("cover"));
   tree.joints.push_back(joint("bolt", JointType::Fixed, "palm", "cover"));
@@ -153,7 +154,7 @@ TEST(Lock, RefusesWhatItDoesNotKnow) {
   expect_words(sentence(options), {"'bolt'", "fixed"});
   options.free = {"wrist"};
   options.locked = {"wrist"};
-  expect_words(sentence(options), {"'wrist'", "both"});
+  expect_words(sentence(options), {"'wrist'", "only one"});
   options = {};
   options.base = Base::FreeFlyer;
   options.locked = {"root_joint"};
@@ -170,13 +171,13 @@ TEST(Lock, RefusesWhatItDoesNotKnow) {
   expect_words(sentence(options), {"'first'", "inf"});
   options.posture = {{"root_joint", {0.0}}};
   expect_words(sentence(options), {"'root_joint'", "wanted 7"});
-  // Locking what is fixed already changes nothing.
+  // Locking a fixed joint changes nothing.
   options = {};
   options.locked = {"bolt", "first", "second", "third"};
   EXPECT_EQ(build_model(tree, options).locked_joints.size(), 3u);
 }
 
-TEST(Lock, HoldsABallAtItsQuaternionAndWithoutOneAtNoRotation) {
+TEST(LockedJoints, BallJoint_IsLockedAtItsQuaternionOrIdentity) {
   TreeSpec tree = two_links();
   tree.joints[1].type = JointType::Ball;
   ModelOptions options;
@@ -195,7 +196,7 @@ TEST(Lock, HoldsABallAtItsQuaternionAndWithoutOneAtNoRotation) {
                {"'elbow'", "1 values", "4", "a quaternion x, y, z, w"});
 }
 
-TEST(Lock, LocksAMasslessJoint) {
+TEST(LockedJoints, MasslessJoint_CanBeLocked) {
   TreeSpec tree = hand();
   tree.links[2].inertia = {};
   ModelOptions options;

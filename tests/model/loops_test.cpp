@@ -1,3 +1,4 @@
+// Tests of the kinematic loops of a model: frames, refusals, and loops of locked joints.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -12,7 +13,7 @@ std::string refused(const TreeSpec& tree, const ModelOptions& options = {}) {
   return refusal([&] { build_model(tree, options); });
 }
 
-TEST(Loops, AddTwoFramesThatHangOnTheirLinks) {
+TEST(Loops, Loop_AddsTwoFramesToItsLinks) {
   const Model model = build_model(four_bar());
   ASSERT_EQ(model.loops.size(), 1U);
   EXPECT_EQ(model.loops[0].name, "pin");
@@ -25,7 +26,7 @@ TEST(Loops, AddTwoFramesThatHangOnTheirLinks) {
   EXPECT_TRUE(tip.translation().isApprox(Eigen::Vector3d(0.4, 0.0, 0.0), 1e-12));
 }
 
-TEST(Loops, MayTieALinkToTheWorld) {
+TEST(Loops, LinkAndWorld_CanBeTied) {
   TreeSpec tree = four_bar();
   tree.loops[0].second_link = "world";
   tree.loops[0].second.translation() = Eigen::Vector3d(0.3, 0.0, 0.2);
@@ -33,13 +34,13 @@ TEST(Loops, MayTieALinkToTheWorld) {
   EXPECT_EQ(model.frames[model.frame_index("pin/second")].body, -1);
 }
 
-TEST(Loops, FramesToAddMayHangOnThem) {
+TEST(Loops, AddedFrame_CanBeFixedToALoopFrame) {
   ModelOptions options;
   options.frames = {{"tip", "pin/first"}};
   EXPECT_TRUE(build_model(four_bar(), options).has_frame("tip"));
 }
 
-TEST(Loops, WhatCannotBeMeantIsRefusedByName) {
+TEST(Loops, InvalidLoop_IsRefusedByName) {
   TreeSpec tree = four_bar();
   tree.loops[0].first_link = "couple";
   expect_words(refused(tree), {"four_bar.urdf", "loop 'pin'", "'couple'", "'coupler'"});
@@ -62,14 +63,14 @@ TEST(Loops, WhatCannotBeMeantIsRefusedByName) {
   tree.loops[0].line = 12;
   tree.links[1].name = "pin/first";
   tree.joints[0].child_link = tree.joints[1].parent_link = "pin/first";
-  expect_words(refused(tree), {"line 12", "loop 'pin'", "'pin/first'", "rename"});
+  expect_words(refused(tree), {"line 12", "loop 'pin'", "'pin/first'", "unique names"});
 }
 
-TEST(Loops, OfOneBodyAreDroppedWhereTheyMeet) {
+TEST(Loops, LoopWithinOneBody_IsDroppedIfClosedElseRefused) {
   TreeSpec tree = four_bar();
   ModelOptions options;
   options.locked = {"drive", "knee", "pivot"};
-  // All bars along x: the coupler's tip is 0.15 m from the rocker's.
+  // All bars are along x, and the tips of coupler and rocker are 0.15 m apart.
   expect_words(refused(tree, options), {"loop 'pin'", "'coupler'", "'rocker'", "150 mm"});
   tree.loops[0].second.translation().x() = 0.1;
   const Model model = build_model(tree, options);
@@ -81,7 +82,7 @@ TEST(Loops, OfOneBodyAreDroppedWhereTheyMeet) {
   expect_words(refused(tree, options), {"loop 'pin'", "5.72958 degrees"});
 }
 
-TEST(Loops, OfTwoBodiesStayWhereOneJointIsLocked) {
+TEST(Loops, LoopBetweenTwoBodies_StaysWithALockedJoint) {
   ModelOptions options;
   options.locked = {"pivot"};
   EXPECT_EQ(build_model(four_bar(), options).loops.size(), 1U);

@@ -1,5 +1,5 @@
-// Robots that no one here wrote, compiled and compared joint by joint with what another library
-// makes of the same files. The files stay outside the repository.
+// Published robots, compiled and compared joint by joint with the result of another library. The
+// files stay outside the repository.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -31,7 +31,7 @@ Eigen::Isometry3d placement_of(const json& stated) {
   return placement;
 }
 
-class Reference : public ::testing::TestWithParam<Published> {
+class PublishedModel : public ::testing::TestWithParam<Published> {
  protected:
   void SetUp() override {
     const std::string shared = BURNISH_SHARED_DIR;
@@ -48,7 +48,7 @@ class Reference : public ::testing::TestWithParam<Published> {
   Model model_;
 };
 
-TEST_P(Reference, JointsHaveTheSameOrderPlacementAndMass) {
+TEST_P(PublishedModel, Joints_HaveTheReferenceOrderPlacementAndMass) {
   const json& joints = reference_["joints"];
   ASSERT_EQ(model_.joints.size(), joints.size());
   EXPECT_EQ(model_.nq, reference_["nq"]);
@@ -68,7 +68,7 @@ TEST_P(Reference, JointsHaveTheSameOrderPlacementAndMass) {
     const Eigen::Isometry3d at_zero = placement_of(theirs["placement"]);
     placed.push_back(joint.parent < 0 ? at_zero
                                       : placed[static_cast<std::size_t>(joint.parent)] * at_zero);
-    // Their joint frame keeps the file's axes, as our frame of the joint's name does.
+    // Joint frames of the reference keep the axes of the file, like our frames named after joints.
     const Eigen::Isometry3d frame = frame_placement(model_, q0, joint.name);
     EXPECT_TRUE(frame.isApprox(placed.back(), 1e-12)) << joint.name;
     const Eigen::Isometry3d turn = frame.inverse() * ours[i];
@@ -89,7 +89,7 @@ TEST_P(Reference, JointsHaveTheSameOrderPlacementAndMass) {
   }
 }
 
-TEST_P(Reference, FramesAreWhereTheirsAre) {
+TEST_P(PublishedModel, Frames_HaveTheReferencePlacements) {
   for (std::size_t i = 0; i < reference_["states"].size(); ++i) {
     const std::vector<double> values = reference_["states"][i]["q"];
     const Eigen::VectorXd q =
@@ -112,7 +112,7 @@ ModelOptions floating() {
   return options;
 }
 
-INSTANTIATE_TEST_SUITE_P(Published, Reference,
+INSTANTIATE_TEST_SUITE_P(Published, PublishedModel,
                          ::testing::Values(Published{"panda", locking({"panda_finger_joint1",
                                                                        "panda_finger_joint2"})},
                                            Published{"ur10", {}}, Published{"solo12", floating()}),

@@ -1,4 +1,5 @@
-// Laws that hold for every kind of joint. A new kind joins with one line in joint_types().
+// Tests of the arithmetic on configurations: laws for every kind of joint, and refused states. A
+// new kind of joint needs one line in models().
 #include "burnish/model/state.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ class StateLaws : public ::testing::TestWithParam<std::size_t> {
   std::mt19937_64 generator_{22};
 };
 
-TEST_P(StateLaws, DifferenceUndoesIntegrate) {
+TEST_P(StateLaws, Difference_UndoesIntegrate) {
   // Rotations stay below half a turn: 1.7 * sqrt(3) < pi.
   for (const double size : {1.7, 1.0, 1e-2, 1e-5, 1e-9, 0.0}) {
     for (int round = 0; round < 30; ++round) {
@@ -67,16 +68,16 @@ TEST_P(StateLaws, DifferenceUndoesIntegrate) {
   }
 }
 
-TEST_P(StateLaws, IntegrateUndoesDifference) {
+TEST_P(StateLaws, Integrate_UndoesDifference) {
   for (int round = 0; round < 100; ++round) {
     const Eigen::VectorXd q0 = random_q(), q1 = random_q();
     const Eigen::VectorXd there = integrate(model(), q0, difference(model(), q0, q1));
-    // A quaternion and its opposite are one rotation: compare by what remains between.
+    // A quaternion and its opposite are one rotation, so the remaining difference is compared.
     EXPECT_LT(difference(model(), there, q1).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
 
-TEST_P(StateLaws, MovesInTwoStepsAsInOne) {
+TEST_P(StateLaws, TwoHalfSteps_EqualOneStep) {
   for (int round = 0; round < 20; ++round) {
     const Eigen::VectorXd q = random_q(), v = random_v(1.5);
     const Eigen::VectorXd halves = integrate(model(), integrate(model(), q, 0.5 * v), 0.5 * v);
@@ -84,7 +85,7 @@ TEST_P(StateLaws, MovesInTwoStepsAsInOne) {
   }
 }
 
-TEST_P(StateLaws, MovesBodiesAlongTheirTwist) {
+TEST_P(StateLaws, Integrate_MovesBodiesAlongTheirTwist) {
   // The body's placement moves by exp of its joint's twist, a matrix exponential by its series.
   for (int round = 0; round < 10; ++round) {
     const Eigen::VectorXd q = random_q(), v = random_v(0.8);
@@ -111,7 +112,7 @@ TEST_P(StateLaws, MovesBodiesAlongTheirTwist) {
   }
 }
 
-TEST_P(StateLaws, TangentMapIsTheDerivativeOfIntegrate) {
+TEST_P(StateLaws, TangentMap_IsTheDerivativeOfIntegrate) {
   const double step = 1e-5;
   for (int round = 0; round < 10; ++round) {
     const Eigen::VectorXd q = random_q();
@@ -127,14 +128,14 @@ TEST_P(StateLaws, TangentMapIsTheDerivativeOfIntegrate) {
   }
 }
 
-TEST_P(StateLaws, StaysOfUnitLength) {
+TEST_P(StateLaws, ManySteps_KeepUnitLength) {
   Eigen::VectorXd q = random_q();
   for (int i = 0; i < 2000; ++i) q = integrate(model(), q, random_v(0.5));
   EXPECT_LT((normalized(model(), q) - q).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_NO_THROW(check_configuration(model(), q));
 }
 
-TEST_P(StateLaws, NormalizedUndoesScaling) {
+TEST_P(StateLaws, Normalized_UndoesScaling) {
   const Eigen::VectorXd q = random_q();
   Eigen::VectorXd scaled = q;
   for (const Joint& spec : model().joints) {
@@ -146,7 +147,7 @@ TEST_P(StateLaws, NormalizedUndoesScaling) {
   EXPECT_LT((normalized(model(), scaled) - q).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-TEST_P(StateLaws, RandomIsWithinLimitsAndRepeats) {
+TEST_P(StateLaws, RandomConfiguration_IsValidAndRepeatable) {
   std::mt19937_64 one(5), two(5);
   const Eigen::VectorXd q = random_configuration(model(), one);
   EXPECT_EQ(q, random_configuration(model(), two));
@@ -154,7 +155,7 @@ TEST_P(StateLaws, RandomIsWithinLimitsAndRepeats) {
   EXPECT_NO_THROW(check_configuration(model(), q));
 }
 
-TEST(RandomConfiguration, takes_limits_that_no_joint_reaches_for_none) {
+TEST(RandomConfiguration, UnreachableLimits_AreIgnored) {
   TreeSpec tree = branching_tree();
   for (JointSpec& joint : tree.joints) {
     joint.lower = -1e16;
@@ -166,7 +167,7 @@ TEST(RandomConfiguration, takes_limits_that_no_joint_reaches_for_none) {
     EXPECT_LE(random_configuration(model, generator).cwiseAbs().maxCoeff(), 3.15);
 }
 
-TEST_P(StateLaws, ChecksNameArgumentAndEntry) {
+TEST_P(StateLaws, InvalidArgument_IsNamedWithItsEntry) {
   const Eigen::VectorXd q = random_q(), v = random_v(1.0);
   EXPECT_NO_THROW(check_tangent(model(), v));
   const Eigen::VectorXd long_q = Eigen::VectorXd::Zero(model().nq + 1);
@@ -192,7 +193,7 @@ TEST_P(StateLaws, ChecksNameArgumentAndEntry) {
 INSTANTIATE_TEST_SUITE_P(State, StateLaws, ::testing::Range(std::size_t{0}, models().size()),
                          [](const auto& test) { return models()[test.param].name; });
 
-TEST(State, DifferenceTakesTheShortWay) {
+TEST(State, Difference_TakesTheShortestPath) {
   const Model model = one_joint(JointType::Continuous);
   const Eigen::Vector2d from(std::cos(3.0), std::sin(3.0)), to(std::cos(-3.0), std::sin(-3.0));
   EXPECT_NEAR(difference(model, from, to)[0], 2.0 * pi - 6.0, 1e-14);
@@ -204,7 +205,7 @@ TEST(State, DifferenceTakesTheShortWay) {
   EXPECT_LT(difference(ball, ball.q_neutral, -ball.q_neutral).norm(), 1e-15);
 }
 
-TEST(State, RotationsNearHalfATurnStayAccurate) {
+TEST(State, RotationNearHalfATurn_StaysAccurate) {
   const Model model = one_joint(JointType::Floating);
   for (const double short_of : {0.0, 1e-12, 1e-8, 1e-4}) {
     Eigen::VectorXd v = Eigen::VectorXd::Zero(6);
@@ -216,7 +217,7 @@ TEST(State, RotationsNearHalfATurnStayAccurate) {
   }
 }
 
-TEST(State, RefusesRotationsThatAreNotOfUnitLength) {
+TEST(State, RotationNotOfUnitLength_IsRefused) {
   const Model floating = one_joint(JointType::Floating);
   Eigen::VectorXd q = floating.q_neutral;
   q[6] = 1.0 + 2e-6;
@@ -236,7 +237,7 @@ TEST(State, RefusesRotationsThatAreNotOfUnitLength) {
   expect_words(refusal([&] { check_configuration(planar, q); }), {"(cos, sin)", "entry 2"});
 }
 
-TEST(State, RandomKeepsLimits) {
+TEST(RandomConfiguration, FiniteLimits_AreKept) {
   TreeSpec tree;
   tree.links = {link("base"), link("a"), link("b"), link("c")};
   tree.joints = {joint("a", JointType::Revolute, "base", "a"),
@@ -259,7 +260,7 @@ TEST(State, RandomKeepsLimits) {
   }
 }
 
-TEST(OddState, NamesWhatNoJointCanDo) {
+TEST(ImplausibleState, ValuesFarBeyondLimits_AreNamed) {
   TreeSpec tree = two_links();
   tree.joints[0].lower = -2.0;
   tree.joints[0].upper = 2.0;
@@ -294,10 +295,11 @@ TEST(BeyondLimits, Configuration_NamesTheFarthestJoint) {
   EXPECT_EQ(beyond_limits(model, Eigen::Vector2d(1.1, -2.3), 0.5), "");
 }
 
-TEST(OddState, WithoutDigitsIsRefused) {
+TEST(ImplausibleState, ValueBeyondTheResolution_IsRefused) {
   const Model model = build_model(two_links());
-  expect_words(refusal([&] { check_configuration(model, Eigen::Vector2d(0.0, 1e20)); }),
-               {"'q'", "'elbow' is 1e+20", "16384 apart", "at most 1e+09"});
+  expect_words(
+      refusal([&] { check_configuration(model, Eigen::Vector2d(0.0, 1e20)); }),
+      {"'q'", "'elbow' is 1e+20", "floating-point numbers differ by 16384", "at most 1e+09"});
   expect_words(refusal([&] { check_tangent(model, Eigen::Vector2d(-2e9, 0.0)); }),
                {"'v'", "'shoulder' is -2e+09"});
   EXPECT_NO_THROW(check_configuration(model, Eigen::Vector2d(1e9, 0.0)));

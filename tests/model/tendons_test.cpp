@@ -1,4 +1,4 @@
-// Tendons that are held couple joints; what cannot be coupled or sprung is refused by name.
+// Tendons of fixed length couple joints. Invalid tendons and springs are refused by name.
 #include <gtest/gtest.h>
 
 #include "burnish/model/model.hpp"
@@ -25,7 +25,7 @@ std::string refused(const TreeSpec& tree, const ModelOptions& options = {}) {
   return refusal([&] { build_model(tree, options); });
 }
 
-TEST(HeldTendon, LetsTheSecondJointFollowTheFirst) {
+TEST(FixedLengthTendon, TwoJoints_LetTheSecondFollowTheFirst) {
   const Model model = build_model(coupled());
   const Joint& elbow = model.joints[static_cast<std::size_t>(model.joint_index("elbow"))];
   ASSERT_TRUE(elbow.follows);
@@ -36,7 +36,7 @@ TEST(HeldTendon, LetsTheSecondJointFollowTheFirst) {
   EXPECT_TRUE(model.tendons.empty());
 }
 
-TEST(HeldTendon, LetsTheFirstFollowWhereTheSecondCannot) {
+TEST(FixedLengthTendon, SecondJointThatCannotFollow_LetsTheFirstFollow) {
   TreeSpec tree = coupled();
   ModelOptions options;
   const auto follows = [&](const std::string& name) {
@@ -51,10 +51,11 @@ TEST(HeldTendon, LetsTheFirstFollowWhereTheSecondCannot) {
   tree.joints[1].mimic = MimicSpec{"slide", 1.0, 0.0};
   EXPECT_DOUBLE_EQ(follows("shoulder")->multiplier, -0.5);
   tree.joints[0].mimic = MimicSpec{"slide", 1.0, 0.0};
-  expect_words(refused(tree), {"tendon 'belt'", "'shoulder'", "'elbow'", "neither can follow"});
+  expect_words(refused(tree),
+               {"tendon 'belt'", "'shoulder'", "'elbow'", "neither joint can follow"});
 }
 
-TEST(HeldTendon, HoldsAJointWhoseFellowIsLocked) {
+TEST(FixedLengthTendon, OneLockedJoint_LocksTheOther) {
   ModelOptions options;
   options.locked = {"elbow"};
   options.posture = {{"elbow", {0.1}}};
@@ -66,10 +67,10 @@ TEST(HeldTendon, HoldsAJointWhoseFellowIsLocked) {
                   .isApprox(frame_placement(free, q, "far"), 1e-12));
 }
 
-TEST(HeldTendon, MayGoAlongMoreJointsIfAllButTwoAreLocked) {
+TEST(FixedLengthTendon, MoreThanTwoJoints_NeedTheOthersLocked) {
   TreeSpec tree = coupled();
   tree.tendons[0].parts.push_back({"slide", 0.5});
-  expect_words(refused(tree), {"arm.xml", "tendon 'belt'", "'slide'", "lock the rest"});
+  expect_words(refused(tree), {"arm.xml", "tendon 'belt'", "'slide'", "lock the others"});
   ModelOptions options;
   options.locked = {"slide"};
   options.posture = {{"slide", {0.2}}};
@@ -79,18 +80,18 @@ TEST(HeldTendon, MayGoAlongMoreJointsIfAllButTwoAreLocked) {
   EXPECT_DOUBLE_EQ(elbow.follows->offset, 0.3 - 0.1);
 }
 
-TEST(Tendon, RefusesWhatItCannotGoAlong) {
+TEST(Tendon, UnsuitableJoint_IsRefused) {
   TreeSpec tree = coupled();
   tree.tendons[0].line = 12;
   tree.tendons[0].parts[1].joint = "elbw";
-  for (const bool held : {true, false}) {
-    tree.tendons[0].held = held;
+  for (const bool fixed_length : {true, false}) {
+    tree.tendons[0].held = fixed_length;
     tree.tendons[0].stiffness = 1.0;
     tree.tendons[0].parts[1].joint = "elbw";
     expect_words(refused(tree), {"line 12: tendon 'belt'", "'elbw'", "'elbow'?"});
     tree.tendons[0].parts[1].joint = "elbow";
     tree.joints[1].type = JointType::Ball;
-    expect_words(refused(tree), {"tendon 'belt'", "'elbow'", "not one coordinate"});
+    expect_words(refused(tree), {"tendon 'belt'", "'elbow'", "more than one coordinate"});
     tree.joints[1].type = JointType::Revolute;
   }
   tree.joints[1].type = JointType::Continuous;
@@ -103,7 +104,7 @@ TEST(Tendon, RefusesWhatItCannotGoAlong) {
   expect_words(refused(tree), {"tendon 'belt'", "'shoulder'", "alone"});
 }
 
-TEST(Tendon, RefusesNumbersThatAreNone) {
+TEST(Tendon, InvalidNumber_IsRefused) {
   TreeSpec tree = coupled();
   tree.tendons[0].stiffness = -1.0;
   tree.tendons[0].parts[0].coefficient = nan;
@@ -112,7 +113,7 @@ TEST(Tendon, RefusesNumbersThatAreNone) {
   expect_words(refused(tree), {"tendon 'belt'", "no joint"});
 }
 
-TEST(Spring, RefusesAndWarnsByName) {
+TEST(Spring, InvalidSpring_IsRefusedOrWarnedAboutByName) {
   TreeSpec tree = two_links();
   tree.joints[0].stiffness = -1.0;
   tree.joints[1].rest = nan;
@@ -122,15 +123,15 @@ TEST(Spring, RefusesAndWarnsByName) {
   tree.joints[0].type = JointType::Planar;
   const Model planar = build_model(tree);
   ASSERT_EQ(planar.warnings.size(), 1u);
-  expect_words(planar.warnings[0], {"'shoulder'", "spring", "passed over"});
+  expect_words(planar.warnings[0], {"'shoulder'", "spring", "ignored"});
   EXPECT_TRUE(planar.stiffness.isZero(0.0));
   tree.joints[0].type = JointType::Ball;
   EXPECT_EQ(build_model(tree).stiffness.head<3>(), Eigen::Vector3d::Ones());
   tree.joints[0].rest = 0.5;
-  expect_words(build_model(tree).warnings.at(0), {"'shoulder'", "ball", "0.5", "passed over"});
+  expect_words(build_model(tree).warnings.at(0), {"'shoulder'", "ball", "0.5", "ignored"});
 }
 
-TEST(Spring, RefusesTwoOnTheCircleThatAreNone) {
+TEST(Spring, CoupledContinuousJoints_AreRefused) {
   TreeSpec tree = two_links();
   tree.joints[0].type = tree.joints[1].type = JointType::Continuous;
   tree.joints[0].stiffness = tree.joints[1].stiffness = 1.0;
@@ -138,7 +139,7 @@ TEST(Spring, RefusesTwoOnTheCircleThatAreNone) {
   expect_words(refused(tree), {"'elbow'", "'shoulder'", "continuous", "revolute"});
   tree.joints[1].mimic->multiplier = 2.0;
   tree.joints[0].stiffness = 0.0;
-  expect_words(refused(tree), {"'elbow'", "'shoulder'", "circle"});
+  expect_words(refused(tree), {"'elbow'", "'shoulder'", "rest angle"});
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Known delays: which torque has acted, and the state in which the next one will act.
+// Tests of compensated delays: the torque that has acted, and the state in which the next torque
+// will act.
 #include "mpc/delayed_state.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,8 @@ namespace {
 using testing::expect_words;
 using testing::refusal;
 
-/// The toy's arm in the air, which moves exactly as its model does.
-class Delayed : public ::testing::Test {
+/// Arm of the toy task in free motion, which moves exactly as its model predicts.
+class DelayCompensation : public ::testing::Test {
  protected:
   void make(double command, double measurement) {
     spec.command_delay = command;
@@ -30,7 +31,7 @@ class Delayed : public ::testing::Test {
     const Eigen::VectorXd rest = Eigen::VectorXd::Constant(7, 1.0);
     return rest + Eigen::VectorXd::LinSpaced(7, 4.0, 0.5) * std::sin(0.1 * tick);
   }
-  /// The states at ticks 0, 1, ..., with the torque of tick_before(i) acting in between.
+  /// Simulates the states at ticks 0, 1, ...; in tick i the torque of tick i - `delay` acts.
   void simulate(int count, int delay) {
     const int fine = 20;
     ContactDynamics arm(spec.problem.model);
@@ -46,7 +47,8 @@ class Delayed : public ::testing::Test {
       }
     }
   }
-  /// Feeds everything up to the measurement of this tick, and predicts.
+  /// Feeds all measurements up to tick `now` and returns the predicted state. Measurements after
+  /// tick `until` are invalid.
   Eigen::VectorXd predicted(int now, int measurement_ticks, int until) {
     Status status = Status::Ok;
     FaultLatch latch;
@@ -80,7 +82,7 @@ class Delayed : public ::testing::Test {
     const auto at = static_cast<std::size_t>(tick);
     EXPECT_LT((x.head(7) - qs[at]).cwiseAbs().maxCoeff(), 2e-5);
     EXPECT_LT((x.tail(7) - vs[at]).cwiseAbs().maxCoeff(), 5e-3);
-    // Else any state would do.
+    // Ensures that the measured state differs from the predicted state.
     EXPECT_GT((gate->last().q - qs[at]).cwiseAbs().maxCoeff(), 3e-4);
   }
 
@@ -92,22 +94,23 @@ class Delayed : public ::testing::Test {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(7);
 };
 
-TEST_F(Delayed, State_WithBothDelays_IsTheOneInWhichTheCommandWillAct) {
+TEST_F(DelayCompensation, BothDelays_PredictTheStateInWhichTheCommandActs) {
   make(3e-3, 2e-3);
   EXPECT_EQ(ahead->ticks(), 5);
   EXPECT_NEAR(ahead->lead(), 3e-3, 1e-12);
   simulate(60, 3);
   expect_state(predicted(50, 2, 50), 53);
-  EXPECT_EQ(ahead->acted(), tau_at(44)) << "until the measurement of tick 48 was taken";
+  EXPECT_EQ(ahead->acted(), tau_at(44))
+      << "torque that acted when the measurement of tick 48 was taken";
 }
 
-TEST_F(Delayed, State_WithMeasurementsThatAreBridged_IsPredictedFromTheLastGoodOne) {
+TEST_F(DelayCompensation, InvalidMeasurements_PredictFromTheLastValidOne) {
   make(3e-3, 0.0);
   simulate(60, 3);
   expect_state(predicted(50, 0, 46), 53);
 }
 
-TEST_F(Delayed, State_WithoutDelays_IsTheMeasuredOne) {
+TEST_F(DelayCompensation, NoDelay_ReturnsTheMeasuredState) {
   make(0.0, 0.0);
   simulate(10, 0);
   const Eigen::VectorXd x = predicted(8, 0, 8);
@@ -117,13 +120,13 @@ TEST_F(Delayed, State_WithoutDelays_IsTheMeasuredOne) {
   EXPECT_EQ(ahead->lead(), 0.0);
 }
 
-TEST(KnownDelay, MpcSpec_WithADelayOutOfRange_IsRefused) {
+TEST(MpcSpecDelays, DelayOutOfRange_IsRefused) {
   MpcSpec spec = toy_spec();
   spec.command_delay = -1e-3;
-  expect_words(refusal([&] { MpcController{spec}; }), {"command delay of -0.001 s", "0.1 s"});
+  expect_words(refusal([&] { MpcController{spec}; }), {"command_delay is -0.001 s", "0.1 s"});
   spec.command_delay = 0.0;
   spec.measurement_delay = 0.2;
-  expect_words(refusal([&] { MpcController{spec}; }), {"measurement delay of 0.2 s"});
+  expect_words(refusal([&] { MpcController{spec}; }), {"measurement_delay is 0.2 s"});
 }
 
 }  // namespace

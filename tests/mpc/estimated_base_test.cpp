@@ -1,4 +1,4 @@
-// What stands between sensing and a controller: a measurement whose base is estimated.
+// Tests of EstimatedBase, which replaces the base in measurements by its estimate.
 #include "burnish/mpc/estimated_base.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// A biped that stands still, and what its sensors say.
+/// Biped that stands still, with the readings of its sensors.
 struct StandingBiped {
   StandingBiped() {
     options.feet = {{"left_sole_link", FootKind::Sole}, {"right_sole_link", FootKind::Sole}};
@@ -39,24 +39,25 @@ struct StandingBiped {
     EXPECT_LT(measured.tau.head<6>().norm(), 1e-6);
     measured.imu = ImuReading{Eigen::Vector3d::Zero(), -model.gravity};
     truth = measured.q;
-    measured.q.head<7>().setConstant(nan);  // nobody measures these
+    measured.q.head<7>().setConstant(nan);  // not measured
     measured.v.head<6>().setConstant(nan);
   }
   Measurement at(int tick) {
     measured.time = 1e-3 * tick;
     return measured;
   }
-  /// Sensors in the feet: shares of the weight, straight up, in axes of the soles.
+  /// Sets the foot sensors to vertical forces, each a fraction of the weight, in the axes of the
+  /// soles.
   void load(double left, double right) {
     RigidBody body(model);
     EXPECT_EQ(body.update(truth, VectorXd::Zero(model.nv)), Status::Ok);
     measured.support_wrenches.setZero(6, 2);
-    const double shares[] = {left, right};
+    const double fractions[] = {left, right};
     for (int k = 0; k < 2; ++k) {
       const Eigen::Matrix3d R =
           body.placement(body.frame(options.feet[static_cast<std::size_t>(k)].frame)).linear();
       measured.support_wrenches.col(k).head<3>() =
-          -shares[k] * model.total_mass() * (R.transpose() * model.gravity);
+          -fractions[k] * model.total_mass() * (R.transpose() * model.gravity);
     }
   }
   Model model = biped::model(Base::FreeFlyer);
@@ -65,7 +66,7 @@ struct StandingBiped {
   VectorXd truth;
 };
 
-TEST(EstimatedBase, TellsTheBaseByTorquesOrByFootSensors) {
+TEST(EstimatedBase, StandingBiped_EstimatesTheBaseFromTorquesOrFootSensors) {
   for (const bool sensors : {false, true}) {
     StandingBiped biped;
     EstimatedBase base(biped.model, biped.options);
@@ -73,18 +74,18 @@ TEST(EstimatedBase, TellsTheBaseByTorquesOrByFootSensors) {
     const double weight = -biped.model.total_mass() * biped.model.gravity.z();
     if (sensors) biped.load(0.5, 0.5);
     for (int tick = 0; tick < 200; ++tick) {
-      const Measurement& told = base.update(biped.at(tick));
+      const Measurement& estimated = base.update(biped.at(tick));
       ASSERT_EQ(base.status(), Status::Ok) << tick;
-      ASSERT_TRUE(told.q.allFinite() && told.v.allFinite());
-      EXPECT_EQ(told.time, biped.measured.time);
-      EXPECT_LT((told.q - biped.truth).norm(), 1e-6);
-      EXPECT_LT(told.v.norm(), 1e-6);
-      EXPECT_TRUE(told.tau == biped.measured.tau);
-      EXPECT_EQ(told.support_wrenches.cols(), sensors ? 2 : 0);
+      ASSERT_TRUE(estimated.q.allFinite() && estimated.v.allFinite());
+      EXPECT_EQ(estimated.time, biped.measured.time);
+      EXPECT_LT((estimated.q - biped.truth).norm(), 1e-6);
+      EXPECT_LT(estimated.v.norm(), 1e-6);
+      EXPECT_TRUE(estimated.tau == biped.measured.tau);
+      EXPECT_EQ(estimated.support_wrenches.cols(), sensors ? 2 : 0);
     }
     EXPECT_EQ(base.estimator().feet_that_count(), 3U);
     EXPECT_NEAR(base.contacts().forces()[0], 0.5 * weight, 1e-3 * weight);
-    // One foot is unloaded.
+    // The right foot is unloaded.
     if (!sensors) continue;
     biped.load(1.0, 0.0);
     for (int tick = 200; tick < 300; ++tick) base.update(biped.at(tick));
@@ -92,22 +93,22 @@ TEST(EstimatedBase, TellsTheBaseByTorquesOrByFootSensors) {
   }
 }
 
-TEST(EstimatedBase, WhatCannotBeUsedLeavesTheBaseAndIsBridged) {
+TEST(EstimatedBase, InvalidMeasurement_KeepsTheLastBase) {
   StandingBiped biped;
   EstimatedBase base(biped.model, biped.options);
   ASSERT_EQ(base.reset(biped.truth, VectorXd::Zero(biped.model.nv)), Status::Ok);
   for (int tick = 0; tick < 50; ++tick) base.update(biped.at(tick));
-  const VectorXd told = base.update(biped.at(50)).q.head<7>();
+  const VectorXd estimated = base.update(biped.at(50)).q.head<7>();
   Measurement bad = biped.at(51);
   bad.imu.reset();
-  EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), told);
+  EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), estimated);
   EXPECT_EQ(base.status(), Status::WrongSize);
   bad = biped.at(52);
   bad.q[10] = nan;
-  EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), told);
+  EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), estimated);
   EXPECT_EQ(base.status(), Status::NotFinite);
   bad = biped.at(40);  // time goes back
-  EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), told);
+  EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), estimated);
   EXPECT_EQ(base.status(), Status::NotFinite);
   bad = biped.at(53);
   bad.support_wrenches.setOnes(6, 1);
@@ -122,7 +123,7 @@ TEST(EstimatedBase, WhatCannotBeUsedLeavesTheBaseAndIsBridged) {
   EXPECT_LT((good.q - biped.truth).norm(), 1e-6);
 }
 
-TEST(EstimatedBase, ASilentUnitIsDoneWithoutAndTakenBack) {
+TEST(EstimatedBase, SilentImu_FallsBackToTheFeetUntilItReturns) {
   for (const bool sensors : {false, true}) {
     StandingBiped biped;
     EstimatedBase base(biped.model, biped.options);
@@ -131,11 +132,12 @@ TEST(EstimatedBase, ASilentUnitIsDoneWithoutAndTakenBack) {
     for (int tick = 0; tick < 1200; ++tick) {
       Measurement measured = biped.at(tick);
       const bool silent = tick >= 100 && tick < 300;
-      measured.imu->gyro.x() = 1e-9 * (tick % 2);  // one that repeats itself is not taken back
+      measured.imu->gyro.x() =
+          1e-9 * (tick % 2);  // a reading that repeats itself is not accepted again
       if (silent) measured.imu.reset();
-      const Measurement& told = base.update(measured);
-      EXPECT_LT((told.q - biped.truth).norm(), 1e-6) << tick;
-      EXPECT_EQ(told.base_lost_for, 0.0);
+      const Measurement& estimated = base.update(measured);
+      EXPECT_LT((estimated.q - biped.truth).norm(), 1e-6) << tick;
+      EXPECT_EQ(estimated.base_lost_for, 0.0);
       if (tick > 104) {
         EXPECT_EQ(base.status(), Status::Ok) << tick;
       }
@@ -148,26 +150,26 @@ TEST(EstimatedBase, ASilentUnitIsDoneWithoutAndTakenBack) {
   }
 }
 
-TEST(EstimatedBase, SaysForHowLongNothingTellsTheBase) {
+TEST(EstimatedBase, LostImuAndFeet_ReportTheTimeWithoutAnEstimate) {
   StandingBiped biped;
   EstimatedBase base(biped.model, biped.options);
   ASSERT_EQ(base.reset(biped.truth, VectorXd::Zero(biped.model.nv)), Status::Ok);
   biped.load(0.5, 0.5);
   for (int tick = 0; tick < 100; ++tick) base.update(biped.at(tick));
   biped.load(0.0, 0.0);
-  double longest = 0.0;
+  double lost_for = 0.0;
   for (int tick = 100; tick < 300; ++tick) {
     Measurement measured = biped.at(tick);
     measured.imu.reset();
-    const Measurement& told = base.update(measured);
-    ASSERT_TRUE(told.q.allFinite() && told.v.allFinite());
-    longest = told.base_lost_for;
+    const Measurement& estimated = base.update(measured);
+    ASSERT_TRUE(estimated.q.allFinite() && estimated.v.allFinite());
+    lost_for = estimated.base_lost_for;
   }
-  EXPECT_NEAR(longest, 0.185, 0.015);  // forces fade out for some ms
-  EXPECT_EQ(base.update(biped.at(300)).base_lost_for, 0.0) << "a unit that speaks is something";
+  EXPECT_NEAR(lost_for, 0.185, 0.015);  // the estimated forces decay within some milliseconds
+  EXPECT_EQ(base.update(biped.at(300)).base_lost_for, 0.0) << "the IMU reads again";
 }
 
-TEST(EstimatedBase, TicksAllocateNothing) {
+TEST(EstimatedBase, Update_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   StandingBiped biped;
   EstimatedBase base(biped.model, biped.options);

@@ -1,4 +1,4 @@
-// What follows a fault: the law that holds the robot.
+// Tests of the fallback law, which stops and supports the robot after a fault.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -9,7 +9,7 @@
 namespace burnish::test {
 namespace {
 
-/// b(q, 0) and M(q).
+/// Gravity torques b(q, 0) and mass matrix M(q).
 struct Statics {
   Eigen::VectorXd gravity;
   Eigen::MatrixXd mass;
@@ -21,10 +21,11 @@ Statics statics(const Model& model, const Eigen::VectorXd& q) {
   return {dynamics.bias(), dynamics.mass_matrix()};
 }
 
-/// A controller of any robot in the air, fed by hand; its second measurement comes too late.
-class Fed {
+/// Controller of any robot in free motion with measurements from the test. fail_at() sends its
+/// second measurement too late.
+class FedController {
  public:
-  Fed(const TestRobot& robot, const Fallback& fallback)
+  FedController(const TestRobot& robot, const Fallback& fallback)
       : model(robot.model()), mpc(spec_of(robot, model, fallback)) {
     m.q = model.q_neutral;
     m.v = m.tau = Eigen::VectorXd::Zero(model.nv);
@@ -43,7 +44,7 @@ class Fed {
     tick(q, Eigen::VectorXd::Zero(model.nv));
     ASSERT_EQ(mpc.fault().kind, FaultKind::StaleMeasurement) << mpc.fault().text();
   }
-  /// b(q, 0) - M (k e + c v) on the actuated joints, zero elsewhere.
+  /// Returns b(q, 0) - M x on the actuated joints, zero elsewhere; x is k e + c v.
   Eigen::VectorXd law(const Eigen::VectorXd& q, const Eigen::VectorXd& x) const {
     const Statics at = statics(model, q);
     Eigen::VectorXd driven = Eigen::VectorXd::Zero(model.nv), tau = driven;
@@ -87,11 +88,11 @@ std::vector<TestRobot> robots() {
           {"every_joint", Base::FreeFlyer, "tip"}};
 }
 
-TEST(Fallback, is_a_spring_and_a_damper_of_every_kind_of_joint) {
+TEST(Fallback, EveryJointKind_GetsASpringAndADamper) {
   std::mt19937_64 generator(4);
-  const Fallback fallback{.stiffness = 300.0, .damping = 20.0, .give = 1.0};
+  const Fallback fallback{.stiffness = 300.0, .damping = 20.0, .saturation_fraction = 1.0};
   for (const TestRobot& robot : robots()) {
-    Fed fed(robot, fallback);
+    FedController fed(robot, fallback);
     fed.model.effort_limit.setConstant(infinity);
     const Eigen::VectorXd q_hold = random_configuration(fed.model, generator);
     fed.fail_at(q_hold);
@@ -99,57 +100,58 @@ TEST(Fallback, is_a_spring_and_a_damper_of_every_kind_of_joint) {
       const Eigen::VectorXd e = random_vector(fed.model.nv, 0.01, generator);
       const Eigen::VectorXd v = random_vector(fed.model.nv, 0.01, generator);
       const Eigen::VectorXd q = integrate(fed.model, q_hold, e);
-      const Eigen::VectorXd due = fed.law(q, fallback.stiffness * e + fallback.damping * v);
-      EXPECT_LT((fed.tick(q, v) - due).norm(), 1e-9 * due.norm()) << robot.label();
+      const Eigen::VectorXd expected = fed.law(q, fallback.stiffness * e + fallback.damping * v);
+      EXPECT_LT((fed.tick(q, v) - expected).norm(), 1e-9 * expected.norm()) << robot.label();
     }
   }
 }
 
-TEST(Fallback, slips_where_the_spring_would_take_more_than_its_share) {
-  const Fallback fallback{.stiffness = 900.0, .damping = 0.0, .give = 0.1};
+TEST(Fallback, SpringAtItsSaturationFraction_SlipsWithThePosition) {
+  const Fallback fallback{.stiffness = 900.0, .damping = 0.0, .saturation_fraction = 0.1};
   const TestRobot robot = robots()[0];
-  Fed fed(robot, fallback);
+  FedController fed(robot, fallback);
   const Eigen::VectorXd q_hold = robot_at_home(), zero = Eigen::VectorXd::Zero(6),
-                        limit = fallback.give * fed.model.effort_limit;
+                        limit = fallback.saturation_fraction * fed.model.effort_limit;
   fed.fail_at(q_hold);
-  const Eigen::VectorXd way = Eigen::VectorXd::LinSpaced(6, 0.2, 0.7);
+  const Eigen::VectorXd direction = Eigen::VectorXd::LinSpaced(6, 0.2, 0.7);
   const auto spring = [&](double along) {
-    const Eigen::VectorXd q = q_hold + along * way;
+    const Eigen::VectorXd q = q_hold + along * direction;
     return Eigen::VectorXd(fed.tick(q, zero) - statics(fed.model, q).gravity);
   };
-  // Out, with a torque that stays at its share on the joint that reaches it first.
+  // Moving out, the torque stays at the saturation fraction on the joint that saturates first.
   for (const double along : {0.05, 0.2, 0.5}) {
-    const Eigen::ArrayXd share = spring(along).array().abs() / limit.array();
-    EXPECT_NEAR(share.maxCoeff(), 1.0, 1e-9) << along;
+    const Eigen::ArrayXd saturation = spring(along).array().abs() / limit.array();
+    EXPECT_NEAR(saturation.maxCoeff(), 1.0, 1e-9) << along;
   }
-  // A little back, and the spring is slack; farther, and it draws the other way.
+  // After a small motion back the spring is slack; farther back, it pulls in the opposite
+  // direction.
   const Eigen::VectorXd out = spring(0.5), back = spring(0.45);
   EXPECT_LT(out.dot(back), 0.0);
   EXPECT_NEAR((back.array().abs() / limit.array()).maxCoeff(), 1.0, 1e-9);
-  // Within its share it is a spring: there and back it gives the same.
+  // Below saturation the spring is elastic: returning to a position gives the same torque.
   const Eigen::VectorXd slack = spring(0.451);
   spring(0.4515);
   EXPECT_LT((spring(0.451) - slack).norm(), 1e-9);
 }
 
-TEST(Fallback, lets_go_while_nothing_is_measured_and_holds_where_it_sees_again) {
+TEST(Fallback, NoMeasurement_CompensatesGravityThenHoldsTheNewPosition) {
   const Fallback fallback{};
-  Fed fed(robots()[0], fallback);
+  FedController fed(robots()[0], fallback);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(6), q_hold = robot_at_home(),
                         e = Eigen::VectorXd::Constant(6, 1e-4), nan = zero * std::nan("");
   fed.fail_at(q_hold);
   const Eigen::VectorXd q = q_hold + e, gravity = fed.law(q, zero),
-                        held = fed.law(q, fallback.stiffness * e);
-  ASSERT_GT((held - gravity).norm(), 0.1);
-  EXPECT_LT((fed.tick(q, zero) - held).norm(), 1e-9);
-  // A gap of 10 ms is bridged with the position before it; then there is gravity alone.
-  for (int i = 0; i < 10; ++i) EXPECT_LT((fed.tick(nan, nan) - held).norm(), 1e-9) << i;
+                        held_torque = fed.law(q, fallback.stiffness * e);
+  ASSERT_GT((held_torque - gravity).norm(), 0.1);
+  EXPECT_LT((fed.tick(q, zero) - held_torque).norm(), 1e-9);
+  // A gap of 10 ms is bridged with the last position; after that, only gravity is compensated.
+  for (int i = 0; i < 10; ++i) EXPECT_LT((fed.tick(nan, nan) - held_torque).norm(), 1e-9) << i;
   for (int i = 0; i < 10; ++i) EXPECT_LT((fed.tick(nan, nan) - gravity).norm(), 1e-9) << i;
   const Eigen::VectorXd elsewhere = q_hold + 1e3 * e;
   EXPECT_LT((fed.tick(elsewhere, zero) - fed.law(elsewhere, zero)).norm(), 1e-9);
-  const Eigen::VectorXd due = fed.law(elsewhere + e, fallback.stiffness * e);
-  EXPECT_LT((fed.tick(elsewhere + e, zero) - due).norm(), 1e-9);
-  // The clock of the sensors standing still is as bad.
+  const Eigen::VectorXd expected = fed.law(elsewhere + e, fallback.stiffness * e);
+  EXPECT_LT((fed.tick(elsewhere + e, zero) - expected).norm(), 1e-9);
+  // A sensor clock that stands still is treated as a missing measurement.
   for (int i = 0; i < 20; ++i) {
     fed.m.time -= 1e-3;
     fed.tick(elsewhere + e, zero);

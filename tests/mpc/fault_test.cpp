@@ -1,4 +1,4 @@
-// What a fault says: of which joint or part, in which unit, and what led to it.
+// Tests of fault reports: the joint or part they name, the unit, and the cause.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::expect_words;
 
-TEST(FaultReport, Text_OfAJoint_NamesItAndItsUnit) {
+TEST(FaultReport, FaultOfAJoint_NamesTheJointAndItsUnit) {
   const MpcSpec spec = toy_spec();
   const Model& model = spec.problem.model;
   const std::string joint = "joint '" + model.v_name(2) + "': ";
@@ -33,9 +33,9 @@ TEST(FaultReport, Text_OfAJoint_NamesItAndItsUnit) {
   latch.explain("");
   latch.explain("a second one");
   EXPECT_EQ(latch.report.text(), "motor lost at 1.5000 s: " + joint +
-                                     "a torque of 12 Nm off what was sent; allowed are 8 Nm: a "
-                                     "first clause; a second one");
-  // What a fault before said is forgotten.
+                                     "the torque differs by 12 Nm from the command; "
+                                     "allowed are 8 Nm: a first clause; a second one");
+  // The cause of an earlier fault does not appear again.
   latch.reset();
   latch.raise(2.0, FaultKind::SpeedLimit, 1.2, 1.0);
   EXPECT_EQ(latch.report.text(), "speed limit at 2.0000 s: the tool: 1.2 m/s, allowed 1 m/s");
@@ -43,7 +43,7 @@ TEST(FaultReport, Text_OfAJoint_NamesItAndItsUnit) {
   EXPECT_EQ(latch.report.text(), "no fault");
 }
 
-TEST(FaultReport, Text_OfAJointThatSlides_IsInMetres) {
+TEST(FaultReport, FaultOfAPrismaticJoint_IsInMetres) {
   Model model = toy_spec().problem.model;
   model.joints[3].kind = JointKind::Prismatic;
   FaultLatch latch(model);
@@ -51,10 +51,10 @@ TEST(FaultReport, Text_OfAJointThatSlides_IsInMetres) {
   expect_words(latch.report.text(), {"0.5 m/s, allowed 0.4 m/s"});
   latch.reset();
   latch.raise(0.0, FaultKind::MotorLost, 50.0, 40.0, 3);
-  expect_words(latch.report.text(), {"50 N off what was sent"});
+  expect_words(latch.report.text(), {"differs by 50 N from the command"});
 }
 
-TEST(FaultReport, Text_OfEveryKind_IsOneSentenceWithBothNumbers) {
+TEST(FaultReport, EveryKind_IsOneSentenceWithValueAndLimit) {
   for (int kind = 1; kind <= static_cast<int>(FaultKind::BaseLost); ++kind) {
     FaultReport report;
     report.kind = static_cast<FaultKind>(kind);
@@ -77,7 +77,7 @@ TEST(FaultKind, EveryValue_HasItsWord) {
   EXPECT_EQ(words.back().word, "base_lost");
 }
 
-TEST(FaultLatch, Raise_InATick_AllocatesNothing) {
+TEST(FaultLatch, Raise_AllocatesNothing) {
   const MpcSpec spec = toy_spec();
   FaultLatch latch(spec.problem.model);
   const AllocationGuard guard;
@@ -86,10 +86,10 @@ TEST(FaultLatch, Raise_InATick_AllocatesNothing) {
   if (AllocationGuard::unavailable() == nullptr) {
     EXPECT_EQ(guard.count(), 0);
   }
-  EXPECT_LT(latch.report.cause.size(), 400U) << "what there is no room for is left out";
+  EXPECT_LT(latch.report.cause.size(), 400U) << "clauses that do not fit must be left out";
 }
 
-TEST(MeasurementGate, BadMeasurement_NamesWhatIsWrong) {
+TEST(MeasurementGate, InvalidMeasurement_IsNamedInTheReport) {
   MpcSpec spec = toy_spec();
   const std::string joint = spec.problem.model.v_name(3);
   const auto text_of = [&](const std::function<void(Measurement&)>& spoil) {
@@ -112,16 +112,17 @@ TEST(MeasurementGate, BadMeasurement_NamesWhatIsWrong) {
   expect_words(text_of([=](Measurement& m) { m.v[3] = nan; }), {"v of '" + joint + "'"});
   expect_words(text_of([=](Measurement& m) { m.tau[3] = nan; }), {"tau of '" + joint + "'"});
   expect_words(text_of([](Measurement& m) { m.v.conservativeResize(3); }),
-               {"v has 3 entries, and 7 are wanted"});
+               {"v has 3 entries; wanted 7"});
   expect_words(text_of([=](Measurement& m) { m.tool_force_world.x() = nan; }),
                {"the force at the tool is not finite"});
-  expect_words(text_of([=](Measurement& m) { m.time = nan; }), {"its time is not finite"});
+  expect_words(text_of([=](Measurement& m) { m.time = nan; }),
+               {"measurement's time is not finite"});
   expect_words(text_of([](Measurement& m) { m.time = 0.0; }),
-               {"stale measurement at ", "its time stands still at 0.0000 s"});
+               {"stale measurement at ", "measurement's time stays at 0.0000 s"});
 }
 
-/// A controller's torques, which swing, and what comes of them.
-class Motors : public ::testing::Test {
+/// Motors with oscillating torque commands and delayed torque measurements.
+class MotorMonitor : public ::testing::Test {
  protected:
   void SetUp() override {
     spec.limits.torque_gap = 0.25;
@@ -129,8 +130,9 @@ class Motors : public ::testing::Test {
     watch.emplace(spec);
     m = toy_measurement(spec);
   }
-  /// Until this time, with torques that come so late, a joint's but a share of them.
-  void run(double until, double delay, int joint = -1, double share = 1.0) {
+  /// Runs until this time with torques that arrive after `delay`; `joint` yields only a fraction of
+  /// its torque.
+  void run(double until, double delay, int joint = -1, double fraction = 1.0) {
     MeasurementGate gate(spec);
     FaultLatch latch(spec.problem.model);
     Status status = Status::Ok;
@@ -138,7 +140,7 @@ class Motors : public ::testing::Test {
       m.time = 1e-3 * i;
       const Eigen::VectorXd before = tau_at(m.time - 1e-3);
       m.tau = tau_at(m.time - 1e-3 - delay);
-      if (joint >= 0) m.tau[joint] *= share;
+      if (joint >= 0) m.tau[joint] *= fraction;
       gate.take(m, latch, status);
       watch->look(gate, before);
     }
@@ -156,7 +158,7 @@ class Motors : public ::testing::Test {
   std::string text;
 };
 
-TEST_F(Motors, TorquesThatComeLate_AreNoLostMotorAndTellTheirDelay) {
+TEST_F(MotorMonitor, DelayedTorques_AreNoFaultAndYieldTheDelay) {
   for (const double delay : {2e-3, 5e-3, 9e-3, 15e-3}) {
     watch->reset();
     m.time = 0.0;
@@ -170,14 +172,14 @@ TEST_F(Motors, TorquesThatComeLate_AreNoLostMotorAndTellTheirDelay) {
   EXPECT_EQ(watch->lag(), 0.0);
 }
 
-TEST_F(Motors, AMotorThatGivesNothing_IsFoundByItsJointThoughTorquesComeLate) {
+TEST_F(MotorMonitor, MotorWithoutTorque_IsFoundByJointDespiteDelay) {
   for (const double delay : {0.0, 5e-3}) {
     watch->reset();
     m.time = 0.0;
     run(0.3, delay, 2, 0.0);
     EXPECT_EQ(watch->lost(), 2) << delay;
-    expect_words(text, {"motor lost", "joint '" + spec.problem.model.v_name(2) + "'", "were sent",
-                        "came, means over 30 ms"});
+    expect_words(text, {"motor lost", "joint '" + spec.problem.model.v_name(2) + "'", "commanded",
+                        "as means over 30 ms"});
   }
 }
 

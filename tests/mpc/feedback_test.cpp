@@ -1,4 +1,5 @@
-// The policy between two solves: the solver's at the knots, on the manifold in between.
+// Tests of the policy between two solves: equal to the solver's at the knots, on the manifold in
+// between.
 #include "burnish/mpc/feedback.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +18,8 @@ using testing::refusal;
 
 constexpr double step = 0.02;
 
-/// A robot that is thrown, turns, and shall keep its state with little torque. With `impact` its
-/// tool is caught on the way.
+/// Robot that flies and rotates; the task is to keep its initial state with little torque. With
+/// `impact`, a contact catches its tool in flight.
 ProblemSpec thrown(const test::TestRobot& robot, bool impact = false) {
   ProblemSpec spec;
   spec.model = robot.model();
@@ -39,8 +40,8 @@ ProblemSpec thrown(const test::TestRobot& robot, bool impact = false) {
   return spec;
 }
 
-struct Solved {
-  explicit Solved(const ProblemSpec& spec)
+struct SolvedProblem {
+  explicit SolvedProblem(const ProblemSpec& spec)
       : problem(spec), solver(problem, {.max_iterations = 10}) {
     solver.solve();
   }
@@ -54,10 +55,10 @@ struct Solved {
   DdpSolver solver;
 };
 
-class FeedbackPlanOf : public ::testing::TestWithParam<test::TestRobot> {};
+class FeedbackPlanOfRobot : public ::testing::TestWithParam<test::TestRobot> {};
 
-TEST_P(FeedbackPlanOf, is_the_solvers_trajectory_and_gain_at_knots) {
-  const Solved solved(thrown(GetParam()));
+TEST_P(FeedbackPlanOfRobot, AtKnots_EqualsTheSolversTrajectoryAndGain) {
+  const SolvedProblem solved(thrown(GetParam()));
   FeedbackPlan plan(solved.problem, 5, step);
   EXPECT_TRUE(plan.empty());
   plan.load(solved.solver, 3.0);
@@ -73,23 +74,23 @@ TEST_P(FeedbackPlanOf, is_the_solvers_trajectory_and_gain_at_knots) {
   }
 }
 
-TEST_P(FeedbackPlanOf, moves_its_state_along_the_manifold_between_knots) {
-  const Solved solved(thrown(GetParam()));
+TEST_P(FeedbackPlanOfRobot, BetweenKnots_InterpolatesTheStateOnTheManifold) {
+  const SolvedProblem solved(thrown(GetParam()));
   FeedbackPlan plan(solved.problem, 5, step);
   plan.load(solved.solver, -1.0);
   LinearFeedback policy = plan.make_feedback();
-  for (const double share : {0.1, 0.5, 0.9}) {
-    plan.at(-1.0 + (2 + share) * step, policy);
+  for (const double fraction : {0.1, 0.5, 0.9}) {
+    plan.at(-1.0 + (2 + fraction) * step, policy);
     const Eigen::VectorXd whole = solved.difference(solved.x(2), solved.x(3));
-    const Eigen::VectorXd part = solved.difference(solved.x(2), policy.state);
+    const Eigen::VectorXd difference = solved.difference(solved.x(2), policy.state);
     ASSERT_GT(whole.norm(), 1e-3);
-    EXPECT_LT((part - share * whole).norm(), 1e-9 * (1.0 + whole.norm())) << share;
+    EXPECT_LT((difference - fraction * whole).norm(), 1e-9 * (1.0 + whole.norm())) << fraction;
     EXPECT_EQ(policy.gain, Eigen::MatrixXd(solved.solver.gain(2)));
   }
 }
 
-TEST_P(FeedbackPlanOf, gives_a_triple_from_which_its_control_follows) {
-  const Solved solved(thrown(GetParam()));
+TEST_P(FeedbackPlanOfRobot, StateFeedforwardAndGain_ReproduceTheControl) {
+  const SolvedProblem solved(thrown(GetParam()));
   FeedbackPlan plan(solved.problem, 8, step);
   plan.load(solved.solver, 0.0);
   LinearFeedback policy = plan.make_feedback();
@@ -105,7 +106,7 @@ TEST_P(FeedbackPlanOf, gives_a_triple_from_which_its_control_follows) {
   EXPECT_LT((u - policy.feedforward).norm(), 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, FeedbackPlanOf,
+INSTANTIATE_TEST_SUITE_P(Robots, FeedbackPlanOfRobot,
                          ::testing::Values(test::TestRobot{"arm7", Base::Fixed, "tool"},
                                            test::TestRobot{"arm7", Base::FreeFlyer, "tool"},
                                            test::TestRobot{"every_joint", Base::FreeFlyer, "tip"}),
@@ -113,10 +114,10 @@ INSTANTIATE_TEST_SUITE_P(Robots, FeedbackPlanOf,
 
 const test::TestRobot arm{"arm7", Base::Fixed, "tool"};
 
-TEST(FeedbackPlan, knows_when_its_knots_are) {
+TEST(FeedbackPlan, UnevenSteps_PlaceKnotsAtTheirTimes) {
   ProblemSpec spec = thrown(arm);
   spec.horizon = {{.stage = "fly", .knots = 8, .step = step, .duration = 0.4}};
-  const Solved solved(spec);
+  const SolvedProblem solved(spec);
   const std::vector<double> steps = knot_steps(spec);
   FeedbackPlan plan(solved.problem, std::span(steps).first(5));
   EXPECT_EQ(plan.knots(), 5);
@@ -129,10 +130,10 @@ TEST(FeedbackPlan, knows_when_its_knots_are) {
     plan.at(plan.time_of(k) + 0.25 * length, policy);
     EXPECT_EQ(policy.gain, Eigen::MatrixXd(solved.solver.gain(k))) << k;
     const Eigen::VectorXd whole = solved.difference(solved.x(k), solved.x(k + 1));
-    const Eigen::VectorXd part = solved.difference(solved.x(k), policy.state);
-    EXPECT_LT((part - 0.25 * whole).norm(), 1e-9) << k;
+    const Eigen::VectorXd difference = solved.difference(solved.x(k), policy.state);
+    EXPECT_LT((difference - 0.25 * whole).norm(), 1e-9) << k;
   }
-  // The same knots at other times.
+  // The same knots shifted to other times.
   KnotTimes moved(steps);
   moved.move(1, 0.5 * steps[0]);
   plan.load(solved.solver, 3.0, moved);
@@ -142,8 +143,8 @@ TEST(FeedbackPlan, knows_when_its_knots_are) {
   EXPECT_EQ(FeedbackPlan(solved.problem, std::vector<double>(100, step)).knots(), 8);
 }
 
-TEST(FeedbackPlan, holds_its_ends) {
-  const Solved solved(thrown(arm));
+TEST(FeedbackPlan, TimeBeyondItsEnds_HoldsTheFirstOrLastKnot) {
+  const SolvedProblem solved(thrown(arm));
   FeedbackPlan plan(solved.problem, 100, step);
   EXPECT_EQ(plan.knots(), 8);
   plan.load(solved.solver, 1.0);
@@ -156,8 +157,8 @@ TEST(FeedbackPlan, holds_its_ends) {
   EXPECT_EQ(policy.feedforward, solved.solver.us().row(7).transpose().eval());
 }
 
-TEST(FeedbackPlan, has_no_gain_where_there_is_no_control) {
-  Solved solved(thrown(arm, true));
+TEST(FeedbackPlan, KnotWithoutControl_HasZeroGain) {
+  SolvedProblem solved(thrown(arm, true));
   FeedbackPlan plan(solved.problem, 8, step);
   LinearFeedback policy = plan.make_feedback();
   const int fly = solved.problem.stage_index("fly"), hit = solved.problem.stage_index("hit");
@@ -171,8 +172,8 @@ TEST(FeedbackPlan, has_no_gain_where_there_is_no_control) {
   }
 }
 
-TEST(FeedbackPlan, leaves_the_policy_alone_while_it_is_empty) {
-  const Solved solved(thrown(arm));
+TEST(FeedbackPlan, EmptyPlan_LeavesThePolicyUnchanged) {
+  const SolvedProblem solved(thrown(arm));
   FeedbackPlan plan(solved.problem, 4, step);
   LinearFeedback policy = plan.make_feedback();
   policy.state.setConstant(7.0);
@@ -184,9 +185,9 @@ TEST(FeedbackPlan, leaves_the_policy_alone_while_it_is_empty) {
   EXPECT_EQ(policy.state[0], 7.0);
 }
 
-TEST(FeedbackPlan, allocates_nothing_once_it_is_made) {
+TEST(FeedbackPlan, UseAfterConstruction_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
-  const Solved solved(thrown({"arm7", Base::FreeFlyer, "tool"}));
+  const SolvedProblem solved(thrown({"arm7", Base::FreeFlyer, "tool"}));
   FeedbackPlan plan(solved.problem, 4, step), other(plan);
   LinearFeedback policy = plan.make_feedback();
   Eigen::VectorXd u(policy.feedforward.size());
@@ -198,8 +199,8 @@ TEST(FeedbackPlan, allocates_nothing_once_it_is_made) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(FeedbackPlan, refuses_sizes_that_are_none) {
-  const Solved solved(thrown(arm));
+TEST(FeedbackPlan, NoKnotsOrZeroStep_IsRefused) {
+  const SolvedProblem solved(thrown(arm));
   expect_words(refusal([&] { FeedbackPlan(solved.problem, 0, step); }), {"0 knots"});
   expect_words(refusal([&] { FeedbackPlan(solved.problem, 3, 0.0); }), {"step", "positive"});
 }

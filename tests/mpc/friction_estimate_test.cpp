@@ -1,4 +1,4 @@
-// The coefficient of friction, told from forces across the normal while a tool slides.
+// Tests of the friction coefficient, estimated from tangential forces while a tool slides.
 #include "burnish/mpc/friction_estimate.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Force on a tool that slides on a circle with Coulomb's friction, pressed with 30 N; noise of
-/// 0.3 N that lasts for some 3 ms, as a force sensor's.
+/// Force on a tool that slides on a circle with Coulomb friction under a normal force of 30 N. The
+/// noise is 0.3 N with a correlation time of 3 ms, typical of a force sensor.
 struct Sliding {
   double coefficient = 0.3, speed = 0.07, rate = 1.0, noise = 0.3;
   std::mt19937_64 generator{7};
@@ -31,7 +31,7 @@ struct Sliding {
   }
 };
 
-TEST(FrictionEstimate, IsKnownAfterACentimetreOfSliding) {
+TEST(FrictionEstimate, OneCentimetreOfSliding_FindsTheCoefficient) {
   for (const double coefficient : {0.0, 0.1, 0.3, 0.6}) {
     FrictionEstimator estimate{FrictionEstimateOptions{}};
     Sliding sliding{.coefficient = coefficient};
@@ -43,7 +43,7 @@ TEST(FrictionEstimate, IsKnownAfterACentimetreOfSliding) {
   }
 }
 
-TEST(FrictionEstimate, FollowsAnotherPatchOfTheSurface) {
+TEST(FrictionEstimate, ChangedSurface_IsFollowed) {
   FrictionEstimator estimate{FrictionEstimateOptions{}};
   Sliding dry{.coefficient = 0.5}, wet{.coefficient = 0.2};
   dry.run(estimate, 2.0);
@@ -51,7 +51,7 @@ TEST(FrictionEstimate, FollowsAnotherPatchOfTheSurface) {
   EXPECT_NEAR(estimate.coefficient(), 0.2, 0.03);
 }
 
-TEST(FrictionEstimate, OfAToolThatRestsStaysAsBelieved) {
+TEST(FrictionEstimate, ToolAtRest_KeepsTheAssumedCoefficient) {
   FrictionEstimator estimate({.coefficient = 0.2});
   Sliding still{.speed = 0.0};
   still.run(estimate, 2.0);
@@ -63,19 +63,19 @@ TEST(FrictionEstimate, OfAToolThatRestsStaysAsBelieved) {
   EXPECT_NE(estimate.coefficient(), 0.2);
   estimate.reset();
   EXPECT_EQ(estimate.coefficient(), 0.2);
-  FrictionEstimator known({.enabled = false, .coefficient = 0.2});
-  Sliding{}.run(known, 1.0);
-  EXPECT_EQ(known.coefficient(), 0.2);
+  FrictionEstimator disabled({.enabled = false, .coefficient = 0.2});
+  Sliding{}.run(disabled, 1.0);
+  EXPECT_EQ(disabled.coefficient(), 0.2);
 }
 
-TEST(FrictionEstimate, IsNeverNegative) {
+TEST(FrictionEstimate, ForceAlongTheMotion_GivesNoNegativeCoefficient) {
   FrictionEstimator estimate{FrictionEstimateOptions{}};
   Sliding pushed{.coefficient = -0.5};
   pushed.run(estimate, 0.5);
   EXPECT_EQ(estimate.coefficient(), 0.0);
 }
 
-TEST(FrictionEstimate, RefusesBadOptionsInASentence) {
+TEST(FrictionEstimate, OptionsOutOfRange_AreRefused) {
   const auto refused = [](const FrictionEstimateOptions& options) {
     return testing::refusal([&] { FrictionEstimator{options}; });
   };

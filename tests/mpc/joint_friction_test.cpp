@@ -1,4 +1,4 @@
-// Friction in joints, told from an error that turns around with their velocities.
+// Tests of joint friction, estimated from a torque error that reverses with the joint velocities.
 #include "mpc/joint_friction.hpp"
 
 #include <gtest/gtest.h>
@@ -14,10 +14,10 @@
 namespace burnish::test {
 namespace {
 
-/// Joints that swing, all with friction of the same size, and what an observer behind the
-/// bandwidth says of what is not made up for.
-struct Swing {
-  explicit Swing(double coulomb_of_plant, double viscous_of_plant, bool enabled = true)
+/// Joints that oscillate, all with the same friction, and a torque error observer for the error
+/// that the compensation leaves.
+struct SwingingJoints {
+  explicit SwingingJoints(double coulomb_of_plant, double viscous_of_plant, bool enabled = true)
       : coulomb(coulomb_of_plant), viscous(viscous_of_plant) {
     spec = toy_spec();
     spec.model_error.kind = ModelErrorKind::Torque;
@@ -32,9 +32,9 @@ struct Swing {
     for (const double end = time + duration; time < end; time += dt) step();
   }
   void step() {
-    const double share = -std::expm1(-bandwidth * dt);
+    const double filter_gain = -std::expm1(-bandwidth * dt);
     for (Eigen::Index k = 0; k < v.size(); ++k) {
-      noise_speed[k] += 0.02 * (strays * 20.0 * noise(random) - noise_speed[k]);
+      noise_speed[k] += 0.02 * (velocity_noise * 20.0 * noise(random) - noise_speed[k]);
       v[k] = speed(k, time - dt) + noise_speed[k];
     }
     friction->learn(error, v, bandwidth, dt);
@@ -46,9 +46,9 @@ struct Swing {
       const double now = speed(k, time);
       const double drift = 2.0 + 0.3 * std::sin(0.7 * time + static_cast<double>(k));
       const double lost = std::copysign(coulomb, now) + viscous * now;
-      const double left = drift + push + friction->torque()[k] - lost + noise(random);
-      first[k] += share * (left - first[k]);
-      error[k] += share * (first[k] - error[k]);
+      const double remaining = drift + push + friction->torque()[k] - lost + noise(random);
+      first[k] += filter_gain * (remaining - first[k]);
+      error[k] += filter_gain * (first[k] - error[k]);
     }
   }
   static double speed(Eigen::Index k, double t) {
@@ -57,7 +57,7 @@ struct Swing {
 
   static constexpr double dt = 5e-4, bandwidth = 150.0;
   double coulomb, viscous, push = 0.0, time = 0.0;
-  double strays = 0.0;  ///< rad/s, deviation of the measured velocities from the planned ones
+  double velocity_noise = 0.0;  ///< noise of measured velocities [rad/s]
   MpcSpec spec;
   std::optional<JointFriction> friction;
   Eigen::VectorXd noise_speed, v, v_ahead, error, first;
@@ -65,7 +65,7 @@ struct Swing {
   std::normal_distribution<double> noise{0.0, 0.5};
 };
 
-TEST(JointFriction, EffortThatStandsForNoLimit_PriorOfAnUnlimitedJoint) {
+TEST(JointFriction, PlaceholderEffortLimit_GivesThePriorOfAnUnlimitedJoint) {
   MpcSpec spec = toy_spec();
   spec.model_error.kind = ModelErrorKind::Torque;
   spec.problem.model.effort_limit.setConstant(1e9);
@@ -78,27 +78,27 @@ TEST(JointFriction, EffortThatStandsForNoLimit_PriorOfAnUnlimitedJoint) {
   EXPECT_DOUBLE_EQ(limited.deviation(0), 0.3);
 }
 
-TEST(JointFriction, is_known_once_every_joint_has_turned_around) {
-  Swing swing(1.0, 0.5);
+TEST(JointFriction, JointsThatReversed_AreCompensated) {
+  SwingingJoints swing(1.0, 0.5);
   swing.run(8.0);
   for (int k = 0; k < swing.v_ahead.size(); ++k) {
     EXPECT_NEAR(swing.friction->coulomb(k), 1.0, 0.15) << k;
     EXPECT_LT(swing.friction->deviation(k), 0.2) << k;
-    // What is made up for is what is lost, but for a moment where the joint turns around.
-    const double v = Swing::speed(k, swing.time);
+    // The compensation matches the friction, except briefly where the joint reverses.
+    const double v = SwingingJoints::speed(k, swing.time);
     if (std::abs(v) < 0.03) continue;
     EXPECT_NEAR(swing.friction->torque()[k], std::copysign(1.0, v) + 0.5 * v, 0.3) << k;
   }
 }
 
-TEST(JointFriction, is_next_to_nothing_where_there_is_none) {
-  Swing swing(0.0, 0.0);
+TEST(JointFriction, FrictionlessJoints_GetAlmostNoCompensation) {
+  SwingingJoints swing(0.0, 0.0);
   swing.run(8.0);
   EXPECT_LT(swing.friction->torque().cwiseAbs().maxCoeff(), 0.1);
 }
 
-TEST(JointFriction, is_not_what_a_push_does) {
-  Swing swing(1.0, 0.0);
+TEST(JointFriction, ShortPush_DoesNotChangeTheEstimate) {
+  SwingingJoints swing(1.0, 0.0);
   swing.run(6.0);
   swing.push = 8.0;
   swing.run(0.1);
@@ -108,44 +108,44 @@ TEST(JointFriction, is_not_what_a_push_does) {
     EXPECT_NEAR(swing.friction->coulomb(k), 1.0, 0.25) << k;
 }
 
-TEST(JointFriction, is_made_up_for_smoothly_at_rest) {
-  Swing swing(1.0, 0.5);
+TEST(JointFriction, JointsAtRest_GetNoCompensation) {
+  SwingingJoints swing(1.0, 0.5);
   swing.run(6.0);
   swing.v_ahead.setZero();
   for (int i = 0; i < 1000; ++i) {
     swing.friction->foresee(swing.v_ahead.data());
-    swing.friction->advance(Swing::dt);
+    swing.friction->advance(SwingingJoints::dt);
   }
   EXPECT_LT(swing.friction->torque().cwiseAbs().maxCoeff(), 1e-2);
 }
 
-TEST(JointFriction, is_left_alone_where_it_is_off_and_forgotten_after_a_reset) {
-  Swing off(1.0, 0.5, false);
+TEST(JointFriction, DisabledOrReset_GivesNoCompensation) {
+  SwingingJoints off(1.0, 0.5, false);
   off.run(2.0);
   EXPECT_TRUE(off.friction->torque().isZero(0.0));
-  Swing swing(1.0, 0.5);
+  SwingingJoints swing(1.0, 0.5);
   swing.run(6.0);
   swing.friction->reset();
   EXPECT_TRUE(swing.friction->torque().isZero(0.0));
   EXPECT_EQ(swing.friction->coulomb(0), 0.0);
 }
 
-/// A light joint that noise throws to and fro is not where its plan is: at which of both sides of
-/// rest it is nobody knows, and a full friction would push it on.
-TEST(JointFriction, is_made_up_for_in_part_where_a_joint_strays_from_its_plan) {
-  Swing swing(1.0, 0.0);
+/// Noise throws a light joint to and fro about rest. The sign of its velocity is uncertain, and
+/// full compensation would drive the joint.
+TEST(JointFriction, VelocityNoise_ReducesTheCompensation) {
+  SwingingJoints swing(1.0, 0.0);
   swing.run(6.0);
-  swing.strays = 0.8;
+  swing.velocity_noise = 0.8;
   swing.run(1.0);
   EXPECT_LT(swing.friction->torque().cwiseAbs().maxCoeff(), 0.5);
-  swing.strays = 0.0;
+  swing.velocity_noise = 0.0;
   swing.run(4.0);
   EXPECT_GT(swing.friction->torque().cwiseAbs().maxCoeff(), 0.8);
 }
 
-TEST(JointFriction, allocates_nothing) {
+TEST(JointFriction, Update_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
-  Swing swing(1.0, 0.5);
+  SwingingJoints swing(1.0, 0.5);
   swing.step();
   const AllocationGuard guard;
   swing.run(0.05);

@@ -1,4 +1,4 @@
-// Times of knots that are as long as each other, and of those that are not.
+// Tests of knot times with even and uneven steps.
 #include "burnish/mpc/knot_times.hpp"
 
 #include <gtest/gtest.h>
@@ -10,14 +10,14 @@
 namespace burnish {
 namespace {
 
-TEST(KnotTimes, OfEvenKnotsAreMultiplesOfTheStep) {
+TEST(KnotTimes, EvenSteps_GiveMultiplesOfTheStep) {
   const KnotTimes times(std::vector<double>(50, 0.01));
   EXPECT_TRUE(times.is_even());
   for (int k = 0; k <= 50; ++k) EXPECT_EQ(times.after(k), k * 0.01);
   for (const double after : {0.0, 0.0123, 0.37, 0.499}) EXPECT_EQ(times.place(after), after / 0.01);
 }
 
-TEST(KnotTimes, SayWhereATimeFalls) {
+TEST(KnotTimes, UnevenSteps_PlaceATimeBetweenItsKnots) {
   const KnotTimes times(std::vector<double>{0.01, 0.02, 0.04});
   EXPECT_FALSE(times.is_even());
   EXPECT_DOUBLE_EQ(times.after(3), 0.07);
@@ -27,7 +27,7 @@ TEST(KnotTimes, SayWhereATimeFalls) {
   for (const auto& [after, place] : wanted) EXPECT_NEAR(times.place(after), place, 1e-12) << after;
 }
 
-TEST(KnotTimes, MoveAndAreTakenOver) {
+TEST(KnotTimes, MovedKnot_ChangesBothStepsAndIsCopied) {
   KnotTimes times(std::vector<double>(4, 0.1)), first(std::vector<double>(2, 0.3));
   times.move(1, 0.12);
   EXPECT_FALSE(times.is_even());
@@ -40,7 +40,7 @@ TEST(KnotTimes, MoveAndAreTakenOver) {
   EXPECT_FALSE(first.is_even());
 }
 
-TEST(KnotTimes, RefuseStepsThatAreNone) {
+TEST(KnotTimes, StepsThatAreNotPositive_AreRefused) {
   testing::expect_words(testing::refusal([] { KnotTimes(std::vector<double>()); }), {"no steps"});
   for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL})
     testing::expect_words(testing::refusal([&] {

@@ -1,5 +1,5 @@
-// Margins of the linear loop: what they must do whatever the arm. Whether simulations agree is in
-// tests/tasks/margins_test.cpp.
+// Tests of stability margins of the linear loop on the toy arm. tests/tasks/margins_test.cpp
+// compares margins with simulations.
 #include "burnish/mpc/margins.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ LoopChain filtered_chain() {
 MpcSpec observed_spec() {
   MpcSpec spec = toy_spec();
   spec.update_period = 1e-3;
-  spec.model_error = {.kind = ModelErrorKind::Torque, .bandwidth = 60.0, .boost = 1.0};
+  spec.model_error = {.kind = ModelErrorKind::Torque, .bandwidth = 60.0, .transient_scale = 1.0};
   return spec;
 }
 
@@ -25,7 +25,7 @@ double delay_margin(const MpcSpec& spec, const LoopChain& chain) {
   return LoopAnalysis(spec, chain, 0).delay_margin(spec.model_error).delay;
 }
 
-TEST(Margins, LinearQuadraticLoop_WithoutDelayOrObserver_HoldsHalfAndTwiceTheGain) {
+TEST(Margins, LinearQuadraticLoop_IsStableAtHalfAndTwiceTheGain) {
   MpcSpec spec = toy_spec();
   spec.update_period = spec.tick_period;
   const LoopAnalysis loop(spec, {.difference_velocity = false}, 0);
@@ -40,32 +40,32 @@ TEST(Margins, LinearQuadraticLoop_WithoutDelayOrObserver_HoldsHalfAndTwiceTheGai
   }
 }
 
-TEST(Margins, Growth_AtTheDelayMargin_PassesTheLimit) {
+TEST(Margins, GrowthAtTheDelayMargin_CrossesItsLimit) {
   MpcSpec spec = observed_spec();
   spec.model_error.bandwidth = 90.0;
   const LoopAnalysis loop(spec, filtered_chain(), 0);
   const double delay = loop.delay_margin(spec.model_error).delay;
   ASSERT_GT(delay, 1e-3);
-  ASSERT_LT(delay, 0.95 * LoopAnalysis::longest_delay);
+  ASSERT_LT(delay, 0.95 * LoopAnalysis::max_delay);
   EXPECT_LT(loop.growth(90.0, delay - 6e-4), 8.0);
   EXPECT_GT(loop.growth(90.0, delay + 6e-4), 8.0);
   EXPECT_TRUE(loop.tolerates(spec.model_error, delay - 6e-4, 1.1));
   EXPECT_FALSE(loop.tolerates(spec.model_error, delay + 6e-4, 1.1));
 }
 
-TEST(Margins, GainRange_AtItsEnds_IsWhereTheLoopTurnsUnstable) {
+TEST(Margins, GainAboveItsRange_MakesTheLoopUnstable) {
   MpcSpec spec = observed_spec();
   const LoopMargins margins = LoopAnalysis(spec, filtered_chain(), 0).margins(spec.model_error);
-  double least = LoopAnalysis::largest_gain;
-  for (const GainRange& range : margins.gains) least = std::min(least, range.above);
-  ASSERT_GT(least, 1.5);
-  ASSERT_LT(least, LoopAnalysis::largest_gain);
+  double min_gain = LoopAnalysis::largest_gain;
+  for (const GainRange& range : margins.gains) min_gain = std::min(min_gain, range.above);
+  ASSERT_GT(min_gain, 1.5);
+  ASSERT_LT(min_gain, LoopAnalysis::largest_gain);
   const LoopAnalysis loop(spec, filtered_chain(), 0);
-  EXPECT_TRUE(loop.tolerates(spec.model_error, 0.0, 0.9 * least));
-  EXPECT_FALSE(loop.tolerates(spec.model_error, 0.0, 1.1 * least));
+  EXPECT_TRUE(loop.tolerates(spec.model_error, 0.0, 0.9 * min_gain));
+  EXPECT_FALSE(loop.tolerates(spec.model_error, 0.0, 1.1 * min_gain));
 }
 
-TEST(Margins, DelayMargin_WithMoreLagInTheLoop_IsSmaller) {
+TEST(Margins, MoreLagInTheLoop_ReducesTheDelayMargin) {
   const MpcSpec spec = observed_spec();
   const double usual = delay_margin(spec, filtered_chain());
   LoopChain slow_motors = filtered_chain(), slow_filter = filtered_chain();
@@ -78,7 +78,7 @@ TEST(Margins, DelayMargin_WithMoreLagInTheLoop_IsSmaller) {
   EXPECT_NEAR(delay_margin(spec, late), usual - 1e-3, 2e-4);
 }
 
-TEST(Margins, DelayMargin_OfAnObserverThatKnowsTheLag_IsLarger) {
+TEST(Margins, ObserverWithTheLag_HasALargerDelayMargin) {
   MpcSpec spec = observed_spec();
   spec.model_error.bandwidth = 120.0;
   const double usual = delay_margin(spec, filtered_chain());
@@ -86,17 +86,17 @@ TEST(Margins, DelayMargin_OfAnObserverThatKnowsTheLag_IsLarger) {
   EXPECT_GT(delay_margin(spec, filtered_chain()), usual + 1e-3);
 }
 
-TEST(Margins, DelayMargin_OfABoostedObserver_IsThatOfHalfTheWayUp) {
+TEST(Margins, TransientScale_ReducesTheDelayMargin) {
   MpcSpec spec = observed_spec();
   const double usual = delay_margin(spec, filtered_chain());
-  spec.model_error.boost = 3.0;
-  const LoopMargins boosted =
+  spec.model_error.transient_scale = 3.0;
+  const LoopMargins with_transient =
       LoopAnalysis(spec, filtered_chain(), 0).delay_margin(spec.model_error);
-  EXPECT_LT(boosted.delay, usual - 1e-3);
-  EXPECT_EQ(boosted.bandwidth, 120.0);
+  EXPECT_LT(with_transient.delay, usual - 1e-3);
+  EXPECT_EQ(with_transient.bandwidth, 120.0);
 }
 
-TEST(Margins, TorqueModel_OfTheMotorsLag_IsStableUntilCommandsAreLate) {
+TEST(Margins, TorqueModelOfTheMotors_IsStableUntilCommandsAreLate) {
   MpcSpec spec = toy_spec();
   spec.update_period = spec.tick_period;
   spec.problem.torque_model = TorqueModel{60.0};
@@ -104,7 +104,7 @@ TEST(Margins, TorqueModel_OfTheMotorsLag_IsStableUntilCommandsAreLate) {
   x.head(14) = spec.problem.initial_state;
   spec.problem.initial_state = x;
   Eigen::VectorXd weights = Eigen::VectorXd::Constant(21, 10.0);
-  weights.tail(7).setConstant(1e-6);  // of torques
+  weights.tail(7).setConstant(1e-6);  // weights of torques
   for (Stage& stage : spec.problem.stages)
     stage.costs[0] = {.residual = residual::State{x}, .weights = weights};
   LoopChain chain{.torque_cutoff = 60.0, .difference_velocity = false};
@@ -120,7 +120,7 @@ TEST(Margins, FloatingBase_IsRefused) {
                         {"margins", "base", "floats"});
 }
 
-TEST(Margins, PhasesOfAToy_AreFreeOfContact) {
+TEST(Margins, TaskWithoutContacts_HasNoPressingPhase) {
   EXPECT_EQ(free_phase(toy_spec()), 0);
   EXPECT_EQ(pressing_phase(toy_spec()), -1);
 }

@@ -1,5 +1,5 @@
-// The observer of the torque error: how fast it is, what it takes for an error, what it passes
-// over.
+// Tests of the torque error observer: its speed, the errors it estimates, and the torques it must
+// not mistake for errors.
 #include "burnish/mpc/model_error.hpp"
 
 #include <gtest/gtest.h>
@@ -21,21 +21,21 @@ namespace {
 using testing::expect_words;
 using testing::refusal;
 
-/// A robot held in a posture by springs, in small steps of the model `truth`, and the observer of
-/// `model` beside it.
-struct Held {
-  Held(const Model& model, const Model& truth, const ModelErrorOptions& options)
+/// Robot held in a posture by springs and simulated with the model `truth`, with the observer of
+/// `model`.
+struct HeldRobot {
+  HeldRobot(const Model& model, const Model& truth, const ModelErrorOptions& options)
       : observer(model, "tool", options), plant(truth), body(truth), tree(truth) {
     q0 = q = test::pressing_arm().posture;
     v = v_measured = tau = encoder_step = Eigen::VectorXd::Zero(model.nv);
     (void)body.update(q0, v);
-    held = body.gravity_torque();
+    holding = body.gravity_torque();
   }
 
-  /// One step of dt s, with a torque and a force on the tool that the motors do not give.
+  /// One step of dt [s], with an additional joint torque and a force on the tool.
   void step(double dt, const Eigen::VectorXd& torque, const Eigen::Vector3d& force,
             const Eigen::Vector3d& force_known) {
-    tau = held - grip * (200.0 * (q - q0) + 20.0 * v);
+    tau = holding - spring_scale * (200.0 * (q - q0) + 20.0 * v);
     (void)body.update(q, v);
     body.frame_derivatives(body.frame("tool"), Reference::centered(), tool);
     const Eigen::VectorXd total = tau + torque + tool.jacobian.topRows(3).transpose() * force;
@@ -63,16 +63,16 @@ struct Held {
     }
   }
 
-  /// The wrist of arm7 is so light that springs for Talos would be unstable over a step.
-  static constexpr double grip = test::has_robot_files ? 1.0 : 0.1;
+  /// Scale of the springs: the wrist of arm7 is so light that Talos's springs would be unstable.
+  static constexpr double spring_scale = test::has_robot_files ? 1.0 : 0.1;
   TorqueErrorObserver observer;
   ContactDynamics plant;
   RigidBody body;
   Tree tree;
   FrameDerivatives tool;
-  Eigen::VectorXd q0, q, v, v_measured, tau, held, encoder_step;
-  double velocity_lag = 0.0;   ///< s, of a filter of velocities
-  double encoder_noise = 0.0;  ///< rad, of what velocities are differences of
+  Eigen::VectorXd q0, q, v, v_measured, tau, holding, encoder_step;
+  double velocity_lag = 0.0;   ///< time constant of the velocity filter [s]
+  double encoder_noise = 0.0;  ///< noise of the differentiated positions [rad]
   std::mt19937 random{1};
   std::normal_distribution<double> drawn{0.0, 1.0};
   Status status = Status::Ok;
@@ -83,12 +83,12 @@ Eigen::VectorXd some_bias() {
   return bias.head(test::pressing_arm().model.nv);
 }
 
-TEST(TorqueErrorObserver, knows_a_constant_error_to_5_percent_after_4_8_periods_of_its_bandwidth) {
+TEST(TorqueErrorObserver, ConstantError_ConvergesWithTheBandwidth) {
   for (const double dt : {5e-4, 2e-3})
     for (const double bandwidth : {30.0, 100.0}) {
       SCOPED_TRACE(::testing::Message() << "dt " << dt << ", bandwidth " << bandwidth);
       const Model model = test::pressing_arm().model;
-      Held robot(model, model, {.bandwidth = bandwidth});
+      HeldRobot robot(model, model, {.bandwidth = bandwidth});
       const Eigen::VectorXd bias = some_bias();
       robot.run(2.0 / bandwidth, dt, bias);
       EXPECT_GT((robot.observer.torque_error() - bias).norm(), 0.2 * bias.norm()) << "too fast";
@@ -99,79 +99,80 @@ TEST(TorqueErrorObserver, knows_a_constant_error_to_5_percent_after_4_8_periods_
     }
 }
 
-TEST(TorqueErrorObserver, finds_the_weight_that_the_model_lacks) {
+TEST(TorqueErrorObserver, MissingMass_IsEstimatedAsItsGravityTorque) {
   const test::PressingArm robot = test::pressing_arm();
   const Model heavy = plant_model(robot.model, {.mass_scale = 1.1});
-  Held held(robot.model, heavy, {.bandwidth = 50.0});
-  held.run(1.5, 1e-3, Eigen::VectorXd::Zero(heavy.nv));
+  HeldRobot arm(robot.model, heavy, {.bandwidth = 50.0});
+  arm.run(1.5, 1e-3, Eigen::VectorXd::Zero(heavy.nv));
   RigidBody nominal(robot.model), real(heavy);
-  ASSERT_EQ(nominal.update(held.q, held.v), Status::Ok);
-  ASSERT_EQ(real.update(held.q, held.v), Status::Ok);
+  ASSERT_EQ(nominal.update(arm.q, arm.v), Status::Ok);
+  ASSERT_EQ(real.update(arm.q, arm.v), Status::Ok);
   const Eigen::VectorXd lacking = nominal.gravity_torque() - real.gravity_torque();
   ASSERT_GT(lacking.norm(), 1.0);
-  EXPECT_LT((held.observer.torque_error() - lacking).norm(), 0.02 * lacking.norm());
+  EXPECT_LT((arm.observer.torque_error() - lacking).norm(), 0.02 * lacking.norm());
 }
 
-TEST(TorqueErrorObserver, does_not_take_a_known_force_for_an_error) {
+TEST(TorqueErrorObserver, MeasuredForce_IsNotTakenForAnError) {
   const Model model = test::pressing_arm().model;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.nv);
   const Eigen::Vector3d force(0.0, 0.0, 30.0);
-  Held known(model, model, {}), unknown(model, model, {});
-  // What is mistaken grows with the step and with the speed: arm7, held softly, gives way at 4
-  // rad/s.
+  HeldRobot with_force(model, model, {}), without_force(model, model, {});
+  // The mistaken torque grows with the step and the speed. The soft springs of arm7 let it move at
+  // 4 rad/s.
   const double dt = test::has_robot_files ? 1e-3 : 1e-4;
   const int push = static_cast<int>(std::lround(0.1 / dt));
   for (int i = 0; i < 10 * push; ++i) {
-    // A push that comes and goes.
+    // The force alternates between on and off.
     const Eigen::Vector3d now = (i / push) % 2 == 0 ? force : Eigen::Vector3d::Zero().eval();
-    known.step(dt, none, now, now);
-    unknown.step(dt, none, now, Eigen::Vector3d::Zero());
-    ASSERT_LT(known.observer.torque_error().norm(), 0.03) << i;
+    with_force.step(dt, none, now, now);
+    without_force.step(dt, none, now, Eigen::Vector3d::Zero());
+    ASSERT_LT(with_force.observer.torque_error().norm(), 0.03) << i;
   }
-  unknown.run(test::has_robot_files ? 1.0 : 20.0, 1e-3, none, force);  // until it is at rest
-  const Eigen::VectorXd taken = unknown.tool.jacobian.topRows(3).transpose() * force;
-  EXPECT_LT((unknown.observer.torque_error() - taken).norm(), 0.01 * taken.norm());
+  without_force.run(test::has_robot_files ? 1.0 : 20.0, 1e-3, none,
+                    force);  // until the robot is at rest
+  const Eigen::VectorXd taken = without_force.tool.jacobian.topRows(3).transpose() * force;
+  EXPECT_LT((without_force.observer.torque_error() - taken).norm(), 0.01 * taken.norm());
 }
 
-TEST(TorqueErrorObserver, told_the_lag_of_velocities_takes_no_command_for_an_error) {
+TEST(TorqueErrorObserver, LagOption_PreventsMistakingCommandsForErrors) {
   const Model model = test::pressing_arm().model;
   const double dt = test::has_robot_files ? 1e-3 : 1e-4;
   const auto mistaken = [&](double lag) {
-    Held robot(model, model, {.bandwidth = 100.0, .boost = 1.0, .lag = lag});
+    HeldRobot robot(model, model, {.bandwidth = 100.0, .transient_scale = 1.0, .lag = lag});
     robot.velocity_lag = 4e-3;
     robot.run(0.02, dt, Eigen::VectorXd::Zero(model.nv));
-    double most = 0.0;
+    double largest = 0.0;
     for (int half = 0; half < 6; ++half) {  // a command that turns around every 50 ms
-      robot.held[1] += half % 2 == 0 ? 2.0 : -2.0;
+      robot.holding[1] += half % 2 == 0 ? 2.0 : -2.0;
       for (int i = 0; i < std::lround(0.05 / dt); ++i) {
         robot.step(dt, Eigen::VectorXd::Zero(model.nv), {0, 0, 0}, {0, 0, 0});
-        most = std::max(most, robot.observer.torque_error().norm());
+        largest = std::max(largest, robot.observer.torque_error().norm());
       }
     }
-    return most;
+    return largest;
   };
-  const double untold = mistaken(0.0);
-  EXPECT_GT(untold, 0.2);
-  EXPECT_LT(mistaken(4e-3), 0.3 * untold);
+  const double without_lag = mistaken(0.0);
+  EXPECT_GT(without_lag, 0.2);
+  EXPECT_LT(mistaken(4e-3), 0.3 * without_lag);
 }
 
-TEST(TorqueErrorObserver, of_a_lag_finds_a_constant_error) {
+TEST(TorqueErrorObserver, LagOption_StillFindsAConstantError) {
   const Model model = test::pressing_arm().model;
-  Held robot(model, model, {.bandwidth = 100.0, .lag = 4e-3});
+  HeldRobot robot(model, model, {.bandwidth = 100.0, .lag = 4e-3});
   robot.velocity_lag = 4e-3;
   robot.run(1.0, test::has_robot_files ? 1e-3 : 1e-4, some_bias());
   EXPECT_LT((robot.observer.torque_error() - some_bias()).norm(), 0.01 * some_bias().norm());
   EXPECT_NE(refusal([&] { TorqueErrorObserver(model, "tool", {.lag = -1.0}); }), "");
 }
 
-TEST(TorqueErrorObserver, stays_bounded_over_long_steps) {
+TEST(TorqueErrorObserver, LongSteps_ConvergeAndStayWithinTheLimit) {
   const Model model = test::pressing_arm().model;
   TorqueErrorObserver observer(model, "tool", {.bandwidth = 100.0, .limit = 5.0});
   const Eigen::VectorXd q = test::pressing_arm().posture, zero = Eigen::VectorXd::Zero(model.nv);
   RigidBody body(model);
   ASSERT_EQ(body.update(q, zero), Status::Ok);
   const Eigen::VectorXd bias = Eigen::VectorXd::Constant(model.nv, 1.0);
-  // At rest although the motors lack 1 Nm: the error converges in whatever steps.
+  // At rest although the motors lack 1 Nm: the error converges with steps of any length.
   for (const double dt : {0.02, 0.1, 5e-4, 0.05}) {
     for (int i = 0; i < 50; ++i)
       ASSERT_EQ(observer.update(q, zero, body.gravity_torque() - bias, {0, 0, 0}, dt), Status::Ok);
@@ -183,21 +184,23 @@ TEST(TorqueErrorObserver, stays_bounded_over_long_steps) {
   EXPECT_EQ(observer.torque_error(), Eigen::VectorXd::Constant(model.nv, 5.0));
 }
 
-TEST(TorqueErrorObserver, slows_down_where_there_is_but_noise_and_not_where_an_error_turns_around) {
+TEST(TorqueErrorObserver, PureNoise_LowersTheBandwidthAndChangesRestoreIt) {
   const Model model = test::pressing_arm().model;
-  const ModelErrorOptions options{.bandwidth = 100.0, .boost = 1.0, .calm = 0.5};
+  const ModelErrorOptions options{
+      .bandwidth = 100.0, .transient_scale = 1.0, .quiescent_scale = 0.5};
   const double dt = test::has_robot_files ? 1e-3 : 1e-4;
-  Held quiet(model, model, options), always(model, model, {.bandwidth = 100.0, .boost = 1.0});
+  HeldRobot quiet(model, model, options),
+      always(model, model, {.bandwidth = 100.0, .transient_scale = 1.0});
   quiet.encoder_noise = always.encoder_noise = 2e-6;
   quiet.run(0.4, dt, some_bias());
-  EXPECT_EQ(quiet.observer.bandwidth(), 100.0) << "before anything is known of the noise";
+  EXPECT_EQ(quiet.observer.bandwidth(), 100.0) << "before the noise level is estimated";
   quiet.run(7.6, dt, some_bias());
   always.run(8.0, dt, some_bias());
   EXPECT_NEAR(quiet.observer.bandwidth(), 50.0, 1e-9);
   EXPECT_EQ(always.observer.bandwidth(), 100.0);
   EXPECT_LT((quiet.observer.torque_error() - some_bias()).norm(), 0.2 * some_bias().norm());
 
-  // One joint's friction that turns around is enough, and is found out within a second.
+  // Friction of one joint that reverses suffices, and is detected within a second.
   Eigen::VectorXd friction = some_bias();
   for (int half = 0; half < 4; ++half) {
     friction[1] = -friction[1];
@@ -209,9 +212,9 @@ TEST(TorqueErrorObserver, slows_down_where_there_is_but_noise_and_not_where_an_e
   EXPECT_EQ(quiet.observer.bandwidth(), 100.0);
 }
 
-TEST(TorqueErrorObserver, is_unchanged_by_what_is_no_measurement) {
+TEST(TorqueErrorObserver, InvalidMeasurement_LeavesTheEstimateUnchanged) {
   const Model model = test::pressing_arm().model;
-  Held robot(model, model, {.bandwidth = 100.0});
+  HeldRobot robot(model, model, {.bandwidth = 100.0});
   robot.run(0.05, 1e-3, some_bias());
   const Eigen::VectorXd before = robot.observer.torque_error();
   const Eigen::VectorXd q = robot.q, v = robot.v, tau = robot.tau;
@@ -232,29 +235,29 @@ TEST(TorqueErrorObserver, is_unchanged_by_what_is_no_measurement) {
   EXPECT_EQ(o.update(q, v, tau, none, -1.0), Status::Ok);
   EXPECT_EQ(o.torque_error(), before);
 
-  // Nor is what follows.
-  Held same(model, model, {.bandwidth = 100.0});
+  // Later updates are unaffected, too.
+  HeldRobot same(model, model, {.bandwidth = 100.0});
   same.run(0.05, 1e-3, some_bias());
   same.step(1e-3, some_bias(), none, none);
   robot.step(1e-3, some_bias(), none, none);
   EXPECT_EQ(robot.observer.torque_error(), same.observer.torque_error());
 }
 
-TEST(TorqueErrorObserver, starts_anew_after_a_reset) {
+TEST(TorqueErrorObserver, Reset_StartsFromZero) {
   const Model model = test::pressing_arm().model;
-  Held robot(model, model, {});
+  HeldRobot robot(model, model, {});
   robot.run(0.2, 1e-3, some_bias());
   robot.observer.reset();
   EXPECT_EQ(robot.observer.torque_error(), Eigen::VectorXd::Zero(model.nv).eval());
-  // The first measurement is a start, whatever velocity it has.
+  // The first measurement only initializes the observer, whatever its velocity.
   ASSERT_EQ(robot.observer.update(robot.q, Eigen::VectorXd::Constant(model.nv, 3.0), robot.tau,
                                   Eigen::Vector3d::Zero(), 1e-3),
             Status::Ok);
   EXPECT_EQ(robot.observer.torque_error(), Eigen::VectorXd::Zero(model.nv).eval());
 }
 
-/// At rest tau = g - (J_tool - J_plate)^T f, both at the tool.
-TEST(TorqueErrorObserver, knows_that_a_force_pushes_back_at_what_the_robot_carries) {
+/// At rest, tau = g - (J_tool - J_plate)^T f, with both Jacobians at the tool.
+TEST(TorqueErrorObserver, ForceOnACarriedPlate_IsNotTakenForAnError) {
   if (!test::has_robot_files) GTEST_SKIP() << "needs robots in files";
   const Model model = test::named_robot("talos:two_arms");
   RigidBody body(model);
@@ -274,20 +277,21 @@ TEST(TorqueErrorObserver, knows_that_a_force_pushes_back_at_what_the_robot_carri
   ASSERT_GT(by_plate.norm(), 1.0);
   const Eigen::VectorXd tau = body.gravity_torque() - by_tool - by_plate;
   const ModelErrorOptions options{.bandwidth = 50.0};
-  TorqueErrorObserver knows(model, "tool", options, {}, {}, "plate"), alone(model, "tool", options);
+  TorqueErrorObserver with_plate(model, "tool", options, {}, {}, "plate"),
+      without_plate(model, "tool", options);
   const AllocationGuard guard;
   for (int i = 0; i < 1000; ++i) {
-    ASSERT_EQ(knows.update(q, v, tau, f, 1e-3), Status::Ok);
-    ASSERT_EQ(alone.update(q, v, tau, f, 1e-3), Status::Ok);
+    ASSERT_EQ(with_plate.update(q, v, tau, f, 1e-3), Status::Ok);
+    ASSERT_EQ(without_plate.update(q, v, tau, f, 1e-3), Status::Ok);
   }
   EXPECT_EQ(guard.count(), 0);
-  EXPECT_LT(knows.torque_error().norm(), 1e-9);
-  EXPECT_LT((alone.torque_error() - by_plate).norm(), 1e-3);
+  EXPECT_LT(with_plate.torque_error().norm(), 1e-9);
+  EXPECT_LT((without_plate.torque_error() - by_plate).norm(), 1e-3);
   expect_words(refusal([&] { TorqueErrorObserver(model, "tool", options, {}, {}, "plait"); }),
                {"plait", "plate"});
 }
 
-TEST(TorqueErrorObserver, allocates_nothing) {
+TEST(TorqueErrorObserver, Update_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   const Model model = test::pressing_arm().model;
   TorqueErrorObserver observer(model, "tool", {});
@@ -299,7 +303,7 @@ TEST(TorqueErrorObserver, allocates_nothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(TorqueErrorObserver, refuses_options_out_of_range_and_unknown_frames) {
+TEST(TorqueErrorObserver, OptionsOutOfRangeAndUnknownFrames_AreRefused) {
   const Model model = test::pressing_arm().model;
   const auto with = [&](const std::string& tool, const ModelErrorOptions& options) {
     return refusal([&] { TorqueErrorObserver(model, tool, options); });
@@ -307,8 +311,8 @@ TEST(TorqueErrorObserver, refuses_options_out_of_range_and_unknown_frames) {
   expect_words(with("tol", {}), {"tol", "tool"});
   expect_words(with("tool", {.bandwidth = 0.0}), {"bandwidth", "positive"});
   expect_words(with("tool", {.bandwidth = std::nan("")}), {"bandwidth", "positive"});
-  expect_words(with("tool", {.calm = 0.0}), {"calm", "0.01 to 1"});
-  expect_words(with("tool", {.calm = 1.1}), {"calm", "0.01 to 1"});
+  expect_words(with("tool", {.quiescent_scale = 0.0}), {"quiescent_scale", "0.01 to 1"});
+  expect_words(with("tool", {.quiescent_scale = 1.1}), {"quiescent_scale", "0.01 to 1"});
   expect_words(with("tool", {.limit = -1.0}), {"limit", "positive"});
   EXPECT_EQ(with("tool", {.limit = std::numeric_limits<double>::infinity()}), "");
 }

@@ -1,5 +1,5 @@
-// The parts of an MpcController, each by itself: what passes for a measurement, horizon and shift,
-// plans that take over, prediction, watches, the last second.
+// Tests of the parts of an MpcController, each by itself: measurement gate, horizon and shift,
+// policy, prediction, monitors, black box.
 #include <gtest/gtest.h>
 
 #include "mpc/black_box.hpp"
@@ -16,7 +16,7 @@
 namespace burnish::test {
 namespace {
 
-TEST(MeasurementGate, takes_states_and_counts_time_over_what_is_none) {
+TEST(MeasurementGate, InvalidMeasurements_AreBridgedInTime) {
   const MpcSpec spec = toy_spec();
   MeasurementGate gate(spec);
   FaultLatch latch;
@@ -26,7 +26,7 @@ TEST(MeasurementGate, takes_states_and_counts_time_over_what_is_none) {
   gate.take(m, latch, status);
   EXPECT_TRUE(gate.is_fresh() && gate.is_first());
   EXPECT_EQ(gate.dt(), 0.0);
-  // Time that stands still, what is not finite, what has another size.
+  // A repeated time, values that are not finite, and wrong sizes.
   gate.take(m, latch, status);
   EXPECT_FALSE(gate.is_fresh());
   EXPECT_EQ(status, Status::NotEvaluated);
@@ -51,7 +51,7 @@ TEST(MeasurementGate, takes_states_and_counts_time_over_what_is_none) {
   EXPECT_FALSE(latch.is_set());
 }
 
-TEST(MeasurementGate, gives_up_after_as_long_as_the_limits_bear) {
+TEST(MeasurementGate, InvalidMeasurementsBeyondTheLimit_RaiseAFault) {
   const MpcSpec spec = toy_spec();
   const Measurement good = toy_measurement(spec);
   const auto ticks_until_fault = [&](FaultKind kind,
@@ -70,7 +70,7 @@ TEST(MeasurementGate, gives_up_after_as_long_as_the_limits_bear) {
     }
     EXPECT_EQ(latch.report.kind, kind);
     EXPECT_NEAR(latch.report.value, 1e-3 * ticks, 1e-12);
-    // While it is latched, a position and a velocity will do.
+    // While the fault is latched, position and velocity suffice.
     m = good;
     m.time = 1.0;
     m.tau.setConstant(std::nan(""));
@@ -83,10 +83,10 @@ TEST(MeasurementGate, gives_up_after_as_long_as_the_limits_bear) {
             21);
 }
 
-/// A toy that is planned for once.
-struct Planned {
-  explicit Planned(MpcSpec given = toy_spec())
-      : spec(std::move(given)),
+/// Toy task with one solved plan.
+struct PlannedToy {
+  explicit PlannedToy(MpcSpec mpc_spec = toy_spec())
+      : spec(std::move(mpc_spec)),
         problem(spec.problem),
         solver(problem, {.max_iterations = 50}),
         schedule(spec.schedule) {
@@ -104,8 +104,8 @@ struct Planned {
   Horizon horizon{spec, problem, schedule};
 };
 
-TEST(Horizon, puts_the_stages_of_the_schedule_where_they_are_due) {
-  Planned plan;
+TEST(Horizon, Stages_AreAtTheKnotsOfTheirTimes) {
+  PlannedToy plan;
   EXPECT_EQ(plan.horizon.stage_at(0.049), 0);
   EXPECT_EQ(plan.horizon.stage_at(0.051), 1);
   plan.horizon.place(0.0);
@@ -114,9 +114,9 @@ TEST(Horizon, puts_the_stages_of_the_schedule_where_they_are_due) {
   for (int k = 0; k < 6; ++k) EXPECT_EQ(plan.problem.stage_of(k), k >= 3 ? 1 : 0) << k;
 }
 
-/// The toy's stages touch something whose surface turns by 2 rad/s about x, or stays as it is at a
-/// time.
-MpcSpec turning_surface(std::optional<double> stays_at = {}) {
+/// Toy task in contact with a surface that turns by 2 rad/s about x, or that is frozen at time
+/// `stays_at`.
+MpcSpec turning_surface(std::optional<double> frozen_at = {}) {
   MpcSpec spec = toy_spec();
   ContactSpec touch{.name = "touch", .tool = "tool", .directions = Directions::z()};
   touch.reference = {
@@ -125,13 +125,13 @@ MpcSpec turning_surface(std::optional<double> stays_at = {}) {
       .rotation_over_time = Signal::over_time(4, [](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
         xyzw << std::sin(t), 0.0, 0.0, std::cos(t);
       })};
-  if (stays_at) touch.reference = touch.reference.at(*stays_at);
+  if (frozen_at) touch.reference = touch.reference.at(*frozen_at);
   spec.problem.contacts = {touch};
   for (Stage& stage : spec.problem.stages) stage.contacts = {"touch"};
   return spec;
 }
 
-TEST(Horizon, turns_references_along_with_the_clock) {
+TEST(Horizon, RotatingReference_TurnsWithTheScheduleTime) {
   const MpcSpec spec = turning_surface();
   Problem problem(spec.problem);
   Schedule schedule(spec.schedule);
@@ -140,28 +140,29 @@ TEST(Horizon, turns_references_along_with_the_clock) {
   for (const double now : {0.0, 0.025, 0.5}) {
     horizon.place(now);
     for (int k = 0; k < problem.knots(); ++k) {
-      Problem still(turning_surface(now + 0.01 * k).problem);
-      EXPECT_NEAR(problem.forces(k, x, u)[0], still.forces(0, x, u)[0], 1e-9) << k << " at " << now;
+      Problem frozen(turning_surface(now + 0.01 * k).problem);
+      EXPECT_NEAR(problem.forces(k, x, u)[0], frozen.forces(0, x, u)[0], 1e-9)
+          << k << " at " << now;
     }
   }
 }
 
-TEST(ContactForceEstimate, knows_how_references_are_turned) {
+TEST(ContactForceEstimate, RotatingReference_TurnsTheForce) {
   ContactForceEstimate estimate(turning_surface());
   const Eigen::VectorXd q = turning_surface().problem.initial_state.head(7);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
   Eigen::Vector3d first, force, wanted;
   ASSERT_TRUE(estimate.force_at(0, 0.0, q, rest, rest, first));
   for (const double time : {0.2, 0.6}) {
-    ContactForceEstimate still(turning_surface(time));
-    ASSERT_TRUE(still.force_at(0, 0.0, q, rest, rest, wanted));
+    ContactForceEstimate frozen(turning_surface(time));
+    ASSERT_TRUE(frozen.force_at(0, 0.0, q, rest, rest, wanted));
     ASSERT_TRUE(estimate.force_at(0, time, q, rest, rest, force));
     EXPECT_LT((force - wanted).norm(), 1e-9 * wanted.norm()) << time;
     EXPECT_GT((force - first).norm(), 0.1 * wanted.norm()) << time;
   }
 }
 
-TEST(ContactForceEstimate, is_none_where_a_reference_has_no_rotation) {
+TEST(ContactForceEstimate, ReferenceWithoutRotation_GivesNoForce) {
   MpcSpec spec = turning_surface();
   spec.problem.contacts[0].reference.rotation_over_time =
       Signal::over_time(4, [](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
@@ -178,23 +179,23 @@ TEST(ContactForceEstimate, is_none_where_a_reference_has_no_rotation) {
   }
 }
 
-TEST(Horizon, shifts_the_solution_along_with_the_clock) {
-  Planned plan;
+TEST(Horizon, LaterTime_ShiftsTheGuess) {
+  PlannedToy plan;
   const MatrixView xs = plan.solver.xs(), us = plan.solver.us();
   Eigen::VectorXd x = xs.row(2);
-  x[0] += 0.01;  // as measured
+  x[0] += 0.01;  // the measured state
   plan.horizon.guess_shifted(x, plan.solver, 0.02);
   EXPECT_EQ(plan.horizon.guess_x().row(0).transpose(), x);
   for (int k = 1; k <= 6; ++k)
     EXPECT_LT((plan.horizon.guess_x().row(k) - xs.row(std::min(k + 2, 6))).norm(), 1e-12) << k;
   for (int k = 0; k < 6; ++k)
     EXPECT_EQ(plan.horizon.guess_u().row(k), us.row(std::min(k + 2, 5))) << k;
-  // Half way between two knots, half way in between.
+  // A time half way between two knots gives the mean of both states.
   plan.horizon.guess_shifted(x, plan.solver, 0.015);
   EXPECT_LT((plan.horizon.guess_x().row(3) - 0.5 * (xs.row(4) + xs.row(5))).norm(), 1e-12);
 }
 
-/// The toy, planned 0.3 s ahead in knots of 10, 15, 22.5 ms and so on.
+/// Toy task, planned 0.3 s ahead with steps of 10, 15, 22.5 ms and so on.
 MpcSpec growing_spec() {
   MpcSpec spec = toy_spec();
   spec.problem.horizon = {
@@ -202,9 +203,9 @@ MpcSpec growing_spec() {
   return spec;
 }
 
-TEST(UnevenHorizon, has_a_knot_begin_where_the_phase_changes) {
-  Planned plan(growing_spec());
-  // Knots at 0, 10, 25, 47.5, 81.25 ms and so on; the wave begins at 50 ms.
+TEST(UnevenHorizon, PhaseChange_StartsAKnot) {
+  PlannedToy plan(growing_spec());
+  // Knots lie at 0, 10, 25, 47.5, 81.25 ms and so on; stage 'wave' begins at 50 ms.
   for (const double now : {0.0, 0.003, 0.011, 0.024, 0.038, 0.0431}) {
     SCOPED_TRACE(now);
     plan.horizon.place(now);
@@ -220,15 +221,15 @@ TEST(UnevenHorizon, has_a_knot_begin_where_the_phase_changes) {
     }
     EXPECT_NEAR(plan.problem.time_of(7), now + growing_spec().problem.horizon[0].duration, 1e-12);
   }
-  // Nearer than half of the first knot: that is of the phase that it begins in.
+  // Nearer than half of the first step, the knot belongs to the phase in which it begins.
   plan.horizon.place(0.047);
   EXPECT_EQ(plan.problem.stage_of(0), 0);
   EXPECT_EQ(plan.problem.stage_of(1), 1);
   EXPECT_NEAR(plan.problem.time_of(1), 0.057, 1e-12);
 }
 
-TEST(UnevenHorizon, shifts_states_by_time_and_controls_by_what_they_give_on_the_average) {
-  Planned plan(growing_spec());
+TEST(UnevenHorizon, LaterTime_InterpolatesStatesAndAveragesControls) {
+  PlannedToy plan(growing_spec());
   plan.horizon.place(0.0);
   plan.solver.solve();
   plan.horizon.solved_from(0.0);
@@ -247,7 +248,7 @@ TEST(UnevenHorizon, shifts_states_by_time_and_controls_by_what_they_give_on_the_
         EXPECT_LT((plan.horizon.guess_x().row(k) - wanted).norm(), 1e-12) << k;
       }
       if (k == 7) break;
-      // The mean over the knot, from a thousand of its moments.
+      // Mean control over the knot, from a thousand samples.
       Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(us.cols());
       for (int s = 0; s < 1000; ++s) {
         const double there = now.after(k) + later + (s + 0.5) / 1000.0 * now.step(k);
@@ -260,11 +261,11 @@ TEST(UnevenHorizon, shifts_states_by_time_and_controls_by_what_they_give_on_the_
   }
   plan.horizon.place(0.0);
   plan.horizon.guess_shifted(xs.row(0), plan.solver, 0.0);
-  EXPECT_EQ(plan.horizon.guess_u(), RowMatrix(us)) << "nothing moves where no time passes";
+  EXPECT_EQ(plan.horizon.guess_u(), RowMatrix(us)) << "a shift by zero must change nothing";
 }
 
-TEST(UnevenHorizon, is_followed_by_its_policy_in_time) {
-  Planned plan(growing_spec());
+TEST(UnevenHorizon, Policy_FollowsTheKnotTimes) {
+  PlannedToy plan(growing_spec());
   plan.horizon.place(0.0);
   plan.solver.solve();
   Policy policy(plan.spec, plan.problem);
@@ -282,7 +283,7 @@ TEST(UnevenHorizon, is_followed_by_its_policy_in_time) {
   }
 }
 
-TEST(UnevenHorizon, allocates_nothing_in_ticks) {
+TEST(UnevenHorizon, Tick_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   MpcSpec spec = growing_spec();
   spec.solver_delay = 3e-3;
@@ -302,29 +303,29 @@ TEST(UnevenHorizon, allocates_nothing_in_ticks) {
               1e-12);
 }
 
-TEST(UnevenHorizon, wants_steps_that_do_not_change_with_the_stage) {
+TEST(UnevenHorizon, StepsThatDifferBetweenStages_AreRefused) {
   MpcSpec spec = toy_spec();
   spec.problem.stages[1].step = 0.02;
   testing::expect_words(testing::refusal([&] { MpcController{spec}; }),
-                        {"stage 'wave'", "0.02", "segments", "steps of their own"});
+                        {"stage 'wave'", "0.02", "segments with their own steps"});
   spec.problem.horizon[0].step = 0.01;
   EXPECT_NO_THROW(MpcController{spec});
 }
 
-TEST(Policy, takes_a_plan_over_when_its_time_has_come) {
-  Planned plan;
+TEST(Policy, LoadedPlan_ActsFromItsStartTime) {
+  PlannedToy plan;
   Policy policy(plan.spec, plan.problem);
   const Eigen::VectorXd x = plan.spec.problem.initial_state;
   Eigen::VectorXd u = Eigen::VectorXd::Zero(7);
   policy.load(plan.solver, 0.01, plan.horizon.times());
   policy.take_over(0.009);
   policy.control(0.009, x, u);
-  EXPECT_TRUE(u.isZero(0.0)) << "there is no plan yet";
+  EXPECT_TRUE(u.isZero(0.0)) << "the plan starts later";
   policy.take_over(0.01);
   policy.control(0.01, x, u);
   EXPECT_LT((u - plan.solver.us().row(0).transpose()).norm(), 1e-12);
   EXPECT_EQ(policy.feedback().gain, plan.solver.gain(0));
-  // Within the effort limits, wherever the state is.
+  // The control stays within the effort limits for any state.
   Eigen::VectorXd far = x;
   far.head(7).array() += 100.0;
   policy.control(0.01, far, u);
@@ -335,25 +336,26 @@ TEST(Policy, takes_a_plan_over_when_its_time_has_come) {
   EXPECT_EQ(policy.feedback().gain, plan.solver.gain(0)) << "an empty plan changes nothing";
 }
 
-TEST(Prediction, goes_where_the_policy_leads) {
-  Planned plan;
+TEST(Prediction, Advance_FollowsThePolicy) {
+  PlannedToy plan;
   Policy policy(plan.spec, plan.problem);
   policy.load(plan.solver, 0.0, plan.horizon.times());
   policy.take_over(0.0);
   Prediction prediction(plan.problem);
   Eigen::VectorXd x = plan.spec.problem.initial_state;
   ASSERT_TRUE(prediction.advance(plan.problem, plan.horizon, policy, 0.0, 0.0, 0.03, x));
-  // Positions are of second order, and plans of first: half a step of the acceleration apart.
+  // The prediction integrates positions with second order, plans with first order. They differ by
+  // half a step of the acceleration.
   const Eigen::VectorXd planned = plan.solver.xs().row(3);
   EXPECT_LT((x - planned).tail(7).norm(), 0.02 * planned.tail(7).norm());
   EXPECT_LT((x - planned).head(7).norm(), 0.01 * planned.tail(7).norm());
-  // Where there is none, the state stays.
+  // If the prediction fails, the state stays unchanged.
   Eigen::VectorXd broken = Eigen::VectorXd::Constant(14, std::nan(""));
   EXPECT_FALSE(prediction.advance(plan.problem, plan.horizon, policy, 0.0, 0.0, 0.03, broken));
   EXPECT_TRUE(broken.array().isNaN().all());
 }
 
-TEST(JointWatch, finds_speed_and_position_beyond_the_limits_of_the_joint) {
+TEST(JointWatch, SpeedOrPositionBeyondLimits_NamesTheJoint) {
   MpcSpec spec = toy_spec();
   const Model& model = spec.problem.model;
   const auto fault_of = [&](const std::function<void(Measurement&)>& change) {
@@ -379,7 +381,7 @@ TEST(JointWatch, finds_speed_and_position_beyond_the_limits_of_the_joint) {
   EXPECT_EQ(out.limit, model.q_lower[3]);
 }
 
-TEST(BaseWatch, gives_up_where_nothing_tells_the_base_for_too_long) {
+TEST(BaseWatch, BaseLostForTooLong_IsAFault) {
   MpcSpec spec = toy_spec();
   spec.limits.base_lost = 0.1;
   for (const double lost : {0.0, 0.1, 0.11}) {
@@ -393,15 +395,14 @@ TEST(BaseWatch, gives_up_where_nothing_tells_the_base_for_too_long) {
     EXPECT_EQ(latch.is_set(), lost > 0.1);
     if (!latch.is_set()) continue;
     EXPECT_EQ(latch.report.kind, FaultKind::BaseLost);
-    EXPECT_NE(latch.report.text().find("nothing told where the base is for 0.11 s"),
-              std::string::npos);
+    EXPECT_NE(latch.report.text().find("no estimate of the base for 0.11 s"), std::string::npos);
   }
 }
 
-TEST(PlanWatch, counts_updates_in_a_row) {
+TEST(PlanWatch, ConsecutiveFailedOrLateSolves_AreAFault) {
   PlanWatch watch(SafetyLimits{.failed_solves = 3, .deadline = 0.1, .late_solves = 2});
   FaultLatch latch;
-  EXPECT_FALSE(watch.judge(0.0, true, true, 100.0, latch)) << "the first one may take its time";
+  EXPECT_FALSE(watch.judge(0.0, true, true, 100.0, latch)) << "the first solve may be late";
   for (const bool usable : {false, false, true, false, false})
     watch.judge(0.0, usable, false, 0.0, latch);
   EXPECT_FALSE(latch.is_set());
@@ -418,10 +419,10 @@ TEST(PlanWatch, counts_updates_in_a_row) {
   latch.reset();
   watch.reset();
   watch.judge(0.0, false, true, 0.0, latch);
-  EXPECT_EQ(latch.report.kind, FaultKind::SolverFailed) << "the first one may not fail";
+  EXPECT_EQ(latch.report.kind, FaultKind::SolverFailed) << "a failed first solve is a fault";
 }
 
-TEST(BlackBox, keeps_the_last_second_and_nothing_after_the_fault) {
+TEST(BlackBox, Fault_FreezesTheLastSecond) {
   const MpcSpec spec = toy_spec();
   FaultLatch latch;
   BlackBox box(spec, latch);

@@ -1,4 +1,4 @@
-// What a robot carries, told to its controller between ticks.
+// Tests of payloads that a controller is given between ticks.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -30,37 +30,37 @@ MpcSpec spec_of(const Model* model = nullptr) {
   return spec;
 }
 
-TEST(MpcPayload, IsAsIfItHadBeenInTheModel) {
+TEST(MpcPayload, SetPayload_EqualsThePayloadInTheModel) {
   const MpcSpec plain = spec_of();
   const Model loaded = with_payload(plain.problem.model, {"tool", brick(2.0)});
-  MpcController told(plain), made(spec_of(&loaded)), bare(plain);
+  MpcController with_payload_set(plain), with_loaded_model(spec_of(&loaded)), bare(plain);
   const InertiaSpec carried = brick(2.0);
-  ASSERT_EQ(told.set_payload("tool", brick(5.0)), Status::Ok);
-  ASSERT_EQ(told.set_payload("tool", carried), Status::Ok);
+  ASSERT_EQ(with_payload_set.set_payload("tool", brick(5.0)), Status::Ok);
+  ASSERT_EQ(with_payload_set.set_payload("tool", carried), Status::Ok);
   Measurement m = toy_measurement(plain);
   double apart = 0.0;
   const auto tick_all = [&](int tick) {
     m.time = 1e-3 * tick;
     m.v[1] = 0.01 * std::sin(0.3 * tick);
-    const Eigen::VectorXd wanted = made.tick(m).tau;
-    EXPECT_LE((told.tick(m).tau - wanted).cwiseAbs().maxCoeff(), 1e-7) << tick;
+    const Eigen::VectorXd wanted = with_loaded_model.tick(m).tau;
+    EXPECT_LE((with_payload_set.tick(m).tau - wanted).cwiseAbs().maxCoeff(), 1e-7) << tick;
     apart = std::max(apart, (bare.tick(m).tau - wanted).cwiseAbs().maxCoeff());
   };
   int tick = 0;
   for (; tick < 40; ++tick) tick_all(tick);
-  EXPECT_GT(apart, 1.0) << "the payload does not matter: nothing is tried";
-  // After a fault the robot is held with what it carries.
+  EXPECT_GT(apart, 1.0) << "the payload has no effect: this test checks nothing";
+  // After a fault, the fallback accounts for the payload.
   m.q[0] = std::numeric_limits<double>::quiet_NaN();
   for (; tick < 80; ++tick) tick_all(tick);
-  EXPECT_NE(told.fault().kind, FaultKind::None);
-  EXPECT_EQ(told.fault().kind, made.fault().kind);
-  // reset() keeps it.
-  told.reset(), made.reset(), bare.reset();
+  EXPECT_NE(with_payload_set.fault().kind, FaultKind::None);
+  EXPECT_EQ(with_payload_set.fault().kind, with_loaded_model.fault().kind);
+  // reset() keeps the payload.
+  with_payload_set.reset(), with_loaded_model.reset(), bare.reset();
   m = toy_measurement(plain);
   for (tick = 0; tick < 5; ++tick) tick_all(tick);
 }
 
-TEST(MpcPayload, DoesNotReachAnEstimatedBase_AndIsRefusedThere) {
+TEST(MpcPayload, ControllerWithEstimatedBase_RefusesAPayload) {
   MpcController mpc(spec_of());
   Measurement m = toy_measurement(spec_of());
   m.base_is_estimated = true;
@@ -68,13 +68,13 @@ TEST(MpcPayload, DoesNotReachAnEstimatedBase_AndIsRefusedThere) {
   expect_words(refusal([&] { (void)mpc.set_payload("tool", brick(2.0)); }),
                {"payload of 2 kg", "'tool'", "estimate of the base", "with_payload()"});
   EXPECT_FALSE(mpc.carries_payload());
-  EXPECT_EQ(mpc.set_payload("tool", {}), Status::Ok) << "none is no payload";
-  MpcController said(spec_of());
-  said.expect_estimated_base();
-  EXPECT_THROW((void)said.set_payload("tool", brick(2.0)), Error);
+  EXPECT_EQ(mpc.set_payload("tool", {}), Status::Ok) << "an empty payload must be accepted";
+  MpcController expecting(spec_of());
+  expecting.expect_estimated_base();
+  EXPECT_THROW((void)expecting.set_payload("tool", brick(2.0)), Error);
 }
 
-TEST(MpcPayload, BeforeAnEstimatedBase_HoldsTheRobotWithAStatus) {
+TEST(MpcPayload, EstimatedBaseAfterAPayload_HoldsTheRobotWithAStatus) {
   MpcController mpc(spec_of());
   ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);
   EXPECT_TRUE(mpc.carries_payload());
@@ -85,23 +85,23 @@ TEST(MpcPayload, BeforeAnEstimatedBase_HoldsTheRobotWithAStatus) {
   const Command& command = mpc.tick(m);
   EXPECT_EQ(command.status, Status::NotPhysical);
   EXPECT_TRUE(command.tau.allFinite());
-  EXPECT_GT(command.tau.norm(), 1.0) << "the fallback holds it";
+  EXPECT_GT(command.tau.norm(), 1.0) << "the fallback must hold the robot";
   ASSERT_EQ(mpc.set_payload("tool", {}), Status::Ok);
   m.time = 2e-3;
   EXPECT_NE(mpc.tick(m).status, Status::NotPhysical);
 }
 
-TEST(MpcPayload, OfTheController_IsRefusedByALoopThatEstimatesTheBase) {
+TEST(MpcPayload, LoopThatEstimatesTheBase_RefusesAControllerWithAPayload) {
   MpcController mpc(spec_of());
   const Model model = mpc.problem().model();
   const std::unique_ptr<Plant> plant = make_ideal_plant(model, {});
   ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);
   ClosedLoop loop(*plant, mpc);
   expect_words(refusal([&] { loop.estimate_base(model, {}); }),
-               {"estimate_base", "carries a payload", "with_payload()"});
+               {"estimate_base", "has a payload", "with_payload()"});
 }
 
-TEST(MpcPayload, AllocatesNothingAndWhatIsNoneChangesNothing) {
+TEST(MpcPayload, InvalidPayload_IsRefusedAndAValidOneAllocatesNothing) {
   MpcController mpc(spec_of());
   InertiaSpec bad = brick(1.0);
   bad.inertia_at_com(0, 0) = 1.0;

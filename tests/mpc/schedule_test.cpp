@@ -1,4 +1,4 @@
-// The clock of a task: what contact does to it, and what it refuses.
+// Tests of the schedule: how contact changes its time, and which schedules it rejects.
 #include <gtest/gtest.h>
 
 #include "burnish/mpc/task.hpp"
@@ -18,15 +18,16 @@ std::vector<SchedulePhase> phases() {
           {.stage = "reach"}};
 }
 
-/// Until the clock shows this time, in steps of 1 ms; the number of ticks that were off.
+/// Advances until the schedule's time reaches `time`, in ticks of 1 ms. Returns the number of ticks
+/// in which the schedule jumped or waited.
 int advance_to(Schedule& schedule, double time, bool contact) {
-  int off = 0;
+  int jumps = 0;
   for (int i = 0; i < 10000 && schedule.time() < time - 1e-9; ++i)
-    off += schedule.advance(1e-3, contact) ? 1 : 0;
-  return off;
+    jumps += schedule.advance(1e-3, contact) ? 1 : 0;
+  return jumps;
 }
 
-TEST(Schedule, knows_the_phase_at_every_time) {
+TEST(Schedule, AnyTime_HasItsPhase) {
   const Schedule schedule(phases());
   EXPECT_EQ(schedule.phase_at(-1.0), 0);
   EXPECT_EQ(schedule.phase_at(0.0), 0);
@@ -38,18 +39,18 @@ TEST(Schedule, knows_the_phase_at_every_time) {
   EXPECT_DOUBLE_EQ(schedule.start_of(3), 1.2);
 }
 
-TEST(Schedule, jumps_to_the_end_of_the_approach_when_contact_is_early) {
+TEST(Schedule, EarlyContact_EndsTheApproach) {
   Schedule schedule(phases());
   EXPECT_EQ(advance_to(schedule, 0.7, false), 0);
   EXPECT_TRUE(schedule.advance(1e-3, true));
   EXPECT_EQ(schedule.time(), 0.9);
   EXPECT_EQ(schedule.phase(), 2);
-  // Contact that comes and goes changes nothing any more.
+  // A contact that is lost and found again has no further effect.
   EXPECT_EQ(advance_to(schedule, 1.0, false), 0);
   EXPECT_EQ(schedule.phase(), 2);
 }
 
-TEST(Schedule, stands_still_before_the_end_of_the_approach_while_contact_is_late) {
+TEST(Schedule, LateContact_StopsTheTimeBeforeTheEndOfTheApproach) {
   Schedule schedule(phases());
   EXPECT_EQ(advance_to(schedule, 0.849, false), 0);
   EXPECT_FALSE(schedule.waits());
@@ -65,24 +66,24 @@ TEST(Schedule, stands_still_before_the_end_of_the_approach_while_contact_is_late
   EXPECT_DOUBLE_EQ(schedule.time(), 0.901);
 }
 
-TEST(Schedule, passes_contact_over_where_it_is_not_waited_for) {
+TEST(Schedule, ContactInAPhaseWithoutEvent_IsIgnored) {
   Schedule schedule(phases());
   EXPECT_EQ(advance_to(schedule, 0.499, true), 0);
   EXPECT_EQ(schedule.phase(), 0);
 }
 
-TEST(Schedule, never_steps_over_a_phase_that_waits) {
+TEST(Schedule, LongStep_StopsInAPhaseThatWaits) {
   Schedule schedule(phases());
   EXPECT_TRUE(schedule.advance(100.0, false));
   EXPECT_DOUBLE_EQ(schedule.time(), 0.85);
   EXPECT_EQ(schedule.phase(), 1);
   schedule.advance(1e-3, true);
-  // Several phases that do not wait may pass at once.
+  // Phases that do not wait may pass together in one step.
   EXPECT_FALSE(schedule.advance(10.0, false));
   EXPECT_EQ(schedule.phase(), 3);
 }
 
-TEST(Schedule, holds_at_the_start_of_a_phase_shorter_than_the_hold) {
+TEST(Schedule, HoldLongerThanItsPhase_WaitsAtTheStartOfThePhase) {
   std::vector<SchedulePhase> short_ones = phases();
   short_ones[1].hold = 10.0;
   Schedule schedule(short_ones);
@@ -91,29 +92,29 @@ TEST(Schedule, holds_at_the_start_of_a_phase_shorter_than_the_hold) {
   EXPECT_EQ(schedule.phase(), 1);
 }
 
-TEST(Schedule, ends_only_with_a_last_phase_of_finite_duration) {
-  Schedule open(phases());
-  open.jump_to(3);
-  EXPECT_EQ(open.time(), open.start_of(3));
-  open.advance(1e6, false);
-  EXPECT_FALSE(open.finished());
+TEST(Schedule, LastPhase_FinishesOnlyIfItsDurationIsFinite) {
+  Schedule endless(phases());
+  endless.jump_to(3);
+  EXPECT_EQ(endless.time(), endless.start_of(3));
+  endless.advance(1e6, false);
+  EXPECT_FALSE(endless.finished());
 
   std::vector<SchedulePhase> finite = phases();
   finite[3].duration = 0.2;
-  Schedule closed(finite);
-  closed.jump_to(2);
-  EXPECT_EQ(closed.phase(), 2);
-  closed.advance(0.49, false);
-  EXPECT_FALSE(closed.finished());
-  closed.advance(0.02, false);
-  EXPECT_TRUE(closed.finished());
-  EXPECT_EQ(closed.phase(), 3);
-  closed.reset();
-  EXPECT_EQ(closed.time(), 0.0);
-  EXPECT_EQ(closed.phase(), 0);
+  Schedule ending(finite);
+  ending.jump_to(2);
+  EXPECT_EQ(ending.phase(), 2);
+  ending.advance(0.49, false);
+  EXPECT_FALSE(ending.finished());
+  ending.advance(0.02, false);
+  EXPECT_TRUE(ending.finished());
+  EXPECT_EQ(ending.phase(), 3);
+  ending.reset();
+  EXPECT_EQ(ending.time(), 0.0);
+  EXPECT_EQ(ending.phase(), 0);
 }
 
-TEST(Schedule, jumps_to_phases_that_there_are) {
+TEST(Schedule, JumpBeyondThePhases_GoesToTheNearestPhase) {
   Schedule schedule(phases());
   schedule.jump_to(17);
   EXPECT_EQ(schedule.phase(), 3);
@@ -121,13 +122,13 @@ TEST(Schedule, jumps_to_phases_that_there_are) {
   EXPECT_EQ(schedule.phase(), 0);
 }
 
-TEST(Schedule, tells_events_apart) {
+TEST(Schedule, TwoEvents_EndOnlyTheirOwnPhases) {
   std::vector<SchedulePhase> two = phases();
-  two[2].until = "told";
+  two[2].until = "signal";
   Schedule schedule(two);
-  EXPECT_EQ(schedule.events(), (std::vector<std::string>{"contact", "told"}));
+  EXPECT_EQ(schedule.events(), (std::vector<std::string>{"contact", "signal"}));
   advance_to(schedule, 0.6, false);
-  EXPECT_FALSE(schedule.advance(1e-3, 2U)) << "told before anybody waits for it";
+  EXPECT_FALSE(schedule.advance(1e-3, 2U)) << "the schedule does not wait for 'signal' yet";
   EXPECT_EQ(schedule.phase(), 1);
   EXPECT_TRUE(schedule.advance(1e-3, 1U));
   EXPECT_EQ(schedule.phase(), 2);
@@ -135,13 +136,13 @@ TEST(Schedule, tells_events_apart) {
   EXPECT_TRUE(schedule.waits());
   EXPECT_TRUE(schedule.advance(1e-3, 3U));
   EXPECT_EQ(schedule.phase(), 3);
-  // In the order that the events are given in.
-  Schedule given(two, {"told", "contact"});
-  advance_to(given, 0.6, false);
-  EXPECT_TRUE(given.advance(1e-3, 2U));
+  // Bits follow the order of the given events.
+  Schedule reordered(two, {"signal", "contact"});
+  advance_to(reordered, 0.6, false);
+  EXPECT_TRUE(reordered.advance(1e-3, 2U));
 }
 
-TEST(Schedule, refuses_what_is_no_schedule) {
+TEST(Schedule, InvalidPhasesAndEvents_AreRefused) {
   expect_words(refusal([] { Schedule({}); }), {"no phases"});
   const auto with = [](int phase, auto&& change) {
     return refusal([&] {
@@ -157,7 +158,7 @@ TEST(Schedule, refuses_what_is_no_schedule) {
   expect_words(with(1, [](SchedulePhase& p) { p.hold = 0.0; }), {"phase 1", "hold", "positive"});
   EXPECT_EQ(with(0, [](SchedulePhase& p) { p.hold = 0.0; }), "");
   expect_words(refusal([] { Schedule(phases(), {"contacts"}); }),
-               {"phase 1", "'contact'", "no event", "contacts"});
+               {"phase 1", "'contact'", "not an event", "contacts"});
   expect_words(refusal([] { Schedule(phases(), std::vector<std::string>(33, "contact")); }),
                {"33 events", "at most 32"});
 }

@@ -1,4 +1,4 @@
-// What a controller asks of a task and does with the answers, with a task that is a toy.
+// Tests of the calls between a controller and its task, with a toy task.
 #include "burnish/mpc/task.hpp"
 
 #include <gtest/gtest.h>
@@ -13,14 +13,14 @@ namespace {
 using testing::expect_words;
 using testing::refusal;
 
-struct Toyed {
-  explicit Toyed(const std::function<void(MpcSpec&)>& change = nullptr) {
+struct ToyController {
+  explicit ToyController(const std::function<void(MpcSpec&)>& change = nullptr) {
     MpcSpec spec = toy_spec(toy);
     if (change) change(spec);
     m = toy_measurement(spec);
     mpc = std::make_unique<MpcController>(spec);
   }
-  /// Ticks until this time, the robot resting.
+  /// Ticks until this time with the robot at rest.
   const Command& tick_to(double time) {
     const Command* command = nullptr;
     for (; m.time < time - 1e-9; m.time = 1e-3 * ++ticks) command = &mpc->tick(m);
@@ -32,25 +32,25 @@ struct Toyed {
   int ticks = 0;
 };
 
-TEST(MpcTask, ends_a_phase_with_its_event_and_no_sooner) {
-  Toyed run;
+TEST(MpcTask, Event_EndsOnlyThePhaseThatWaitsForIt) {
+  ToyController run;
   EXPECT_EQ(run.tick_to(0.015).phase, 0);
-  run.toy->rings = true;  // where nobody waits for it
+  run.toy->rings = true;  // the schedule does not wait for it yet
   run.tick_to(0.019);
   EXPECT_EQ(run.mpc->schedule().phase(), 0);
   run.toy->rings = false;
   EXPECT_EQ(run.tick_to(0.2).phase, 1);
   EXPECT_TRUE(run.mpc->schedule().waits());
   EXPECT_DOUBLE_EQ(run.mpc->schedule().time(), 0.04);
-  // The stage that follows is within the horizon of the plan.
+  // The next stage is within the horizon of the plan.
   EXPECT_GT(std::abs(run.mpc->plan()(6, 1) - run.m.q[1]), 1e-3);
   run.toy->rings = true;
   EXPECT_EQ(run.tick_to(0.202).phase, 2);
   EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << run.mpc->fault().text();
 }
 
-TEST(MpcTask, is_asked_once_in_every_tick_with_a_good_measurement) {
-  Toyed run;
+TEST(MpcTask, ValidMeasurement_CallsTheTaskOncePerTick) {
+  ToyController run;
   run.tick_to(0.01);
   EXPECT_EQ(run.toy->senses, 10);
   EXPECT_EQ(run.toy->watches, 10);
@@ -60,17 +60,17 @@ TEST(MpcTask, is_asked_once_in_every_tick_with_a_good_measurement) {
   run.m.q = arm7::ready();
   run.tick_to(0.014);
   EXPECT_EQ(run.toy->senses, 11);
-  EXPECT_NEAR(run.toy->dt, 4e-3, 1e-12) << "over the ticks that were bridged";
+  EXPECT_NEAR(run.toy->dt, 4e-3, 1e-12) << "dt must include the bridged ticks";
   run.mpc->reset();
   EXPECT_EQ(run.toy->resets, 1);
 }
 
-TEST(MpcTask, raises_the_first_quantity_beyond_its_limit_by_its_name) {
-  Toyed run;
+TEST(MpcTask, QuantityBeyondItsLimit_IsAFaultWithItsName) {
+  ToyController run;
   run.toy->heat = 1.0;
   run.toy->sway = std::nan("");
   run.tick_to(0.005);
-  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << "the limit itself is within";
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << "the limit itself is allowed";
   run.toy->heat = 1.25;
   run.toy->sway = 7.0;
   const AllocationGuard guard;
@@ -85,7 +85,7 @@ TEST(MpcTask, raises_the_first_quantity_beyond_its_limit_by_its_name) {
   expect_words(fault.text(), {"beyond a limit at 0.0050 s", "1.25; allowed is 1", "(heat, K)"});
   EXPECT_EQ(fault.last_second.rows(), 6);
 
-  Toyed named;
+  ToyController named;
   named.toy->sway = 2.0;
   named.tick_to(0.001);
   EXPECT_EQ(named.mpc->fault().kind, FaultKind::SpeedLimit);
@@ -94,8 +94,8 @@ TEST(MpcTask, raises_the_first_quantity_beyond_its_limit_by_its_name) {
   EXPECT_EQ(named.mpc->fault().text(), "no fault");
 }
 
-TEST(MpcTask, says_what_is_aimed_at_by_the_schedules_time) {
-  Toyed run;
+TEST(MpcTask, Aim_SetsTheTargetsAtTheScheduleTime) {
+  ToyController run;
   run.toy->aim = [](double time, Command& command) {
     if (time > 0.01) throw std::runtime_error("no aim");
     command.target_force = 100.0 * time;
@@ -105,11 +105,11 @@ TEST(MpcTask, says_what_is_aimed_at_by_the_schedules_time) {
   EXPECT_DOUBLE_EQ(command.target_force, 0.5);
   EXPECT_DOUBLE_EQ(command.p_target_world.x(), 0.005);
   EXPECT_NE(run.tick_to(0.013).status, Status::Ok);
-  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << "it is for the record alone";
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << "targets are only recorded";
   EXPECT_THROW(std::rethrow_exception(run.mpc->take_exception()), std::runtime_error);
 }
 
-TEST(MpcTask, need_not_be_there) {
+TEST(MpcTask, NoTask_RunsTheScheduleByTime) {
   MpcSpec spec = toy_spec();
   MpcController mpc(spec);
   Measurement m = toy_measurement(spec);
@@ -119,26 +119,26 @@ TEST(MpcTask, need_not_be_there) {
   EXPECT_EQ(mpc.tick(m).target_force, 0.0);
 }
 
-TEST(MpcTask, is_refused_where_the_schedule_waits_for_what_it_does_not_know) {
+TEST(MpcTask, ScheduleWithUnknownEvent_IsRefused) {
   const auto with = [](const std::function<void(MpcSpec&)>& change) {
-    return refusal([&] { Toyed{change}; });
+    return refusal([&] { ToyController{change}; });
   };
   expect_words(with([](MpcSpec& s) { s.schedule[1].until = "bel"; }),
-               {"phase 1", "'bel'", "no event of its task", "bell"});
+               {"phase 1", "'bel'", "not an event of its task", "bell"});
   expect_words(with([](MpcSpec& s) { s.task = nullptr; }), {"phase 1", "'bell'"});
   expect_words(with([](MpcSpec& s) { s.task = [](const MpcSpec&) { return nullptr; }; }),
-               {"makes none"});
-  expect_words(with([](MpcSpec& s) { s.contact_threshold = -1.0; }), {"contact threshold", "-1"});
+               {"returned no task"});
+  expect_words(with([](MpcSpec& s) { s.contact_threshold = -1.0; }), {"contact_threshold", "-1"});
 }
 
-TEST(MpcPlans, that_remember_what_was_a_step_before_are_refused) {
+TEST(MpcSpec, PlansThatNeedThePreviousStep_AreRefused) {
   const auto with = [](const std::function<void(MpcSpec&)>& change) {
-    return refusal([&] { Toyed{change}; });
+    return refusal([&] { ToyController{change}; });
   };
   expect_words(with([](MpcSpec& s) { s.problem.torque_model = TorqueModel::held(); }),
-               {"torques are held", "ticks are shorter", "wanted a torque model with a cut-off"});
-  expect_words(with([](MpcSpec& s) { s.problem.remembered_forces = {"pad"}; }),
-               {"forces of the step before", "ticks are shorter", "no remembered_forces"});
+               {"torque model 'held'", "at every tick", "wanted a torque model with a cut-off"});
+  expect_words(with([](MpcSpec& s) { s.problem.force_states = {"pad"}; }),
+               {"forces of the previous step", "shorter than steps", "no force_states"});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Steps: orders of convergence, derivatives on fixed and floating bases, the torque filter,
-// impacts.
+// Tests of the integration of a step: orders of convergence, derivatives on fixed and floating
+// bases, the torque filter, impacts, force states.
 #include <gtest/gtest.h>
 
 #include "base/decomposition.hpp"
@@ -10,7 +10,7 @@
 namespace burnish::test {
 namespace {
 
-/// One stage with a cost that does not matter.
+/// Returns a problem of one stage with a dummy cost.
 ProblemSpec one_stage(ProblemSpec spec, Stage stage) {
   stage.name = "go";
   stage.costs = {{.residual = residual::JointVelocity{}}};
@@ -19,7 +19,7 @@ ProblemSpec one_stage(ProblemSpec spec, Stage stage) {
   return spec;
 }
 
-/// Free motion of arm7 for 0.2 s under a constant torque, in n steps.
+/// Returns the state of arm7 after 0.2 s of free motion under a constant torque, in n steps.
 Eigen::VectorXd free_motion(Integrator integrator, int n, bool torque_model,
                             Base base = Base::Fixed) {
   const OcpCase test{{"arm7", base, "tool"}, torque_model};
@@ -37,9 +37,9 @@ Eigen::VectorXd free_motion(Integrator integrator, int n, bool torque_model,
   return x;
 }
 
-class Order : public ::testing::TestWithParam<bool> {};
+class IntegrationOrder : public ::testing::TestWithParam<bool> {};
 
-TEST_P(Order, EulerErrorHalvesWithTheStep) {
+TEST_P(IntegrationOrder, EulerError_HalvesWithTheStep) {
   const Eigen::VectorXd exact = free_motion(Integrator::RungeKutta4, 800, GetParam());
   const double coarse =
       (free_motion(Integrator::SemiImplicitEuler, 200, GetParam()) - exact).norm();
@@ -48,7 +48,7 @@ TEST_P(Order, EulerErrorHalvesWithTheStep) {
   EXPECT_NEAR(coarse / fine, 2.0, 0.2);
 }
 
-TEST_P(Order, RungeKuttaErrorFallsSixteenfold) {
+TEST_P(IntegrationOrder, RungeKuttaError_FallsSixteenfold) {
   const Eigen::VectorXd exact = free_motion(Integrator::RungeKutta4, 1600, GetParam());
   const double coarse = (free_motion(Integrator::RungeKutta4, 50, GetParam()) - exact).norm();
   const double fine = (free_motion(Integrator::RungeKutta4, 100, GetParam()) - exact).norm();
@@ -56,7 +56,7 @@ TEST_P(Order, RungeKuttaErrorFallsSixteenfold) {
   EXPECT_NEAR(coarse / fine, 16.0, 3.0);
 }
 
-TEST(FloatingOrder, RungeKuttaErrorFallsSixteenfoldWhereTheBaseTurnsToo) {
+TEST(FloatingBaseOrder, RungeKuttaError_FallsSixteenfold) {
   const auto at = [](int n) {
     return free_motion(Integrator::RungeKutta4, n, false, Base::FreeFlyer);
   };
@@ -66,11 +66,11 @@ TEST(FloatingOrder, RungeKuttaErrorFallsSixteenfoldWhereTheBaseTurnsToo) {
   EXPECT_NEAR(coarse / fine, 16.0, 3.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(WithAndWithoutFilter, Order, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutFilter, IntegrationOrder, ::testing::Bool());
 
-class StepOf : public ::testing::TestWithParam<OcpCase> {
+class StepDerivatives : public ::testing::TestWithParam<OcpCase> {
  protected:
-  /// F of knot 0, ndx x nz, from what expand() gives.
+  /// Returns the derivative F of knot 0, ndx x nz, from the result of expand().
   Eigen::MatrixXd expanded(Problem& problem, OcpHorizon& horizon) {
     horizon.expand(problem);
     const StateShape& shape = problem.state();
@@ -79,8 +79,8 @@ class StepOf : public ::testing::TestWithParam<OcpCase> {
     if (horizon.out[0].form == DynamicsForm::Dense) return given.topRows(shape.ndx);
     const double step = horizon.out[0].step;
     Eigen::MatrixXd A = Eigen::MatrixXd::Identity(nv, nv), B = A;
-    const double* lead = horizon.lead[0].data();
-    for (const LeadBlock& block : shape.blocks) {
+    const double* lead = horizon.tangent_blocks[0].data();
+    for (const NonEuclideanBlock& block : shape.blocks) {
       const int n = block.size;
       A.block(block.first, block.first, n, n) = Eigen::Map<const RowMatrix>(lead, n, n);
       B.block(block.first, block.first, n, n) = Eigen::Map<const RowMatrix>(lead + n * n, n, n);
@@ -100,8 +100,8 @@ class StepOf : public ::testing::TestWithParam<OcpCase> {
   Eigen::MatrixXd by_differences(Problem& problem, const Eigen::VectorXd& x,
                                  const Eigen::VectorXd& u) {
     const int nu = problem.controls(0), ndx = problem.state().ndx;
-    Eigen::VectorXd here(x.size());
-    problem.roll(0, 0, x.data(), u.data(), here.data());
+    Eigen::VectorXd nominal(x.size());
+    problem.roll(0, 0, x.data(), u.data(), nominal.data());
     return extrapolated_differences(
         [&](int k, double h) {
           Eigen::VectorXd at_x = x, at_u = u, next(x.size()), dx(ndx);
@@ -112,13 +112,13 @@ class StepOf : public ::testing::TestWithParam<OcpCase> {
             problem.integrate(x.data(), dx.data(), at_x.data());
           }
           problem.roll(0, 0, at_x.data(), at_u.data(), next.data());
-          problem.difference(here.data(), next.data(), dx.data());
+          problem.difference(nominal.data(), next.data(), dx.data());
           return dx;
         },
         nu + ndx, ndx);
   }
 
-  void expect_right(const Stage& stage, bool by_autodiff, double own_step = 0.0) {
+  void expect_exact_derivatives(const Stage& stage, bool by_autodiff, double own_step = 0.0) {
     Problem problem(one_stage(bare_problem(GetParam(), model), stage));
     if (own_step > 0.0) problem.set_step(0, own_step);
     const ocp::CompiledProblem& compiled = ocp::ProblemInside::of(problem).compiled;
@@ -139,32 +139,33 @@ class StepOf : public ::testing::TestWithParam<OcpCase> {
   std::mt19937_64 generator{21};
 };
 
-TEST_P(StepOf, EulerHasItsDerivatives) {
-  expect_right({.contacts = {"brace", "pad"}, .step = 0.02}, true);
+TEST_P(StepDerivatives, Euler_HasExactDerivatives) {
+  expect_exact_derivatives({.contacts = {"brace", "pad"}, .step = 0.02}, true);
 }
 
-TEST_P(StepOf, RungeKuttaHasItsDerivatives) {
-  expect_right({.contacts = {"brace", "pad"}, .step = 0.02, .integrator = Integrator::RungeKutta4},
-               true);
+TEST_P(StepDerivatives, RungeKutta_HasExactDerivatives) {
+  expect_exact_derivatives(
+      {.contacts = {"brace", "pad"}, .step = 0.02, .integrator = Integrator::RungeKutta4}, true);
 }
 
-TEST_P(StepOf, FreeMotionHasItsDerivatives) {
-  expect_right({.step = 0.05}, true);
-  expect_right({.step = 0.05, .integrator = Integrator::RungeKutta4}, true);
+TEST_P(StepDerivatives, FreeMotion_HasExactDerivatives) {
+  expect_exact_derivatives({.step = 0.05}, true);
+  expect_exact_derivatives({.step = 0.05, .integrator = Integrator::RungeKutta4}, true);
 }
 
-TEST_P(StepOf, KnotsOfAnotherStepHaveTheirDerivatives) {
+TEST_P(StepDerivatives, KnotWithItsOwnStep_HasExactDerivatives) {
   for (const Integrator integrator : {Integrator::SemiImplicitEuler, Integrator::RungeKutta4})
-    expect_right({.contacts = {"brace", "pad"}, .step = 0.02, .integrator = integrator}, true,
-                 0.05);
+    expect_exact_derivatives({.contacts = {"brace", "pad"}, .step = 0.02, .integrator = integrator},
+                             true, 0.05);
 }
 
-TEST_P(StepOf, ImpactHasItsDerivatives) {
-  expect_right({.contacts = {"brace", "pad"}, .impact = true}, false);
-  expect_right({.contacts = {"pad"}, .integrator = Integrator::RungeKutta4, .impact = true}, false);
+TEST_P(StepDerivatives, Impact_HasExactDerivatives) {
+  expect_exact_derivatives({.contacts = {"brace", "pad"}, .impact = true}, false);
+  expect_exact_derivatives(
+      {.contacts = {"pad"}, .integrator = Integrator::RungeKutta4, .impact = true}, false);
 }
 
-TEST_P(StepOf, ImpactStopsTheContactsAndNothingElseMoves) {
+TEST_P(StepDerivatives, Impact_ChangesOnlyVelocitiesByContactImpulses) {
   ProblemSpec spec =
       one_stage(bare_problem(GetParam(), model), {.contacts = {"brace", "pad"}, .impact = true});
   Problem problem(spec);
@@ -191,10 +192,10 @@ TEST_P(StepOf, ImpactStopsTheContactsAndNothingElseMoves) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, StepOf, ::testing::ValuesIn(ocp_cases()),
+INSTANTIATE_TEST_SUITE_P(Robots, StepDerivatives, ::testing::ValuesIn(ocp_cases()),
                          [](const auto& test) { return test.param.label(); });
 
-TEST(TorqueFilter, ExactIsTheSolutionAndEulerItsFirstOrder) {
+TEST(TorqueFilter, DiscretizationExactOrEuler_HasItsDecay) {
   const OcpCase test{{"arm7", Base::Fixed, "tool"}, true};
   const Model model = test.robot.model();
   const double cutoff = 30.0, step = 0.01;
@@ -216,7 +217,7 @@ TEST(TorqueFilter, ExactIsTheSolutionAndEulerItsFirstOrder) {
     }
 }
 
-TEST(TorqueFilter, TorquesActAndControlsDoNotYet) {
+TEST(TorqueFilter, Acceleration_DependsOnTorquesNotOnControls) {
   const OcpCase test{{"arm7", Base::Fixed, "tool"}, true};
   const Model model = test.robot.model();
   Problem problem(one_stage(bare_problem(test, model), {}));
@@ -224,18 +225,18 @@ TEST(TorqueFilter, TorquesActAndControlsDoNotYet) {
   const OcpState at = random_ocp_state(problem, generator);
   const Eigen::VectorXd a = problem.acceleration(0, at.x, at.u);
   EXPECT_EQ(problem.acceleration(0, at.x, 2.0 * at.u), a);
-  Eigen::VectorXd pushed = at.x;
-  pushed[pushed.size() - 1] += 1.0;
-  EXPECT_GT((problem.acceleration(0, pushed, at.u) - a).norm(), 1e-3);
+  Eigen::VectorXd changed = at.x;
+  changed[changed.size() - 1] += 1.0;
+  EXPECT_GT((problem.acceleration(0, changed, at.u) - a).norm(), 1e-3);
 }
 
-TEST(TorqueFilter, HeldTorquesActAtOnceAndAreRememberedForAStep) {
+TEST(TorqueStates, PreviousControl_IsStoredWithoutDelayingTorques) {
   const OcpCase test{{"arm7", Base::Fixed, "tool"}, true, true};
-  const OcpCase at_once{{"arm7", Base::Fixed, "tool"}};
+  const OcpCase plain_case{{"arm7", Base::Fixed, "tool"}};
   const Model model = test.robot.model();
   for (const Integrator integrator : {Integrator::SemiImplicitEuler, Integrator::RungeKutta4}) {
     Problem held(one_stage(bare_problem(test, model), {.integrator = integrator}));
-    Problem plain(one_stage(bare_problem(at_once, model), {.integrator = integrator}));
+    Problem plain(one_stage(bare_problem(plain_case, model), {.integrator = integrator}));
     std::mt19937_64 generator(6);
     const OcpState at = random_ocp_state(held, generator);
     const Eigen::VectorXd without = at.x.head(14);
@@ -247,7 +248,7 @@ TEST(TorqueFilter, HeldTorquesActAtOnceAndAreRememberedForAStep) {
   }
 }
 
-TEST(RememberedForces, AreThoseOfTheStepThatEndsAndActOnNothing) {
+TEST(ForceStates, Step_StoresItsForcesWithoutChangingTheMotion) {
   const OcpCase test{{"arm7", Base::Fixed, "tool"}, false, false, true};
   const OcpCase plain{{"arm7", Base::Fixed, "tool"}};
   const Model model = test.robot.model();
@@ -268,7 +269,7 @@ TEST(RememberedForces, AreThoseOfTheStepThatEndsAndActOnNothing) {
       problem.roll(0, 0, at.x.data(), at.u.data(), next.data());
       bare.roll(0, 0, x.data(), at.u.data(), wanted.data());
       EXPECT_EQ(next.head(14), wanted);
-      // In the order that they are named in: the pad's, then the brace's.
+      // Force states are in the order of their contacts' names in the problem: pad, then brace.
       EXPECT_EQ(next.segment(14, 6), forces.tail(6));
       EXPECT_EQ(next[20], braced ? forces[0] : 0.0);
     }

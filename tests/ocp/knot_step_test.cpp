@@ -1,4 +1,4 @@
-// Knots of different lengths: what a horizon's segments say, what a step of a knot's own changes.
+// Tests of knots of different lengths: steps of horizon segments, and steps of single knots.
 #include <gtest/gtest.h>
 
 #include "support/allocation_guard.hpp"
@@ -24,7 +24,7 @@ class KnotSteps : public ::testing::Test {
   std::mt19937_64 generator{17};
 };
 
-TEST_F(KnotSteps, AreTheStagesUnlessTheSegmentSaysSo) {
+TEST_F(KnotSteps, SegmentStep_OverridesTheStepOfTheStage) {
   ProblemSpec spec = two_stages(model);
   spec.horizon = {
       {"slow", 2}, {.stage = "slow", .knots = 2, .step = 0.03}, {"hit", 1}, {"fast", 1}};
@@ -40,9 +40,9 @@ TEST_F(KnotSteps, AreTheStagesUnlessTheSegmentSaysSo) {
   }
 }
 
-TEST_F(KnotSteps, GrowByTheSameFactorUntilTheDurationIsOver) {
+TEST_F(KnotSteps, Duration_GivesGeometricSteps) {
   ProblemSpec spec = two_stages(model);
-  for (const double duration : {0.6, 1.0, 0.2}) {  // longer ones, and shorter ones
+  for (const double duration : {0.6, 1.0, 0.2}) {  // growing steps, and shrinking ones
     spec.horizon = {{.stage = "slow", .knots = 30, .step = 0.01, .duration = duration}};
     const std::vector<double> steps = knot_steps(spec);
     EXPECT_EQ(steps[0], 0.01);
@@ -54,18 +54,18 @@ TEST_F(KnotSteps, GrowByTheSameFactorUntilTheDurationIsOver) {
     EXPECT_NEAR(sum, duration, 1e-12);
     EXPECT_EQ(steps[1] > steps[0], duration > 0.3);
   }
-  spec.horizon = {{.stage = "slow", .knots = 3, .duration = 0.14}};  // from the stage's own
+  spec.horizon = {{.stage = "slow", .knots = 3, .duration = 0.14}};  // starts at the stage's step
   EXPECT_EQ(knot_steps(spec)[0], 0.02);
   EXPECT_NEAR(knot_steps(spec)[2], 0.08, 1e-12);
 }
 
-TEST_F(KnotSteps, ThatAreAllAlikeAreTheSameToTheLastBit) {
+TEST_F(KnotSteps, DurationOfEqualSteps_GivesExactlyEqualSteps) {
   ProblemSpec spec = two_stages(model);
   spec.horizon = {{.stage = "slow", .knots = 7, .step = 0.1, .duration = 0.7}};
   for (const double step : knot_steps(spec)) EXPECT_EQ(step, 0.1);
 }
 
-TEST_F(KnotSteps, RefuseWhatCannotBe) {
+TEST_F(KnotSteps, BadStepOrDuration_IsRefused) {
   const auto refused = [&](const HorizonSegment& segment) {
     return testing::refusal([&] {
       ProblemSpec spec = two_stages(model);
@@ -73,10 +73,11 @@ TEST_F(KnotSteps, RefuseWhatCannotBe) {
       Problem{spec};
     });
   };
-  const auto expect = [&](const HorizonSegment& segment, const std::string& part) {
-    EXPECT_NE(refused(segment).find(part), std::string::npos) << refused(segment);
+  const auto expect = [&](const HorizonSegment& segment, const std::string& words) {
+    EXPECT_NE(refused(segment).find(words), std::string::npos) << refused(segment);
   };
-  expect({.stage = "slow", .knots = 3, .step = -0.01}, "a step of -0.01 s; wanted a positive time");
+  expect({.stage = "slow", .knots = 3, .step = -0.01},
+         "has a step of -0.01 s; wanted a positive time");
   expect({.stage = "slow", .knots = 3, .duration = std::nan("")}, "a duration of nan s");
   expect({.stage = "slow", .knots = 3, .step = 0.01, .duration = 0.071}, "0.0175 to 0.07 s");
   expect({.stage = "slow", .knots = 3, .step = 0.01, .duration = 0.017}, "0.0175 to 0.07 s");
@@ -84,7 +85,7 @@ TEST_F(KnotSteps, RefuseWhatCannotBe) {
   expect({.stage = "slwo", .knots = 1, .step = 0.01}, "did you mean 'slow'");
 }
 
-TEST_F(KnotSteps, AreSetBetweenTicksWithoutAllocating) {
+TEST_F(KnotSteps, SetStep_ChangesOneKnotWithoutAllocation) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   Problem problem(two_stages(model));
   {
@@ -93,10 +94,10 @@ TEST_F(KnotSteps, AreSetBetweenTicksWithoutAllocating) {
     problem.set_knot(1, 1, 0.9);
     EXPECT_EQ(guard.count(), 0);
   }
-  EXPECT_EQ(problem.step_of(1), 0.04) << "whatever the stage";
+  EXPECT_EQ(problem.step_of(1), 0.04) << "the knot's step is used in every stage";
   EXPECT_EQ(problem.time_of(1), 0.9);
   problem.set_knot(0, 1, 0.7);
-  EXPECT_EQ(problem.step_of(0), 0.005) << "the stage's, of a knot without its own";
+  EXPECT_EQ(problem.step_of(0), 0.005) << "without a step of the knot, the stage's step is used";
   for (const double step : {0.0, -1.0, std::nan(""), HUGE_VAL})
     EXPECT_NE(testing::refusal([&] { problem.set_step(0, step); }).find("wanted a positive number"),
               std::string::npos);
@@ -105,7 +106,7 @@ TEST_F(KnotSteps, AreSetBetweenTicksWithoutAllocating) {
   EXPECT_EQ(problem.step_of(0), 0.005);
 }
 
-TEST_F(KnotSteps, FollowTheirKnotsWhenTheHorizonMovesOn) {
+TEST_F(KnotSteps, Advance_MovesStepsWithTheirKnots) {
   ProblemSpec spec = two_stages(model);
   spec.horizon = {{"slow", 1}, {.stage = "slow", .knots = 2, .step = 0.03}};
   Problem problem(spec);
@@ -115,8 +116,8 @@ TEST_F(KnotSteps, FollowTheirKnotsWhenTheHorizonMovesOn) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(problem.time_of(k + 1), problem.time_of(k) + 0.03, 1e-12);
 }
 
-/// The same knots once with steps of their own, once with stages that have them.
-TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
+/// Compares knots with their own steps to knots of stages with the same steps.
+TEST_F(KnotSteps, StepOfAKnot_EqualsAStageWithThatStep) {
   for (const OcpCase& test : ocp_cases()) {
     SCOPED_TRACE(test.label());
     const Model of = test.robot.model();
@@ -129,10 +130,10 @@ TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
                       .weight = 2.0}};
       if (test.torque_model)
         stage.costs.push_back({.residual = residual::JointTorqueRate{}, .weight = 1e-3});
-      if (test.remembers)
+      if (test.has_force_states)
         stage.costs.push_back({.residual = residual::ContactForceRate{"pad"}, .weight = 1e-4});
       own.stages = {stage};
-      own.stages[0].step = 0.03;  // no knot is longer
+      own.stages[0].step = 0.03;  // the longest knot
       for (const double step : steps) {
         own.horizon.push_back({.stage = "go", .knots = 1, .step = step});
         stages.stages.push_back(stage);
@@ -149,7 +150,7 @@ TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
       for (std::size_t k = 0; k < at_a.values.size(); ++k) {
         EXPECT_EQ(a.time_of(static_cast<int>(k)), b.time_of(static_cast<int>(k)));
         EXPECT_EQ(at_a.values[k].cost, at_b.values[k].cost);
-        // The end has no controls, and so many entries less.
+        // The last knot has no controls, and a shorter gradient.
         const int nz = a.controls(static_cast<int>(k)) + a.state().ndx;
         EXPECT_EQ(at_a.gradient[k].head(nz), at_b.gradient[k].head(nz));
         if (k + 1 == at_a.values.size()) break;
@@ -160,11 +161,11 @@ TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
   }
 }
 
-/// What is numerical is made for the stage's step: explicit steps that are longer would not bear
-/// it.
-TEST_F(KnotSteps, ThatAreLongerThanTheStagesSoftenWhatIsNumerical) {
-  const OcpCase rubbing{{"arm7", Base::Fixed, "tool"}, false, false, false, true};
-  ProblemSpec spec = bare_problem(rubbing, model);
+/// Gains and friction speeds suit the stage's step; for a longer knot they are softened so that the
+/// explicit integration stays stable.
+TEST_F(KnotSteps, LongerStep_SoftensGainsAndFriction) {
+  const OcpCase sliding{{"arm7", Base::Fixed, "tool"}, false, false, false, true};
+  ProblemSpec spec = bare_problem(sliding, model);
   for (ContactSpec& contact : spec.contacts) contact.with_gains(36.0, 6.0);
   spec.stages = {{.name = "go",
                   .contacts = {"brace", "pad"},
@@ -192,7 +193,7 @@ TEST_F(KnotSteps, ThatAreLongerThanTheStagesSoftenWhatIsNumerical) {
     problem.roll(0, 0, at.x.data(), at.u.data(), got.data());
     wanted.set_step(0, 0.01);
     wanted.roll(0, 0, at.x.data(), at.u.data(), want.data());
-    EXPECT_GT(relative_error(got, want), 1e-6) << "and shorter ones have what was stated";
+    EXPECT_GT(relative_error(got, want), 1e-6) << "a shorter knot must use the stated values";
   }
 }
 

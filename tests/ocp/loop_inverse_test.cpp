@@ -1,4 +1,4 @@
-// Inverse dynamics of closed chains: forward dynamics with its torques gives the motion back.
+// Tests of inverse dynamics of closed chains: forward dynamics returns the motion.
 #include "burnish/ocp/loop_inverse.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace burnish::testing {
 namespace {
 
-TEST(LoopInverse, Motion_ForwardDynamicsGivesItBack) {
+TEST(LoopInverse, Torques_ReproduceTheMotionInForwardDynamics) {
   if (!has_robot_files) GTEST_SKIP() << "needs robots in files";
   const Model model = named_robot("four_bar");
   ContactDynamics dynamics(model, loop_contacts(model, {}, true));

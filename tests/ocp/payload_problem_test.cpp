@@ -1,4 +1,4 @@
-// A payload as data of a problem, and what the least cost owes to it.
+// Tests of a payload as data of a problem, and of the derivative of the optimal cost by it.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -19,8 +19,8 @@ InertiaSpec brick() {
   return result;
 }
 
-/// The arm swings in the air and then presses where its tool is; `limited`: not as hard as is
-/// wanted.
+/// Returns a problem in which the arm swings in the air, then presses at its tool. `limited` bounds
+/// the force below its target.
 ProblemSpec pressing(const Model& model, bool limited) {
   ProblemSpec spec{.model = model};
   Eigen::VectorXd q = model.q_neutral;
@@ -66,20 +66,20 @@ DdpOptions tight() {
   return options;
 }
 
-class CostByPayload : public ::testing::TestWithParam<bool> {};
+class PayloadSensitivity : public ::testing::TestWithParam<bool> {};
 
-TEST_P(CostByPayload, equals_that_of_solving_again) {
+TEST_P(PayloadSensitivity, CostDerivative_EqualsDifferencesOfSolvedProblems) {
   const Model model = named_robot("arm7");
   Problem problem(pressing(model, GetParam()));
   ASSERT_EQ(problem.set_payload("tool", brick()), Status::Ok);
   DdpSolver solver(problem, tight());
   ASSERT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
   if (GetParam()) {
-    EXPECT_GT(solver.summary().pushing, 0) << "no limit pushes: nothing is tried";
+    EXPECT_GT(solver.summary().active_constraints, 0) << "the limit must be active";
   }
   const double cost = solver.summary().cost;
   const Vector10 got = cost_by_payload(problem, solver, "tool");
-  // It left the problem as it was.
+  // The problem is unchanged.
   DdpSolver same(problem, tight());
   same.set_guess(solver.xs(), solver.us());
   same.solve();
@@ -106,10 +106,10 @@ TEST_P(CostByPayload, equals_that_of_solving_again) {
         << inertia_parameter_names[static_cast<std::size_t>(k)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Limited, CostByPayload, ::testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Limited, PayloadSensitivity, ::testing::Bool(),
                          [](const auto& of) { return of.param ? "yes" : "no"; });
 
-TEST(CostOfAPayload, WantsASolvedProblem) {
+TEST(PayloadCost, UnsolvedProblem_IsRefused) {
   Problem problem(pressing(named_robot("arm7"), false));
   DdpOptions once = tight();
   once.max_iterations = 1;
@@ -119,37 +119,37 @@ TEST(CostOfAPayload, WantsASolvedProblem) {
   EXPECT_THROW((void)cost_by_payload(problem, solver, "tol"), Error);
 }
 
-TEST(PayloadOfAProblem, IsAsIfItWereInTheModel) {
+TEST(ProblemPayload, SetPayload_EqualsAPayloadInTheModel) {
   const Model model = named_robot("arm7");
-  Problem told(pressing(model, true)), made(pressing(with_payload(model, {"tool", brick()}), true));
-  told.prepare(2);
-  ASSERT_EQ(told.set_payload("tool", brick()), Status::Ok);
-  told.prepare(3);  // a worker that comes later has it too
-  EXPECT_NEAR(told.model().total_mass(), made.model().total_mass(), 1e-12);
+  Problem set(pressing(model, true)), built(pressing(with_payload(model, {"tool", brick()}), true));
+  set.prepare(2);
+  ASSERT_EQ(set.set_payload("tool", brick()), Status::Ok);
+  set.prepare(3);  // a worker that is added later has the payload, too
+  EXPECT_NEAR(set.model().total_mass(), built.model().total_mass(), 1e-12);
   std::mt19937_64 generator(4);
-  for (int k = 0; k < told.knots(); ++k) {
-    const OcpState s = random_ocp_state(made, generator);
+  for (int k = 0; k < set.knots(); ++k) {
+    const OcpState s = random_ocp_state(built, generator);
     for (int worker = 0; worker < 3; ++worker) {
-      made.prepare(worker + 1);
-      Eigen::VectorXd a(told.state().nx), b(a);
-      const double cost = told.roll(worker, k, s.x.data(), s.u.data(), a.data()).cost;
-      EXPECT_NEAR(cost, made.roll(worker, k, s.x.data(), s.u.data(), b.data()).cost,
+      built.prepare(worker + 1);
+      Eigen::VectorXd a(set.state().nx), b(a);
+      const double cost = set.roll(worker, k, s.x.data(), s.u.data(), a.data()).cost;
+      EXPECT_NEAR(cost, built.roll(worker, k, s.x.data(), s.u.data(), b.data()).cost,
                   1e-12 * std::abs(cost));
       EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-12 * std::max(1.0, b.cwiseAbs().maxCoeff()));
     }
   }
-  // In packs.
-  OcpHorizon in_told(told, generator);
+  // The same in packs.
+  OcpHorizon in_set(set, generator);
   std::mt19937_64 first(7), second(7);
-  OcpHorizon one(told, first), other(made, second);
-  one.expand(told);
-  other.expand(made);
+  OcpHorizon one(set, first), other(built, second);
+  one.expand(set);
+  other.expand(built);
   EXPECT_EQ(one.x, other.x);
   for (std::size_t i = 0; i < one.next.size(); ++i)
     EXPECT_NEAR(one.next[i], other.next[i], 1e-11 * std::max(1.0, std::abs(other.next[i])));
 }
 
-TEST(PayloadOfAProblem, IsSetWithoutAllocationOrRefused) {
+TEST(ProblemPayload, SetPayload_AllocatesNothingAndRefusesBadValues) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   Problem problem(pressing(named_robot("arm7"), false));
   InertiaSpec bad = brick();

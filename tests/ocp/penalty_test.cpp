@@ -1,4 +1,4 @@
-// Penalties: values, slopes and curvatures, seams, limits that are infinite, and packs.
+// Tests of penalties: values, slopes and curvatures, breakpoints, infinite limits, and packs.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -12,12 +12,12 @@
 namespace burnish::test {
 namespace {
 
-/// A penalty of one entry.
+/// A penalty of one row.
 struct PenaltyCase {
   std::string name;
   Penalty::Kind kind;
   double lower = -infinity, upper = infinity, width = 1.0;
-  std::vector<double> seams = {};
+  std::vector<double> breakpoints = {};
   template <class S>
   PenaltyValue<S> at(const S& r) const {
     return evaluate_penalty(kind, lower, upper, width, r);
@@ -28,7 +28,7 @@ void PrintTo(const PenaltyCase& test, std::ostream* out) { *out << test.name; }
 std::vector<PenaltyCase> penalty_cases() {
   using enum Penalty::Kind;
   return {
-      {"square", Square},
+      {"quadratic", Quadratic},
       {"barrier", Barrier, -0.4, 0.7, 1.0, {-0.4, 0.7}},
       {"barrier_below", Barrier, -0.4, infinity, 1.0, {-0.4}},
       {"barrier_above", Barrier, -infinity, 0.7, 1.0, {0.7}},
@@ -43,16 +43,17 @@ std::vector<PenaltyCase> penalty_cases() {
 
 class PenaltyLaw : public ::testing::TestWithParam<PenaltyCase> {};
 
-TEST_P(PenaltyLaw, SlopeAndCurvatureEqualDifferences) {
+TEST_P(PenaltyLaw, SlopeAndCurvature_EqualDifferences) {
   const PenaltyCase& penalty = GetParam();
   std::mt19937_64 generator(1);
   std::uniform_real_distribution<double> draw(-4.0, 4.0);
   const double h = 1e-5;
   for (int i = 0; i < 500; ++i) {
     const double r = draw(generator);
-    bool at_seam = false;
-    for (const double seam : penalty.seams) at_seam = at_seam || std::abs(r - seam) < 2.0 * h;
-    if (at_seam) continue;
+    bool at_breakpoint = false;
+    for (const double breakpoint : penalty.breakpoints)
+      at_breakpoint = at_breakpoint || std::abs(r - breakpoint) < 2.0 * h;
+    if (at_breakpoint) continue;
     const PenaltyValue<double> here = penalty.at(r);
     const PenaltyValue<double> above = penalty.at(r + h), below = penalty.at(r - h);
     EXPECT_NEAR(here.slope, (above.value - below.value) / (2.0 * h),
@@ -64,7 +65,7 @@ TEST_P(PenaltyLaw, SlopeAndCurvatureEqualDifferences) {
   }
 }
 
-TEST_P(PenaltyLaw, IsConvex) {
+TEST_P(PenaltyLaw, Penalty_IsConvex) {
   const PenaltyCase& penalty = GetParam();
   double slope = -infinity;
   for (double r = -5.0; r < 5.0; r += 1e-3) {
@@ -75,21 +76,22 @@ TEST_P(PenaltyLaw, IsConvex) {
   }
 }
 
-TEST_P(PenaltyLaw, IsSmoothAtItsSeams) {
-  for (const double seam : GetParam().seams) {
+TEST_P(PenaltyLaw, Breakpoints_AreSmooth) {
+  for (const double breakpoint : GetParam().breakpoints) {
     const double h = 1e-9;
-    const PenaltyValue<double> above = GetParam().at(seam + h), below = GetParam().at(seam - h);
-    EXPECT_NEAR(above.value, below.value, 1e-7) << seam;
-    EXPECT_NEAR(above.slope, below.slope, 1e-6) << seam;
+    const PenaltyValue<double> above = GetParam().at(breakpoint + h),
+                               below = GetParam().at(breakpoint - h);
+    EXPECT_NEAR(above.value, below.value, 1e-7) << breakpoint;
+    EXPECT_NEAR(above.slope, below.slope, 1e-6) << breakpoint;
     if (GetParam().kind == Penalty::Kind::LogBarrier) {
-      EXPECT_NEAR(above.curvature, below.curvature, 1e-5) << seam;
+      EXPECT_NEAR(above.curvature, below.curvature, 1e-5) << breakpoint;
     }
   }
 }
 
-TEST_P(PenaltyLaw, NanStays) { EXPECT_TRUE(std::isnan(GetParam().at(nan).value)); }
+TEST_P(PenaltyLaw, NanResidual_GivesNan) { EXPECT_TRUE(std::isnan(GetParam().at(nan).value)); }
 
-TEST_P(PenaltyLaw, LanesAreAlike) {
+TEST_P(PenaltyLaw, Lanes_EqualScalarValues) {
   std::mt19937_64 generator(2);
   std::uniform_real_distribution<double> draw(-3.0, 3.0);
   for (int i = 0; i < 100; ++i) {
@@ -108,9 +110,9 @@ TEST_P(PenaltyLaw, LanesAreAlike) {
 INSTANTIATE_TEST_SUITE_P(Penalties, PenaltyLaw, ::testing::ValuesIn(penalty_cases()),
                          [](const auto& test) { return test.param.name; });
 
-TEST(Penalty, ValuesAreThoseOfTheirFormulas) {
+TEST(Penalty, Values_FollowTheirFormulas) {
   using enum Penalty::Kind;
-  EXPECT_DOUBLE_EQ(evaluate_penalty(Square, 0.0, 0.0, 1.0, 3.0).value, 4.5);
+  EXPECT_DOUBLE_EQ(evaluate_penalty(Quadratic, 0.0, 0.0, 1.0, 3.0).value, 4.5);
   EXPECT_DOUBLE_EQ(evaluate_penalty(Barrier, -1.0, 2.0, 1.0, 2.5).value, 0.125);
   EXPECT_DOUBLE_EQ(evaluate_penalty(Barrier, -1.0, 2.0, 1.0, -3.0).value, 2.0);
   EXPECT_DOUBLE_EQ(evaluate_penalty(Barrier, -1.0, 2.0, 1.0, 1.9).value, 0.0);
@@ -120,9 +122,9 @@ TEST(Penalty, ValuesAreThoseOfTheirFormulas) {
   EXPECT_DOUBLE_EQ(evaluate_penalty(LogBarrier, 0.0, infinity, 0.5, 0.0).value, 1.5);
 }
 
-TEST(Penalty, NamesAreReadBackAndTheNearestOneIsOffered) {
+TEST(Penalty, Names_AreParsedAndUnknownOnesRefused) {
   using enum Penalty::Kind;
-  for (const Penalty::Kind kind : {Square, Barrier, SmoothAbsolute, LogBarrier})
+  for (const Penalty::Kind kind : {Quadratic, Barrier, SmoothAbsolute, LogBarrier})
     EXPECT_EQ(parse_penalty(name_of(kind)), kind);
   testing::expect_words(testing::refusal([] { parse_penalty("barier"); }),
                         {"'barier'", "log_barrier", "did you mean 'barrier'?"});

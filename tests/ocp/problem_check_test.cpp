@@ -1,5 +1,5 @@
-// The checker of problems: passes what is right, names what is wrong, and complains about what
-// cannot be solved.
+// Tests of the checker of problems: correct problems pass, wrong derivatives are named, and
+// problems that cannot be solved get warnings.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -13,7 +13,7 @@
 namespace burnish::test {
 namespace {
 
-/// A stage with a force, a free one, an impact, and a user's own residual; and an end.
+/// Returns a problem with a stage with a force, a free stage, an impact and a custom residual.
 ProblemSpec checked_spec(const OcpCase& test, const Model& model) {
   ProblemSpec spec = bare_problem(test, model);
   const std::string tool = test.robot.tool;
@@ -41,9 +41,9 @@ ProblemSpec checked_spec(const OcpCase& test, const Model& model) {
   return spec;
 }
 
-class CheckOf : public ::testing::TestWithParam<OcpCase> {};
+class ProblemCheckCases : public ::testing::TestWithParam<OcpCase> {};
 
-TEST_P(CheckOf, ARightProblemPasses) {
+TEST_P(ProblemCheckCases, CorrectProblem_Passes) {
   const Model model = GetParam().robot.model();
   ProblemSpec spec = checked_spec(GetParam(), model);
   spec.contact_solver.mu = 0.05;
@@ -59,15 +59,15 @@ TEST_P(CheckOf, ARightProblemPasses) {
       "move: all costs",   "touch: next state",    "touch: centroidal momentum",
       "touch: all costs",  "terminal: state",      "terminal: all costs"};
   EXPECT_EQ(rows, wanted);
-  // The stage on no knot borrowed one and gave it back.
+  // The check of the stage without knots restores the knot that it uses.
   EXPECT_EQ(problem.stage_of(0), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, CheckOf, ::testing::ValuesIn(ocp_cases()),
+INSTANTIATE_TEST_SUITE_P(Robots, ProblemCheckCases, ::testing::ValuesIn(ocp_cases()),
                          [](const auto& test) { return test.param.label(); });
 
-/// A derivative with one entry too large.
-struct Wrong {
+/// A custom residual with one wrong entry in its Jacobian.
+struct WrongJacobian {
   int rows = 2;
   std::string name = "slip";
   void value(const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) const {
@@ -79,10 +79,10 @@ struct Wrong {
   }
 };
 
-TEST(Check, NamesTheEntryThatIsWrong) {
+TEST(ProblemCheck, WrongJacobian_IsNamedWithItsEntry) {
   const Model model = arm.robot.model();
   ProblemSpec spec = checked_spec(arm, model);
-  spec.stages[1].costs.push_back({.residual = residual::custom(Wrong{})});
+  spec.stages[1].costs.push_back({.residual = residual::custom(WrongJacobian{})});
   Problem problem(spec);
   const ProblemReport report = check_problem(problem);
   EXPECT_FALSE(report.pass);
@@ -97,12 +97,12 @@ TEST(Check, NamesTheEntryThatIsWrong) {
     EXPECT_GE(row.worst.state, 0);
   }
   EXPECT_GE(failed, 1);
-  EXPECT_LE(failed, 2) << "the term, and the costs that it is one of\n" << report.text();
+  EXPECT_LE(failed, 2) << "only the term and the sum of all costs may fail\n" << report.text();
   EXPECT_NE(report.text().find("stage 'move', slip: d"), std::string::npos) << report.text();
   EXPECT_NE(report.text().find("FAIL: "), std::string::npos) << report.text();
 }
 
-TEST(Check, SameSeedSameReportAndOptionsAreRefused) {
+TEST(ProblemCheck, SameSeed_GivesTheSameReport) {
   Problem problem(checked_spec(arm, arm.robot.model()));
   ProblemCheckOptions options{.states = 1};
   int done = 0;
@@ -120,11 +120,11 @@ TEST(Check, SameSeedSameReportAndOptionsAreRefused) {
   };
   refused({.states = 0}, {"check: states is 0"});
   refused({.tolerance = 0.0}, {"check: tolerance is 0"});
-  refused({.velocity = -1.0}, {"-1 apart"});
+  refused({.velocity = -1.0}, {"check: velocity is -1"});
   refused({.x = {Eigen::VectorXd::Zero(14)}}, {"1 states and 0 controls", "6 and 5"});
 }
 
-TEST(Check, DrawsAroundATrajectory) {
+TEST(ProblemCheck, Trajectory_IsCheckedAtItsStates) {
   const Model model = arm.robot.model();
   Problem problem(checked_spec(arm, model));
   ProblemCheckOptions options{.states = 2, .position = 0.0, .velocity = 0.0, .torque = 0.0};
@@ -138,13 +138,13 @@ TEST(Check, DrawsAroundATrajectory) {
   EXPECT_TRUE(report.pass) << report.text();
 }
 
-/// arm7 at rest at its neutral posture, with one position target within reach.
-ProblemSpec calm_spec(const Model& model) {
+/// Returns a problem of arm7 at rest at its middle posture, with a position target within reach.
+ProblemSpec quiescent_spec(const Model& model) {
   ProblemSpec spec{.model = model};
   spec.initial_state = Eigen::VectorXd::Zero(14);
   spec.initial_state.head(7) = (model.q_lower + model.q_upper).cwiseMax(-1e3).cwiseMin(1e3) / 2.0;
   spec.contacts = ocp_contacts(model, "tool");
-  spec.contacts[2].reference = Reference::surface(tilt());  // wherever the tool is
+  spec.contacts[2].reference = Reference::surface(tilt());  // its target does not matter
   spec.stages = {
       {.name = "go",
        .costs = {{.name = "position",
@@ -153,41 +153,41 @@ ProblemSpec calm_spec(const Model& model) {
   return spec;
 }
 
-std::string only_complaint(const ProblemSpec& spec) {
+std::string only_warning(const ProblemSpec& spec) {
   const std::vector<std::string> found = complaints(Problem(spec));
   EXPECT_EQ(found.size(), 1U);
   return found.empty() ? "" : found[0];
 }
 
-TEST(Complaints, AreNoneOfASensibleProblem) {
+TEST(ProblemWarnings, SensibleProblem_HasNone) {
   const Model model = arm.robot.model();
-  EXPECT_EQ(complaints(Problem(calm_spec(model))), std::vector<std::string>{});
+  EXPECT_EQ(complaints(Problem(quiescent_spec(model))), std::vector<std::string>{});
 }
 
-TEST(Complaints, OfSpringsThatDoNotAct) {
+TEST(ProblemWarnings, InactiveSprings_AreNamed) {
   Model model = arm.robot.model();
   model.stiffness[1] = 5.0;
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   spec.actuation.passive_torques = false;
-  testing::expect_words(only_complaint(spec), {"springs", "passive_torques"});
+  testing::expect_words(only_warning(spec), {"springs", "passive_torques"});
   spec.actuation.passive_torques = true;
-  spec.actuation.slip_velocity = 0.5;  // rad/s: the usual one is too small for steps of 10 ms
+  spec.actuation.slip_velocity = 0.5;  // [rad/s]; the default is too small for steps of 10 ms
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
 }
 
-TEST(Complaints, OfTargetsBeyondReach) {
+TEST(ProblemWarnings, TargetBeyondReach_IsNamed) {
   const Model model = arm.robot.model();
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   auto& target = std::get<residual::FramePosition>(spec.stages[0].costs[0].residual).target;
   target = Eigen::Vector3d(30.0, 0.0, 0.0);
-  testing::expect_words(only_complaint(spec),
+  testing::expect_words(only_warning(spec),
                         {"go, knot 0", "term 'position'", "30", "from joint 'joint_1'", "'tool'",
                          "at most", "3 more knots"});
   Eigen::VectorXd far(7);
   far << 0.0, 30.0, 0.0, 0.0, 0.0, 0.0, 1.0;
   spec.stages[0].costs[0].residual = residual::FramePlacement{"tool", far};
-  testing::expect_words(only_complaint(spec), {"from joint 'joint_1'"});
-  // One that flies gets anywhere.
+  testing::expect_words(only_warning(spec), {"from joint 'joint_1'"});
+  // A floating robot reaches every target.
   const Model afloat = TestRobot{"arm7", Base::FreeFlyer, "tool"}.model();
   ProblemSpec flying = spec;
   flying.model = afloat;
@@ -197,9 +197,9 @@ TEST(Complaints, OfTargetsBeyondReach) {
     EXPECT_EQ(sentence.find("from joint"), std::string::npos) << sentence;
 }
 
-TEST(Complaints, OfAStartOffTheSurfaceThatIsFollowed) {
+TEST(ProblemWarnings, StartOffTheSurface_IsNamedWithItsHeight) {
   const Model model = arm.robot.model();
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   const Eigen::Vector3d tool =
       frame_placement(model, spec.initial_state.head(7), "tool").translation();
   const auto over = [&](double height) {
@@ -211,18 +211,18 @@ TEST(Complaints, OfAStartOffTheSurfaceThatIsFollowed) {
     return spec;
   };
   EXPECT_EQ(complaints(Problem(over(0.0))), std::vector<std::string>{});
-  testing::expect_words(only_complaint(over(0.02)),
+  testing::expect_words(only_warning(over(0.02)),
                         {"stage 'go'", "'tool' is about 0.02", "m above the surface", "'pad'",
-                         "held at that distance"});
-  testing::expect_words(only_complaint(over(-0.02)), {"m below the surface"});
-  spec.contacts[0].directions = Directions::x();  // which holds no height
+                         "holds it at that distance"});
+  testing::expect_words(only_warning(over(-0.02)), {"m below the surface"});
+  spec.contacts[0].directions = Directions::x();  // without the direction of the height
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
 }
 
-TEST(Complaints, ReachIsNeverLessThanWhatTheArmReaches) {
+TEST(ProblemWarnings, ReachableTargets_AreNeverNamed) {
   const Model model = arm.robot.model();
   std::mt19937_64 generator(3);
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   for (int i = 0; i < 200; ++i) {
     const Eigen::VectorXd q = random_configuration(model, generator);
     spec.stages[0].costs[0].residual = residual::FramePosition{
@@ -231,64 +231,63 @@ TEST(Complaints, ReachIsNeverLessThanWhatTheArmReaches) {
   }
 }
 
-TEST(Complaints, OfTargetsOverTime) {
+TEST(ProblemWarnings, BadTargetOverTime_IsNamedWithItsKnot) {
   const Model model = arm.robot.model();
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   spec.stages[0].costs[0].residual = residual::FramePosition{
       "tool", Signal::over_time(3, [](double t, Eigen::Ref<Eigen::VectorXd> p) {
         p << 0.3, 0.1, t > 0.015 ? std::numeric_limits<double>::quiet_NaN() : 0.4;
       })};
-  testing::expect_words(only_complaint(spec), {"go, knot 2", "'position'", "NaN", "1 more knots"});
+  testing::expect_words(only_warning(spec), {"go, knot 2", "'position'", "NaN", "1 more knots"});
   spec.stages[0].costs[0].residual = residual::FrameRotation{
       "tool", Signal::over_time(
                   4, [](double t, Eigen::Ref<Eigen::VectorXd> q) { q << 0.0, 0.0, 0.0, 1.0 + t; })};
-  testing::expect_words(only_complaint(spec), {"go, knot 1", "quaternion", "length 1.01"});
+  testing::expect_words(only_warning(spec), {"go, knot 1", "quaternion", "length 1.01"});
 }
 
-TEST(Complaints, OfInitialStatesOutsideLimits) {
+TEST(ProblemWarnings, InitialStateBeyondLimits_IsNamed) {
   const Model model = arm.robot.model();
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   spec.initial_state[1] = model.q_upper[1] + 0.5;
-  testing::expect_words(only_complaint(spec), {"initial state", "'joint_2'", "limits"});
-  spec = calm_spec(model);
+  testing::expect_words(only_warning(spec), {"initial state", "'joint_2'", "limits"});
+  spec = quiescent_spec(model);
   spec.initial_state[9] = -2.0 * model.velocity_limit[2];
-  testing::expect_words(only_complaint(spec), {"initial state", "velocity", "'joint_3'"});
+  testing::expect_words(only_warning(spec), {"initial state", "velocity", "'joint_3'"});
 }
 
-TEST(Complaints, OfBoundsThatCannotHoldTheRobot) {
+TEST(ProblemWarnings, BoundsBelowTheStaticTorque_AreNamed) {
   const Model model = arm.robot.model();
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   spec.initial_state[1] += 0.5;
   const Eigen::VectorXd needed = Problem(spec).quasi_static(0, spec.initial_state).control;
-  const double most = needed.cwiseAbs().maxCoeff();
-  ASSERT_GT(most, 1.0);
-  spec.control_upper = Eigen::VectorXd::Constant(1, 1.01 * most);
+  const double max_torque = needed.cwiseAbs().maxCoeff();
+  ASSERT_GT(max_torque, 1.0);
+  spec.control_upper = Eigen::VectorXd::Constant(1, 1.01 * max_torque);
   spec.control_lower = -spec.control_upper;
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
-  spec.control_upper = Eigen::VectorXd::Constant(1, 0.9 * most);
+  spec.control_upper = Eigen::VectorXd::Constant(1, 0.9 * max_torque);
   spec.control_lower = -spec.control_upper;
-  testing::expect_words(only_complaint(spec), {"stage 'go'", "bounds", "'joint_", "needs"});
-  // Contacts hold it: the tool in six directions carries most of what the joints cannot.
+  testing::expect_words(only_warning(spec), {"stage 'go'", "bounds", "'joint_", "needs"});
+  // A contact of the tool in six directions carries most of the weight.
   spec.contact_solver.mu = 1e-3;
   spec.stages[0].contacts = {"pad"};
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
 }
 
-TEST(Complaints, OfJointsThatMoveNoMass) {
+TEST(ProblemWarnings, MasslessJoint_IsNamed) {
   Model model = arm.robot.model();
   Joint& last = model.joints.back();
   last.mass = 0.0;
   last.inertia_at_com.setZero();
   model.armature[last.v_index] = 0.0;
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   spec.stages[0].contacts = {"pad"};
-  testing::expect_words(only_complaint(spec),
-                        {"initial posture", "'" + last.name + "'", "no mass"});
+  testing::expect_words(only_warning(spec), {"initial posture", "'" + last.name + "'", "no mass"});
 }
 
-TEST(Complaints, OfRedundantContacts) {
+TEST(ProblemWarnings, RedundantContacts_AreNamed) {
   const Model model = arm.robot.model();
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   spec.stages[0].contacts = {"pad", "idle"};
   const std::vector<std::string> found = complaints(Problem(spec));
   ASSERT_GE(found.size(), 5U);
@@ -297,9 +296,9 @@ TEST(Complaints, OfRedundantContacts) {
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
 }
 
-/// One of two contacts of the same tool asks it to rise.
+/// Returns a problem with two contacts of one tool, one of which asks the tool to rise.
 ProblemSpec contradicting_spec(const Model& model) {
-  ProblemSpec spec = calm_spec(model);
+  ProblemSpec spec = quiescent_spec(model);
   spec.stages[0].contacts = {"pad", "idle"};
   for (ContactSpec& contact : spec.contacts) {
     if (contact.name != "idle") continue;
@@ -310,7 +309,7 @@ ProblemSpec contradicting_spec(const Model& model) {
   return spec;
 }
 
-TEST(Complaints, OfContactsThatContradictEachOther) {
+TEST(ProblemWarnings, ContradictoryContacts_AreNamed) {
   ProblemSpec spec = contradicting_spec(arm.robot.model());
   std::vector<std::string> found = complaints(Problem(spec));
   ASSERT_EQ(found.size(), 1U);
@@ -319,10 +318,10 @@ TEST(Complaints, OfContactsThatContradictEachOther) {
   spec.contact_solver.max_proximal_iterations = 0;
   found = complaints(Problem(spec));
   ASSERT_EQ(found.size(), 1U);
-  testing::expect_words(found[0], {"without proximal iterations", "push against each other"});
+  testing::expect_words(found[0], {"without proximal iterations", "opposing forces"});
 }
 
-TEST(Check, ARightProblemOfAnotherSizePasses) {
+TEST(ProblemCheck, CorrectProblemOfAnyScale_Passes) {
   for (const auto& [length, mass] : {std::pair{100.0, 5000.0}, std::pair{0.02, 1e-3}}) {
     const Model model = scaled(arm.robot.model(), length, mass);
     ProblemSpec spec = checked_spec(arm, model);
@@ -333,7 +332,7 @@ TEST(Check, ARightProblemOfAnotherSizePasses) {
   }
 }
 
-TEST(Check, TakesContactsThatContradictEachOther) {
+TEST(ProblemCheck, ContradictoryContacts_Pass) {
   Problem problem(contradicting_spec(arm.robot.model()));
   const ProblemReport report = check_problem(problem);
   EXPECT_TRUE(report.pass) << report.text();

@@ -1,4 +1,4 @@
-// Problems that cannot be posed are refused with a sentence that says what and where.
+// Tests that invalid problems are refused with a sentence that names object, value and place.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -17,7 +17,7 @@ struct BadSpec {
 };
 void PrintTo(const BadSpec& test, std::ostream* out) { *out << test.name; }
 
-/// A spec of arm7 that is fine: stage 'press' with one position cost.
+/// Returns a valid problem of arm7: stage 'press' with one position cost.
 ProblemSpec good_spec() {
   const OcpCase test{{"arm7", Base::Fixed, "tool"}};
   ProblemSpec spec = bare_problem(test, test.robot.model());
@@ -32,7 +32,7 @@ ProblemSpec good_spec() {
 }
 
 CostTerm& term(ProblemSpec& spec) { return spec.stages[0].costs[0]; }
-/// Puts another residual into the only term.
+/// Returns a change that replaces the residual of the only term.
 auto with(const Residual& residual) {
   return [residual](ProblemSpec& spec) { term(spec).residual = residual; };
 }
@@ -94,17 +94,17 @@ std::vector<BadSpec> bad_targets() {
        {"'position'", "the reference's axes are the frame's own"}},
       {"inclination_of_no_axis",
        with(R::FrameInclination{"tool", Reference::world(), Eigen::Vector3d::Zero()}),
-       {"the axis is not finite or has no length"}},
+       {"the axis is not finite or has length 0"}},
       {"inclination_target",
        with(R::FrameInclination{"tool", Reference::world(), Eigen::Vector3d::UnitZ(),
                                 Eigen::Vector3d::Zero()}),
        {"target has 3 entries", "wanted 2"}},
       {"height_above_nothing",
        with(R::FrameHeight{"tool", Reference::world()}),
-       {"'position'", "follows no surface to be above", "Reference::on"}},
+       {"'position'", "has no curved surface", "Reference::on"}},
       {"surface_of_the_tool",
        with(R::FrameHeight{"tool", following(ball(), Anchor::Tool)}),
-       {"moves with the tool itself", "wanted axes of the base"}},
+       {"fixed to the tool itself", "wanted a surface fixed to the base"}},
       {"axes_of_no_frame",
        with(R::FrameVelocity{"tool", Reference{Anchor::Tool, "link_9"}}),
        {"'position'", "reference", "'link_9'", "did you mean"}},
@@ -136,19 +136,19 @@ std::vector<BadSpec> bad_residuals() {
       {"frame", with(R::FramePosition{"tol", 0.0}), {"'tol'", "did you mean 'tool'?"}},
       {"joint", with(R::JointPosition{{"joint_9"}}), {"'joint_9'", "did you mean"}},
       {"contact", with(R::ContactForce{"pads"}), {"'pads'", "did you mean 'pad'?"}},
-      {"contact_that_does_not_hold", with(R::ContactForce{"brace"}), {"'brace'", "does not hold"}},
+      {"inactive_contact", with(R::ContactForce{"brace"}), {"'brace'", "is not active"}},
       {"cone_of_a_line",
        [](ProblemSpec& spec) {
          spec.stages[0].contacts = {"brace"};
          term(spec).residual = R::FrictionCone{"brace"};
        },
-       {"'brace'", "holds z", "wanted x,y,z"}},
+       {"'brace'", "holds z", "wanted directions that include x,y,z"}},
       {"pressure_of_a_line",
        [](ProblemSpec& spec) {
          spec.stages[0].contacts = {"brace"};
          term(spec).residual = R::CenterOfPressure{"brace"};
        },
-       {"'brace'", "holds z", "wanted z,rx,ry"}},
+       {"'brace'", "holds z", "wanted directions that include z,rx,ry"}},
       {"friction", with(R::FrictionCone{"pad", -0.1}), {"friction is -0.1"}},
       {"friction_infinite", with(R::FrictionCone{"pad", infinity}), {"friction is inf"}},
       {"normal", with(R::FrictionCone{"pad", 0.5, 3}), {"normal is 3", "0, 1 or 2"}},
@@ -204,18 +204,18 @@ std::vector<BadSpec> bad_residuals() {
          spec.terminal = {{.name = "last", .residual = R::JointTorqueRate{}}};
        },
        {"terminal", "no control", "no rate"}},
-      {"force_rate_that_nothing_remembers",
+      {"force_rate_without_force_states",
        with(R::ContactForceRate{"pad"}),
-       {"'position'", "force of the step before", "'pad' in the problem's remembered_forces",
-        "more entries into the state"}},
+       {"'position'", "force of the previous step", "'pad' in the problem's force_states",
+        "entries to the state"}},
       {"force_rate_at_the_end",
        [](ProblemSpec& spec) {
          spec.torque_model = TorqueModel{.cutoff = 30.0};
-         spec.remembered_forces = {"pad"};
+         spec.force_states = {"pad"};
          spec.initial_state = Eigen::VectorXd::Zero(27);
          spec.terminal = {{.name = "last", .residual = R::ContactForceRate{"pad"}}};
        },
-       {"terminal", "no step begins", "no rate"}},
+       {"terminal", "has no step", "no rate"}},
       {"control_at_an_impact", at_an_impact(R::Control{}), {"no control"}},
       {"force_at_an_impact", at_an_impact(R::ContactForce{"pad"}), {"impact", "impulses"}},
   };
@@ -242,7 +242,7 @@ std::vector<BadSpec> bad_costs() {
       {"limits_crossed",
        with_penalty(Penalty::barrier(one(1.0), one(0.0))),
        {"lower limit 1", "above the upper one 0"}},
-      {"limit_infinite", with_penalty(Penalty::at_least(infinity)), {"leave nothing inside"}},
+      {"limit_infinite", with_penalty(Penalty::at_least(infinity)), {"exclude every number"}},
       {"width", with_penalty(Penalty::smooth_absolute(0.0)), {"width is 0"}},
       {"width_nan", with_penalty(Penalty::log_barrier(one(0.0), {}, nan)), {"width is nan"}},
       {"term_twice",
@@ -260,15 +260,15 @@ std::vector<BadSpec> bad_constraints() {
           {name, residual::FramePosition{"tool", Eigen::Vector3d(0.3, 0.0, 0.4)}, lower, upper}};
     };
   };
-  const auto priced = [](const Eigen::VectorXd& scale, double price, double square) {
+  const auto with_weights = [](const Eigen::VectorXd& scale, double l1_weight, double quadratic) {
     return [=](ProblemSpec& s) {
       s.stages[0].constraints = {{"slow",
                                   residual::JointVelocity{},
                                   {},
                                   Eigen::VectorXd::Constant(1, 0.5),
                                   scale,
-                                  price,
-                                  square}};
+                                  l1_weight,
+                                  quadratic}};
     };
   };
   const auto one = [](double x) { return Eigen::VectorXd::Constant(1, x); };
@@ -276,21 +276,29 @@ std::vector<BadSpec> bad_constraints() {
   return {
       {"constraint_without_a_scale",
        with(one(0.0), none, "box"),
-       {"constraint 'box'", "row 'x'", "no range", "wanted scale", "in its unit"}},
+       {"constraint 'box'", "row 'x'", "needs a scale", "wanted scale", "in its unit"}},
       {"distance_without_a_scale",
        [one, none](ProblemSpec& s) {
          s.stages[0].constraints = {{"far", residual::FrameDistance{"tool", 0.0}, one(0.0), none}};
        },
        {"constraint 'far'", "row 'distance'", "wanted scale"}},
-      {"constraint_scales", priced(Eigen::Vector2d(1.0, 1.0), 1.0, 0.0), {"scale has 2 entries"}},
-      {"constraint_scale_zero", priced(one(0.0), 1.0, 0.0), {"scale is 0", "positive"}},
-      {"constraint_price", priced(none, -1.0, 0.0), {"price is -1", "at least 0"}},
-      {"constraint_price_nan", priced(none, nan, 0.0), {"price is nan", "at least 0"}},
-      {"constraint_for_nothing", priced(none, 0.0, 0.0), {"price and square are 0"}},
-      {"constraint_square", priced(none, 1.0, -1.0), {"square is -1", "at least 0"}},
-      {"constraint_hard_and_square",
-       priced(none, std::numeric_limits<double>::infinity(), 2.0),
-       {"it is hard", "square of 2", "never count"}},
+      {"constraint_scales",
+       with_weights(Eigen::Vector2d(1.0, 1.0), 1.0, 0.0),
+       {"scale has 2 entries"}},
+      {"constraint_scale_zero", with_weights(one(0.0), 1.0, 0.0), {"scale is 0", "positive"}},
+      {"constraint_l1_weight", with_weights(none, -1.0, 0.0), {"l1_weight is -1", "at least 0"}},
+      {"constraint_l1_weight_nan",
+       with_weights(none, nan, 0.0),
+       {"l1_weight is nan", "at least 0"}},
+      {"constraint_for_nothing",
+       with_weights(none, 0.0, 0.0),
+       {"l1_weight and quadratic_weight are 0"}},
+      {"constraint_quadratic_weight",
+       with_weights(none, 1.0, -1.0),
+       {"quadratic_weight is -1", "at least 0"}},
+      {"constraint_hard_and_quadratic",
+       with_weights(none, std::numeric_limits<double>::infinity(), 2.0),
+       {"is hard", "quadratic_weight of 2", "no effect"}},
       {"constraint_without_limits",
        with(none, none, "box"),
        {"stage 'press'", "constraint 'box'", "no limits", "lower or an upper"}},
@@ -368,23 +376,23 @@ std::vector<BadSpec> bad_robots() {
          s.initial_state = Eigen::VectorXd::Zero(21);
        },
        {"torque_model", "cut-off of 0"}},
-      {"held_with_a_cutoff",
+      {"torque_states_with_a_cutoff",
        [](ProblemSpec& s) {
          s.torque_model = TorqueModel{30.0, TorqueModel::Discretization::Held};
          s.initial_state = Eigen::VectorXd::Zero(21);
        },
        {"torque_model", "held", "cut-off of 30"}},
-      {"remembered_unknown",
-       [](ProblemSpec& s) { s.remembered_forces = {"pads"}; },
-       {"remembered_forces", "'pads'", "did you mean 'pad'?"}},
-      {"remembered_twice",
+      {"force_states_unknown",
+       [](ProblemSpec& s) { s.force_states = {"pads"}; },
+       {"force_states", "'pads'", "did you mean 'pad'?"}},
+      {"force_states_twice",
        [](ProblemSpec& s) {
-         s.remembered_forces = {"pad", "pad"};
+         s.force_states = {"pad", "pad"};
        },
-       {"remembered_forces", "'pad'", "twice"}},
-      {"remembered_without_their_start",
-       [](ProblemSpec& s) { s.remembered_forces = {"pad"}; },
-       {"initial_state has 14", "forces of the step before: "}},
+       {"force_states", "'pad'", "twice"}},
+      {"force_states_without_initial_forces",
+       [](ProblemSpec& s) { s.force_states = {"pad"}; },
+       {"initial_state has 14", "forces of the previous step: "}},
       {"unstable_filter",
        [](ProblemSpec& s) {
          s.torque_model = TorqueModel{300.0, TorqueModel::Discretization::Euler};
@@ -406,9 +414,9 @@ std::vector<BadSpec> bad_robots() {
   };
 }
 
-class Refusal : public ::testing::TestWithParam<BadSpec> {};
+class InvalidProblem : public ::testing::TestWithParam<BadSpec> {};
 
-TEST_P(Refusal, SaysWhat) {
+TEST_P(InvalidProblem, BadEntry_IsRefusedWithItsReason) {
   ProblemSpec spec = good_spec();
   ASSERT_NO_THROW(Problem{spec});
   GetParam().spoil(spec);
@@ -416,15 +424,16 @@ TEST_P(Refusal, SaysWhat) {
 }
 
 const auto name_of_case = [](const auto& test) { return test.param.name; };
-INSTANTIATE_TEST_SUITE_P(Targets, Refusal, ::testing::ValuesIn(bad_targets()), name_of_case);
-INSTANTIATE_TEST_SUITE_P(Residuals, Refusal, ::testing::ValuesIn(bad_residuals()), name_of_case);
-INSTANTIATE_TEST_SUITE_P(Costs, Refusal, ::testing::ValuesIn(bad_costs()), name_of_case);
-INSTANTIATE_TEST_SUITE_P(Constraints, Refusal, ::testing::ValuesIn(bad_constraints()),
+INSTANTIATE_TEST_SUITE_P(Targets, InvalidProblem, ::testing::ValuesIn(bad_targets()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Residuals, InvalidProblem, ::testing::ValuesIn(bad_residuals()),
                          name_of_case);
-INSTANTIATE_TEST_SUITE_P(Stages, Refusal, ::testing::ValuesIn(bad_stages()), name_of_case);
-INSTANTIATE_TEST_SUITE_P(Robots, Refusal, ::testing::ValuesIn(bad_robots()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Costs, InvalidProblem, ::testing::ValuesIn(bad_costs()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Constraints, InvalidProblem, ::testing::ValuesIn(bad_constraints()),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(Stages, InvalidProblem, ::testing::ValuesIn(bad_stages()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Robots, InvalidProblem, ::testing::ValuesIn(bad_robots()), name_of_case);
 
-TEST(Refusal, OfNamesKnotsAndStatesThatAreNot) {
+TEST(ProblemArguments, BadNamesKnotsAndSizes_AreRefused) {
   Problem problem(good_spec());
   const auto words = [](auto&& call, const std::vector<std::string>& wanted) {
     testing::expect_words(testing::refusal(call), wanted);
@@ -438,8 +447,9 @@ TEST(Refusal, OfNamesKnotsAndStatesThatAreNot) {
   words([&] { problem.residual(0, 0, x, u); }, {"x has 3 entries", "wanted 14"});
   words([&] { problem.set_target(-1, 0, x); }, {"set_target", "knot -1", "0 to 3"});
   words([&] { problem.set_target(4, 0, x); }, {"set_target", "knot 4", "0 to 3"});
-  words([&] { problem.set_target(0, 1, x); }, {"set_target", "no term 1", "knot 0", "has 1"});
-  words([&] { problem.residual(0, -1, x, u); }, {"residual", "no term -1"});
+  words([&] { problem.set_target(0, 1, x); },
+        {"set_target", "term 1 of knot 0 does not exist", "0 to 0"});
+  words([&] { problem.residual(0, -1, x, u); }, {"residual", "term -1 of knot 0 does not exist"});
   words([&] { problem.residual_derivative(-2, 0, x, u); }, {"residual_derivative", "knot -2"});
   words([&] { problem.forces(0, Eigen::VectorXd::Zero(14), x); }, {"u has 3 entries", "wanted 7"});
   words([&] { problem.quasi_static(0, x); }, {"quasi_static", "3 entries"});
@@ -447,7 +457,7 @@ TEST(Refusal, OfNamesKnotsAndStatesThatAreNot) {
         {"force has 3", "wanted 6"});
 }
 
-TEST(Refusal, OfStatesAndTargetsIsAStatus) {
+TEST(ProblemArguments, BadStatesAndTargets_GiveAStatus) {
   const OcpCase test{{"arm7", Base::FreeFlyer, "tool"}};
   ProblemSpec spec = bare_problem(test, test.robot.model());
   spec.stages = {{.name = "go", .costs = {{.residual = residual::State{}}}}};

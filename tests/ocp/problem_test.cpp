@@ -1,4 +1,4 @@
-// Problems over time: horizons that move, ranges, rest, forces at the end, NaN, no allocation.
+// Tests of problems over time: moving horizons, ranges, rest, forces at the end, NaN, allocations.
 #include "burnish/ocp/problem.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 namespace burnish::test {
 namespace {
 
-/// Stages "reach" (a target over time), "hold" (contacts, Runge-Kutta, a user's own residual) and
-/// "touch" (an impact).
+/// Returns a problem with stages "reach" (targets over time), "touch" (an impact) and "hold"
+/// (contacts, Runge-Kutta, a custom residual).
 ProblemSpec moving_spec(const OcpCase& test, const Model& model) {
   ProblemSpec spec = bare_problem(test, model);
   const std::string tool = test.robot.tool;
@@ -45,7 +45,7 @@ ProblemSpec moving_spec(const OcpCase& test, const Model& model) {
   return spec;
 }
 
-/// Everything that a solver sees of two problems is the same.
+/// Expects that two problems give a solver equal values.
 void expect_alike(Problem& a, Problem& b) {
   ASSERT_EQ(a.knots(), b.knots());
   std::mt19937_64 generator(8);
@@ -66,7 +66,7 @@ void expect_alike(Problem& a, Problem& b) {
   }
 }
 
-TEST(Horizon, AdvancedIsTheSameAsBuiltThere) {
+TEST(Horizon, Advance_EqualsAProblemBuiltThere) {
   const Model model = arm.robot.model();
   ProblemSpec spec = moving_spec(arm, model);
   Problem problem(spec);
@@ -78,7 +78,7 @@ TEST(Horizon, AdvancedIsTheSameAsBuiltThere) {
   expect_alike(problem, there);
 }
 
-TEST(Horizon, KnotsThatAreSetAreTheSameAsBuiltThere) {
+TEST(Horizon, SetKnots_EqualAProblemBuiltThere) {
   const Model model = arm.robot.model();
   ProblemSpec spec = moving_spec(arm, model);
   spec.horizon = {{"reach", 6}};
@@ -91,7 +91,7 @@ TEST(Horizon, KnotsThatAreSetAreTheSameAsBuiltThere) {
   expect_alike(problem, there);
 }
 
-TEST(Horizon, TargetsThatAreWrittenStandUntilTheKnotIsSet) {
+TEST(Horizon, SetTarget_LastsUntilTheKnotIsSet) {
   Problem problem(moving_spec(arm, arm.robot.model()));
   std::mt19937_64 generator(2);
   const OcpState at = random_ocp_state(problem, generator);
@@ -106,7 +106,7 @@ TEST(Horizon, TargetsThatAreWrittenStandUntilTheKnotIsSet) {
   EXPECT_EQ(problem.residual(2, 0, at.x, at.u), before);
 }
 
-TEST(Horizon, RangesAreOfOneStageAndEndWithTheTerminalKnot) {
+TEST(Horizon, Ranges_HaveOneStageAndCoverAllKnots) {
   Problem problem(moving_spec(arm, arm.robot.model()));
   int next = 0;
   for (const KnotRange range : problem.ranges()) {
@@ -128,7 +128,7 @@ TEST(Horizon, RangesAreOfOneStageAndEndWithTheTerminalKnot) {
   EXPECT_EQ(problem.knot_name(13), "the terminal state");
 }
 
-TEST(Horizon, WorkersAgree) {
+TEST(Horizon, TwoWorkers_GiveTheSameBits) {
   Problem problem(moving_spec(arm, arm.robot.model()));
   problem.prepare(2);
   std::mt19937_64 generator(4);
@@ -137,7 +137,7 @@ TEST(Horizon, WorkersAgree) {
   OcpHorizon second(problem, generator);
   first.expand(problem);
   const auto ranges = problem.ranges();
-  // Backwards, on another worker: nothing is left behind from the knots before.
+  // Backwards, on another worker: no data of earlier knots may have an effect.
   for (std::size_t i = ranges.size(); i-- > 0;)
     problem.expand(1, ranges[i], second.view(), second.next.data(), second.values.data(),
                    second.out.data());
@@ -146,7 +146,7 @@ TEST(Horizon, WorkersAgree) {
     EXPECT_EQ(first.values[k].cost, second.values[k].cost);
 }
 
-/// Sees the acceleration where nothing solves for it.
+/// A residual that reads the acceleration, which impacts and the end do not have.
 struct SeesAcceleration {
   int rows = 1;
   void value(const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) const {
@@ -154,7 +154,7 @@ struct SeesAcceleration {
   }
 };
 
-TEST(Horizon, NoAccelerationIsLeftOverAtImpactsAndAtTheEnd) {
+TEST(Horizon, ImpactsAndTheEnd_HaveZeroAcceleration) {
   const Model model = arm.robot.model();
   ProblemSpec spec = moving_spec(arm, model);
   const CostTerm sees{.residual = residual::custom(SeesAcceleration{})};
@@ -168,9 +168,9 @@ TEST(Horizon, NoAccelerationIsLeftOverAtImpactsAndAtTheEnd) {
   EXPECT_EQ(problem.residual(13, 1, at.x, at.u)[0], 0.0);
 }
 
-class Rest : public ::testing::TestWithParam<OcpCase> {};
+class QuasiStatic : public ::testing::TestWithParam<OcpCase> {};
 
-TEST_P(Rest, QuasiStaticControlHoldsTheRobot) {
+TEST_P(QuasiStatic, Control_BalancesGravityUpToItsResidual) {
   const Model model = GetParam().robot.model();
   ProblemSpec spec = moving_spec(GetParam(), model);
   spec.horizon = {{"hold", 1}};
@@ -184,7 +184,7 @@ TEST_P(Rest, QuasiStaticControlHoldsTheRobot) {
   ASSERT_EQ(problem.set_torque_bias(bias), Status::Ok);
   const Problem::QuasiStatic rest = problem.quasi_static(stage, x);
   EXPECT_EQ(rest.force.size(), 7);
-  // What joints, springs and contacts give is what gravity takes.
+  // Controls, springs and contact forces balance gravity, except for the stated residual.
   ContactDynamics dynamics(model, contacts_at(spec.contacts, spec.start_time));
   dynamics.set_active(0, false);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);
@@ -195,21 +195,21 @@ TEST_P(Rest, QuasiStaticControlHoldsTheRobot) {
   dynamics.inverse(x.head(l.nq), zero, zero, rest.force);
   const Eigen::VectorXd left = dynamics.tau() - torque;
   EXPECT_NEAR(left.cwiseAbs().maxCoeff(), rest.residual, 1e-8);
-  // Two free joints in a row, of which only one is held, fall: what is left nothing can balance.
+  // Two passive joints in a row with one contact row fall: a residual remains.
   if (GetParam().robot.name != "every_joint") {
     EXPECT_LT(rest.residual, 1e-8);
   }
   EXPECT_LT((dynamics.jacobian() * left).cwiseAbs().maxCoeff(), 1e-7);
   for (const int k : l.actuated) EXPECT_NEAR(left[k], 0.0, 1e-7);
-  // The same force prescribed needs the same control; none needs another one or leaves a rest.
+  // The same force as a given force needs the same control.
   const Problem::QuasiStatic again = problem.quasi_static(stage, x, rest.force);
   EXPECT_LT((again.control - rest.control).norm(), 1e-7 * std::max(1.0, rest.control.norm()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, Rest, ::testing::ValuesIn(ocp_cases()),
+INSTANTIATE_TEST_SUITE_P(Robots, QuasiStatic, ::testing::ValuesIn(ocp_cases()),
                          [](const auto& test) { return test.param.label(); });
 
-TEST(Rest, ArmHeldByItsQuasiStaticControlStaysAtRest) {
+TEST(QuasiStaticArm, Control_KeepsTheArmAtRest) {
   const Model model = arm.robot.model();
   ProblemSpec spec = moving_spec(arm, model);
   spec.initial_state.tail(model.nv).setZero();
@@ -220,7 +220,7 @@ TEST(Rest, ArmHeldByItsQuasiStaticControlStaysAtRest) {
   EXPECT_LT((next - spec.initial_state).norm(), 1e-12);
 }
 
-TEST(Forces, AreKnownAtTheEndWithATorqueModel) {
+TEST(TerminalForces, TorqueModel_GivesForcesAtTheEnd) {
   const OcpCase filtered{arm.robot, true};
   const Model model = filtered.robot.model();
   ProblemSpec spec = moving_spec(filtered, model);
@@ -230,7 +230,7 @@ TEST(Forces, AreKnownAtTheEndWithATorqueModel) {
   const OcpState at = random_ocp_state(problem, generator);
   const int last = problem.knots();
   problem.set_knot(last - 1, problem.stage_of(last - 1), problem.time_of(last));
-  // The same torques in "hold", which the terminal state takes its contacts from.
+  // With the same torques, the terminal state has the forces of "hold", whose contacts it uses.
   const Eigen::VectorXd end = problem.residual(last, 1, at.x, at.u);
   EXPECT_LT(relative_error(end, problem.residual(last - 1, 0, at.x, at.u)), 1e-12);
   EXPECT_EQ(problem.force_names(last), problem.force_names(last - 1));
@@ -238,7 +238,7 @@ TEST(Forces, AreKnownAtTheEndWithATorqueModel) {
   EXPECT_EQ(problem.forces(last, at.x, at.u).size(), 7);
 }
 
-TEST(Bias, ActsBesideTheActuators) {
+TEST(TorqueBias, ConstantBias_AddsToTheActuators) {
   const Model model = arm.robot.model();
   Problem problem(moving_spec(arm, model));
   std::mt19937_64 generator(10);
@@ -249,27 +249,28 @@ TEST(Bias, ActsBesideTheActuators) {
   EXPECT_LT(relative_error(problem.acceleration(0, at.x, at.u), wanted), 1e-12);
 }
 
-TEST(Bias, PassesByTheTimesOfTheKnots) {
+TEST(TorqueBias, DecayingBias_DecaysWithTheTimesOfKnots) {
   const Model model = arm.robot.model();
   Problem problem(moving_spec(arm, model));
   std::mt19937_64 generator(11);
   const OcpState at = random_ocp_state(problem, generator);
   const Eigen::VectorXd lasting = random_vector(model.nv, 2.0, generator);
-  const Eigen::VectorXd passing = random_vector(model.nv, 2.0, generator);
-  const double fading = 0.03;
+  const Eigen::VectorXd decaying = random_vector(model.nv, 2.0, generator);
+  const double decay_time = 0.03;
   double since = 0.0;
   for (int k = 0; k < 3; ++k) {
-    ASSERT_EQ(problem.set_torque_bias(lasting + std::exp(-since / fading) * passing), Status::Ok);
+    ASSERT_EQ(problem.set_torque_bias(lasting + std::exp(-since / decay_time) * decaying),
+              Status::Ok);
     const Eigen::VectorXd wanted = problem.acceleration(k, at.x, at.u);
-    ASSERT_EQ(problem.set_torque_bias(lasting, passing, fading), Status::Ok);
+    ASSERT_EQ(problem.set_torque_bias(lasting, decaying, decay_time), Status::Ok);
     EXPECT_LT(relative_error(problem.acceleration(k, at.x, at.u), wanted), 1e-12) << k;
     since += problem.step_of(k);
   }
-  EXPECT_EQ(problem.set_torque_bias(lasting, passing, 0.0), Status::NotFinite);
-  EXPECT_EQ(problem.set_torque_bias(lasting, passing.head(1), fading), Status::WrongSize);
+  EXPECT_EQ(problem.set_torque_bias(lasting, decaying, 0.0), Status::NotFinite);
+  EXPECT_EQ(problem.set_torque_bias(lasting, decaying.head(1), decay_time), Status::WrongSize);
 }
 
-TEST(NotFinite, NamesItsTermAndKnot) {
+TEST(NonFiniteValue, NanTarget_IsReportedWithItsTermAndKnot) {
   const Model model = arm.robot.model();
   for (const std::optional<Penalty>& penalty :
        {std::optional<Penalty>{}, std::optional(Penalty::at_least(-100.0)),
@@ -297,7 +298,7 @@ TEST(NotFinite, NamesItsTermAndKnot) {
   }
 }
 
-TEST(NotFinite, ControlsAndStatesAreReported) {
+TEST(NonFiniteValue, NanStateOrControl_IsReportedWithItsKnot) {
   Problem problem(moving_spec(arm, arm.robot.model()));
   std::mt19937_64 generator(3);
   for (const bool in_state : {true, false}) {
@@ -312,9 +313,9 @@ TEST(NotFinite, ControlsAndStatesAreReported) {
   }
 }
 
-class NoAllocation : public ::testing::TestWithParam<OcpCase> {};
+class ProblemAllocation : public ::testing::TestWithParam<OcpCase> {};
 
-TEST_P(NoAllocation, OnceAProblemIsMade) {
+TEST_P(ProblemAllocation, CallsAfterConstruction_AllocateNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   const Model model = GetParam().robot.model();
   Problem problem(moving_spec(GetParam(), model));
@@ -340,25 +341,25 @@ TEST_P(NoAllocation, OnceAProblemIsMade) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, NoAllocation, ::testing::ValuesIn(ocp_cases()),
+INSTANTIATE_TEST_SUITE_P(Robots, ProblemAllocation, ::testing::ValuesIn(ocp_cases()),
                          [](const auto& test) { return test.param.label(); });
 
-TEST(Problem, RowsWithoutARangeAreScaledByTheRobot) {
+TEST(ConstraintScale, RowsWithoutARange_AreScaledByTheRobot) {
   const OcpCase arm{{"arm7", Base::Fixed, "tool"}};
   ProblemSpec spec = bare_problem(arm, arm.robot.model());
   spec.contact_solver.mu = 1e-3;
   spec.stages = {
       {.name = "press", .contacts = {"pad"}, .costs = {{.residual = residual::Control{}}}}};
   spec.horizon = {{"press", 3}};
-  const Eigen::VectorXd most = Eigen::VectorXd::Constant(1, 0.4), zero = Eigen::VectorXd::Zero(1);
+  const Eigen::VectorXd bound = Eigen::VectorXd::Constant(1, 0.4), zero = Eigen::VectorXd::Zero(1);
   spec.stages[0].constraints = {
-      {"slow", residual::JointVelocity{{"joint_2"}}, {}, most},
+      {"slow", residual::JointVelocity{{"joint_2"}}, {}, bound},
       {"weak", residual::JointTorque{{"joint_2"}}, zero, {}},
-      {"low", residual::JointPosition{{"joint_2"}}, {}, most},
+      {"low", residual::JointPosition{{"joint_2"}}, {}, bound},
       {"pressed", residual::ContactForce{"pad"}, zero, {}},
-      {"near", residual::FramePosition{"tool", Eigen::Vector3d::Zero()}, -most, most},
-      {"clear", residual::FrameDistance{"tool", Eigen::Vector3d::Zero()}, most, {}},
-      {"tube", residual::FrameDistance{"tool", Eigen::Vector3d::Zero()}, {}, 2.0 * most},
+      {"near", residual::FramePosition{"tool", Eigen::Vector3d::Zero()}, -bound, bound},
+      {"clear", residual::FrameDistance{"tool", Eigen::Vector3d::Zero()}, bound, {}},
+      {"tube", residual::FrameDistance{"tool", Eigen::Vector3d::Zero()}, {}, 2.0 * bound},
       {"still", residual::JointVelocity{{"joint_2"}}, zero, zero, Eigen::VectorXd::Constant(1, 3.0),
        7.0, 2.0}};
   Problem problem(spec);
@@ -374,12 +375,12 @@ TEST(Problem, RowsWithoutARangeAreScaledByTheRobot) {
   EXPECT_EQ(scale[rows - 3], 0.4) << "distance";
   EXPECT_EQ(scale[rows - 2], 0.8);
   EXPECT_EQ(scale[rows - 1], 3.0);
-  EXPECT_EQ(problem.row_price(0)[rows - 1], 7.0);
-  EXPECT_EQ(problem.row_square(0)[rows - 1], 2.0);
-  EXPECT_TRUE(std::isinf(problem.row_price(0)[0]));
+  EXPECT_EQ(problem.row_l1_weight(0)[rows - 1], 7.0);
+  EXPECT_EQ(problem.row_quadratic_weight(0)[rows - 1], 2.0);
+  EXPECT_TRUE(std::isinf(problem.row_l1_weight(0)[0]));
 }
 
-TEST(Problem, TorqueRatesWithoutARangeAreScaledByWhatAWholeTorqueMakes) {
+TEST(ConstraintScale, TorqueRates_AreScaledByCutoffAndEffortLimit) {
   const OcpCase arm{{"arm7", Base::Fixed, "tool"}, true};
   ProblemSpec spec = bare_problem(arm, arm.robot.model());
   spec.stages = {{.name = "go",

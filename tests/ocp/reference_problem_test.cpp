@@ -1,4 +1,4 @@
-// The polishing problem of a published robot against figures of another program.
+// Tests of the polishing problem of a published robot against the results of another program.
 #include "polishing/reference_problem.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ Eigen::MatrixXd matrix_of(const Json& rows) {
   return m;
 }
 
-/// Largest difference relative to the largest entry.
-double apart(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want) {
+/// Returns the largest difference relative to the largest entry.
+double difference_of(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want) {
   return (got - want).cwiseAbs().maxCoeff() / std::max(1.0, want.cwiseAbs().maxCoeff());
 }
 
@@ -42,7 +42,7 @@ class ReferenceProblem : public ::testing::Test {
     const std::string figures = shared + "/reference/panda_ocp.json";
     const std::string robot = shared + "/robots/panda.urdf";
     if (!std::filesystem::exists(figures) || !std::filesystem::exists(robot))
-      GTEST_SKIP() << "the published figures are not here: " << figures << ", " << robot;
+      GTEST_SKIP() << "the published results are missing: " << figures << ", " << robot;
     std::ifstream(figures) >> data;
     ModelOptions options;
     options.locked = {"panda_finger_joint1", "panda_finger_joint2"};
@@ -78,9 +78,9 @@ class ReferenceProblem : public ::testing::Test {
   std::vector<RowMatrix> hessian, dynamics;
 };
 
-TEST_F(ReferenceProblem, WarmStartCostsTheSame) {
+TEST_F(ReferenceProblem, WarmStart_HasThePublishedCost) {
   const Eigen::VectorXd u0 = polishing::static_control(*problem);
-  EXPECT_LT(apart(u0, vector_of(data["u_quasistatic"])), 1e-10);
+  EXPECT_LT(difference_of(u0, vector_of(data["u_quasistatic"])), 1e-10);
   const RowMatrix xs = x0.transpose().replicate(knots + 1, 1),
                   us = u0.transpose().replicate(knots, 1);
   double rolled = 0.0, evaluated = 0.0;
@@ -98,7 +98,7 @@ TEST_F(ReferenceProblem, WarmStartCostsTheSame) {
   EXPECT_NEAR(rolled, wanted, 1e-10 * wanted);
 }
 
-TEST_F(ReferenceProblem, SolutionCostsTheSameAtEveryKnotAndGoesTheSameWay) {
+TEST_F(ReferenceProblem, Solution_HasThePublishedCostsAndStates) {
   const RowMatrix xs = matrix_of(data["xs"]), us = matrix_of(data["us"]);
   expand(xs, us);
   const Eigen::VectorXd costs = vector_of(data["knot_costs"]);
@@ -108,28 +108,28 @@ TEST_F(ReferenceProblem, SolutionCostsTheSameAtEveryKnotAndGoesTheSameWay) {
     EXPECT_NEAR(values[at].cost, costs[k], 1e-10 * std::max(1.0, costs[k])) << "knot " << k;
   }
   const Eigen::Map<const RowMatrix> reached(next.data(), knots, 14);
-  EXPECT_LT(apart(reached, xs.bottomRows(knots)), 1e-9);
+  EXPECT_LT(difference_of(reached, xs.bottomRows(knots)), 1e-9);
 }
 
-TEST_F(ReferenceProblem, DerivativesAreTheSame) {
+TEST_F(ReferenceProblem, Derivatives_EqualThePublishedOnes) {
   expand(matrix_of(data["xs"]), matrix_of(data["us"]));
   for (const int k : {0, 50}) {
     SCOPED_TRACE("knot " + std::to_string(k));
     const Json& want = data["knot" + std::to_string(k)];
     const auto at = static_cast<std::size_t>(k);
-    // dq' = dq + step dv': only dv' is kept.
+    // dq' = dq + step dv': burnish stores only dv'.
     const Eigen::MatrixXd P = dynamics[at].topRows(7);
-    EXPECT_LT(apart(P.rightCols(14), matrix_of(want["Fx"]).bottomRows(7)), 1e-9);
-    EXPECT_LT(apart(P.leftCols(7), matrix_of(want["Fu"]).bottomRows(7)), 1e-9);
+    EXPECT_LT(difference_of(P.rightCols(14), matrix_of(want["Fx"]).bottomRows(7)), 1e-9);
+    EXPECT_LT(difference_of(P.leftCols(7), matrix_of(want["Fu"]).bottomRows(7)), 1e-9);
     Eigen::MatrixXd of_positions = 0.01 * P.rightCols(14);
     of_positions.leftCols(7) += Eigen::MatrixXd::Identity(7, 7);
-    EXPECT_LT(apart(of_positions, matrix_of(want["Fx"]).topRows(7)), 1e-9);
-    EXPECT_LT(apart(gradient[at].tail(14), vector_of(want["Lx"])), 1e-9);
-    EXPECT_LT(apart(gradient[at].head(7), vector_of(want["Lu"])), 1e-9);
+    EXPECT_LT(difference_of(of_positions, matrix_of(want["Fx"]).topRows(7)), 1e-9);
+    EXPECT_LT(difference_of(gradient[at].tail(14), vector_of(want["Lx"])), 1e-9);
+    EXPECT_LT(difference_of(gradient[at].head(7), vector_of(want["Lu"])), 1e-9);
     const Eigen::MatrixXd H = Eigen::MatrixXd(hessian[at]).selfadjointView<Eigen::Lower>();
-    EXPECT_LT(apart(H.bottomRightCorner(14, 14), matrix_of(want["Lxx"])), 1e-9);
-    EXPECT_LT(apart(H.topLeftCorner(7, 7), matrix_of(want["Luu"])), 1e-9);
-    EXPECT_LT(apart(H.bottomLeftCorner(14, 7), matrix_of(want["Lxu"])), 1e-9);
+    EXPECT_LT(difference_of(H.bottomRightCorner(14, 14), matrix_of(want["Lxx"])), 1e-9);
+    EXPECT_LT(difference_of(H.topLeftCorner(7, 7), matrix_of(want["Luu"])), 1e-9);
+    EXPECT_LT(difference_of(H.bottomLeftCorner(14, 7), matrix_of(want["Lxu"])), 1e-9);
   }
 }
 

@@ -1,6 +1,6 @@
-// What every residual must do on every robot, with and without a torque model: agree with
-// differences and automatic differentiation, cost what its penalty says, be a constraint as well,
-// and give the same in every lane of a pack as for one knot.
+// Tests that every residual passes on every robot, with and without a torque model: derivatives
+// equal differences and automatic differentiation, costs follow the penalty, residuals work as
+// constraints, and every lane of a pack equals a single knot.
 #include <gtest/gtest.h>
 
 #include "derivatives/check_differences.hpp"
@@ -17,7 +17,7 @@ class ResidualLaw : public ::testing::TestWithParam<OcpCase> {
   const StateLayout& layout() const { return problem.layout(); }
   bool is_own(const std::string& name) const { return name.starts_with("own"); }
 
-  /// z moved along entry k by h.
+  /// Returns z moved along entry k by h.
   OcpState moved(const OcpState& at, int k, double h) const {
     OcpState result = at;
     if (k < layout().nu) {
@@ -36,12 +36,12 @@ class ResidualLaw : public ::testing::TestWithParam<OcpCase> {
         },
         layout().nz(), problem.residual(knot, term, at.x, at.u).size());
   }
-  /// Blocks of columns are of different units and compared one by one.
+  /// Compares blocks of columns one by one, as they have different units.
   void expect_close(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want, double tolerance,
                     double floor) {
     const StateLayout& l = layout();
     int first = 0;
-    for (const int count : {l.nu, l.nv, l.nv, l.filtered, l.remembered}) {
+    for (const int count : {l.nu, l.nv, l.nv, l.filtered, l.force_states}) {
       EXPECT_LT(relative_error(got.middleCols(first, count), want.middleCols(first, count), floor),
                 tolerance)
           << "columns from " << first << "\ngot\n"
@@ -56,7 +56,7 @@ class ResidualLaw : public ::testing::TestWithParam<OcpCase> {
   std::mt19937_64 generator{5};
 };
 
-TEST_P(ResidualLaw, DerivativesEqualDifferences) {
+TEST_P(ResidualLaw, Derivatives_EqualDifferences) {
   const int last = problem.knots();
   for (int s = 0; s + 1 < static_cast<int>(problem.stage_names().size()); ++s) {
     const int knot = s * native_lanes;
@@ -76,11 +76,11 @@ TEST_P(ResidualLaw, DerivativesEqualDifferences) {
         1e-3 * problem.residual(last, term, at.x, at.u).cwiseAbs().maxCoeff() + 1e-3;
     const RowMatrix J = problem.residual_derivative(last, term, at.x, at.u);
     expect_close(J, by_differences(last, term, at), 1e-6, floor);
-    EXPECT_EQ(J.leftCols(layout().nu).cwiseAbs().maxCoeff(), 0.0) << "nothing drives the end";
+    EXPECT_EQ(J.leftCols(layout().nu).cwiseAbs().maxCoeff(), 0.0) << "the end has no control";
   }
 }
 
-TEST_P(ResidualLaw, DerivativesEqualAutomaticDifferentiation) {
+TEST_P(ResidualLaw, Derivatives_EqualAutomaticDifferentiation) {
   for (int knot = 0; knot <= problem.knots(); knot += native_lanes) {
     const std::vector<std::string> names = problem.term_names(knot);
     for (std::size_t t = 0; t < names.size(); ++t) {
@@ -98,7 +98,7 @@ TEST_P(ResidualLaw, DerivativesEqualAutomaticDifferentiation) {
   }
 }
 
-TEST_P(ResidualLaw, CostGradientAndHessianFollowFromTheResidual) {
+TEST_P(ResidualLaw, CostGradientAndHessian_FollowFromTheResidual) {
   OcpHorizon horizon(problem, generator);
   horizon.expand(problem);
   for (int knot = 0; knot < problem.knots(); ++knot) {
@@ -129,7 +129,7 @@ TEST_P(ResidualLaw, CostGradientAndHessianFollowFromTheResidual) {
   }
 }
 
-TEST_P(ResidualLaw, EveryLaneIsItsKnotAlone) {
+TEST_P(ResidualLaw, EveryLane_EqualsASingleKnot) {
   OcpHorizon horizon(problem, generator);
   horizon.expand(problem);
   ocp::Worker alone(compiled());
@@ -153,7 +153,8 @@ TEST_P(ResidualLaw, EveryLaneIsItsKnotAlone) {
     compare(horizon.dynamics[at].data(), kernel.dynamics_by_z,
             (dense ? layout().ndx() : layout().nv) * layout().nz(), "dynamics");
     if (!dense)
-      compare(horizon.lead[at].data(), kernel.lead, horizon.lead[at].size(), "lead blocks");
+      compare(horizon.tangent_blocks[at].data(), kernel.tangent_blocks,
+              horizon.tangent_blocks[at].size(), "tangent blocks");
     const Eigen::Map<const RowMatrix> full(kernel.hessian.data(), layout().nz(), layout().nz());
     const Eigen::MatrixXd want = full.triangularView<Eigen::Lower>();
     const Eigen::MatrixXd got = horizon.hessian[at].triangularView<Eigen::Lower>();
@@ -161,7 +162,7 @@ TEST_P(ResidualLaw, EveryLaneIsItsKnotAlone) {
   }
 }
 
-TEST_P(ResidualLaw, RollAndEvaluateGiveWhatExpandGives) {
+TEST_P(ResidualLaw, RollAndEvaluate_EqualExpand) {
   OcpHorizon horizon(problem, generator);
   horizon.expand(problem);
   const std::vector<double> next = horizon.next;
@@ -180,7 +181,7 @@ TEST_P(ResidualLaw, RollAndEvaluateGiveWhatExpandGives) {
   EXPECT_EQ(horizon.next, next);
 }
 
-TEST_P(ResidualLaw, IsAConstraintToo) {
+TEST_P(ResidualLaw, Residual_WorksAsAConstraint) {
   ProblemSpec spec = problem.spec();
   const auto limited = [](const CostTerm& cost, const std::string& name) {
     return Constraint{
@@ -208,7 +209,7 @@ TEST_P(ResidualLaw, IsAConstraintToo) {
       const Eigen::MatrixXd J =
           constrained.residual_derivative(knot, term, x, u).rightCols(layout().nz() - skip);
       EXPECT_LT(relative_error(horizon.row_values[at].segment(row, r.size()), r, 1e-3), 1e-9);
-      // Rows that are entries of z have no coefficients.
+      // Rows that equal an entry of z have no coefficients.
       Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(J.rows(), J.cols());
       for (Eigen::Index i = 0; i < r.size(); ++i) {
         if (const int entry = constrained.row_entry(knot)[row + i]; entry >= 0)

@@ -1,4 +1,4 @@
-// Values of residuals that are known otherwise, and what they do at their edges.
+// Tests of values of residuals that follow by hand, and of their limit cases.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -7,7 +7,7 @@
 namespace burnish::test {
 namespace {
 
-/// One term on a resting arm without contacts.
+/// A problem with one term, of a resting arm without contacts.
 class ResidualValue : public ::testing::Test {
  protected:
   Problem with(const Residual& residual) {
@@ -34,7 +34,7 @@ class ResidualValue : public ::testing::Test {
   Eigen::Vector3d tool = frame_placement(model, q, "tool").translation();
 };
 
-TEST_F(ResidualValue, TorqueRateIsWhatTheTorquesMakeOfAShortStep) {
+TEST_F(ResidualValue, TorqueRate_EqualsTheChangeOverAShortStep) {
   const double step = 1e-7;
   ProblemSpec spec{.model = model};
   spec.torque_model = TorqueModel{.cutoff = 40.0};
@@ -54,7 +54,7 @@ TEST_F(ResidualValue, TorqueRateIsWhatTheTorquesMakeOfAShortStep) {
   EXPECT_NEAR(r[1], rate[0], 1e-4 * std::abs(rate[0]));
 }
 
-TEST_F(ResidualValue, TorqueRateOfHeldTorquesIsTheirStep) {
+TEST_F(ResidualValue, TorqueRateOfTorqueStates_IsTheChangePerStep) {
   ProblemSpec spec{.model = model};
   spec.torque_model = TorqueModel::held();
   spec.initial_state = Eigen::VectorXd::Zero(model.nq + 2 * model.nv);
@@ -71,7 +71,7 @@ TEST_F(ResidualValue, TorqueRateOfHeldTorquesIsTheirStep) {
   EXPECT_NEAR(r[1], (u[0] - before[0]) / 0.02, 1e-10);
 }
 
-TEST_F(ResidualValue, ForceRateIsTheStepOfTheForce) {
+TEST_F(ResidualValue, ForceRate_IsTheChangeOfForcePerStep) {
   const OcpCase test{arm.robot, false, false, true};
   ProblemSpec spec = bare_problem(test, model);
   spec.stages = {{.name = "go",
@@ -86,7 +86,7 @@ TEST_F(ResidualValue, ForceRateIsTheStepOfTheForce) {
   EXPECT_LT((problem.residual(0, 0, at.x, at.u) - wanted).norm(), 1e-9 * wanted.norm());
 }
 
-/// Rows of a cone and of pyramids of 3 to 6 sides at forces that are drawn.
+/// Problems with a friction cone and a pyramid of 3 to 6 sides, at random forces.
 class FrictionPyramid : public ::testing::TestWithParam<int> {
  protected:
   static Constraint margin(const std::string& name, int sides) {
@@ -107,7 +107,7 @@ class FrictionPyramid : public ::testing::TestWithParam<int> {
   std::mt19937_64 generator{4};
 };
 
-TEST_P(FrictionPyramid, IsInsideTheConeAndReachesItAtItsEdges) {
+TEST_P(FrictionPyramid, Pyramid_IsInsideTheConeAndTouchesItAtEdges) {
   Problem made = problem();
   const int n = GetParam();
   for (int draw = 0; draw < 50; ++draw) {
@@ -116,29 +116,29 @@ TEST_P(FrictionPyramid, IsInsideTheConeAndReachesItAtItsEdges) {
     const std::vector<double> rows = made.row_values(0, at.x.data(), at.u.data());
     const double normal = force[1], across = std::hypot(force[2], force[0]);
     const double angle = std::atan2(force[0], force[2]);  // from z to x, which follow y
-    double least = 1e9;
+    double min_margin = 1e9;
     for (int i = 0; i < n; ++i) {
       const double side = 2.0 * M_PI * i / n;
       EXPECT_NEAR(rows[2 + i], 0.6 * std::cos(M_PI / n) * normal - across * std::cos(angle - side),
                   1e-9);
-      least = std::min(least, rows[2 + i]);
+      min_margin = std::min(min_margin, rows[2 + i]);
     }
-    // From the middle of a side, where it loses most, to its edges, where the two are the same.
+    // The pyramid lies inside the cone: farthest at the middle of a side, not at all at an edge.
     const double from_middle = std::remainder(angle, 2.0 * M_PI / n);
     const double reach = 0.6 * normal * std::cos(M_PI / n) / std::cos(from_middle);
-    EXPECT_EQ(least >= 0.0, across <= reach) << across << " N of " << reach;
+    EXPECT_EQ(min_margin >= 0.0, across <= reach) << across << " N of " << reach;
     EXPECT_LE(reach, 0.6 * std::abs(normal) * (1.0 + 1e-12));
-    if (least >= 0.0) {
-      EXPECT_GE(rows[0], -1e-3) << "the cone, which is smoothed over 1e-3 N";
-      EXPECT_GE(rows[1], 0.0) << "what pulls is outside of every pyramid";
+    if (min_margin >= 0.0) {
+      EXPECT_GE(rows[0], -1e-3) << "the cone is smoothed over 1e-3 N";
+      EXPECT_GE(rows[1], 0.0) << "a pulling force must be outside the pyramid";
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sides, FrictionPyramid, ::testing::Values(3, 4, 5, 6));
 
-/// The rows of a sole's pressure and turning as a linear map of its wrench in the tool's axes.
-class SoleWrenches : public ::testing::Test {
+/// The rows of a sole's pressure and yaw friction, as a linear map of the wrench in tool axes.
+class SoleWrench : public ::testing::Test {
  protected:
   static constexpr double x = 0.1, y = 0.06, mu = 0.4;
 
@@ -167,7 +167,7 @@ class SoleWrenches : public ::testing::Test {
     map = wrenches.transpose().colPivHouseholderQr().solve(rows.transpose()).transpose();
     ASSERT_LT((map * wrenches - rows).norm(), 1e-9 * rows.norm());
   }
-  /// What a corner does that is pressed with 1 N and rubs with all of its friction along x and y.
+  /// Returns the wrenches of each corner with 1 N along the normal and full friction along x and y.
   static Eigen::Matrix<double, 6, 16> corners() {
     Eigen::Matrix<double, 6, 16> edges;
     int i = 0;
@@ -180,8 +180,8 @@ class SoleWrenches : public ::testing::Test {
           }
     return edges;
   }
-  /// How far a wrench is from all that corners can do together.
-  static double out_of_reach(const Eigen::VectorXd& wrench) {
+  /// Returns the distance of a wrench from the cone of all sums of corner wrenches.
+  static double distance_from_cone(const Eigen::VectorXd& wrench) {
     const auto edges = corners();
     Eigen::VectorXd pressed = Eigen::VectorXd::Zero(16), left = wrench;
     for (int sweep = 0; sweep < 20000; ++sweep)
@@ -196,38 +196,38 @@ class SoleWrenches : public ::testing::Test {
   Eigen::MatrixXd map;  ///< 12 x 6
 };
 
-TEST_F(SoleWrenches, HaveForEdgesWhatOneCornerCanDo) {
+TEST_F(SoleWrench, CornerWrenches_LieOnTheEdges) {
   const auto edges = corners();
   for (int i = 0; i < edges.cols(); ++i) {
     const Eigen::VectorXd margin = map * edges.col(i);
     EXPECT_GE(margin.minCoeff(), -1e-12) << i;
-    EXPECT_GE((margin.array().abs() < 1e-12).count(), 4) << "a corner is at many edges at once";
+    EXPECT_GE((margin.array().abs() < 1e-12).count(), 4) << "a corner lies on several edges";
   }
 }
 
-TEST_F(SoleWrenches, AreThoseThatFourCornersBearTogetherAndNoOthers) {
+TEST_F(SoleWrench, Rows_AdmitExactlyTheSumsOfCornerWrenches) {
   std::mt19937_64 generator{6};
-  int within = 0, turned_too_far = 0;
+  int inside = 0, outside = 0;
   for (int draw = 0; draw < 300; ++draw) {
     const Eigen::VectorXd a = uniform(6, 1.0, generator);
     Eigen::VectorXd wrench(6);
     wrench << 0.5 * mu * a[0], 0.5 * mu * a[1], 1.0, 0.9 * y * a[3], 0.9 * x * a[4], 0.06 * a[5];
     const double margin = (map * wrench).minCoeff();
-    if (std::abs(margin) < 1e-3) continue;  // the sweeps end near there
-    const double left = out_of_reach(wrench);
+    if (std::abs(margin) < 1e-3) continue;  // the sweeps are not accurate enough there
+    const double left = distance_from_cone(wrench);
     if (margin > 0.0) {
-      ++within;
+      ++inside;
       EXPECT_LT(left, 1e-4) << wrench.transpose();
     } else {
-      ++turned_too_far;
+      ++outside;
       EXPECT_GT(left, 2e-4) << wrench.transpose();
     }
   }
-  EXPECT_GT(within, 50);
-  EXPECT_GT(turned_too_far, 50);
+  EXPECT_GT(inside, 50);
+  EXPECT_GT(outside, 50);
 }
 
-TEST_F(ResidualValue, FrictionIsATargetThatAKnotMayBeGivenAnotherOf) {
+TEST_F(ResidualValue, FrictionAsATarget_ChangesTheRowsOfAKnot) {
   for (const int sides : {0, 4}) {
     ProblemSpec spec = bare_problem(OcpCase{arm.robot, false}, model);
     spec.stages = {
@@ -258,7 +258,7 @@ TEST_F(ResidualValue, FrictionIsATargetThatAKnotMayBeGivenAnotherOf) {
   }
 }
 
-TEST_F(ResidualValue, SupportMarginsAreDistancesFromTheEdgesToTheInside) {
+TEST_F(ResidualValue, SupportMargins_AreInwardDistancesFromTheEdges) {
   const auto at = [&](const Residual& residual) {
     Problem problem = with(residual);
     return problem.residual(0, 0, problem.spec().initial_state, Eigen::VectorXd::Zero(model.nv));
@@ -272,7 +272,7 @@ TEST_F(ResidualValue, SupportMarginsAreDistancesFromTheEdgesToTheInside) {
   EXPECT_LT((at(beside) - Eigen::Vector3d(0.0, 1.1 * M_SQRT1_2, -0.1)).norm(), 1e-12);
 }
 
-TEST_F(ResidualValue, SupportMarginsArePositiveUnlessLimitsAreSaid) {
+TEST_F(ResidualValue, SupportMargins_HaveALowerLimitOfZeroByDefault) {
   ProblemSpec spec{.model = model};
   spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
   spec.stages = {{.name = "go", .costs = {{.residual = residual::Control{}}}}};
@@ -286,11 +286,11 @@ TEST_F(ResidualValue, SupportMarginsArePositiveUnlessLimitsAreSaid) {
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(problem.row_lower(0)[i], 0.0);
     EXPECT_TRUE(std::isinf(problem.row_upper(0)[i]));
-    EXPECT_NEAR(problem.row_scale(0)[i], i % 2 == 0 ? 0.3 : 0.2, 1e-12) << "half the width";
+    EXPECT_NEAR(problem.row_scale(0)[i], i % 2 == 0 ? 0.3 : 0.2, 1e-12) << "half of the width";
   }
 }
 
-TEST_F(ResidualValue, DistanceIsFromAPointALineOrAPlane) {
+TEST_F(ResidualValue, Distance_IsFromAPointALineOrAPlane) {
   using residual::FrameDistance;
   const Eigen::Vector3d away(0.3, -0.4, 1.2), point = tool - away;
   EXPECT_NEAR(value(FrameDistance{"tool", point}), 1.3, 1e-9);
@@ -303,20 +303,20 @@ TEST_F(ResidualValue, DistanceIsFromAPointALineOrAPlane) {
       across.norm(), 1e-9);
 }
 
-TEST_F(ResidualValue, DistanceWithoutATargetIsFromTheReferencesOrigin) {
+TEST_F(ResidualValue, DistanceWithoutATarget_IsFromTheOriginOfTheReference) {
   const Eigen::Vector3d other = frame_placement(model, q, "link_3").translation();
   EXPECT_NEAR(value(residual::FrameDistance{"tool", {}, Directions::linear(), {"link_3"}}),
               (tool - other).norm(), 1e-9);
 }
 
-TEST_F(ResidualValue, DistanceOfZeroHasADerivativeOfZero) {
-  const residual::FrameDistance here{"tool", tool};
-  EXPECT_NEAR(value(here), 1e-6, 1e-9);
-  EXPECT_LT(derivative(here).cwiseAbs().maxCoeff(), 1e-6);
+TEST_F(ResidualValue, ZeroDistance_HasAZeroDerivative) {
+  const residual::FrameDistance zero{"tool", tool};
+  EXPECT_NEAR(value(zero), 1e-6, 1e-9);
+  EXPECT_LT(derivative(zero).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-/// Lead and tilt lean towards the first and the second tangent at the tool, spin does not matter.
-TEST_F(ResidualValue, InclinationIsLeadAndTiltAgainstTheNormal) {
+/// Lead and tilt incline the axis towards the first and the second tangent; spin has no effect.
+TEST_F(ResidualValue, Inclination_IsLeadAndTiltFromTheNormal) {
   const Eigen::Vector3d center = tool - 0.4 * Eigen::Vector3d(0.3, -0.2, 1.0).normalized();
   const Reference on =
       Reference::on(Quadric::sphere(center, 0.4), center + Eigen::Vector3d(0, 0, 1),
@@ -337,7 +337,7 @@ TEST_F(ResidualValue, InclinationIsLeadAndTiltAgainstTheNormal) {
   EXPECT_LT((values(problem, q) - Eigen::Vector2d(lead, tilt)).norm(), 1e-12);
   inclination.target = Eigen::Vector2d(lead, tilt);
   EXPECT_NEAR(value(inclination), 0.0, 1e-12);
-  // Turned about itself, an axis leans as before: that of the last joint.
+  // A rotation about the axis itself, here that of the last joint, changes neither angle.
   Eigen::VectorXd turned = q;
   turned[model.nq - 1] += 0.3;
   const Eigen::Matrix3d R2 = frame_placement(model, turned, "tool").linear();
@@ -347,7 +347,7 @@ TEST_F(ResidualValue, InclinationIsLeadAndTiltAgainstTheNormal) {
   EXPECT_LT((values(spun, turned) - values(spun, q)).norm(), 1e-9);
 }
 
-TEST_F(ResidualValue, HeightIsTheDistanceFromPlanesSpheresAndCylinders) {
+TEST_F(ResidualValue, Height_IsTheDistanceFromPlanesSpheresAndCylinders) {
   const Eigen::Vector3d up = Eigen::Vector3d(0.2, -0.4, 1.0).normalized(),
                         across = up.unitOrthogonal();
   for (const double height : {-0.1, 0.0, 0.05, 0.7}) {
@@ -361,7 +361,7 @@ TEST_F(ResidualValue, HeightIsTheDistanceFromPlanesSpheresAndCylinders) {
     const Eigen::Vector3d inside = tool + (0.9 - height) * up;
     EXPECT_NEAR(above(Quadric::sphere(inside, 0.9, true)), height, 1e-12);
   }
-  // Along its axis an ellipsoid is met by the normal too; far aside it is not, where it only grows.
+  // Along its axis, an ellipsoid has the exact height. Far aside the value only grows.
   const Quadric egg =
       Quadric::ellipsoid(tool - 0.5 * up, Eigen::Matrix3d::Identity(), {0.3, 0.3, 0.3});
   EXPECT_NEAR(value(residual::FrameHeight{"tool", Reference::on(egg, tool)}), 0.2, 1e-12);
@@ -372,8 +372,8 @@ TEST_F(ResidualValue, HeightIsTheDistanceFromPlanesSpheresAndCylinders) {
   EXPECT_GT(far, 0.5);
 }
 
-/// Tool and surface turn together: a rotation against a surface is the same at another place of it.
-TEST_F(ResidualValue, RotationAgainstASurfaceIsFromItsAxesAtTheTool) {
+/// The rotation is relative to the surface's axes at the tool, which turn when the tool moves.
+TEST_F(ResidualValue, RotationAgainstASurface_UsesItsAxesAtTheTool) {
   const Eigen::Vector3d center = tool - 0.4 * Eigen::Vector3d(0.3, -0.2, 1.0).normalized();
   const Reference on =
       Reference::on(Quadric::sphere(center, 0.4), center + Eigen::Vector3d(0, 0, 1));
@@ -385,7 +385,7 @@ TEST_F(ResidualValue, RotationAgainstASurfaceIsFromItsAxesAtTheTool) {
   EXPECT_LT(problem.residual(0, 0, x, none).norm(), 1e-7);
   Problem flat = with(residual::FrameRotation{"tool", same, on.at(tool)});
   EXPECT_LT(flat.residual(0, 0, x, none).norm(), 1e-7);
-  // Curvature turns the axes as the tool moves.
+  // The curvature rotates the axes as the tool moves.
   EXPECT_GT(
       (problem.residual_derivative(0, 0, x, none) - flat.residual_derivative(0, 0, x, none)).norm(),
       0.1);

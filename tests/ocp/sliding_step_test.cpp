@@ -1,4 +1,5 @@
-// Fade speeds of friction that follow from a problem's steps, and those that are too small for it.
+// Tests of fade speeds of friction: defaults that follow from a problem's steps, and values that
+// are too small for them.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -21,11 +22,11 @@ class FadeSpeed : public ::testing::Test {
     result.initial_state = Eigen::VectorXd::Zero(2 * model.nv);
     result.initial_state.head(model.nq) = arm7::ready();
     Stage stage{.name = "press", .contacts = {"pad"}, .step = step};
-    const Eigen::VectorXd asked = Eigen::VectorXd::Constant(1, force);
+    const Eigen::VectorXd target = Eigen::VectorXd::Constant(1, force);
     stage.costs = {{.residual = residual::JointVelocity{}}};
     if (force > 0.0)
       stage.costs.push_back(
-          {.residual = residual::ContactForce{.contact = "pad", .target = asked}});
+          {.residual = residual::ContactForce{.contact = "pad", .target = target}});
     result.stages = {stage};
     result.horizon = {{"press", 3}};
     return result;
@@ -33,9 +34,9 @@ class FadeSpeed : public ::testing::Test {
   static double speed_of(const ProblemSpec& spec) {
     return *Problem(spec).spec().contacts[0].friction->speed;
   }
-  /// What a tangential force of 1 N, along x or y, does to the tool's speed at most, held along z.
-  double least_mass() {
-    ContactDynamics held(
+  /// Returns the smallest effective mass of the tool along x and y while z is constrained [kg].
+  double min_mass() {
+    ContactDynamics constrained(
         model, {ContactSpec{.name = "pad", .tool = "tool", .directions = Directions::z()}});
     RigidBody body(model);
     const Eigen::VectorXd q = arm7::ready(), zero = Eigen::VectorXd::Zero(model.nv);
@@ -43,33 +44,33 @@ class FadeSpeed : public ::testing::Test {
     EXPECT_EQ(body.update(q, zero, zero), Status::Ok);
     body.frame_derivatives(body.frame("tool"), Reference::centered(), tool);
     const Eigen::MatrixXd J = tool.jacobian.topRows(2);
-    EXPECT_EQ(held.forward(q, zero, zero), Status::Ok);
-    EXPECT_EQ(held.forward_derivatives(), Status::Ok);
-    const Eigen::Matrix2d mobility = J * held.da_dtau() * J.transpose();
+    EXPECT_EQ(constrained.forward(q, zero, zero), Status::Ok);
+    EXPECT_EQ(constrained.forward_derivatives(), Status::Ok);
+    const Eigen::Matrix2d mobility = J * constrained.da_dtau() * J.transpose();
     return 1.0 / Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(mobility).eigenvalues()[1];
   }
   Model model = arm7::model(Base::Fixed);
 };
 
-TEST_F(FadeSpeed, WithoutOne_FollowsFromStepForceAndMass) {
-  const double m = least_mass();
+TEST_F(FadeSpeed, UnstatedSpeed_FollowsFromStepForceAndMass) {
+  const double m = min_mass();
   EXPECT_NEAR(speed_of(spec({})), std::max(0.01, 4.0 * 0.3 * 20.0 * 0.01 / m), 1e-6);
   EXPECT_NEAR(speed_of(spec({}, 0.04)), 4.0 * 0.3 * 20.0 * 0.04 / m, 1e-6);
-  EXPECT_NEAR(speed_of(spec({}, 0.04, 0.0)), 4.0 * 0.3 * 9.80665 * 0.04, 1e-6);  // its weight
+  EXPECT_NEAR(speed_of(spec({}, 0.04, 0.0)), 4.0 * 0.3 * 9.80665 * 0.04, 1e-6);  // by the weight
   EXPECT_EQ(speed_of(spec({}, 1e-5)), 0.01);
   ProblemSpec band = spec({}, 0.04, 0.0);
   band.stages[0].constraints = {{.residual = residual::ContactForce{.contact = "pad"},
                                  .lower = Eigen::VectorXd::Constant(1, 30.0),
                                  .upper = Eigen::VectorXd::Constant(1, 50.0)}};
   EXPECT_NEAR(speed_of(band), 4.0 * 0.3 * 50.0 * 0.04 / m, 1e-6);
-  ProblemSpec unknown = spec({}, 0.04);
-  unknown.contacts[0].friction->coefficient = 0.0;  // set later
-  EXPECT_NEAR(speed_of(unknown), 4.0 * 0.3 * 20.0 * 0.04 / m, 1e-6);
+  ProblemSpec later = spec({}, 0.04);
+  later.contacts[0].friction->coefficient = 0.0;  // set by the controller later
+  EXPECT_NEAR(speed_of(later), 4.0 * 0.3 * 20.0 * 0.04 / m, 1e-6);
 }
 
-TEST_F(FadeSpeed, ThatIsStated_StaysAndIsComplainedAboutWhereItIsTooSmall) {
+TEST_F(FadeSpeed, StatedSpeed_StaysAndIsReportedIfTooSmall) {
   EXPECT_EQ(speed_of(spec(0.02)), 0.02);
-  const double lost = 0.3 * 20.0 * 0.02 / least_mass();  // m/s in a step
+  const double lost = 0.3 * 20.0 * 0.02 / min_mass();  // loss of speed in a step [m/s]
   EXPECT_TRUE(step_complaints(Problem(spec(1.01 * lost, 0.02))).empty());
   EXPECT_TRUE(step_complaints(Problem(spec({}, 0.02))).empty());
   const std::vector<std::string> sentences = step_complaints(Problem(spec(0.9 * lost, 0.02)));
@@ -77,7 +78,7 @@ TEST_F(FadeSpeed, ThatIsStated_StaysAndIsComplainedAboutWhereItIsTooSmall) {
   testing::expect_words(sentences[0], {"stage 'press'", "contact 'pad'", "0.02 s", "at least"});
 }
 
-TEST_F(FadeSpeed, OutsideProblems_IsACentimetrePerSecond) {
+TEST_F(FadeSpeed, WithoutAProblem_IsOneCentimetrePerSecond) {
   EXPECT_EQ(SlidingFriction().fade_speed(), 0.01);
   EXPECT_FALSE(SlidingFriction().speed.has_value());
 }

@@ -1,5 +1,5 @@
-// A plan's steps against small ones: errors, their limits, and sentences about steps that are too
-// long for gains, friction and springs.
+// Tests of the step check: errors of a plan's steps against small steps, their limits, and warnings
+// about steps that are too long for gains, friction and springs.
 #include "burnish/ocp/step_check.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace burnish::test {
 namespace {
 
-/// One stage "go" with a cost that does not matter.
+/// Returns a problem of one stage "go" with a dummy cost.
 ProblemSpec going(ProblemSpec spec, Stage stage, int knots) {
   stage.name = "go";
   stage.costs = {{.residual = residual::JointVelocity{}}};
@@ -19,7 +19,7 @@ ProblemSpec going(ProblemSpec spec, Stage stage, int knots) {
   return spec;
 }
 
-/// The states that the problem's own steps lead to from its initial state.
+/// Returns the states of the problem's own steps from its initial state.
 RowMatrix rolled(Problem& problem, const RowMatrix& us) {
   RowMatrix xs(problem.knots() + 1, problem.layout().nx());
   xs.row(0) = Eigen::Map<const Eigen::RowVectorXd>(problem.initial_state(), xs.cols());
@@ -33,9 +33,9 @@ StepReport report_of(const Problem& problem, const RowMatrix& xs, const RowMatri
   return check_steps(problem, {xs.data(), xs.rows(), xs.cols()}, {us.data(), us.rows(), us.cols()});
 }
 
-class StepCheckOf : public ::testing::TestWithParam<OcpCase> {
+class StepCheckCases : public ::testing::TestWithParam<OcpCase> {
  protected:
-  /// |q| and |v| of the difference between a step and 400 Runge-Kutta steps of its time, at knot 0.
+  /// Returns the absolute error of a step in q and v against 400 Runge-Kutta steps, at knot 0.
   Eigen::VectorXd expected(const ProblemSpec& spec, const RowMatrix& xs, const RowMatrix& us) {
     constexpr int steps = 400;
     ProblemSpec fine = spec;
@@ -57,7 +57,7 @@ class StepCheckOf : public ::testing::TestWithParam<OcpCase> {
   std::mt19937_64 generator{5};
 };
 
-TEST_P(StepCheckOf, EveryIntegrator_IsWhatSmallStepsSay) {
+TEST_P(StepCheckCases, ReportedError_EqualsTheErrorAgainstSmallSteps) {
   for (const Integrator integrator : {Integrator::SemiImplicitEuler, Integrator::RungeKutta4}) {
     const ProblemSpec spec =
         going(bare_problem(GetParam(), model),
@@ -77,17 +77,17 @@ TEST_P(StepCheckOf, EveryIntegrator_IsWhatSmallStepsSay) {
       EXPECT_EQ(worst->knot, 0);
       EXPECT_EQ(worst->step, 0.04);
       EXPECT_EQ(worst->unit.ends_with("/s"), speed);
-      // None is larger, unless it is within a limit of its own.
+      // No entry has a larger error, unless that error is within its limit.
       const double largest = error.segment(speed ? model.nv : 0, model.nv).maxCoeff();
       EXPECT_TRUE(worst->error > worst->limit || worst->error > 0.97 * largest - 1e-3);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, StepCheckOf, ::testing::ValuesIn(ocp_cases()),
+INSTANTIATE_TEST_SUITE_P(Robots, StepCheckCases, ::testing::ValuesIn(ocp_cases()),
                          [](const auto& named) { return std::to_string(named.index); });
 
-class StepCheckOfAnArm : public ::testing::Test {
+class StepCheck : public ::testing::Test {
  protected:
   ProblemSpec spec(double step, int knots, Integrator integrator = Integrator::SemiImplicitEuler) {
     ProblemSpec result =
@@ -103,7 +103,7 @@ class StepCheckOfAnArm : public ::testing::Test {
   Model model = arm.robot.model();
 };
 
-TEST_F(StepCheckOfAnArm, LongStep_NamesKnotJointAndAStepThatWouldDo) {
+TEST_F(StepCheck, LongStep_IsNamedWithASufficientStep) {
   ProblemSpec coarse = spec(0.01, 6);
   coarse.horizon = {{"go", 3}, {.stage = "go", .knots = 1, .step = 0.3}, {"go", 2}};
   Problem problem(coarse);
@@ -115,36 +115,36 @@ TEST_F(StepCheckOfAnArm, LongStep_NamesKnotJointAndAStepThatWouldDo) {
   EXPECT_DOUBLE_EQ(report.position.time, coarse.start_time + 0.03);
   EXPECT_EQ(report.position.step, 0.3);
   EXPECT_GT(report.position.error, report.position.limit);
-  testing::expect_words(report.warning(), {"too coarse", "0.3 s", "go, knot 3", "would do"});
-  ASSERT_GT(report.step_enough, 0.0);
-  coarse.horizon[1].step = report.step_enough;
+  testing::expect_words(report.warning(), {"too coarse", "0.3 s", "go, knot 3", "short enough"});
+  ASSERT_GT(report.sufficient_step, 0.0);
+  coarse.horizon[1].step = report.sufficient_step;
   Problem shorter(coarse);
   const RowMatrix short_xs = rolled(shorter, us);
-  EXPECT_FALSE(report_of(shorter, short_xs, us).coarse) << report.step_enough;
+  EXPECT_FALSE(report_of(shorter, short_xs, us).coarse) << report.sufficient_step;
 }
 
-TEST_F(StepCheckOfAnArm, ShortSteps_AreNoWarning) {
+TEST_F(StepCheck, ShortSteps_GiveNoWarning) {
   Problem problem(spec(0.01, 20));
   const RowMatrix us = at_rest(problem);
   const StepReport report = report_of(problem, rolled(problem, us), us);
   EXPECT_FALSE(report.coarse);
   EXPECT_EQ(report.warning(), "");
-  EXPECT_EQ(report.step_enough, 0.0);
+  EXPECT_EQ(report.sufficient_step, 0.0);
   EXPECT_GT(report.position.error, 0.0);
 }
 
-TEST_F(StepCheckOfAnArm, GapsAreNotSteps) {
+TEST_F(StepCheck, Gaps_AreNotStepErrors) {
   Problem problem(spec(0.01, 4));
   const RowMatrix us = at_rest(problem);
   RowMatrix xs = rolled(problem, us);
   const StepReport before = report_of(problem, xs, us);
-  xs(3, 1) += 0.5;  // what a solver that did not converge leaves
+  xs(3, 1) += 0.5;  // a gap, as of a solver that did not converge
   const StepReport after = report_of(problem, xs, us);
   EXPECT_FALSE(after.coarse);
   EXPECT_LT(after.position.error, 100.0 * before.position.error);
 }
 
-TEST_F(StepCheckOfAnArm, WhatCannotBeJudged_IsAStatus) {
+TEST_F(StepCheck, NanStates_GiveAStatus) {
   Problem problem(spec(0.01, 3));
   const RowMatrix us = at_rest(problem);
   RowMatrix xs = rolled(problem, us);
@@ -153,12 +153,12 @@ TEST_F(StepCheckOfAnArm, WhatCannotBeJudged_IsAStatus) {
   EXPECT_EQ(report.status, Status::NotFinite);
   EXPECT_EQ(report.knot, 2);
   EXPECT_TRUE(report.coarse);
-  testing::expect_words(report.warning(), {"cannot be judged", "knot 2"});
+  testing::expect_words(report.warning(), {"error is unknown", "knot 2"});
   const std::string refused = testing::refusal([&] { report_of(problem, xs.topRows(2), us); });
   testing::expect_words(refused, {"check_steps: xs is 2 x 14; wanted 4 x 14"});
 }
 
-TEST_F(StepCheckOfAnArm, Impacts_TakeNoTime) {
+TEST_F(StepCheck, Impact_TakesNoTime) {
   ProblemSpec hit = spec(0.01, 2);
   Stage stage{.name = "hit", .contacts = {"pad"}, .impact = true};
   stage.costs = hit.stages[0].costs;
@@ -172,7 +172,7 @@ TEST_F(StepCheckOfAnArm, Impacts_TakeNoTime) {
   EXPECT_EQ(report.text(), "discretisation: no time passes");
 }
 
-/// The only sentence about a stage with this contact and step.
+/// Returns the warnings about a stage with this contact.
 std::vector<std::string> about(const ContactSpec& contact, Stage stage, const Model& model) {
   ProblemSpec spec = bare_problem(arm, model);
   spec.actuation.passive_torques = false;
@@ -181,7 +181,7 @@ std::vector<std::string> about(const ContactSpec& contact, Stage stage, const Mo
   return step_complaints(Problem(going(spec, stage, 2)));
 }
 
-TEST_F(StepCheckOfAnArm, Gains_ThatGrow_NameTheLongestStep) {
+TEST_F(StepCheck, UnstableGains_NameTheLongestStep) {
   ContactSpec pad{.name = "pad", .tool = "tool"};
   const auto of = [&](double kp, double kd, double step, Integrator integrator) {
     pad.with_gains(kp, kd);
@@ -201,7 +201,7 @@ TEST_F(StepCheckOfAnArm, Gains_ThatGrow_NameTheLongestStep) {
   EXPECT_EQ(of(0.0, 40.0, 0.0697, rk4).size(), 1U);
 }
 
-TEST_F(StepCheckOfAnArm, KnotsThatAreLonger_SlowGainsDown_AndAreNoComplaint) {
+TEST_F(StepCheck, LongerKnots_SoftenGainsWithoutAWarning) {
   ContactSpec pad{.name = "pad", .tool = "tool"};
   ProblemSpec spec = bare_problem(arm, model);
   spec.actuation.passive_torques = false;
@@ -215,7 +215,7 @@ TEST_F(StepCheckOfAnArm, KnotsThatAreLonger_SlowGainsDown_AndAreNoComplaint) {
   EXPECT_TRUE(step_complaints(Problem(spec)).empty());
 }
 
-TEST_F(StepCheckOfAnArm, FrictionOfJoints_ThatOvershoots_NamesSlipVelocity) {
+TEST_F(StepCheck, OvershootingJointFriction_NamesSlipVelocity) {
   ProblemSpec spec = going(bare_problem(arm, model), {.step = 0.01}, 2);
   EXPECT_TRUE(step_complaints(Problem(spec)).empty());  // slip_velocity 0.5
   spec.actuation.slip_velocity = 1e-4;
@@ -224,7 +224,7 @@ TEST_F(StepCheckOfAnArm, FrictionOfJoints_ThatOvershoots_NamesSlipVelocity) {
   testing::expect_words(sentences[0], {"stage 'go'", "slip_velocity", "0.0001", "at most"});
 }
 
-TEST_F(StepCheckOfAnArm, SpringsAndDampingOfJoints_ThatGrow_NameTheJoint) {
+TEST_F(StepCheck, UnstableJointDamping_NamesTheJoint) {
   Model sprung = model;
   sprung.damping[6] = 1e3;
   ProblemSpec spec = going(bare_problem(arm, sprung), {.step = 0.01}, 2);

@@ -1,5 +1,5 @@
-// Surfaces that are data of each knot: at each the problem is the one whose reference follows the
-// surface that it was given.
+// Tests of surfaces and friction coefficients as data of each knot: each knot equals that of a
+// problem that is built with its surface or coefficient.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -34,8 +34,8 @@ ProblemSpec pressed(const OcpCase& test, const Model& model, const Quadric& surf
   return spec;
 }
 
-/// The same, held along the normal alone, where it rubs.
-ProblemSpec rubbing(const OcpCase& test, const Model& model, double coefficient) {
+/// Returns the problem of pressed() with a pad that slides with friction and constrains the normal.
+ProblemSpec sliding(const OcpCase& test, const Model& model, double coefficient) {
   ProblemSpec spec = pressed(test, model, surface_at(0.0));
   for (ContactSpec& contact : spec.contacts) {
     if (contact.name != "pad") continue;
@@ -51,8 +51,8 @@ int number_of_pad(const ProblemSpec& spec) {
   return static_cast<int>(named - spec.contacts.begin());
 }
 
-/// At each of the first knots (all without a number) the problem, whose knots were given data, is
-/// to the last bit the one that is made with them; the horizon that it was compared at.
+/// Expects that each of the first `knots` knots (0: all) equals, to the last bit, the knot of the
+/// problem that `made` builds for it. Returns the compared horizon.
 OcpHorizon expect_same(Problem& problem, const std::function<ProblemSpec(int knot)>& made,
                        int knots = 0) {
   std::mt19937_64 generator(31);
@@ -75,12 +75,12 @@ OcpHorizon expect_same(Problem& problem, const std::function<ProblemSpec(int kno
   return horizon;
 }
 
-class SurfaceData : public ::testing::TestWithParam<OcpCase> {
+class KnotData : public ::testing::TestWithParam<OcpCase> {
  protected:
   Model model = GetParam().robot.model();
 };
 
-TEST_P(SurfaceData, IsAtEachKnotTheSurfaceThatItWasGiven) {
+TEST_P(KnotData, SetSurface_EqualsAProblemWithThatSurface) {
   const ProblemSpec spec = pressed(GetParam(), model, surface_at(0.0));
   const int pad = number_of_pad(spec);
   Problem problem(spec);
@@ -88,7 +88,7 @@ TEST_P(SurfaceData, IsAtEachKnotTheSurfaceThatItWasGiven) {
     ASSERT_EQ(problem.set_surface(k, pad, surface_at(1.0 + k)), Status::Ok);
   const OcpHorizon horizon =
       expect_same(problem, [&](int k) { return pressed(GetParam(), model, surface_at(1.0 + k)); });
-  // Until the knot is set again.
+  // The data last until the knot is set again.
   problem.set_knot(0, 0, 0.0);
   const Eigen::VectorXd x = horizon.x_of(problem, 0), u = horizon.u_of(problem, 0);
   const Eigen::VectorXd first = problem.forces(0, x, u);
@@ -98,14 +98,14 @@ TEST_P(SurfaceData, IsAtEachKnotTheSurfaceThatItWasGiven) {
   EXPECT_NE(problem.forces(0, x, u), first);
 }
 
-TEST_P(SurfaceData, CoefficientsOfFrictionAreDataOfEachKnotToo) {
-  const ProblemSpec spec = rubbing(GetParam(), model, 0.1);
+TEST_P(KnotData, SetFriction_EqualsAProblemWithThatCoefficient) {
+  const ProblemSpec spec = sliding(GetParam(), model, 0.1);
   const int pad = number_of_pad(spec);
   Problem problem(spec);
   for (int k = 0; k <= problem.knots(); ++k)
     ASSERT_EQ(problem.set_friction(k, pad, 0.02 * (1 + k)), Status::Ok);
   const OcpHorizon horizon =
-      expect_same(problem, [&](int k) { return rubbing(GetParam(), model, 0.02 * (1 + k)); });
+      expect_same(problem, [&](int k) { return sliding(GetParam(), model, 0.02 * (1 + k)); });
   const Eigen::VectorXd x = horizon.x_of(problem, 0), u = horizon.u_of(problem, 0);
   const Eigen::VectorXd first = problem.forces(0, x, u);
   ASSERT_EQ(problem.set_friction(0, pad, 0.6), Status::Ok);
@@ -115,16 +115,16 @@ TEST_P(SurfaceData, CoefficientsOfFrictionAreDataOfEachKnotToo) {
                         {"set_friction", "has no friction"});
 }
 
-/// A cost's own reference likewise, in each lane of a pack.
-TEST_P(SurfaceData, OfATermIsTheSurfaceThatItWasGiven) {
+/// The reference of a cost also has its own surface at each knot, in each lane of a pack.
+TEST_P(KnotData, SetTermSurface_EqualsAProblemWithThatSurface) {
   const auto over = [&](const Quadric& surface) {
     ProblemSpec spec = pressed(GetParam(), model, surface_at(0.0));
     Reference reference = Reference::on(surface_at(0.0), {0.3, 0.1, 0.2});
     reference.quadric = surface;
     spec.stages[0].costs = {
         {.name = "height", .residual = residual::FrameHeight{"tool", reference}},
-        {.name = "lean", .residual = residual::FrameInclination{"tool", reference}},
-        {.name = "push", .residual = residual::ContactForce{"pad", reference, 1.0}}};
+        {.name = "incline", .residual = residual::FrameInclination{"tool", reference}},
+        {.name = "force", .residual = residual::ContactForce{"pad", reference, 1.0}}};
     return spec;
   };
   Problem problem(over(surface_at(0.0)));
@@ -147,23 +147,23 @@ TEST_P(SurfaceData, OfATermIsTheSurfaceThatItWasGiven) {
                           Problem own(pressed(GetParam(), model, surface_at(0.0)));
                           own.set_term_surface(0, 0, surface_at(1.0));
                         }),
-                        {"set_term_surface", "'own'", "follows no surface"});
+                        {"set_term_surface", "'own'", "has no curved surface"});
 }
 
-TEST_P(SurfaceData, IsRefusedWhereThereIsNone) {
+TEST_P(KnotData, SurfaceOfAFlatContact_IsRefused) {
   Problem problem(pressed(GetParam(), model, surface_at(0.0)));
   const auto words = [](auto&& call, const std::vector<std::string>& wanted) {
     testing::expect_words(testing::refusal(call), wanted);
   };
   const Quadric surface = surface_at(1.0);
   words([&] { problem.set_surface(-1, 0, surface); }, {"set_surface", "knot -1"});
-  words([&] { problem.set_surface(0, 7, surface); }, {"set_surface", "contact 7 of"});
+  words([&] { problem.set_surface(0, 7, surface); }, {"set_surface", "contact 7 does not exist"});
   int flat = 0;
   while (problem.spec().contacts[static_cast<std::size_t>(flat)].name == "pad") ++flat;
-  words([&] { problem.set_surface(0, flat, surface); }, {"follows no surface", "Reference::on"});
+  words([&] { problem.set_surface(0, flat, surface); }, {"has no curved surface", "Reference::on"});
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, SurfaceData,
+INSTANTIATE_TEST_SUITE_P(Robots, KnotData,
                          ::testing::Values(OcpCase{{"arm7", Base::Fixed, "tool"}},
                                            OcpCase{{"arm7", Base::FreeFlyer, "tool"}}),
                          [](const auto& test) { return test.param.label(); });

@@ -1,5 +1,5 @@
-// References that turn from knot to knot: at each knot the problem is the one whose references stay
-// as they are there; what is no rotation is refused, or told by the knot that has it.
+// Tests of references that turn from knot to knot: each knot equals that of a problem with constant
+// references. Bad rotations are refused, or reported with their knot.
 #include <gtest/gtest.h>
 
 #include "support/ocp_cases.hpp"
@@ -8,18 +8,18 @@
 namespace burnish::test {
 namespace {
 
-using Turned = std::function<Reference(const Anchor& origin, const Anchor& axes)>;
+using ReferenceMaker = std::function<Reference(const Anchor& origin, const Anchor& axes)>;
 
-/// Reference that stays as it is at a time.
-Turned constant(double time) {
+/// Returns references that are constant, with the rotation of a time.
+ReferenceMaker constant(double time) {
   return [time](const Anchor& origin, const Anchor& axes) {
     return Reference{origin, axes, turned_at(time)};
   };
 }
 
-/// Whatever may turn does: contacts, costs and a constraint, in steps of both kinds, an impact and
-/// the end.
-ProblemSpec all_turned(const OcpCase& test, const Model& model, const Turned& turned) {
+/// Returns a problem in which every reference turns: contacts, costs and a constraint, with both
+/// integrators, an impact and the end.
+ProblemSpec all_turned(const OcpCase& test, const Model& model, const ReferenceMaker& turned) {
   namespace R = residual;
   ProblemSpec spec = bare_problem(test, model);
   const std::string tool = test.robot.tool, other = far_frame(model, {tool});
@@ -55,7 +55,7 @@ ProblemSpec all_turned(const OcpCase& test, const Model& model, const Turned& tu
 
 class TurningReference : public ::testing::TestWithParam<OcpCase> {
  protected:
-  /// Knot by knot, at states that belong to the seed.
+  /// Compares every knot to that of a problem with constant references, at random states.
   void expect_knots_of_constants(Problem& problem) {
     std::mt19937_64 generator(31);
     OcpHorizon horizon(problem, generator);
@@ -91,7 +91,7 @@ class TurningReference : public ::testing::TestWithParam<OcpCase> {
                  want.hessian[at].topLeftCorner(nz, nz).triangularView<Eigen::Lower>(), "Hessian");
     expect_close(got.row_values[at], want.row_values[at], "rows");
     if (problem.rows(k) > 0)
-      expect_close(got.rows[at].leftCols(nz), want.rows[at].leftCols(nz), "their derivative");
+      expect_close(got.rows[at].leftCols(nz), want.rows[at].leftCols(nz), "derivative of the rows");
     if (k == problem.knots()) return;
     expect_close(got.next_of(problem, k), want.next_of(problem, k), "next state");
     const bool dense =
@@ -99,17 +99,17 @@ class TurningReference : public ::testing::TestWithParam<OcpCase> {
         Integrator::RungeKutta4;
     const int rows = dense ? problem.state().ndx : problem.state().nv;
     expect_close(got.dynamics[at].topLeftCorner(rows, nz),
-                 want.dynamics[at].topLeftCorner(rows, nz), "its derivative");
+                 want.dynamics[at].topLeftCorner(rows, nz), "derivative of the next state");
   }
   Model model = GetParam().robot.model();
 };
 
-TEST_P(TurningReference, IsAtEachKnotTheConstantOne) {
+TEST_P(TurningReference, EachKnot_EqualsAConstantReference) {
   Problem problem(all_turned(GetParam(), model, turning_reference));
   expect_knots_of_constants(problem);
 }
 
-TEST_P(TurningReference, MovesWithTheHorizon) {
+TEST_P(TurningReference, AdvancedHorizon_EqualsConstantReferences) {
   Problem problem(all_turned(GetParam(), model, turning_reference));
   problem.advance(0);
   problem.set_knot(2, 1, 3.3);
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, TurningReference,
 
 std::string refusal_of(const Signal& rotation, bool of_contact) {
   const Model model = arm.robot.model();
-  const Turned turned = [&](const Anchor& origin, const Anchor& axes) {
+  const ReferenceMaker turned = [&](const Anchor& origin, const Anchor& axes) {
     return Reference{.origin = origin, .axes = axes, .rotation_over_time = rotation};
   };
   ProblemSpec spec = bare_problem(arm, model);
@@ -136,7 +136,7 @@ std::string refusal_of(const Signal& rotation, bool of_contact) {
   return testing::refusal([&] { Problem{spec}; });
 }
 
-TEST(TurningReferenceRefusal, NamesWhatIsNoRotation) {
+TEST(TurningReferenceRefusal, BadRotation_IsRefusedWithItsPlace) {
   const Signal fades = Signal::over_time(4, [](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
     xyzw << 0.0, 0.0, 0.0, t < 0.715 ? 1.0 : 0.0;
   });
@@ -154,7 +154,7 @@ TEST(TurningReferenceRefusal, NamesWhatIsNoRotation) {
   expect_words(testing::refusal([&] { both.check("this"); }), {"this", "one of them"});
 }
 
-TEST(TurningReferenceRefusal, WhereNothingHasATime) {
+TEST(TurningReferenceRefusal, RotationOverTimeOutsideProblems_IsRefused) {
   const Model model = arm.robot.model();
   const Reference turns = turning_reference(Anchor::Tool, Anchor::World);
   testing::expect_words(testing::refusal([&] {
@@ -163,9 +163,9 @@ TEST(TurningReferenceRefusal, WhereNothingHasATime) {
                         {"contact 'tool'", "over time", "Reference::at"});
 }
 
-TEST(TurningReference, TellsOfAKnotThatHasNoRotation) {
+TEST(TurningReferenceStatus, BadRotationAtAKnot_IsReportedAtThatKnot) {
   const Model model = arm.robot.model();
-  const Turned fades = [](const Anchor& origin, const Anchor& axes) {
+  const ReferenceMaker fades = [](const Anchor& origin, const Anchor& axes) {
     return Reference{
         .origin = origin,
         .axes = axes,

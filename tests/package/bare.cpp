@@ -1,2 +1,3 @@
-// Compiled without the definitions that burnish's targets carry: must be refused, with a sentence.
+// Compiled without the definitions of the targets of burnish: the compiler must stop with a
+// message.
 #include "burnish/model/model.hpp"

@@ -1,5 +1,5 @@
-// Uses an installed burnish as a user would. Eigen objects cross the library's boundary both ways:
-// allocated there and freed here, and the reverse.
+// Uses an installed burnish as a user does. Eigen objects cross the boundary of the library both
+// ways: allocated in the library and freed in the program, and the reverse.
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
@@ -11,9 +11,9 @@
 
 namespace {
 
-void require(bool holds, const char* what) {
+void require(bool holds, const char* message) {
   if (holds) return;
-  std::fprintf(stderr, "consumer: %s\n", what);
+  std::fprintf(stderr, "consumer: %s\n", message);
   std::exit(1);
 }
 
@@ -21,19 +21,22 @@ void require(bool holds, const char* what) {
 
 int main() {
   const char* installed = std::getenv("BURNISH_ROBOTS");
-  require(!installed || burnish::robot_search_path().front() == installed, "robots: wrong folder");
+  require(!installed || burnish::robot_search_path().front() == installed,
+          "the robots come from the wrong folder");
   burnish::Robot robot = burnish::load_robot("talos:right_arm");
   require(robot.model.nv == 6, "talos:right_arm should have 6 joints");
 
-  // Freed here, allocated there; sizes that no allocator rounds to the same block.
+  // Freed here, allocated in the library, with sizes that no allocator rounds to the same block.
   std::mt19937_64 generator(7);
   Eigen::VectorXd q;
   for (int i = 0; i < 1000; ++i) {
     q = burnish::random_configuration(robot.model, generator);
     const Eigen::MatrixXd map = burnish::tangent_map(robot.model, q);
-    require(map.rows() == robot.model.nq && map.cols() == robot.model.nv, "tangent map: size");
+    require(map.rows() == robot.model.nq && map.cols() == robot.model.nv,
+            "the tangent map has the wrong size");
   }
-  // Allocated here, freed there: the members are replaced and moved into the library's objects.
+  // Allocated here, freed in the library: members are replaced and moved into objects of the
+  // library.
   burnish::Model copy = robot.model;
   copy.q_neutral = Eigen::VectorXd::Zero(copy.nq);
   std::vector<burnish::ContactSpec> specs(1);
@@ -51,9 +54,9 @@ int main() {
   const Eigen::VectorXd tau = moved.tau();
   require(moved.forward(q, still, tau) == burnish::Status::Ok, "forward dynamics failed");
   require(moved.forward_derivatives() == burnish::Status::Ok, "derivatives failed");
-  require(moved.a().cwiseAbs().maxCoeff() < 1e-9, "the arm should stand still");
+  require(moved.a().cwiseAbs().maxCoeff() < 1e-9, "the arm should be at rest");
 
-  // Products large enough for Eigen's blocked kernels, whose code both sides instantiate.
+  // Products large enough for the blocked kernels of Eigen, which both sides instantiate.
   const Eigen::MatrixXd m = Eigen::MatrixXd::Random(150, 150);
   const Eigen::MatrixXd square = m * m.transpose();
   double worst = 0.0;

@@ -1,4 +1,4 @@
-// Links burnish::model alone.
+// Links only burnish::model.
 #include "burnish/model/model.hpp"
 
 int main() {

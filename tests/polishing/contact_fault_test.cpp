@@ -1,4 +1,4 @@
-// Faults of contact that is lost, late, missing or unexpected, in closed loop and fed by hand.
+// Faults of contact: lost, late, missing or unexpected, in closed loop and with given measurements.
 #include <gtest/gtest.h>
 
 #include "support/fault_checks.hpp"
@@ -8,10 +8,10 @@ namespace {
 
 using testing::expect_words;
 
-/// A plant whose surface is gone after a while.
-class Vanishing final : public Plant {
+/// Plant whose surface vanishes at a given time.
+class VanishingSurfacePlant final : public Plant {
  public:
-  Vanishing(const Model& model, const SceneSpec& scene, double until)
+  VanishingSurfacePlant(const Model& model, const SceneSpec& scene, double until)
       : until_(until), with_(make_ideal_plant(model, scene)) {
     SceneSpec far = scene;
     far.surface.point -= 10.0 * scene.surface.normal;
@@ -51,10 +51,10 @@ class Vanishing final : public Plant {
   std::unique_ptr<Plant> with_, without_;
 };
 
-TEST(Fault, contact_lost_when_the_surface_is_taken_away) {
+TEST(Fault, SurfaceVanishes_ReportsContactLost) {
   MpcCase wanted;
   wanted.make_plant = [](const Model& model, const SceneSpec& scene) {
-    return std::make_unique<Vanishing>(model, scene, 0.8);
+    return std::make_unique<VanishingSurfacePlant>(model, scene, 0.8);
   };
   MpcRun run(wanted);
   ASSERT_EQ(run.polish(), Status::Ok);
@@ -64,12 +64,12 @@ TEST(Fault, contact_lost_when_the_surface_is_taken_away) {
   expect_rest(run);
 }
 
-TEST(Fault, no_contact_where_the_surface_is_not) {
+TEST(Fault, SurfaceMissing_ReportsNoContact) {
   MpcCase wanted;
   wanted.task.disturbances.surface_height = -0.1;
   MpcRun run(wanted);
   ASSERT_EQ(run.run(2.0), Status::Ok);
-  // The clock waits from 0.25 s on; 3 cm at 0.025 m/s are 1.2 s.
+  // The schedule waits from 0.25 s on; 3 cm at 0.025 m/s take 1.2 s.
   const FaultReport& fault = run.mpc().fault();
   ASSERT_EQ(fault.kind, FaultKind::NoContact) << fault.text();
   EXPECT_NEAR(fault.time, 1.45, 0.1);
@@ -77,11 +77,11 @@ TEST(Fault, no_contact_where_the_surface_is_not) {
   EXPECT_NEAR(fault.value, 0.03, 1e-3);
   EXPECT_EQ(fault.last_second.column("phase")[0], static_cast<double>(Phase::Approach));
   expect_words(fault.text(),
-               {"no contact at 1.", "went on 0.03", "m without contact", "allowed are 0.03 m"});
+               {"no contact at 1.", "moved 0.03", "m without contact", "allowed are 0.03 m"});
   expect_fallback(run);
   expect_rest(run);
 
-  // Limits are what they say, and may be never.
+  // A larger limit delays the fault, and an infinite one disables it.
   wanted.task.tool_limits.late_contact_travel = 0.05;
   MpcRun farther(wanted);
   ASSERT_EQ(farther.run(3.0), Status::Ok);
@@ -93,15 +93,15 @@ TEST(Fault, no_contact_where_the_surface_is_not) {
   EXPECT_EQ(endless.mpc().fault().kind, FaultKind::None) << endless.mpc().fault().text();
 }
 
-/// A controller that is told that nothing moves, in steps of its tick, and its torques as sent.
-struct HandFed {
-  explicit HandFed(const MpcCase& wanted)
+/// Controller that measures a robot at rest at every tick, with the torques that it commanded.
+struct StillRobot {
+  explicit StillRobot(const MpcCase& wanted)
       : setting(polishing::make_setting(wanted.task)),
         mpc(polishing::make_mpc(wanted.task, setting)) {
     m.q = setting.q_start;
     m.v = m.tau = Eigen::VectorXd::Zero(m.q.size());
   }
-  /// Until this time, while a force along the normal is measured.
+  /// Ticks until this time [s], with a measured force along the normal [N].
   void feed(double until, double force) {
     for (; m.time < until - 1e-9; m.time = 5e-4 * static_cast<double>(++ticks)) {
       m.tool_force_world = force * setting.scene.surface.normal;
@@ -114,11 +114,11 @@ struct HandFed {
   long ticks = 0;
 };
 
-TEST(Fault, contact_late_when_the_tool_does_not_get_on) {
+TEST(Fault, ToolStandsStill_ReportsContactLate) {
   MpcCase wanted;
   wanted.task.tool_limits.late_contact_time = 0.2;
-  // The clock waits from 0.25 s on.
-  HandFed late(wanted);
+  // The schedule waits from 0.25 s on.
+  StillRobot late(wanted);
   late.feed(0.449, 1.9);
   EXPECT_EQ(late.mpc.fault().kind, FaultKind::None) << late.mpc.fault().text();
   late.feed(0.46, 1.9);
@@ -128,27 +128,27 @@ TEST(Fault, contact_late_when_the_tool_does_not_get_on) {
   EXPECT_EQ(fault.limit, 0.2);
   expect_words(fault.text(),
                {"contact late at 0.4", "no contact for 0.2", "after it was due; allowed are 0.2 s",
-                "the force came to 1.9 N at most; 2 N count as contact"});
+                "the largest force was 1.9 N; contact needs 2 N"});
 
-  // Just in time.
-  HandFed good(wanted);
+  // Contact just before the limit.
+  StillRobot good(wanted);
   good.feed(0.449, 0.0);
   good.feed(0.5, 6.0);
   EXPECT_EQ(good.mpc.fault().kind, FaultKind::None) << good.mpc.fault().text();
 }
 
-TEST(Fault, unexpected_contact_in_the_retreat) {
+TEST(Fault, TouchInRetreat_ReportsUnexpectedContact) {
   MpcCase wanted;
   wanted.task.polish_duration = 0.1;
-  const auto pressed_until_the_retreat = [&](HandFed& run) {
+  const auto pressed_until_the_retreat = [&](StillRobot& run) {
     run.feed(0.25, 0.0);
     while (run.mpc.schedule().phase() != number_of(Phase::Retreat))
       run.feed(run.m.time + 5e-4, 30.0);
     EXPECT_EQ(run.mpc.fault().kind, FaultKind::None) << run.mpc.fault().text();
     return run.m.time;
   };
-  // Once the tool is off, a force is not expected any more.
-  HandFed touches(wanted);
+  // After the tool has left the surface, a force is unexpected.
+  StillRobot touches(wanted);
   double begin = pressed_until_the_retreat(touches);
   touches.feed(begin + 0.05, 30.0);
   touches.feed(begin + 0.1, 0.0);
@@ -158,20 +158,20 @@ TEST(Fault, unexpected_contact_in_the_retreat) {
   EXPECT_EQ(touches.mpc.fault().limit, 15.0);
   EXPECT_NEAR(touches.mpc.fault().time, begin + 0.104, 1.1e-3);
 
-  // And it must come off at some time.
-  HandFed stuck(wanted);
+  // A tool that never leaves the surface is a fault, too.
+  StillRobot stuck(wanted);
   begin = pressed_until_the_retreat(stuck);
   stuck.feed(begin + 0.499, 30.0);
   EXPECT_EQ(stuck.mpc.fault().kind, FaultKind::None) << stuck.mpc.fault().text();
   stuck.feed(begin + 0.51, 30.0);
   EXPECT_EQ(stuck.mpc.fault().kind, FaultKind::UnexpectedContact);
 
-  // A push in closed loop, and none.
+  // In closed loop, without and with a push.
   wanted.task.polish_duration = 0.3;
   for (const double push : {0.0, -25.0}) {
     const double end = polishing::make_setting(wanted.task).track_end;
     wanted.task.disturbances.pushes = {{end + 0.3, 0.5, Eigen::Vector3d(0.0, 0.0, push)}};
-    // The sensor feels what pushes.
+    // The force sensor measures the push.
     wanted.spoil = [end, push](Measurement& m) {
       if (m.time > end + 0.3 && m.time < end + 0.8) m.tool_force_world.z() -= push;
     };
@@ -182,14 +182,14 @@ TEST(Fault, unexpected_contact_in_the_retreat) {
   }
 }
 
-TEST(Fault, unexpected_contact_in_the_reach) {
+TEST(Fault, TouchInReach_ReportsUnexpectedContact) {
   MpcCase wanted;
   // The tool comes from 4 cm above and meets something 2 cm above the surface.
   const polishing::Setting setting = polishing::make_setting(wanted.task);
   wanted.task.reach_duration = 0.5;
   wanted.task.clearance = 0.005;
-  wanted.task.point_world =
-      setting.p_start - (wanted.task.tip_radius + 0.04) * wanted.task.normal_world;
+  wanted.task.point_base =
+      setting.p_start - (wanted.task.tip_radius + 0.04) * wanted.task.normal_base;
   wanted.task.disturbances.surface_height = 0.02;
   MpcRun run(wanted);
   ASSERT_EQ(run.run(0.6), Status::Ok);
@@ -200,19 +200,20 @@ TEST(Fault, unexpected_contact_in_the_reach) {
   const Trace::Column contact = run.loop().trace().column("in_contact");
   int touch = 0;
   while (contact[touch] == 0.0) ++touch;
-  EXPECT_LT(fault.time - run.loop().trace().at(touch, 0), 0.01) << "within the window";
+  EXPECT_LT(fault.time - run.loop().trace().at(touch, 0), 0.01)
+      << "later than the window of the mean force";
   expect_fallback(run);
   expect_rest(run);
 }
 
-TEST(Fault, UnexpectedContact_ToolBouncesAsItLeaves_IsNoFault) {
+TEST(Fault, BouncesInRetreat_ReportsNoFault) {
   MpcCase wanted;
   wanted.task.polish_duration = 0.1;
-  HandFed bounces(wanted);
+  StillRobot bounces(wanted);
   bounces.feed(0.25, 0.0);
   while (bounces.mpc.schedule().phase() != number_of(Phase::Retreat))
     bounces.feed(bounces.m.time + 5e-4, 30.0);
-  // As a tool does that late torques shake: off for 16 ms, on for 8 ms, until it is away.
+  // Late torques shake a tool like this: off for 16 ms, on for 8 ms, until it is away.
   for (int i = 0; i < 4; ++i) {
     bounces.feed(bounces.m.time + 0.016, 0.0);
     bounces.feed(bounces.m.time + 0.008, 20.0);
@@ -221,10 +222,10 @@ TEST(Fault, UnexpectedContact_ToolBouncesAsItLeaves_IsNoFault) {
   EXPECT_EQ(bounces.mpc.fault().kind, FaultKind::None) << bounces.mpc.fault().text();
 }
 
-TEST(Fault, AnyKind_TorquesComeLate_SaysSoAndBlamesNoMotor) {
+TEST(Fault, LateTorques_ReportsTheDelayAndNoMotorFault) {
   for (const double delay : {9e-3, 12e-3}) {
     MpcCase wanted;
-    wanted.task.model_error.boost = 6.0;
+    wanted.task.model_error.transient_scale = 6.0;
     wanted.task.disturbances.command_delay = delay;
     MpcRun run(wanted);
     ASSERT_EQ(run.polish(), Status::Ok);
@@ -233,37 +234,37 @@ TEST(Fault, AnyKind_TorquesComeLate_SaysSoAndBlamesNoMotor) {
     EXPECT_NE(fault.kind, FaultKind::MotorLost) << fault.text();
     EXPECT_NE(fault.kind, FaultKind::UnexpectedContact) << fault.text();
     const std::string late = std::to_string(std::lround(1e3 * delay));
-    expect_words(fault.text(), {"follow what was sent " + late + " ms late"});
+    expect_words(fault.text(), {"follow commands " + late + " ms late"});
   }
 }
 
-/// Commands and measurements that come late, as far as the controller knows and beyond.
-MpcCase late(double known, double command, double measurement) {
+/// Delays of commands and measurements [s]; the controller is configured with a fraction of them.
+MpcCase late(double fraction, double command, double measurement) {
   MpcCase wanted;
   wanted.task.disturbances = disturbance_preset("mismatch");
   wanted.task.disturbances.command_delay = command;
   wanted.task.disturbances.measurement_delay = measurement;
-  wanted.task.command_delay = known * command;
-  wanted.task.measurement_delay = known * measurement;
+  wanted.task.command_delay = fraction * command;
+  wanted.task.measurement_delay = fraction * measurement;
   return wanted;
 }
 
-TEST(KnownDelay, OfEightMilliseconds_IsPolishedWithAndFaultsWhereItIsUnknown) {
+TEST(LoopDelay, EightMilliseconds_PolishesIfConfiguredElseFaults) {
   for (const auto& [command, measurement] : {std::pair(8e-3, 0.0), {0.0, 8e-3}, {5e-3, 3e-3}}) {
     SCOPED_TRACE(std::to_string(command) + " s, " + std::to_string(measurement) + " s");
-    MpcRun known(late(1.0, command, measurement));
-    ASSERT_EQ(known.polish(), Status::Ok);
-    EXPECT_EQ(known.mpc().fault().kind, FaultKind::None) << known.mpc().fault().text();
-    EXPECT_LT(known.metrics().force_rmse, 0.6);
-    EXPECT_LT(known.metrics().position_rmse, 0.5e-3);
-    EXPECT_EQ(known.watched().allocations, 0);
-    MpcRun unknown(late(0.0, command, measurement));
-    ASSERT_EQ(unknown.polish(), Status::Ok);
-    EXPECT_NE(unknown.mpc().fault().kind, FaultKind::None);
+    MpcRun configured(late(1.0, command, measurement));
+    ASSERT_EQ(configured.polish(), Status::Ok);
+    EXPECT_EQ(configured.mpc().fault().kind, FaultKind::None) << configured.mpc().fault().text();
+    EXPECT_LT(configured.metrics().force_rmse, 0.6);
+    EXPECT_LT(configured.metrics().position_rmse, 0.5e-3);
+    EXPECT_EQ(configured.watched().allocations, 0);
+    MpcRun not_configured(late(0.0, command, measurement));
+    ASSERT_EQ(not_configured.polish(), Status::Ok);
+    EXPECT_NE(not_configured.mpc().fault().kind, FaultKind::None);
   }
 }
 
-/// A force sensor with noise, white or behind a filter.
+/// Force sensor with noise, white or low-pass filtered.
 MpcCase noisy(double deviation, double cutoff) {
   MpcCase wanted;
   wanted.task.disturbances.force_noise = deviation;
@@ -272,20 +273,20 @@ MpcCase noisy(double deviation, double cutoff) {
   return wanted;
 }
 
-TEST(Fault, is_none_where_the_force_is_noisy_and_all_is_well) {
+TEST(Fault, NoisyForceSensor_ReportsNoFault) {
   for (const double deviation : {2.0, 4.0})
     for (const double cutoff : {0.0, 314.0})
       for (const std::uint64_t seed : {1, 2, 3}) {
         SCOPED_TRACE(std::to_string(deviation) + " N, " + std::to_string(cutoff) + " rad/s");
         MpcCase wanted = noisy(deviation, cutoff);
         wanted.task.disturbances.seed = seed;
-        // Longer in the air, where noise was taken for a touch.
+        // A longer approach, in which the detector could mistake noise for a touch.
         wanted.task.clearance = 0.02;
         wanted.task.polish_duration = 0.3;
         MpcRun run(wanted);
         ASSERT_EQ(run.polish_and_retreat(), Status::Ok);
         EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
-        // The ramp begins with the touch, and not before.
+        // The ramp begins at the touch, not earlier.
         const Trace& trace = run.loop().trace();
         const Trace::Column phase = trace.column("phase"), contact = trace.column("in_contact");
         int touch = 0, ramp = 0;
@@ -296,10 +297,10 @@ TEST(Fault, is_none_where_the_force_is_noisy_and_all_is_well) {
       }
 }
 
-TEST(Fault, contact_lost_is_found_in_noise) {
+TEST(Fault, SurfaceVanishesInNoise_ReportsContactLost) {
   MpcCase wanted = noisy(2.0, 0.0);
   wanted.make_plant = [](const Model& model, const SceneSpec& scene) {
-    return std::make_unique<Vanishing>(model, scene, 0.8);
+    return std::make_unique<VanishingSurfacePlant>(model, scene, 0.8);
   };
   MpcRun run(wanted);
   ASSERT_EQ(run.polish(), Status::Ok);

@@ -1,4 +1,4 @@
-// Model predictive control in closed loop on the ideal plant: what it reaches, repeats, bears.
+// Model predictive control in closed loop on the ideal plant: accuracy, repeatability, robustness.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -27,11 +27,11 @@ Eigen::VectorXd last_row(const Trace& trace) {
   Eigen::VectorXd row(static_cast<Eigen::Index>(trace.columns().size()));
   for (Eigen::Index i = 0; i < row.size(); ++i)
     row[i] = trace.at(trace.rows() - 1, static_cast<int>(i));
-  row[trace.index("solve_time")] = 0.0;  // of the wall clock
+  row[trace.index("solve_time")] = 0.0;  // measured by the wall clock
   return row;
 }
 
-TEST(MpcController, presses_and_follows_the_path_through_all_phases) {
+TEST(MpcController, WholeTask_PressesAndFollowsThePath) {
   MpcRun run({});
   ASSERT_EQ(run.polish_and_retreat(), Status::Ok);
   expect_no_fault(run);
@@ -51,13 +51,13 @@ TEST(MpcController, presses_and_follows_the_path_through_all_phases) {
   EXPECT_EQ(run.mpc().plan().rows(), 31);
 }
 
-TEST(MpcController, gives_the_same_bits_again) {
+TEST(MpcController, SecondRunOrReset_GivesTheSameBits) {
   MpcCase wanted = with_bias(ModelErrorKind::Torque);
   wanted.task.solver_delay = 0.005;
   MpcRun once(wanted), again(wanted);
   ASSERT_EQ(once.run(0.8), Status::Ok);
   const Eigen::VectorXd first = last_row(once.loop().trace());
-  // In another controller, and in one that has run and gone wrong before.
+  // A second controller gives the same row, before and after a run with a fault.
   ASSERT_EQ(again.run(0.8), Status::Ok);
   EXPECT_EQ(last_row(again.loop().trace()), first);
   again.watched().spoil = [](Measurement& m) { m.q.setConstant(std::nan("")); };
@@ -69,7 +69,7 @@ TEST(MpcController, gives_the_same_bits_again) {
   EXPECT_EQ(last_row(again.loop().trace()), first);
 }
 
-TEST(MpcController, allocates_nothing_in_ticks) {
+TEST(MpcController, Ticks_AllocateNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   std::vector<MpcCase> cases(6);
   cases[1].task.model_error.kind = ModelErrorKind::Force;
@@ -77,7 +77,7 @@ TEST(MpcController, allocates_nothing_in_ticks) {
   cases[2].task.model_error.kind = ModelErrorKind::None;
   cases[3].task.torque_cutoff = cases[3].task.disturbances.torque_cutoff = 100.0;
   cases[4].task.disturbances.surface_height = 0.002;  // contact is early
-  // A fault, and what follows.
+  // A fault and the fallback after it.
   cases[5].spoil = [](Measurement& m) {
     if (m.time > 0.5) m.v[1] = infinity;
   };
@@ -90,10 +90,10 @@ TEST(MpcController, allocates_nothing_in_ticks) {
   }
 }
 
-TEST(MpcController, makes_up_for_a_solver_delay) {
+TEST(MpcController, SolverDelay_LeavesTheErrorsUnchanged) {
   MpcRun at_once({});
   ASSERT_EQ(at_once.polish(), Status::Ok);
-  // The last one's plans are due when the next one is made.
+  // With 10 ms, a plan takes effect when the controller makes the next one.
   for (const double delay : {5e-3, 10e-3}) {
     MpcCase wanted;
     wanted.task.solver_delay = delay;
@@ -105,17 +105,17 @@ TEST(MpcController, makes_up_for_a_solver_delay) {
   }
 }
 
-TEST(MpcController, uses_a_plan_as_late_as_it_says) {
+TEST(MpcController, SolverDelay_PlanTakesEffectAfterIt) {
   MpcCase wanted;
   wanted.task.solver_delay = 5e-3;
   MpcRun run(wanted);
   ASSERT_EQ(run.run(0.7), Status::Ok);
-  // At 0.7 s the next update is due, and at 0.705 s its plan: the gain changes then alone.
+  // The update at 0.7 s takes effect at 0.705 s; the gain changes only then.
   Eigen::MatrixXd gain = run.mpc().feedback().gain;
   std::vector<int> changed;
   for (int tick = 0; tick < 20; ++tick) {
     ASSERT_EQ(run.run(5e-4), Status::Ok);
-    // Knots follow each other every 10 ms, from the plan's start on.
+    // The knots of a plan are 10 ms apart.
     if (run.mpc().feedback().gain != gain) changed.push_back(tick);
     gain = run.mpc().feedback().gain;
   }
@@ -126,7 +126,7 @@ int plans_of(MpcRun& run) {
   return static_cast<int>((run.loop().trace().column("solve_time").array() > 0.0).count());
 }
 
-TEST(MpcController, lets_pass_the_time_that_plans_took) {
+TEST(MpcController, MeasuredTiming_PlansTakeTheirSolveTime) {
   MpcCase quick;
   quick.task.timing = PlanTiming::Measured;
   quick.task.slowdown = 1e-6;
@@ -143,7 +143,7 @@ TEST(MpcController, lets_pass_the_time_that_plans_took) {
   expect_no_fault(waits);
 }
 
-TEST(MpcController, holds_the_robot_until_it_has_settled) {
+TEST(MpcController, SettleTime_RobotStaysAtItsStart) {
   MpcCase wanted;
   wanted.change = [](MpcSpec& spec) { spec.settle = 0.1; };
   MpcRun run(wanted);
@@ -156,7 +156,7 @@ TEST(MpcController, holds_the_robot_until_it_has_settled) {
   EXPECT_NEAR(run.mpc().schedule().time(), 0.04, 2e-3);
 }
 
-TEST(MpcController, predicts_the_state_that_a_delayed_plan_starts_from) {
+TEST(MpcController, SolverDelay_PlanStartsFromThePredictedState) {
   for (const double delay : {4e-3, 10e-3, 15e-3}) {  // the last one is longer than a knot
     MpcCase wanted;
     wanted.task.update_rate = 50.0;
@@ -169,13 +169,13 @@ TEST(MpcController, predicts_the_state_that_a_delayed_plan_starts_from) {
     const Eigen::VectorXd from = run.watched().seen.q;
     ASSERT_EQ(run.run(delay - 5e-4), Status::Ok);
     const double moved = (run.plant().q() - from).norm();
-    const double off = (run.plant().q() - planned.head(6)).norm();
+    const double error = (run.plant().q() - planned.head(6)).norm();
     EXPECT_GT(moved, 1e-4);
-    EXPECT_LT(off, 0.02 * moved) << delay;
+    EXPECT_LT(error, 0.02 * moved) << delay;
   }
 }
 
-TEST(MpcController, leaves_the_force_off_without_an_estimate_of_the_model_error) {
+TEST(MpcController, NoModelErrorEstimate_ForceErrorRemains) {
   MpcRun run(with_bias(ModelErrorKind::None));
   ASSERT_EQ(run.polish(), Status::Ok);
   expect_no_fault(run);
@@ -184,19 +184,20 @@ TEST(MpcController, leaves_the_force_off_without_an_estimate_of_the_model_error)
   EXPECT_EQ(run.mpc().force_error(), 0.0);
 }
 
-TEST(MpcController, leaves_no_force_error_with_the_torque_error_known) {
+TEST(MpcController, TorqueErrorEstimate_RemovesTheForceError) {
   MpcCase wanted = with_bias(ModelErrorKind::Torque);
-  wanted.task.model_error.joint_friction = false;  // which takes a part of it for its own
+  // A friction estimate would take part of the bias as friction.
+  wanted.task.model_error.joint_friction = false;
   MpcRun run(wanted);
   ASSERT_EQ(run.polish(), Status::Ok);
   expect_no_fault(run);
   EXPECT_LT(run.metrics().force_mae, 0.1);
-  EXPECT_LT(run.metrics().estimate_rmse,
-            0.01);  // the bias counts once, although sensors see it too
+  // The bias counts once, although the torque sensors measure it too.
+  EXPECT_LT(run.metrics().estimate_rmse, 0.01);
   EXPECT_LT((run.mpc().torque_error() - Eigen::VectorXd::Constant(6, 1.0)).norm(), 0.05);
 }
 
-TEST(MpcController, leaves_no_force_error_with_the_force_error_known) {
+TEST(MpcController, ForceErrorEstimate_RemovesTheForceError) {
   MpcRun run(with_bias(ModelErrorKind::Force));
   ASSERT_EQ(run.polish(), Status::Ok);
   expect_no_fault(run);
@@ -205,24 +206,25 @@ TEST(MpcController, leaves_no_force_error_with_the_force_error_known) {
   EXPECT_TRUE(run.mpc().torque_error().isZero(0.0));
 }
 
-TEST(MpcController, controls_actuators_that_lag) {
+TEST(MpcController, ActuatorLag_ForceAndPathStayAccurate) {
   for (const double bias : {0.0, 1.0}) {
     MpcCase wanted;
     wanted.task.torque_cutoff = wanted.task.disturbances.torque_cutoff = 100.0;
     wanted.task.disturbances.torque_bias = Eigen::VectorXd::Constant(6, bias);
-    wanted.task.model_error.joint_friction = false;  // takes a part of the bias
+    // A friction estimate would take part of the bias as friction.
+    wanted.task.model_error.joint_friction = false;
     MpcRun run(wanted);
     ASSERT_EQ(run.polish(), Status::Ok);
     expect_no_fault(run);
     EXPECT_EQ(run.mpc().feedback().gain.cols(), 18);
     EXPECT_LT(run.metrics().force_mae, 0.15) << bias;
     EXPECT_LT(run.metrics().position_rmse, 3e-4) << bias;
-    // The filter's lag is no model error.
+    // The estimate does not include the lag of the actuators.
     EXPECT_LT((run.mpc().torque_error() - Eigen::VectorXd::Constant(6, bias)).norm(), 0.02);
   }
 }
 
-TEST(MpcController, holds_the_planned_torque_if_it_shall_not_feed_back) {
+TEST(MpcController, NoFeedback_SendsTheFeedforwardTorque) {
   MpcCase wanted;
   wanted.task.feedback = false;
   MpcRun run(wanted);
@@ -231,7 +233,7 @@ TEST(MpcController, holds_the_planned_torque_if_it_shall_not_feed_back) {
   EXPECT_EQ(run.loop().command().tau, run.mpc().feedback().feedforward);
 }
 
-TEST(MpcController, takes_update_periods_that_are_no_multiple_of_a_knot) {
+TEST(MpcController, UpdatePeriodBetweenKnots_ForceAndPathStayAccurate) {
   for (const double rate : {400.0, 80.0}) {
     MpcCase wanted;
     wanted.task.update_rate = rate;
@@ -243,12 +245,12 @@ TEST(MpcController, takes_update_periods_that_are_no_multiple_of_a_knot) {
   }
 }
 
-TEST(MpcController, meets_a_surface_that_is_nearer_or_farther_than_known) {
+TEST(MpcController, SurfaceHeightWrong_RampStartsAtTheTouch) {
   for (const double height : {0.003, -0.01}) {
     MpcCase wanted;
     wanted.task.disturbances.surface_height = height;
     MpcRun run(wanted);
-    // 0.3 s were planned for; the last 50 ms of them are gone through again and again.
+    // Contact is planned at 0.3 s; until the touch, the schedule repeats the last 50 ms before it.
     ASSERT_EQ(run.run(2.0), Status::Ok);
     expect_no_fault(run);
     const Trace& trace = run.loop().trace();
@@ -265,7 +267,7 @@ TEST(MpcController, meets_a_surface_that_is_nearer_or_farther_than_known) {
   }
 }
 
-TEST(MpcController, stays_within_effort_limits) {
+TEST(MpcController, Push_TorquesKeepEffortLimits) {
   MpcCase wanted;
   Eigen::VectorXd limit;
   wanted.change = [&](MpcSpec& spec) {
@@ -278,18 +280,19 @@ TEST(MpcController, stays_within_effort_limits) {
   EXPECT_TRUE(run.watched().finite);
   EXPECT_TRUE((run.watched().largest.array() <= limit.array()).all())
       << run.watched().largest.transpose();
-  EXPECT_TRUE((run.watched().largest.array() == limit.array()).any()) << "nothing was limited";
+  EXPECT_TRUE((run.watched().largest.array() == limit.array()).any())
+      << "no torque reached its limit";
 }
 
-TEST(MpcController, commands_a_finite_torque_whatever_it_measures) {
+TEST(MpcController, CorruptMeasurements_TorqueStaysFinite) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<double> draw(0.0, 1.0);
-  const double odd[] = {std::nan(""), infinity, -infinity, 1e300, -1e300, 0.0, 50.0};
+  const double corrupt_values[] = {std::nan(""), infinity, -infinity, 1e300, -1e300, 0.0, 50.0};
   for (int trial = 0; trial < 20; ++trial) {
     MpcCase wanted;
     wanted.spoil = [&](Measurement& m) {
       if (draw(generator) > 0.2) return;
-      const double value = odd[generator() % 7];
+      const double value = corrupt_values[generator() % 7];
       const auto entry = static_cast<Eigen::Index>(generator() % 6);
       switch (generator() % 6) {
         case 0:
@@ -317,7 +320,7 @@ TEST(MpcController, commands_a_finite_torque_whatever_it_measures) {
   }
 }
 
-TEST(MpcController, waits_for_its_first_measurement) {
+TEST(MpcController, FirstMeasurementsInvalid_WaitsForAValidOne) {
   MpcCase wanted;
   wanted.spoil = [](Measurement& m) {
     if (m.time < 0.004) m.v[0] = std::nan("");
@@ -325,16 +328,17 @@ TEST(MpcController, waits_for_its_first_measurement) {
   MpcRun run(wanted);
   ASSERT_EQ(run.run(5e-4), Status::Ok);
   EXPECT_EQ(run.loop().command().status, Status::NotFinite);
-  EXPECT_GT(run.loop().command().tau.norm(), 1.0) << "held against gravity";
+  EXPECT_GT(run.loop().command().tau.norm(), 1.0)
+      << "the command does not support the robot against gravity";
   ASSERT_EQ(run.run(0.0045), Status::Ok);
-  // The solve does not wait for the next period.
+  // The first solve happens at once, not at the next update period.
   EXPECT_GT(run.mpc().feedback().gain.norm(), 0.0);
   ASSERT_EQ(run.polish(), Status::Ok);
   expect_no_fault(run);
   EXPECT_LT(run.metrics().force_mae, 0.1);
 }
 
-TEST(MpcController, does_not_mind_when_clocks_started) {
+TEST(MpcController, ClockOffset_ChangesNothing) {
   MpcCase wanted;
   wanted.spoil = [](Measurement& m) { m.time += 1.7e9; };  // seconds since 1970
   MpcRun run(wanted), plain({});
@@ -345,9 +349,9 @@ TEST(MpcController, does_not_mind_when_clocks_started) {
   EXPECT_NEAR(run.mpc().schedule().time(), plain.mpc().schedule().time(), 1e-3);
 }
 
-TEST(MpcController, counts_time_over_ticks_that_it_bridges) {
+TEST(MpcController, LostTicks_ScheduleStillAdvances) {
   MpcCase wanted;
-  // Every tenth tick is lost, updates among them.
+  // Every tenth measurement is invalid, some of them at updates.
   wanted.spoil = [tick = 0](Measurement& m) mutable {
     if (tick++ % 10 == 0) m.q[2] = std::nan("");
   };
@@ -359,7 +363,7 @@ TEST(MpcController, counts_time_over_ticks_that_it_bridges) {
   EXPECT_NEAR(run.metrics().force_mae, plain.metrics().force_mae, 0.05);
 }
 
-TEST(MpcController, refuses_what_does_not_fit_together) {
+TEST(MpcController, InvalidSpec_IsRefused) {
   const polishing::Task task = short_task();
   const polishing::Setting setting = polishing::make_setting(task);
   const MpcSpec good = polishing::make_mpc(task, setting);
@@ -371,24 +375,25 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
   using S = MpcSpec;
   const double nan = std::nan("");
   EXPECT_EQ(with([](S&) {}), "");
-  expect_words(with([](S& s) { s.normal_world.setZero(); }), {"normal"});
-  expect_words(with([&](S& s) { s.normal_world[1] = nan; }), {"normal"});
+  expect_words(with([](S& s) { s.normal_base.setZero(); }), {"normal"});
+  expect_words(with([&](S& s) { s.normal_base[1] = nan; }), {"normal"});
   expect_words(with([](S& s) { s.tool = "tolo"; }), {"tolo", "tool"});
   expect_words(with([](S& s) { s.schedule.clear(); }), {"phases"});
   expect_words(with([](S& s) { s.schedule[0].stage = "raech"; }), {"raech", "reach"});
   expect_words(with([](S& s) { s.update_period = 7.3e-4; }), {"multiple", "0.00073", "0.0005"});
-  expect_words(with([](S& s) { s.update_period = 0.0; }), {"update period"});
+  expect_words(with([](S& s) { s.update_period = 0.0; }), {"update_period is 0 s"});
   expect_words(with([](S& s) { s.tick_period = 0.0; }), {"tick"});
   expect_words(with([&](S& s) { s.tick_period = nan; }), {"tick"});
   expect_words(with([](S& s) { s.tick_period = s.update_period = 1e-9; }),
-               {"a tick of 1e-09 s; wanted at least 1e-05 s"});
-  expect_words(with([](S& s) { s.solver_delay = 0.02; }), {"solver delay", "0.02", "0.01"});
-  expect_words(with([](S& s) { s.solver_delay = -1e-3; }), {"solver delay"});
+               {"tick_period is 1e-09 s; wanted at least 1e-05 s"});
+  expect_words(with([](S& s) { s.solver_delay = 0.02; }), {"solver_delay", "0.02", "0.01"});
+  expect_words(with([](S& s) { s.solver_delay = -1e-3; }), {"solver_delay"});
   expect_words(with([](S& s) { s.problem.horizon[0].knots = 2; }), {"horizon", "0.02"});
   expect_words(with([](S& s) { s.problem.stages[1].step = 0.02; }), {"approach", "step", "0.02"});
   expect_words(with([](S& s) { s.problem.stages[2].impact = true; }), {"press", "impact"});
   expect_words(with([](S& s) { s.problem.stages.clear(); }), {"no stages"});
-  expect_words(with([](S& s) { s.first_iterations = 0; }), {"0 iterations"});
+  expect_words(with([](S& s) { s.first_iterations = 0; }),
+               {"first_iterations", "is 0; wanted at least 1"});
   expect_words(with([](S& s) { s.fallback.damping = -1.0; }), {"damping", "-1"});
   expect_words(with([](S& s) {
                  s.force_sensor = false;
@@ -396,8 +401,9 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
                }),
                {"without a force sensor", "model_error.kind torque"});
   expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "nan", "at least 0"});
-  expect_words(with([](S& s) { s.fallback.give = 1.5; }), {"give", "1.5", "between 0 and 1"});
-  const auto without = [&](auto&& change) {
+  expect_words(with([](S& s) { s.fallback.saturation_fraction = 1.5; }),
+               {"saturation_fraction", "1.5", "between 0 and 1"});
+  const auto with_task = [&](auto&& change) {
     return with([&](S& s) {
       PressingTask pressing = *s.task.target<PressingTask>();
       change(pressing);
@@ -405,14 +411,15 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
     });
   };
   using P = PressingTask;
-  EXPECT_EQ(without([](P&) {}), "");
-  expect_words(without([](P& p) { p.target = nullptr; }), {"target"});
-  expect_words(without([](P& p) { p.touch.pop_back(); }), {"touch has 4 entries", "5 phases"});
-  expect_words(without([](P& p) { p.limits.late_contact_travel = -0.1; }), {"late_contact_travel"});
-  expect_words(without([&](P& p) { p.limits.late_contact_time = nan; }), {"late_contact_time"});
-  expect_words(without([](P& p) { p.limits.release = -1.0; }), {"release"});
-  expect_words(without([&](P& p) { p.limits.force = nan; }), {"limit", "force"});
-  expect_words(without([](P& p) { p.limits.force_window = 2.0; }), {"force window"});
+  EXPECT_EQ(with_task([](P&) {}), "");
+  expect_words(with_task([](P& p) { p.target = nullptr; }), {"target"});
+  expect_words(with_task([](P& p) { p.touch.pop_back(); }), {"touch has 4 entries", "5 phases"});
+  expect_words(with_task([](P& p) { p.limits.late_contact_travel = -0.1; }),
+               {"late_contact_travel"});
+  expect_words(with_task([&](P& p) { p.limits.late_contact_time = nan; }), {"late_contact_time"});
+  expect_words(with_task([](P& p) { p.limits.release = -1.0; }), {"release"});
+  expect_words(with_task([&](P& p) { p.limits.force = nan; }), {"limit", "force"});
+  expect_words(with_task([](P& p) { p.limits.force_window = 2.0; }), {"force_window"});
   expect_words(with([](S& s) { s.limits.bad = -1.0; }), {"bad", "-1"});
   expect_words(with([](S& s) { s.limits.stale = 5e-4; }), {"stale", "tick"});
   expect_words(with([](S& s) { s.limits.failed_solves = 0; }), {"failed_solves", "0"});

@@ -1,4 +1,4 @@
-// How well the fallback holds a robot that it does not know exactly, after every fault of a run.
+// Accuracy of the fallback controller after each fault, with an inexact model of the robot.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -7,7 +7,7 @@
 namespace burnish::test {
 namespace {
 
-/// A robot that is 5 % heavier than known, with 2 Nm too much at every joint.
+/// Robot 5 % heavier than its model, with a torque bias of 2 Nm at every joint.
 MpcCase wrong_model() {
   MpcCase wanted;
   wanted.task.disturbances.mass_scale = 1.05;
@@ -15,20 +15,20 @@ MpcCase wrong_model() {
   return wanted;
 }
 
-struct Happening {
+struct FaultCase {
   FaultKind kind;
-  double until;  ///< s, when all that caused it is over
-  std::function<void(MpcCase&)> arrange;
+  double until;                           ///< Time at which the cause of the fault ends [s]
+  std::function<void(MpcCase&)> arrange;  ///< Sets up the cause
 };
 
 void push(MpcCase& wanted, double start, const Eigen::Vector3d& force) {
   wanted.task.disturbances.pushes = {{start, 0.2, force}};
 }
 
-std::vector<Happening> happenings() {
-  const auto spoil = [](MpcCase& wanted, auto what) {
-    wanted.spoil = [what](Measurement& m) {
-      if (m.time > 0.7 && m.time < 0.75) what(m);
+std::vector<FaultCase> fault_cases() {
+  const auto spoil = [](MpcCase& wanted, auto change) {
+    wanted.spoil = [change](Measurement& m) {
+      if (m.time > 0.7 && m.time < 0.75) change(m);
     };
   };
   return {
@@ -73,8 +73,8 @@ std::vector<Happening> happenings() {
       {FaultKind::UnexpectedContact, 0.5,
        [](MpcCase& w) {
          w.task.reach_duration = 0.5;
-         w.task.point_world = polishing::make_setting(w.task).p_start -
-                              (w.task.tip_radius + 0.04) * w.task.normal_world;
+         w.task.point_base = polishing::make_setting(w.task).p_start -
+                             (w.task.tip_radius + 0.04) * w.task.normal_base;
          w.task.disturbances.surface_height = 0.02;
        }},
       {FaultKind::ForceLimit, 1.0,
@@ -91,39 +91,39 @@ Eigen::Vector3d tool_of(MpcRun& run) {
   return frame_placement(run.setting().robot.model, run.plant().q(), "tool").translation();
 }
 
-/// Runs into the fault and on until its cause is over.
-void fail(MpcRun& run, const Happening& happening) {
+/// Runs until the fault occurs and on until its cause has ended.
+void run_into_fault(MpcRun& run, const FaultCase& fault_case) {
   while (run.mpc().fault().kind == FaultKind::None && run.now() < 2.5)
     ASSERT_EQ(run.run(5e-4), Status::Ok);
-  ASSERT_EQ(run.mpc().fault().kind, happening.kind) << run.mpc().fault().text();
-  if (run.now() < happening.until) {
-    ASSERT_EQ(run.run(happening.until - run.now()), Status::Ok);
+  ASSERT_EQ(run.mpc().fault().kind, fault_case.kind) << run.mpc().fault().text();
+  if (run.now() < fault_case.until) {
+    ASSERT_EQ(run.run(fault_case.until - run.now()), Status::Ok);
   }
 }
 
-TEST(Fallback, holds_a_robot_that_it_does_not_know_exactly_after_every_fault) {
-  for (const Happening& happening : happenings()) {
-    SCOPED_TRACE(name_of(happening.kind));
+TEST(Fallback, AnyFaultWithWrongModel_KeepsTheRobotInPlace) {
+  for (const FaultCase& fault_case : fault_cases()) {
+    SCOPED_TRACE(name_of(fault_case.kind));
     MpcCase wanted = wrong_model();
-    happening.arrange(wanted);
+    fault_case.arrange(wanted);
     MpcRun run(wanted);
-    fail(run, happening);
+    run_into_fault(run, fault_case);
     const Eigen::Vector3d at_fault = tool_of(run);
     ASSERT_EQ(run.run(0.5), Status::Ok);
     const Eigen::Vector3d at_rest = tool_of(run);
-    double drift = 0.0, pressed = 0.0;
+    double drift = 0.0, max_force = 0.0;
     for (int i = 0; i < 60; ++i) {
       ASSERT_EQ(run.run(0.05), Status::Ok);
       drift = std::max(drift, (tool_of(run) - at_rest).norm());
-      pressed = std::max(pressed, run.plant().contact_force_world().norm());
+      max_force = std::max(max_force, run.plant().contact_force_world().norm());
     }
-    RecordProperty(std::string(name_of(happening.kind)) + " mm",
+    RecordProperty(std::string(name_of(fault_case.kind)) + " mm",
                    std::to_string(1e3 * (at_rest - at_fault).norm()) + " + " +
-                       std::to_string(1e3 * drift) + ", N " + std::to_string(pressed));
-    EXPECT_LT(drift, 1e-3) << "it sinks";
+                       std::to_string(1e3 * drift) + ", N " + std::to_string(max_force));
+    EXPECT_LT(drift, 1e-3) << "the tool sinks";
     EXPECT_LT((at_rest - at_fault).norm(), 0.015);
     EXPECT_LT(run.plant().v().norm(), 1e-3);
-    EXPECT_LT(pressed, 30.0);
+    EXPECT_LT(max_force, 30.0);
     EXPECT_TRUE(run.watched().finite);
     EXPECT_TRUE(
         (run.watched().largest.array() <= run.mpc().problem().model().effort_limit.array()).all());
@@ -133,7 +133,7 @@ TEST(Fallback, holds_a_robot_that_it_does_not_know_exactly_after_every_fault) {
   }
 }
 
-TEST(Fallback, lets_the_robot_sink_without_a_spring) {
+TEST(Fallback, ZeroStiffness_LetsTheRobotSink) {
   MpcCase wanted = wrong_model();
   wanted.task.limits.deadline = 0.0;
   wanted.task.fallback.stiffness = 0.0;
@@ -145,14 +145,14 @@ TEST(Fallback, lets_the_robot_sink_without_a_spring) {
   EXPECT_GT((tool_of(run) - before).norm(), 0.03);
 }
 
-TEST(Fallback, resists_a_push_and_gives_way_to_a_hard_one) {
+TEST(Fallback, WeakOrHardPush_SpringsBackOrYields) {
   const auto pushed = [](double force, double duration) {
     MpcCase wanted;
     wanted.task.limits.deadline = 0.0;
     wanted.task.disturbances.pushes = {{0.5, duration, Eigen::Vector3d(0.0, force, 0.0)}};
     return wanted;
   };
-  // 20 N: a little, and back.
+  // 20 N displace the tool a little, and it springs back.
   MpcRun gentle(pushed(20.0, 1.0));
   ASSERT_EQ(gentle.run(0.5), Status::Ok);
   ASSERT_EQ(gentle.mpc().fault().kind, FaultKind::SolverLate);
@@ -165,7 +165,7 @@ TEST(Fallback, resists_a_push_and_gives_way_to_a_hard_one) {
   EXPECT_LT(moved, 0.02);
   EXPECT_LT((tool_of(gentle) - start).norm(), 1e-3);
 
-  // 150 N: it goes along, slowly, and stays near where it was left.
+  // 150 N displace the tool slowly, and it stays near the place where the push ends.
   MpcRun hard(pushed(150.0, 0.3));
   ASSERT_EQ(hard.run(0.8), Status::Ok);
   const Eigen::Vector3d left = tool_of(hard);
@@ -177,7 +177,7 @@ TEST(Fallback, resists_a_push_and_gives_way_to_a_hard_one) {
       (hard.watched().largest.array() <= hard.mpc().problem().model().effort_limit.array()).all());
 }
 
-TEST(Fallback, holds_with_noisy_late_measurements_of_which_some_are_lost) {
+TEST(Fallback, NoisyLateOrLostMeasurements_KeepsTheRobotInPlace) {
   MpcCase wanted = wrong_model();
   Disturbances& d = wanted.task.disturbances;
   d.command_delay = 2e-3;

@@ -1,5 +1,5 @@
-// Every fault but those of contact (contact_fault_test.cpp), made to happen in closed loop: what is
-// reported, and that the robot comes to rest.
+// Every fault except those of contact (contact_fault_test.cpp), provoked in closed loop: the
+// report, and the robot coming to rest.
 #include "burnish/mpc/fault.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using testing::expect_words;
 
-TEST(Fault, stale_measurement_when_time_stands_still) {
+TEST(Fault, TimeStandsStill_ReportsStaleMeasurement) {
   MpcCase wanted;
   wanted.spoil = between(0.6, 0.64, [](Measurement& m) { m.time = 0.5995; });
   MpcRun run(wanted);
@@ -22,7 +22,7 @@ TEST(Fault, stale_measurement_when_time_stands_still) {
   expect_rest(run);
 }
 
-TEST(Fault, stale_measurement_when_time_leaps) {
+TEST(Fault, TimeLeaps_ReportsStaleMeasurement) {
   MpcCase wanted;
   wanted.spoil = between(0.6, 100.0, [](Measurement& m) { m.time += 0.1; });
   MpcRun run(wanted);
@@ -34,9 +34,9 @@ TEST(Fault, stale_measurement_when_time_leaps) {
   expect_fallback(run);
 }
 
-TEST(Fault, bad_measurement_of_any_kind) {
+TEST(Fault, InvalidMeasurement_ReportsBadMeasurement) {
   const double nan = std::nan("");
-  const std::vector<std::function<void(Measurement&)>> ways{
+  const std::vector<std::function<void(Measurement&)>> corruptions{
       [&](Measurement& m) { m.q[3] = nan; },
       [&](Measurement& m) { m.v[0] = nan; },
       [&](Measurement& m) { m.tau[5] = std::numeric_limits<double>::infinity(); },
@@ -45,19 +45,19 @@ TEST(Fault, bad_measurement_of_any_kind) {
       [](Measurement& m) { m.q.conservativeResize(5); },
       [](Measurement& m) { m.v.conservativeResize(7); },
       [](Measurement& m) { m.tau.resize(0); }};
-  for (std::size_t i = 0; i < ways.size(); ++i) {
+  for (std::size_t i = 0; i < corruptions.size(); ++i) {
     SCOPED_TRACE(i);
     MpcCase wanted;
-    wanted.spoil = between(0.6, 0.63, ways[i]);
+    wanted.spoil = between(0.6, 0.63, corruptions[i]);
     MpcRun run(wanted);
     ASSERT_EQ(run.run(0.64), Status::Ok);
     expect_report(run.mpc().fault(), FaultKind::BadMeasurement, 0.61, 1e-3);
     expect_fallback(run);
     expect_rest(run);
 
-    // The same for a single tick is bridged, whichever it is.
+    // The controller bridges a single corrupt tick, at an update or between updates.
     for (const double when : {0.6, 0.6005}) {
-      wanted.spoil = between(when, when + 5e-4, ways[i]);
+      wanted.spoil = between(when, when + 5e-4, corruptions[i]);
       MpcRun bridged(wanted);
       ASSERT_EQ(bridged.polish(), Status::Ok);
       EXPECT_EQ(bridged.mpc().fault().kind, FaultKind::None) << bridged.mpc().fault().text();
@@ -66,8 +66,8 @@ TEST(Fault, bad_measurement_of_any_kind) {
   }
 }
 
-TEST(Fault, damping_dies_away_when_nothing_is_measured_any_more) {
-  // Blind in the middle of a motion: the torque must not go on braking a velocity of long ago.
+TEST(Fault, MeasurementsStop_DampingDecays) {
+  // Measurements stop during a motion: the torque must not keep damping an old velocity.
   MpcCase wanted;
   wanted.task.path.rate = 8.0;
   wanted.spoil =
@@ -87,18 +87,18 @@ TEST(Fault, damping_dies_away_when_nothing_is_measured_any_more) {
   const Eigen::VectorXd damping = fallback_torque(model, q, v) - gravity;
   for (const double duration : {0.1, 0.4}) {
     ASSERT_EQ(run.run(duration), Status::Ok);
-    const double share =
+    const double decay =
         std::exp(-Fallback{}.damping * (run.now() - 5e-4 - run.mpc().fault().time));
-    const Eigen::VectorXd due = gravity + share * damping;
+    const Eigen::VectorXd due = gravity + decay * damping;
     EXPECT_LT((run.loop().command().tau - due).norm(), 1e-2 * damping.norm()) << duration;
   }
 }
 
-TEST(Fault, joint_out_of_range) {
+TEST(Fault, JointBeyondItsRange_ReportsOutOfRange) {
   MpcCase wanted;
   double limit = 0.0;
   wanted.change = [&](MpcSpec& spec) {
-    // The approach bends the elbow over this.
+    // The approach moves the elbow beyond this limit.
     limit = spec.problem.initial_state[5] - 0.002;
     spec.problem.model.q_lower[5] = limit;
     spec.problem.model.q_upper[5] = limit + 0.004;
@@ -130,7 +130,7 @@ void aim(MpcSpec& spec, const Signal::Function& function) {
     }
 }
 
-TEST(Fault, solver_failed_when_there_is_no_target) {
+TEST(Fault, TargetNotFinite_ReportsSolverFailed) {
   MpcCase wanted;
   wanted.change = [](MpcSpec& spec) {
     aim(spec, [](double t, Eigen::Ref<Eigen::VectorXd> p) {
@@ -139,7 +139,7 @@ TEST(Fault, solver_failed_when_there_is_no_target) {
   };
   MpcRun run(wanted);
   ASSERT_EQ(run.polish(), Status::Ok);
-  // A second is in sight from 0.7 s on; the fifth update without a plan is 40 ms later.
+  // The horizon reaches 1 s at 0.7 s; the fifth update without a plan comes 40 ms later.
   expect_report(run.mpc().fault(), FaultKind::SolverFailed, 0.76, 0.011);
   EXPECT_EQ(run.mpc().fault().value, 5.0);
   expect_words(run.mpc().fault().text(),
@@ -148,7 +148,7 @@ TEST(Fault, solver_failed_when_there_is_no_target) {
   expect_rest(run);
 }
 
-TEST(Fault, solver_failed_when_a_function_throws) {
+TEST(Fault, TargetThrows_ReportsSolverFailed) {
   MpcCase wanted;
   wanted.change = [](MpcSpec& spec) {
     aim(spec, [](double t, const Eigen::Ref<Eigen::VectorXd>&) {
@@ -178,7 +178,7 @@ TEST(Fault, solver_failed_when_a_function_throws) {
   EXPECT_FALSE(run.mpc().take_exception());
 }
 
-/// A residual of a user's that throws after a while.
+/// Residual of a user that throws after a given time.
 struct Throwing {
   int rows = 1;
   double after = 0.0;
@@ -188,7 +188,7 @@ struct Throwing {
   }
 };
 
-TEST(Fault, solver_failed_when_a_residual_throws_in_a_thread_of_the_solver) {
+TEST(Fault, ResidualThrowsInSolverThread_ReportsSolverFailed) {
   for (const int threads : {1, 2}) {
     MpcCase wanted;
     wanted.change = [threads](MpcSpec& spec) {
@@ -212,7 +212,7 @@ TEST(Fault, solver_failed_when_a_residual_throws_in_a_thread_of_the_solver) {
   }
 }
 
-TEST(Fault, solver_failed_at_once_when_the_first_plan_fails) {
+TEST(Fault, FirstPlanFails_ReportsSolverFailedAtOnce) {
   MpcCase wanted;
   wanted.change = [](MpcSpec& spec) {
     spec.problem.stages[0].costs.push_back(
@@ -229,7 +229,7 @@ TEST(Fault, solver_failed_at_once_when_the_first_plan_fails) {
   expect_rest(run);
 }
 
-TEST(Fault, is_none_when_a_few_updates_fail) {
+TEST(Fault, FourFailedUpdates_ReportsNoFault) {
   for (const bool throws : {false, true}) {
     bool broken = false;
     MpcCase wanted;
@@ -252,12 +252,12 @@ TEST(Fault, is_none_when_a_few_updates_fail) {
   }
 }
 
-TEST(Fault, solver_late_after_deadlines_in_a_row) {
+TEST(Fault, FiveMissedDeadlines_ReportsSolverLate) {
   MpcCase wanted;
   wanted.task.limits.deadline = 0.0;
   MpcRun run(wanted);
   ASSERT_EQ(run.run(0.1), Status::Ok);
-  // The first solve may take its time; then five.
+  // The first solve has no deadline; the five after it miss theirs.
   expect_report(run.mpc().fault(), FaultKind::SolverLate, 0.05, 1e-9);
   EXPECT_EQ(run.mpc().fault().value, 5.0);
   const Trace::Column missed = run.loop().trace().column("missed_deadline");
@@ -267,7 +267,7 @@ TEST(Fault, solver_late_after_deadlines_in_a_row) {
   expect_rest(run);
 }
 
-TEST(Fault, force_limit_when_the_tool_is_pushed_on) {
+TEST(Fault, PushIntoTheSurface_ReportsForceLimit) {
   MpcCase wanted;
   wanted.task.disturbances.pushes = {{0.8, 0.2, Eigen::Vector3d(0.0, 0.0, -150.0)}};
   MpcRun run(wanted);
@@ -278,8 +278,8 @@ TEST(Fault, force_limit_when_the_tool_is_pushed_on) {
   expect_rest(run);
 }
 
-TEST(Fault, force_limit_is_not_a_single_sample) {
-  // The touch-down on a rigid surface is an impulse: 0.1 Ns in a step of half a millisecond.
+TEST(Fault, SingleForceSample_ReportsNoForceLimit) {
+  // The touchdown on a rigid surface is an impulse of 0.1 Ns within one step of 0.5 ms.
   MpcRun run({});
   ASSERT_EQ(run.polish(), Status::Ok);
   EXPECT_GT(run.loop().trace().column("tool_force_z_world").maxCoeff(), 100.0);
@@ -292,7 +292,7 @@ TEST(Fault, force_limit_is_not_a_single_sample) {
   EXPECT_EQ(hasty.mpc().fault().kind, FaultKind::ForceLimit);
 }
 
-TEST(Fault, speed_limit_of_the_tool_and_of_a_joint) {
+TEST(Fault, FastToolOrJoint_ReportsSpeedLimit) {
   MpcCase wanted;
   wanted.task.tool_limits.tool_speed = 0.2;
   wanted.task.disturbances.pushes = {{0.05, 0.2, Eigen::Vector3d(0.0, 100.0, 0.0)}};
@@ -314,7 +314,7 @@ TEST(Fault, speed_limit_of_the_tool_and_of_a_joint) {
   expect_rest(joint);
 }
 
-TEST(Fault, is_cleared_by_a_reset) {
+TEST(Fault, Reset_ClearsTheFault) {
   MpcCase wanted;
   wanted.task.disturbances.pushes = {{0.8, 0.2, Eigen::Vector3d(0.0, 0.0, -150.0)}};
   MpcRun run(wanted);
@@ -328,7 +328,7 @@ TEST(Fault, is_cleared_by_a_reset) {
   EXPECT_EQ(run.mpc().fault().kind, FaultKind::None);
 }
 
-TEST(Fault, has_a_name_for_every_kind) {
+TEST(Fault, EveryKind_HasItsOwnName) {
   std::vector<std::string> names;
   for (int kind = 0; kind <= static_cast<int>(FaultKind::Watched); ++kind) {
     FaultReport report;

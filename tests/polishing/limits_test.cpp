@@ -1,4 +1,4 @@
-// Limits that plans keep, in closed loop on the ideal plant: torques, ranges, speeds, a force band.
+// Limits on torque, joint range, speed and force in plans, in closed loop on the ideal plant.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,18 +13,19 @@ namespace {
 using testing::expect_words;
 using testing::refusal;
 
-/// Limits of a run, which reach into what it would do without.
+/// Limits that are active in a run: without them, the run would violate them.
 struct LimitCase {
   const char* name;
   PlanLimits limits;
   double force_weight = 0.1;
-  /// Of plans that break a limit by more than 1e-4 of its scale. They are made every 10 ms, of one
-  /// iteration each: what is not linear is off by more than in the shipped task with its 1 ms.
-  double share = 0.03;
+  /// Largest allowed fraction of plans that violate a limit by more than 1e-4 of its scale. The
+  /// test plans every 10 ms with one iteration each, so linearization errors exceed those of the
+  /// shipped task, which plans every 1 ms.
+  double max_fraction = 0.03;
 };
 void PrintTo(const LimitCase& wanted, std::ostream* out) { *out << wanted.name; }
 
-/// Values of a column at the rows in which a plan was made.
+/// Returns the values of a column in the rows in which the controller made a plan.
 Eigen::VectorXd at_plans(const Trace& trace, const std::string& column) {
   const auto values = trace.column(column), seconds = trace.column("solve_time");
   std::vector<double> kept;
@@ -33,48 +34,48 @@ Eigen::VectorXd at_plans(const Trace& trace, const std::string& column) {
   return Eigen::Map<const Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
 }
 
-MpcCase limited(const LimitCase& of) {
+MpcCase limited(const LimitCase& limit_case) {
   MpcCase wanted;
-  wanted.task.constraints = of.limits;
-  wanted.task.weights.force = of.force_weight;
+  wanted.task.constraints = limit_case.limits;
+  wanted.task.weights.force = limit_case.force_weight;
   return wanted;
 }
 
-/// Of all plans, those that break a limit by more than 1e-4 of its scale.
-double share_outside(const Trace& trace) {
-  const Eigen::VectorXd outside = at_plans(trace, "limits_outside");
-  return static_cast<double>((outside.array() > 1e-4).count()) /
-         static_cast<double>(outside.size());
+/// Returns the fraction of plans that violate a limit by more than 1e-4 of its scale.
+double violating_fraction(const Trace& trace) {
+  const Eigen::VectorXd violation = at_plans(trace, "constraint_violation");
+  return static_cast<double>((violation.array() > 1e-4).count()) /
+         static_cast<double>(violation.size());
 }
 
-class PlanLimitsOf : public ::testing::TestWithParam<LimitCase> {};
+class TightPlanLimits : public ::testing::TestWithParam<LimitCase> {};
 
-TEST_P(PlanLimitsOf, are_kept_by_plans_and_by_what_is_sent) {
+TEST_P(TightPlanLimits, ClosedLoop_PlansAndCommandsKeepThem) {
   const PlanLimits& limits = GetParam().limits;
   MpcRun run(limited(GetParam()));
   ASSERT_EQ(run.polish(), Status::Ok);
   ASSERT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
   const Trace& trace = run.loop().trace();
-  EXPECT_GT(at_plans(trace, "limits_pushing").maxCoeff(), 0.0);
-  EXPECT_EQ(at_plans(trace, "limits_infeasible").maxCoeff(), 0.0);
-  EXPECT_LT(share_outside(trace), GetParam().share);
-  EXPECT_LT(at_plans(trace, "limits_outside").maxCoeff(), 0.02);
+  EXPECT_GT(at_plans(trace, "active_constraints").maxCoeff(), 0.0);
+  EXPECT_EQ(at_plans(trace, "constraints_infeasible").maxCoeff(), 0.0);
+  EXPECT_LT(violating_fraction(trace), GetParam().max_fraction);
+  EXPECT_LT(at_plans(trace, "constraint_violation").maxCoeff(), 0.02);
   const Model& model = run.setting().robot.model;
-  const Eigen::VectorXd most = std::min(1.0, limits.torque) * model.effort_limit;
-  EXPECT_TRUE((run.watched().largest.array() <= most.array()).all());
+  const Eigen::VectorXd max_torque = std::min(1.0, limits.torque) * model.effort_limit;
+  EXPECT_TRUE((run.watched().largest.array() <= max_torque.array()).all());
   const Metrics metrics = run.metrics();
   EXPECT_LT(metrics.force_peak, std::min(limits.force_band, 1.0) + 0.1);
   EXPECT_GT(metrics.solver->at_limits + metrics.solver->clipped, 0);
 }
 
-TEST_P(PlanLimitsOf, give_the_same_bits_again_and_in_threads) {
+TEST_P(TightPlanLimits, SecondRunOrThreads_GivesTheSameBits) {
   MpcRun run(limited(GetParam()));
   MpcCase in_threads = limited(GetParam());
   in_threads.change = [](MpcSpec& spec) { spec.solver.threads = 3; };
   MpcRun threads(in_threads);
-  const auto torques = [](MpcRun& of) {
-    EXPECT_EQ(of.run(0.9), Status::Ok);
-    return Eigen::VectorXd(of.loop().command().tau);
+  const auto torques = [](MpcRun& any_run) {
+    EXPECT_EQ(any_run.run(0.9), Status::Ok);
+    return Eigen::VectorXd(any_run.loop().command().tau);
   };
   const Eigen::VectorXd first = torques(run);
   run.reset();
@@ -82,47 +83,48 @@ TEST_P(PlanLimitsOf, give_the_same_bits_again_and_in_threads) {
   EXPECT_EQ(torques(threads), first);
 }
 
-TEST_P(PlanLimitsOf, take_no_memory_in_ticks) {
+TEST_P(TightPlanLimits, Ticks_AllocateNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   MpcRun run(limited(GetParam()));
   ASSERT_EQ(run.run(0.8), Status::Ok);
   EXPECT_EQ(run.watched().allocations, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PlanLimitsOf,
+INSTANTIATE_TEST_SUITE_P(All, TightPlanLimits,
                          ::testing::Values(LimitCase{"torque", {.torque = 0.204}},
                                            LimitCase{"speed", {.joint_speed = 0.02}},
                                            LimitCase{"band", {.force_band = 0.5}, 1e-6, 0.6}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST(PlanLimits, OfTorqueRates_AreKeptByPlansWithALag) {
+TEST(PlanLimits, TorqueRateWithActuatorLag_PlansKeepIt) {
   MpcCase wanted;
   wanted.task.torque_cutoff = 60.0;
   wanted.task.disturbances.torque_cutoff = 60.0;
   MpcRun free(wanted);
   ASSERT_EQ(free.polish(), Status::Ok);
-  EXPECT_EQ(at_plans(free.loop().trace(), "limits_pushing").maxCoeff(), 0.0);
+  EXPECT_EQ(at_plans(free.loop().trace(), "active_constraints").maxCoeff(), 0.0);
   wanted.task.constraints.joint_torque_rate = 10.0;
   MpcRun run(wanted);
   ASSERT_EQ(run.polish(), Status::Ok);
   ASSERT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
   const Trace& trace = run.loop().trace();
-  EXPECT_GT(at_plans(trace, "limits_pushing").maxCoeff(), 0.0);
-  EXPECT_LT(share_outside(trace), 0.03);
+  EXPECT_GT(at_plans(trace, "active_constraints").maxCoeff(), 0.0);
+  EXPECT_LT(violating_fraction(trace), 0.03);
 }
 
-TEST(PlanLimits, OfTorqueRates_AreRefusedWithoutALag) {
+TEST(PlanLimits, TorqueRateWithoutActuatorLag_IsRefused) {
   MpcCase wanted;
   wanted.task.constraints.joint_torque_rate = 10.0;
   expect_words(refusal([&] { MpcRun run(wanted); }),
                {"constraints.joint_torque_rate", "controller.torque_cutoff above 0"});
 }
 
-/// The joint that moves most while it polishes, and where it goes.
+/// Range of positions of one joint during the phase Track.
 struct Travel {
   int joint = 0;
   double low = 0.0, high = 0.0;
 };
+/// Returns the travel of the joint that moves most during the phase Track.
 Travel widest(MpcRun& run) {
   const Trace& trace = run.loop().trace();
   const auto phase = trace.column("phase");
@@ -140,7 +142,7 @@ Travel widest(MpcRun& run) {
   return best;
 }
 
-TEST(PlanLimits, of_a_joints_range_are_touched_and_kept) {
+TEST(PlanLimits, JointRange_IsReachedAndKept) {
   MpcRun free({});
   ASSERT_EQ(free.polish(), Status::Ok);
   const Travel travel = widest(free);
@@ -165,7 +167,7 @@ TEST(PlanLimits, of_a_joints_range_are_touched_and_kept) {
   EXPECT_LT(run.metrics().force_peak, 1.0);
 }
 
-TEST(PlanLimits, that_a_push_breaks_are_come_back_to) {
+TEST(PlanLimits, PushViolatesSpeedLimit_PlansReturnWithinIt) {
   MpcCase wanted;
   wanted.task.constraints.joint_speed = 0.03;
   wanted.task.disturbances.pushes = {{0.6, 0.05, Eigen::Vector3d(0.0, 90.0, 0.0)}};
@@ -173,26 +175,26 @@ TEST(PlanLimits, that_a_push_breaks_are_come_back_to) {
   MpcRun run(wanted);
   ASSERT_EQ(run.polish(), Status::Ok);
   EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
-  const Eigen::VectorXd outside = at_plans(run.loop().trace(), "limits_outside");
-  EXPECT_GT(outside.maxCoeff(), 0.1);
-  EXPECT_LT(outside.tail(20).maxCoeff(), 1e-3);
+  const Eigen::VectorXd violation = at_plans(run.loop().trace(), "constraint_violation");
+  EXPECT_GT(violation.maxCoeff(), 0.1);
+  EXPECT_LT(violation.tail(20).maxCoeff(), 1e-3);
 }
 
-TEST(PlanLimits, that_the_start_breaks_are_refused) {
+TEST(PlanLimits, StartViolatesJointMargin_IsRefused) {
   MpcCase wanted;
   wanted.task.constraints.joint_margin = 0.3;
   expect_words(refusal([&] { MpcRun run(wanted); }),
                {"torso_2_joint", "0.2", "constraints.joint_margin", "0.3"});
 }
 
-TEST(PlanLimits, need_not_be_there) {
+TEST(PlanLimits, InfiniteLimits_AreNeverViolated) {
   PlanLimits none{.joint_margin = infinity, .joint_speed = infinity, .torque = infinity};
   MpcRun run(limited({"none", none}));
   ASSERT_EQ(run.polish(), Status::Ok);
-  EXPECT_EQ(at_plans(run.loop().trace(), "limits_outside").maxCoeff(), 0.0);
+  EXPECT_EQ(at_plans(run.loop().trace(), "constraint_violation").maxCoeff(), 0.0);
 }
 
-TEST(PlanLimits, cut_what_is_sent_between_plans_too) {
+TEST(PlanLimits, TorqueLimit_ClipsCommandsBetweenPlans) {
   MpcCase wanted;
   wanted.change = [](MpcSpec& spec) {
     spec.torque_limit = 0.205 * spec.problem.model.effort_limit;
@@ -204,7 +206,7 @@ TEST(PlanLimits, cut_what_is_sent_between_plans_too) {
   EXPECT_GT(run.loop().trace().column("clipped_torques").maxCoeff(), 0.0);
 }
 
-TEST(PlanLimits, that_are_wide_leave_the_robots_own) {
+TEST(PlanLimits, TorqueLimitAboveEffortLimit_EffortLimitStillHolds) {
   MpcCase wanted;
   wanted.change = [](MpcSpec& spec) {
     spec.torque_limit = 3.0 * spec.problem.model.effort_limit;
@@ -218,7 +220,7 @@ TEST(PlanLimits, that_are_wide_leave_the_robots_own) {
           .all());
 }
 
-TEST(PlanLimits, are_refused_where_they_are_none) {
+TEST(PlanLimits, InvalidTorqueLimitOrFactorizations_IsRefused) {
   const auto refused = [](const std::function<void(MpcSpec&)>& change) {
     MpcCase wanted;
     wanted.change = change;
@@ -228,8 +230,9 @@ TEST(PlanLimits, are_refused_where_they_are_none) {
                {"torque_limit has 2 entries", "wanted 6"});
   expect_words(refused([](MpcSpec& s) { s.torque_limit = Eigen::VectorXd::Constant(6, -1.0); }),
                {"torque_limit of", "is -1", "at least 0"});
-  expect_words(refused([](MpcSpec& s) { s.first_factors = 0; }), {"first_factors is 0"});
-  expect_words(refused([](MpcSpec& s) { s.max_factors = 0; }), {"max_factors is 0"});
+  expect_words(refused([](MpcSpec& s) { s.first_max_factorizations = 0; }),
+               {"first_max_factorizations is 0"});
+  expect_words(refused([](MpcSpec& s) { s.max_factorizations = 0; }), {"max_factorizations is 0"});
 }
 
 }  // namespace

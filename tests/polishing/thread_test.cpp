@@ -1,4 +1,4 @@
-// Plans that a thread of their own makes while the controller ticks.
+// Planning in a thread of its own while the controller ticks.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -11,8 +11,8 @@
 namespace burnish::test {
 namespace {
 
-/// In real time, or somewhat slower: as on a robot.
-MpcCase in_a_thread() {
+/// Run with a planning thread in real time, or somewhat slower, as on a robot.
+MpcCase with_planning_thread() {
   MpcCase wanted;
   wanted.task.timing = PlanTiming::Thread;
   wanted.task.tick_rate = 1000.0;
@@ -24,32 +24,32 @@ int plans_made(MpcRun& run) {
   return static_cast<int>((run.loop().trace().column("solve_time").array() > 0.0).count());
 }
 
-void expect_fine(MpcRun& run) {
+void expect_fault_free(MpcRun& run) {
   EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
 }
 
-/// Until the first plan is in use, or for 20 s of a slow machine.
+/// Runs until the first plan is in use, for at most 20 s (slow machines).
 void await_plan(MpcRun& run) {
   for (int tick = 0; tick < 20000 && !std::isfinite(run.mpc().plan_age()); ++tick) {
     ASSERT_EQ(run.run(1e-3), Status::Ok);
   }
 }
 
-TEST(PlansInAThread, are_made_while_the_controller_ticks) {
-  MpcRun run(in_a_thread());
+TEST(PlanningThread, TickingController_GetsNewPlans) {
+  MpcRun run(with_planning_thread());
   ASSERT_EQ(run.run(0.3), Status::Ok);
-  expect_fine(run);
+  expect_fault_free(run);
   EXPECT_GE(plans_made(run), 2);
   EXPECT_EQ(run.watched().allocations, 0);
   EXPECT_TRUE(run.watched().finite);
-  run.reset();  // while a plan may be in the making
+  run.reset();  // possibly while the thread makes a plan
   ASSERT_EQ(run.run(0.05), Status::Ok);
-  expect_fine(run);
+  expect_fault_free(run);
 }
 
-TEST(PlansInAThread, are_waited_for_at_first_with_the_robot_held) {
+TEST(PlanningThread, FirstPlanLate_RobotStaysAtItsStart) {
   std::atomic<bool> may_end = false;
-  MpcCase wanted = in_a_thread();
+  MpcCase wanted = with_planning_thread();
   wanted.change = [&](MpcSpec& spec) {
     spec.solver.callback = [&](const DdpProgress&) {
       for (int i = 0; i < 5000 && !may_end; ++i)
@@ -70,11 +70,11 @@ TEST(PlansInAThread, are_waited_for_at_first_with_the_robot_held) {
   ASSERT_EQ(run.run(0.1), Status::Ok);
   EXPECT_GT(run.mpc().schedule().time(), 0.09);
   EXPECT_LT(run.mpc().plan_age(), 0.1);
-  expect_fine(run);
+  expect_fault_free(run);
 }
 
-TEST(PlansInAThread, go_on_with_what_the_robot_carries_now) {
-  MpcRun run(in_a_thread());
+TEST(PlanningThread, ChangingPayload_CommandsStayFinite) {
+  MpcRun run(with_planning_thread());
   InertiaSpec payload;
   payload.mass = 0.5;
   for (int i = 0; i < 5; ++i) {
@@ -85,12 +85,12 @@ TEST(PlansInAThread, go_on_with_what_the_robot_carries_now) {
   EXPECT_TRUE(run.watched().finite);
 }
 
-TEST(PlansInAThread, allocate_nothing) {
+TEST(PlanningThread, Planning_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   std::atomic<long> allocated = 0;
-  MpcCase wanted = in_a_thread();
+  MpcCase wanted = with_planning_thread();
   wanted.change = [&](MpcSpec& spec) {
-    spec.solver.callback = [&](const DdpProgress&) {  // called in the plans' thread
+    spec.solver.callback = [&](const DdpProgress&) {  // called in the planning thread
       thread_local const AllocationGuard since_first;
       allocated = since_first.count();
       return true;
@@ -98,7 +98,7 @@ TEST(PlansInAThread, allocate_nothing) {
   };
   MpcRun run(wanted);
   ASSERT_EQ(run.run(0.3), Status::Ok);
-  expect_fine(run);
+  expect_fault_free(run);
   EXPECT_GE(plans_made(run), 2);
   EXPECT_EQ(allocated.load(), 0);
 }

@@ -1,4 +1,4 @@
-// The watches of a tool that presses, each by itself.
+// Monitors of a pressing tool (mean force, free space, approach, contact loss), one by one.
 #include "pressing/tool_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace burnish::pressing {
 namespace {
 
-TEST(MeanForce, is_of_as_many_samples_as_there_are) {
+TEST(MeanForce, PartOrFullWindow_AveragesItsSamples) {
   MeanForce mean(4);
   for (int i = 1; i <= 3; ++i) mean.add({1.0 * i, 0.0, -1.0});
   EXPECT_FALSE(mean.is_full());
@@ -21,7 +21,7 @@ TEST(MeanForce, is_of_as_many_samples_as_there_are) {
   EXPECT_EQ(samples_of(5e-3, 1e-3), 5);
 }
 
-TEST(FreeSpaceWatch, minds_forces_where_the_tool_is_free_alone) {
+TEST(FreeSpaceWatch, ForceInEveryPhase_CountsOnlyInFreeSpace) {
   const ToolLimits limits{.unexpected_force = 15.0, .release = 0.5};
   const ContactDetector touch(2.0, 5);
   MeanForce mean(1);
@@ -30,16 +30,17 @@ TEST(FreeSpaceWatch, minds_forces_where_the_tool_is_free_alone) {
     const Reading reading = watch.look(phase, dt, force, mean, touch);
     return reading.value > reading.limit;
   };
-  EXPECT_FALSE(beyond(Touch::Free, 0.1, 20.0)) << "of too few samples";
+  EXPECT_FALSE(beyond(Touch::Free, 0.1, 20.0)) << "the mean has too few samples";
   mean.add(Eigen::Vector3d::Zero());
   EXPECT_TRUE(beyond(Touch::Free, 0.1, 15.1));
   EXPECT_FALSE(beyond(Touch::Free, 0.1, 14.9));
   for (const Touch phase : {Touch::Due, Touch::Wanted}) EXPECT_FALSE(beyond(phase, 0.1, 1000.0));
-  // Leaving begins pressed; once off, or after a while, a force is unexpected.
+  // The phase Leaving begins under force. After the tool has left, or after `release`, a force is
+  // unexpected.
   EXPECT_FALSE(beyond(Touch::Leaving, 0.2, 30.0));
   EXPECT_FALSE(beyond(Touch::Leaving, 0.2, 1.0));
   EXPECT_TRUE(beyond(Touch::Leaving, 0.01, 30.0));
-  // A bounce is not off.
+  // A bouncing tool has not left yet.
   watch.reset();
   for (int i = 0; i < 3; ++i) {
     EXPECT_FALSE(beyond(Touch::Leaving, 0.03, 0.0));
@@ -50,7 +51,7 @@ TEST(FreeSpaceWatch, minds_forces_where_the_tool_is_free_alone) {
   EXPECT_TRUE(beyond(Touch::Leaving, 0.01, 30.0));
 }
 
-TEST(ApproachWatch, measures_way_and_time_from_when_contact_was_due) {
+TEST(ApproachWatch, ContactDue_MeasuresTravelAndTimeSinceThen) {
   ApproachWatch watch({.late_contact_travel = 0.03, .late_contact_time = 1.0});
   watch.look(false, 0.1, 0.50, 9.0);
   EXPECT_EQ(watch.travel().value, 0.0);
@@ -64,16 +65,16 @@ TEST(ApproachWatch, measures_way_and_time_from_when_contact_was_due) {
   watch.look(false, 0.1, 0.30, 0.0);
   EXPECT_EQ(watch.lateness().value, 0.0);
   watch.look(true, 0.1, 0.30, 0.0);
-  EXPECT_EQ(watch.travel().value, 0.0) << "from anew";
+  EXPECT_EQ(watch.travel().value, 0.0) << "the travel starts again";
 }
 
-TEST(LossWatch, measures_time_without_force_in_a_row) {
+TEST(LossWatch, NoForce_MeasuresUninterruptedTime) {
   LossWatch watch({.contact_lost = 0.15});
   watch.look(true, 0.1, 0.0);
   EXPECT_EQ(watch.look(false, 0.1, 30.0).value, 0.0);
   watch.look(true, 0.1, 1.0);
   EXPECT_NEAR(watch.look(true, 0.1, 0.5).value, 0.2, 1e-15);
-  EXPECT_EQ(watch.felt(), 1.0) << "since it was lost";
+  EXPECT_EQ(watch.felt(), 1.0) << "the largest force since the loss";
   EXPECT_EQ(watch.look(true, 0.1, 0.0).limit, 0.15);
   watch.reset();
   EXPECT_EQ(watch.look(false, 0.1, 0.0).value, 0.0);

@@ -1,4 +1,4 @@
-// Recordings, read back by a reader of their own.
+// Tests of MCAP recordings, read back by an independent reader.
 #include "record/mcap.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Fields of a record from left to right.
+/// Reads the fields of a record in order.
 class Fields {
  public:
   explicit Fields(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -44,7 +44,7 @@ class Fields {
 
 struct Record {
   int op;
-  std::size_t offset, length;  // within the bytes that were read; with its head
+  std::size_t offset, length;  // offset within the read bytes, length with the record's head
   std::string body;
 };
 
@@ -67,7 +67,7 @@ struct Message {
   Json json;
 };
 
-/// A file as a whole: its messages as they stand, with every index checked on the way.
+/// Reads a whole file into its messages and checks every index.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) {
@@ -86,7 +86,7 @@ class Reader {
 
   std::vector<Message> messages;
   std::map<std::string, std::map<std::string, std::string>> metadata;
-  std::map<std::string, std::string> schema_of;  // topic to schema
+  std::map<std::string, std::string> schema_of;  // name of the schema by topic
   int chunks = 0;
 
  private:
@@ -98,7 +98,7 @@ class Reader {
         const std::uint64_t summary = fields.number(8), offsets = fields.number(8);
         EXPECT_EQ(summary, summary_start_);
         EXPECT_GT(offsets, summary);
-        // All but the checksum itself and the magic.
+        // The checksum covers the summary up to the checksum itself.
         const std::size_t end = offset + 9 + 16;
         EXPECT_EQ(fields.number(4), crc32(bytes_.substr(summary, end - summary)));
         break;
@@ -225,12 +225,12 @@ std::filesystem::path scratch_file() {
           ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".mcap");
 }
 
-TEST(Mcap, ChecksumIsTheOneOfZip) {
+TEST(Mcap, Checksum_EqualsTheCrc32OfZip) {
   EXPECT_EQ(crc32("123456789"), 0xCBF43926U);
   EXPECT_EQ(crc32("6789", crc32("12345")), 0xCBF43926U);
 }
 
-TEST(Mcap, ManyChunksReadBack) {
+TEST(Mcap, ManyChunks_AreReadBack) {
   const std::filesystem::path file = scratch_file();
   McapWriter out(file, "test");
   const auto schema = out.add_schema("Number", R"({"type":"object"})");
@@ -255,7 +255,7 @@ TEST(Mcap, ManyChunksReadBack) {
   std::filesystem::remove(file);
 }
 
-TEST(Mcap, AnEmptyRecordingIsWhole) {
+TEST(Mcap, EmptyRecording_IsValid) {
   const std::filesystem::path file = scratch_file();
   McapWriter out(file, "test");
   out.finish();
@@ -264,16 +264,16 @@ TEST(Mcap, AnEmptyRecordingIsWhole) {
   std::filesystem::remove(file);
 }
 
-TEST(Mcap, WhatCannotBeIsRefused) {
+TEST(Mcap, BadFileSchemaOrChannel_IsRefused) {
   expect_words(refusal([] { McapWriter("/nowhere/at/all.mcap", "test"); }), {"cannot write"});
   const std::filesystem::path file = scratch_file();
   McapWriter out(file, "test");
-  expect_words(refusal([&] { (void)out.add_channel(1, "/a"); }), {"schema 1", "not known"});
-  expect_words(refusal([&] { out.write(3, 0, "{}"); }), {"channel 3", "not known"});
+  expect_words(refusal([&] { (void)out.add_channel(1, "/a"); }), {"schema 1", "does not exist"});
+  expect_words(refusal([&] { out.write(3, 0, "{}"); }), {"channel 3", "does not exist"});
   std::filesystem::remove(file);
 }
 
-TEST(Mcap, ARunIsThereWithItsFramesForcesAndFigures) {
+TEST(Mcap, Run_IsWrittenWithFramesForcesAndMetrics) {
   const std::filesystem::path file = scratch_file();
   RunPage run = page_of_run(400, 10);
   run.plans = PlanRecord{
@@ -323,13 +323,13 @@ TEST(Mcap, ARunIsThereWithItsFramesForcesAndFigures) {
   std::filesystem::remove(file);
 }
 
-TEST(Mcap, CurvedSurface_Target_IsTheTipOnIt) {
+TEST(Mcap, CurvedSurface_TargetTipTouchesTheSurface) {
   const std::filesystem::path file = scratch_file();
   RunPage run = page_of_run(400, 10);
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   const Surface surface(SurfaceShape::parse("sphere:0.2"),
                         run.path_origin_world - run.tip_radius * up, up);
-  run.surface.known = surface;
+  run.surface.nominal = surface;
   write_run_mcap(run, file);
   int poses = 0;
   for (const Message& message : Reader(file).messages) {

@@ -1,4 +1,4 @@
-// A run made up for pages and recordings: an arm of two joints, forces and positions as formulas.
+// A made-up run for tests of pages and recordings: an arm of two joints, with values by formulas.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 
 namespace burnish::testing {
 
-constexpr double page_dt = 1e-3;  // s, between rows of the trace
+constexpr double page_dt = 1e-3;  // period of the trace [s]
 
-/// A hinge with limits that carries a wheel without, a box, and a mesh of a package.
+/// Returns an arm with a limited hinge, a continuous wheel, a box, and a mesh in a package.
 inline TreeSpec page_tree() {
   TreeSpec tree;
   tree.name = "two";
@@ -47,8 +47,8 @@ inline TreeSpec page_tree() {
 }
 inline Model page_model() { return build_model(page_tree()); }
 
-/// The trace of a run with the columns of ClosedLoop: the force is 30 N but for one sample of 99 N
-/// at row 105, and a plan takes 1 ms but for one of 7 ms at row 205.
+/// Returns a trace with the columns of ClosedLoop. The force is 30 N, and 99 N at row 105; a plan
+/// takes 1 ms, and 7 ms at row 205.
 inline Trace page_trace(const Model& model, int rows) {
   std::vector<TraceColumn> columns{{"time", "s"}, {"phase", "-"}};
   const auto add = [&](const std::string& name, const char* unit) {
@@ -58,13 +58,13 @@ inline Trace page_trace(const Model& model, int rows) {
     for (const char* axis : {"_x_world", "_y_world", "_z_world"})
       add(std::string(what) + axis, "m");
   for (const char* what :
-       {"tool_force", "estimated_force", "measured_force", "surface_normal", "believed_normal"})
+       {"tool_force", "estimated_force", "measured_force", "surface_normal", "estimated_normal"})
     for (const char* axis : {"_x_world", "_y_world", "_z_world"})
       add(std::string(what) + axis, "N");
   for (const char* axis : {"tool_rx_start", "tool_ry_start", "tool_rz_start"}) add(axis, "rad");
   for (const char* name :
        {"target_force", "in_contact", "tick", "solve_time", "iterations", "missed_deadline",
-        "limits_pushing", "limits_outside", "limits_infeasible", "clipped_torques"})
+        "active_constraints", "constraint_violation", "constraints_infeasible", "clipped_torques"})
     add(name, "-");
   for (int k = 0; k < model.nq; ++k) add("q_" + model.q_name(k), "rad");
   for (int k = 0; k < model.nv; ++k)
@@ -87,7 +87,7 @@ inline Trace page_trace(const Model& model, int rows) {
     set("tool_force_x_world", 4.0);
     set("estimated_force_z_world", 31.0);
     set("surface_normal_z_world", 1.0);
-    set("believed_normal_z_world", 1.0);
+    set("estimated_normal_z_world", 1.0);
     set("measured_force_z_world", row == 7 ? std::nan("") : 29.0);
     set("tool_rx_start", 0.3);
     set("tool_ry_start", 0.4);
@@ -97,9 +97,9 @@ inline Trace page_trace(const Model& model, int rows) {
     set("solve_time", row == 205 ? 7e-3 : 1e-3);
     set("missed_deadline", row == 205 ? 1.0 : 0.0);
     set("iterations", 1.0);
-    set("limits_pushing", row == 205 ? 7.0 : 2.0);
-    set("limits_outside", row == 205 ? 1e-3 : 0.0);
-    set("limits_infeasible", row == 200 ? 1.0 : 0.0);
+    set("active_constraints", row == 205 ? 7.0 : 2.0);
+    set("constraint_violation", row == 205 ? 1e-3 : 0.0);
+    set("constraints_infeasible", row == 200 ? 1.0 : 0.0);
     set("clipped_torques", row == 200 ? 1.0 : 0.0);
     set("q_hinge", 0.5 * t);
     set("q_" + model.q_name(1), 1.0);
@@ -110,7 +110,7 @@ inline Trace page_trace(const Model& model, int rows) {
   return trace;
 }
 
-/// The page of that run.
+/// Returns the page of the made-up run.
 inline RunPage page_of_run(int rows = 1000, int record_every = 10) {
   RunPage page;
   page.name = "made_up";
@@ -149,7 +149,7 @@ inline std::string decoded(const std::string& base64_text) {
   return bytes;
 }
 
-/// The numbers of {"n", "f32"}.
+/// Returns the numbers of {"n", "f32"}.
 inline std::vector<float> floats_of(const nlohmann::json& packed) {
   const std::string bytes = decoded(packed.at("f32").get<std::string>());
   std::vector<float> result(bytes.size() / 4);
@@ -163,7 +163,7 @@ inline std::vector<float> floats_of(const nlohmann::json& packed) {
   return result;
 }
 
-/// Of a list of objects, the one of this name.
+/// Returns the object with this name in a list of objects.
 inline nlohmann::json named(const nlohmann::json& list, const std::string& name) {
   for (const nlohmann::json& entry : list)
     if (entry.at("name") == name) return entry;

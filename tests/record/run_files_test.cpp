@@ -1,4 +1,4 @@
-// What a run of any task leaves in its folder.
+// Tests of the files that a run of any task writes into its folder.
 #include "record/run_files.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run that no task made.
+/// A run without a task.
 struct MadeUpRun {
   Trace trace = page_trace(page_model(), 100);
   FaultReport fault = {};
@@ -38,7 +38,7 @@ struct MadeUpRun {
   }
 };
 
-TEST(RunFiles, AreThoseOfAnyTask) {
+TEST(RunFiles, AnyTask_WritesTraceMetricsTaskAndPlots) {
   const Scratch scratch;
   const std::vector<std::string> names =
       MadeUpRun{}.write(scratch.folder / "run", {.record_every = 7}, false);
@@ -46,7 +46,8 @@ TEST(RunFiles, AreThoseOfAnyTask) {
             (std::vector<std::string>{"trace.csv", "metrics.json", "task.yaml", "plot.svg"}));
   EXPECT_EQ(contents(scratch.folder / "run" / "task.yaml"), "kind: made up\n");
   const std::string table = contents(scratch.folder / "run" / "trace.csv");
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 15 + 1) << "every 7th and the last";
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 15 + 1)
+      << "expected every 7th row and the last";
   const Json figures = Json::parse(contents(scratch.folder / "run" / "metrics.json"));
   EXPECT_TRUE(figures["fault"].is_null());
   EXPECT_EQ(figures["metrics"]["position_rmse_m"], 0.0);
@@ -54,7 +55,7 @@ TEST(RunFiles, AreThoseOfAnyTask) {
   EXPECT_FALSE(figures["metrics"].contains("solver"));
 }
 
-TEST(RobotFolders, KnownNames_InAFolderOfThatName_AreTheKnownRobots) {
+TEST(MeshFolders, LocalFolder_DoesNotHideALibraryRobot) {
   const Scratch scratch;
   scratch.write("arm7/robot.yaml", "urdf: arm7.urdf\n");
   const fs::path before = fs::current_path();
@@ -68,16 +69,17 @@ TEST(RobotFolders, KnownNames_InAFolderOfThatName_AreTheKnownRobots) {
   fs::current_path(before);
 }
 
-TEST(RunFiles, HavePlotsWhereThereIsNoPageOrTheyAreAskedFor) {
+TEST(RunFiles, Plots_AreWrittenWithoutAPageOrOnRequest) {
   const Scratch scratch;
   const fs::path plot = scratch.folder / "plot.svg";
   MadeUpRun{}.write(scratch.folder, {.plots = true}, true);
   EXPECT_TRUE(fs::exists(plot));
   MadeUpRun{}.write(scratch.folder, {}, true);
-  EXPECT_NE(fs::exists(plot), fs::exists(scratch.folder / "run.html")) << "an old one is gone";
+  EXPECT_NE(fs::exists(plot), fs::exists(scratch.folder / "run.html"))
+      << "an old plot must be removed";
 }
 
-TEST(RunFiles, OfAFaultSayWhatItWas) {
+TEST(RunFiles, Fault_IsWrittenAndRemovedByTheNextRun) {
   const Scratch scratch;
   MadeUpRun run;
   run.fault.kind = FaultKind::SpeedLimit;
@@ -89,9 +91,9 @@ TEST(RunFiles, OfAFaultSayWhatItWas) {
   EXPECT_EQ(fault_json(run.fault)["kind"], "speed limit");
   EXPECT_EQ(fault_json(run.fault)["time_s"], 0.25);
   MadeUpRun{}.write(scratch.folder, {}, false);
-  EXPECT_FALSE(fs::exists(scratch.folder / "fault.txt")) << "of the run before";
+  EXPECT_FALSE(fs::exists(scratch.folder / "fault.txt")) << "the file of the previous run remains";
   expect_words(refusal([&] { run.write(scratch.folder, {.record_every = 0}, false); }),
-               {"record_every is 0", "positive"});
+               {"record_every is 0", "wanted at least 1"});
 }
 
 }  // namespace

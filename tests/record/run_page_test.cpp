@@ -1,4 +1,4 @@
-// The data of a page: encoding, columns, envelopes, robots, and the HTML around it.
+// Tests of the data of a page: encoding, columns, envelopes, robots, and the HTML around them.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/reference.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(PageJson, NumbersAndTextsReadBackAsTheyWere) {
+TEST(PageJson, NumbersAndTexts_AreReadBack) {
   const std::string awkward = "a \"quote\" \\ \n\t\x01 </script> <!-- \xC3\xA9 \xE2\x82\xAC";
   const Json read = Json::parse(compact_text(
       {{"third", 1.0 / 3.0},
@@ -33,7 +33,7 @@ TEST(PageJson, NumbersAndTextsReadBackAsTheyWere) {
   EXPECT_EQ(read["list"], Json::parse("[null, [1.5, -2]]"));
 }
 
-TEST(PageJson, PackedNumbersKeepTheirBits) {
+TEST(PageJson, PackedNumbers_KeepTheirBits) {
   const std::vector<float> numbers{0.1F, -0.0F, std::nanf(""), 3.4e38F};
   const Json read = packed_json(numbers);
   EXPECT_EQ(read["f32"].get<std::string>().substr(0, 6), "zczMPQ");  // 0x3DCCCCCD
@@ -46,15 +46,15 @@ TEST(PageJson, PackedNumbersKeepTheirBits) {
   const std::vector<std::uint32_t> whole{1, 0x01020304};
   const Json packed = packed_json(whole);
   EXPECT_EQ(packed["n"], 2);
-  EXPECT_EQ(packed["u32"], "AQAAAAQDAgE=");  // as base64 of python3 has it
+  EXPECT_EQ(packed["u32"], "AQAAAAQDAgE=");  // from Python's base64
   EXPECT_EQ(Json(packed_json(std::span(whole).first(1)))["u32"], "AQAAAA==");
   const std::vector<std::uint32_t> three{0xFFFBu, 0, 0xFF000000u};
   EXPECT_EQ(Json(packed_json(three))["u32"], "+/8AAAAAAAAAAAD/");
 }
 
-TEST(RunPage, RowsAreSomeOfTheTablesAndPeaksStayInEnvelopes) {
+TEST(RunPage, ThinnedRows_KeepPeaksInEnvelopes) {
   PageSize size;
-  size.most_rows = 60;  // below 100 there is no less
+  size.max_rows = 60;  // values below 100 act like 100
   RunPage page = page_of_run(1005, 4);
   const Trace trace = page_trace(page.robot.model, 1005);
   add_trace(page, trace, 4, size);
@@ -83,7 +83,7 @@ TEST(RunPage, RowsAreSomeOfTheTablesAndPeaksStayInEnvelopes) {
   }
 }
 
-TEST(RunPage, ColumnsAreWhatTheySay) {
+TEST(RunPage, Columns_HaveTheValuesOfTheTrace) {
   RunPage page = page_of_run();
   const Json run = Json::parse(run_page_json(page));
   const auto at_end = [&](const char* name) {
@@ -112,9 +112,9 @@ TEST(RunPage, ColumnsAreWhatTheySay) {
   EXPECT_TRUE(named(run["metrics"], "force_rmse")["value"].is_null());
 }
 
-TEST(RunPage, ForcesAreAlongTheNormalOfEachRow) {
+TEST(RunPage, ForceNormal_IsAlongTheNormalOfEachRow) {
   RunPage page = page_of_run();
-  // Turned about y, it takes a part of the force and of what pushes along x.
+  // The normal is rotated about y: it gets a component of the tangential force along x.
   constexpr double angle = 0.1;
   const Trace level = page_trace(page.robot.model, 1000);
   Trace trace(level.columns(), level.rows());
@@ -143,19 +143,19 @@ bool has_column(const RunPage& page, const std::string& name) {
                      [&](const PageColumn& column) { return column.name == name; });
 }
 
-TEST(RunPage, NormalsAreColumnsWhereTheyAreNotThoseOfTheAxes) {
+TEST(RunPage, NormalsOffTheAxes_AreColumns) {
   RunPage page = page_of_run();
-  for (const char* of : {"surface_normal_x", "believed_normal_z"})
-    EXPECT_FALSE(has_column(page, of)) << of;
+  for (const char* name : {"surface_normal_x", "estimated_normal_z"})
+    EXPECT_FALSE(has_column(page, name)) << name;
   page.surface.axes = Reference::surface_with_normal({0.1, 0.0, 1.0}).rotation;
   add_trace(page, page_trace(page.robot.model, 1000), 10);
   EXPECT_FALSE(has_column(page, "surface_normal_x"));
-  ASSERT_TRUE(has_column(page, "believed_normal_x"));
+  ASSERT_TRUE(has_column(page, "estimated_normal_x"));
   const Json run = Json::parse(run_page_json(page));
-  EXPECT_EQ(floats_of(named(run["series"]["columns"], "believed_normal_z")["data"])[5], 1.0F);
+  EXPECT_EQ(floats_of(named(run["series"]["columns"], "estimated_normal_z")["data"])[5], 1.0F);
 }
 
-TEST(RunPage, CurvedSurfacesAreGridsOfTheirPoints) {
+TEST(RunPage, CurvedSurface_IsAGridOfItsPoints) {
   const Eigen::Vector3d point(0.3, 0.2, -0.02), up(0.1, -0.2, 1.0);
   for (const char* text :
        {"sphere:0.3", "sphere:0.06:hollow", "cylinder:0.2", "cylinder:0.05", "cone:0.2:0.3",
@@ -169,19 +169,19 @@ TEST(RunPage, CurvedSurfacesAreGridsOfTheirPoints) {
     const int side = run["surface"]["patch"]["side"];
     const std::vector<float> points = floats_of(run["surface"]["patch"]["points"]);
     ASSERT_EQ(points.size(), static_cast<std::size_t>(3 * side * side));
-    double widest = 0.0, longest = 0.0;
+    double max_distance = 0.0, max_edge = 0.0;
     const auto at = [&](int i, int k) -> Eigen::Vector3d {
       return Eigen::Vector3f(points.data() + 3 * (i * side + k)).cast<double>();
     };
     for (int i = 0; i < side; ++i)
       for (int k = 0; k < side; ++k) {
         EXPECT_NEAR(surface.at(at(i, k)).distance, 0.0, 1e-6) << i << " " << k;
-        if (k > 0) longest = std::max(longest, (at(i, k) - at(i, k - 1)).norm());
-        widest = std::max(widest, (at(i, k) - at(side / 2, side / 2)).norm());
+        if (k > 0) max_edge = std::max(max_edge, (at(i, k) - at(i, k - 1)).norm());
+        max_distance = std::max(max_distance, (at(i, k) - at(side / 2, side / 2)).norm());
       }
-    EXPECT_LT(longest, 0.08) << "neighbours stay neighbours";
-    EXPECT_GT(widest, 0.05);
-    // The path lies on it.
+    EXPECT_LT(max_edge, 0.08) << "neighbouring points must be close";
+    EXPECT_GT(max_distance, 0.05);
+    // The path lies on the surface.
     const std::vector<float> heights = floats_of(run["path"]["h"]);
     ASSERT_EQ(heights.size(), 5U);
     const Eigen::Matrix3d& axes = page.surface.axes;
@@ -190,14 +190,14 @@ TEST(RunPage, CurvedSurfacesAreGridsOfTheirPoints) {
                                 page.path_u[static_cast<Eigen::Index>(i)] * axes.col(0) +
                                 static_cast<double>(heights[i]) * axes.col(2);
       if (std::string(text) == "cylinder:0.05" || std::string(text) == "sphere:0.06:hollow")
-        continue;  // the path is wider than they are
+        continue;  // the path is wider than these surfaces
       EXPECT_NEAR(surface.at(p).distance, 0.0, 1e-6);
     }
   }
   EXPECT_TRUE(Json::parse(run_page_json(page_of_run()))["surface"]["patch"].is_null());
 }
 
-/// A trace with other places of tool and target in every row, and with further columns.
+/// Returns a copy of a trace with further columns; `change` sets vectors of each row.
 template <class Change>
 Trace changed_trace(const Trace& trace, const std::vector<std::string>& more,
                     const Change& change) {
@@ -216,15 +216,15 @@ Trace changed_trace(const Trace& trace, const std::vector<std::string>& more,
   return changed;
 }
 
-/// The largest distance of a page's rows from a circle of 50 mm about the path's origin [m].
-double largest_off_circle(const RunPage& page, const char* u, const char* w) {
+/// Returns the largest distance of a page's rows from a 50 mm circle about the path's origin [m].
+double max_off_circle(const RunPage& page, const char* u, const char* w) {
   const Json run = Json::parse(run_page_json(page));
   const std::vector<float> along = floats_of(named(run["series"]["columns"], u)["data"]);
   const std::vector<float> across = floats_of(named(run["series"]["columns"], w)["data"]);
-  double largest = 0.0;
+  double max_distance = 0.0;
   for (std::size_t i = 0; i < along.size(); ++i)
-    largest = std::max(largest, std::abs(std::hypot(along[i], across[i]) - 0.05));
-  return largest;
+    max_distance = std::max(max_distance, std::abs(std::hypot(along[i], across[i]) - 0.05));
+  return max_distance;
 }
 
 TEST(RunPage, CurvedSurface_TipOverItsPath_IsDrawnOnThePath) {
@@ -237,7 +237,7 @@ TEST(RunPage, CurvedSurface_TipOverItsPath_IsDrawnOnThePath) {
     page.surface.axes = Reference::surface_with_normal(up).rotation;
     const Eigen::Vector3d point = page.path_origin_world - page.tip_radius * up;
     const Surface surface(SurfaceShape::parse(text), point, up);
-    if (!surface.shape().is_flat()) page.surface.known = surface;
+    if (!surface.shape().is_flat()) page.surface.nominal = surface;
     const Trace trace =
         changed_trace(page_trace(page.robot.model, 500), {}, [&](int row, const auto& set) {
           const Eigen::Vector2d circle(0.05 * std::cos(0.02 * row), 0.05 * std::sin(0.02 * row));
@@ -248,12 +248,12 @@ TEST(RunPage, CurvedSurface_TipOverItsPath_IsDrawnOnThePath) {
           set("target_x_world", center);
         });
     add_trace(page, trace, 1);
-    EXPECT_LT(largest_off_circle(page, "path_u", "path_w"), 1e-7);
-    EXPECT_LT(largest_off_circle(page, "target_u", "target_w"), 1e-7);
+    EXPECT_LT(max_off_circle(page, "path_u", "path_w"), 1e-7);
+    EXPECT_LT(max_off_circle(page, "target_u", "target_w"), 1e-7);
   }
 }
 
-TEST(RunPage, SurfaceThatTheRobotCarries_TipOverItsPath_IsDrawnOnThePath) {
+TEST(RunPage, CarriedSurface_TipOverItsPath_IsDrawnOnThePath) {
   RunPage page = page_of_run();
   const Eigen::Vector3d origin = page.path_origin_world;
   const Trace trace = changed_trace(
@@ -268,19 +268,19 @@ TEST(RunPage, SurfaceThatTheRobotCarries_TipOverItsPath_IsDrawnOnThePath) {
         };
         const Eigen::Vector3d at_start =
             origin + Eigen::Vector3d(0.05 * std::cos(0.02 * row), 0.05 * std::sin(0.02 * row), 0.0);
-        const Eigen::Vector3d held = rotation(Eigen::Vector3d(0.0, 0.3, 0.2)).transpose() *
-                                     (at_start - Eigen::Vector3d(0.1, 0.0, 0.2));
+        const Eigen::Vector3d local = rotation(Eigen::Vector3d(0.0, 0.3, 0.2)).transpose() *
+                                      (at_start - Eigen::Vector3d(0.1, 0.0, 0.2));
         set("surface_x_world", place);
         set("surface_rx_world", turned);
-        set("tool_x_world", place + rotation(turned) * held);
-        set("target_x_world", place + rotation(turned) * held);
+        set("tool_x_world", place + rotation(turned) * local);
+        set("target_x_world", place + rotation(turned) * local);
       });
   add_trace(page, trace, 1);
-  EXPECT_LT(largest_off_circle(page, "path_u", "path_w"), 1e-7);
-  EXPECT_LT(largest_off_circle(page, "target_u", "target_w"), 1e-7);
+  EXPECT_LT(max_off_circle(page, "path_u", "path_w"), 1e-7);
+  EXPECT_LT(max_off_circle(page, "target_u", "target_w"), 1e-7);
 }
 
-/// The rows of a run of a robot that stands, with a tool's columns from those of page_trace().
+/// Adds the trace of a standing robot to a page, with the tool's columns of page_trace().
 void fill_that_stands(RunPage& page, const StandingTrace& standing,
                       const StandingTrace::Change& change) {
   const Trace feet = standing.trace(change), tool = page_trace(page_model(), feet.rows());
@@ -294,8 +294,8 @@ void fill_that_stands(RunPage& page, const StandingTrace& standing,
   for (int row = 0; row < feet.rows(); ++row) {
     double* const values = trace.add_row();
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      const Trace& of = feet.has(columns[c].name) ? feet : tool;
-      if (of.has(columns[c].name)) values[c] = of.at(row, of.index(columns[c].name));
+      const Trace& source = feet.has(columns[c].name) ? feet : tool;
+      if (source.has(columns[c].name)) values[c] = source.at(row, source.index(columns[c].name));
     }
   }
   page.robot.model = standing.model;
@@ -308,7 +308,7 @@ RunPage page_that_stands(const StandingTrace& standing, const StandingTrace::Cha
   return page;
 }
 
-TEST(RunPage, ARobotThatStandsHasItsFeetAndItsMomentum) {
+TEST(RunPage, StandingRobot_HasColumnsOfFeetAndMomentum) {
   const StandingTrace standing;
   RunPage page = page_that_stands(standing, [](int row, const StandingTrace::Set& set) {
     set("support_left_fx", 40.0);
@@ -342,24 +342,24 @@ TEST(RunPage, ARobotThatStandsHasItsFeetAndItsMomentum) {
   EXPECT_EQ(named(run["series"]["columns"], "angular_momentum_z")["unit"], "kg m^2/s");
 }
 
-TEST(RunPage, MomentumIsThatOfThePlant) {
+TEST(RunPage, Momentum_UsesThePlantModel) {
   const StandingTrace standing;
   const auto moves = [](int, const StandingTrace::Set& set) { set("v_root_joint.vx", 0.5); };
   Disturbances heavier;
   heavier.mass_scale = 2.0;
-  for (const bool known : {true, false}) {
+  for (const bool nominal : {true, false}) {
     RunPage page = page_of_run();
-    if (!known) page.plant_model = plant_model(standing.model, heavier);
+    if (!nominal) page.plant_model = plant_model(standing.model, heavier);
     fill_that_stands(page, standing, moves);
     for (const PageColumn& column : page.columns)
       if (column.name == "momentum_x") {
-        EXPECT_DOUBLE_EQ(column.values[2], known ? 10.0 : 20.0);
+        EXPECT_DOUBLE_EQ(column.values[2], nominal ? 10.0 : 20.0);
       }
     EXPECT_TRUE(has_column(page, "momentum_x"));
   }
 }
 
-TEST(RunPage, WhereThePlantFailedNothingIsKnown) {
+TEST(RunPage, RowsAfterAPlantFailure_AreNan) {
   const StandingTrace standing;
   const RunPage page = page_that_stands(standing, [](int row, const StandingTrace::Set& set) {
     if (row >= 4) set("q_root_joint.x", std::nan(""));
@@ -371,14 +371,14 @@ TEST(RunPage, WhereThePlantFailedNothingIsKnown) {
     }
 }
 
-TEST(RunPage, ARobotThatIsFixedHasNoFeet) {
+TEST(RunPage, FixedRobot_HasNoFeet) {
   const Json run = Json::parse(run_page_json(page_of_run()));
   EXPECT_FALSE(run.contains("supports"));
   EXPECT_FALSE(run.contains("pushes"));
   EXPECT_FALSE(has_column(page_of_run(), "com_x"));
 }
 
-TEST(RunPage, AMeasurementThatIsMissingIsAGap) {
+TEST(RunPage, MissingMeasurement_IsNan) {
   RunPage page = page_of_run(100, 1);
   const Json run = Json::parse(run_page_json(page));
   const std::vector<float> measured =
@@ -387,9 +387,9 @@ TEST(RunPage, AMeasurementThatIsMissingIsAGap) {
   EXPECT_EQ(measured[8], 29.0F);
 }
 
-TEST(RunPage, ThinnedPlansKeepTheSlowest) {
+TEST(RunPage, ThinnedPlans_KeepTheSlowest) {
   PageSize size;
-  size.most_plans = 100;
+  size.max_plans = 100;
   RunPage page = page_of_run(1000, 10);
   add_trace(page, page_trace(page.robot.model, 1000), 10, size);
   ASSERT_TRUE(page.solver);
@@ -402,7 +402,7 @@ TEST(RunPage, ThinnedPlansKeepTheSlowest) {
   EXPECT_DOUBLE_EQ(page.solver->missed[slowest], 1.0);
 }
 
-TEST(RunPage, AMinuteStaysBelowTenMegabytes) {
+TEST(RunPage, OneMinuteAtTwoKilohertz_StaysBelowTenMegabytes) {
   Trace trace = page_trace(page_model(), 120'000);  // at 2 kHz
   RunPage page = page_of_run();
   add_trace(page, trace, 1);
@@ -411,13 +411,13 @@ TEST(RunPage, AMinuteStaysBelowTenMegabytes) {
   EXPECT_LT(run_page_json(page).size(), 10'000'000U);
 }
 
-TEST(RunPage, AColumnThatIsMissingIsNamed) {
+TEST(RunPage, TraceWithoutToolColumns_IsRefused) {
   RunPage page = page_of_run();
   const Trace poor({{"time", "s"}, {"phase", "-"}}, 1);
   EXPECT_THROW(add_trace(page, poor, 1), Error);
 }
 
-TEST(RobotJson, SaysWhoFollowsWhom) {
+TEST(RobotJson, MimicJoint_HasLeaderMultiplierAndOffset) {
   TreeSpec tree = page_tree();
   tree.joints[1].mimic = MimicSpec{"hinge", -2.0, 0.5};
   const Json json = robot_json(RobotDrawing{.model = build_model(tree)});
@@ -429,7 +429,7 @@ TEST(RobotJson, SaysWhoFollowsWhom) {
   EXPECT_EQ(spin["nq"], 0);
 }
 
-TEST(RobotJson, HoldsTheTree) {
+TEST(RobotJson, Robot_HasBodiesJointsPosturesAndMeshes) {
   RobotDrawing robot{.model = page_model()};
   robot.postures["bent"] = Eigen::Vector3d(1.0, 0.0, 1.0);
   const Json json = robot_json(robot);
@@ -452,7 +452,7 @@ TEST(RobotJson, HoldsTheTree) {
             Json::parse(R"({"kind": "box", "size": [0.1, 0.2, 0.3]})"));
   EXPECT_EQ(json["postures"][0], Json::parse(R"({"name": "bent", "q": [1, 0, 1]})"));
   EXPECT_EQ(named(json["frames"], "wheel")["kind"], "link");
-  // A mesh that is not there is named, one that is there is scaled.
+  // A missing mesh is named; a loaded one is scaled.
   EXPECT_EQ(json["visuals"][1]["shape"], Json::parse(R"({"kind": "mesh", "name": "wheel.stl"})"));
   EXPECT_EQ(missing_meshes(robot), std::vector<std::string>{"wheel.stl"});
   robot.meshes["package://parts/meshes/wheel.stl"] = {{1, 1, 1, 0, 0, 0, 2, 0, 0}, {0, 1, 2}};
@@ -463,13 +463,13 @@ TEST(RobotJson, HoldsTheTree) {
   EXPECT_TRUE(missing_meshes(robot).empty());
 }
 
-TEST(PageHtml, NoTextEndsTheScriptThatHoldsTheData) {
+TEST(PageHtml, ScriptEndInTheData_DoesNotEndTheScript) {
   const std::string html_template =
       "<html><script type=\"application/json\" id=\"burnish-data\">null</script></html>\n";
   RunPage run = page_of_run(200, 10);
   run.task_file = "note: </script><script>alert(1)</script><!-- & \"quotes\"\n";
   const std::string text = run_page_json(run);
-  // As another program might have written it.
+  // Another program may write '<' unescaped.
   const std::string plain = Json::parse(text).dump();
   EXPECT_NE(plain.find("</script>"), std::string::npos);
   for (const std::string& data : {text, plain}) {
@@ -485,14 +485,14 @@ TEST(PageHtml, NoTextEndsTheScriptThatHoldsTheData) {
   }
 }
 
-TEST(PageHtml, ATemplateWithoutOnePlaceIsRefused) {
+TEST(PageHtml, TemplateWithoutOnePlace_IsRefused) {
   const std::string place = "<script id=\"burnish-data\">null</script>";
   EXPECT_NO_THROW(page_html(place, "{}"));
   expect_words(refusal([] { (void)page_html("<html>", "{}"); }), {"no place"});
   expect_words(refusal([&] { (void)page_html(place + place, "{}"); }), {"several places"});
 }
 
-TEST(PageHtml, ARobotAlone) {
+TEST(PageHtml, RobotAlone_HasNoRuns) {
   const Json page =
       Json::parse(robot_page_json({.title = "two"}, RobotDrawing{.model = page_model()}));
   EXPECT_EQ(page["kind"], "robot");
@@ -500,7 +500,7 @@ TEST(PageHtml, ARobotAlone) {
   EXPECT_EQ(page["robot"]["name"], "two");
 }
 
-TEST(UtcText, IsTheCivilCalendar) {
+TEST(UtcText, UnixTimes_AreCivilDates) {
   EXPECT_EQ(utc_text(0), "1970-01-01T00:00:00Z");
   EXPECT_EQ(utc_text(951'782'399), "2000-02-28T23:59:59Z");
   EXPECT_EQ(utc_text(951'868'799), "2000-02-29T23:59:59Z");

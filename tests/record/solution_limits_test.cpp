@@ -1,4 +1,4 @@
-// Limits along the horizon as a table and as ranges of time.
+// Tests of the active constraints of a solution: a table by knots, and ranges of time.
 #include <gtest/gtest.h>
 
 #include "burnish/ocp/step_check.hpp"
@@ -27,7 +27,7 @@ class SolutionLimits : public ::testing::Test {
   Problem swing = problem();
 };
 
-TEST_F(SolutionLimits, AreALinePerRowAndKnot) {
+TEST_F(SolutionLimits, Csv_HasALinePerRowAndKnot) {
   CostReport report;
   report.limits = {{.knot = 1,
                     .row = "speed/hinge",
@@ -42,24 +42,24 @@ TEST_F(SolutionLimits, AreALinePerRowAndKnot) {
             "5,1.5,1,\"a, b\",,0,2,0\n");
 }
 
-TEST_F(SolutionLimits, PushInRangesOfConsecutiveKnots) {
+TEST_F(SolutionLimits, ActiveConstraints_AreRangesOfConsecutiveKnots) {
   CostReport report;
-  const auto push = [&](int knot, const char* row, double multiplier) {
+  const auto add = [&](int knot, const char* row, double multiplier) {
     report.limits.push_back({.knot = knot, .row = row, .multiplier = multiplier});
   };
-  for (const int knot : {0, 1}) push(knot, "speed", -2.0);
-  push(1, "range", 1.0);
-  push(2, "speed", 0.0);  // broken, and nothing that pushes
-  push(2, "range", 1.0);
-  for (const int knot : {3, 4, 5}) push(knot, "speed", 2.0);
-  push(6, "broken", 0.0);
+  for (const int knot : {0, 1}) add(knot, "speed", -2.0);
+  add(1, "range", 1.0);
+  add(2, "speed", 0.0);  // violated, with multiplier 0
+  add(2, "range", 1.0);
+  for (const int knot : {3, 4, 5}) add(knot, "speed", 2.0);
+  add(6, "broken", 0.0);
   const auto times = active_times(swing, report);
   ASSERT_EQ(times.size(), 2U);
   EXPECT_EQ(times.at("speed").dump(), "[[0.0,0.25],[0.75,1.5]]");
   EXPECT_EQ(times.at("range").dump(), "[[0.25,0.5]]");
 }
 
-TEST_F(SolutionLimits, SummaryOfAStartOutside_SaysSoInItsFieldsAndItsSentence) {
+TEST_F(SolutionLimits, InfeasibleStart_IsInTheSummaryAndItsSentence) {
   Problem fast = problem("start: {velocity: {pivot: 3}}\n");
   DdpSolver solver(fast);
   solver.solve();
@@ -69,13 +69,13 @@ TEST_F(SolutionLimits, SummaryOfAStartOutside_SaysSoInItsFieldsAndItsSentence) {
   EXPECT_EQ(summary["converged"], false);
   EXPECT_EQ(summary["feasible"], false);
   EXPECT_EQ(summary["largest_gap"], 0.0);
-  EXPECT_EQ(summary["outside"], 2.0);
-  ASSERT_EQ(summary["start_outside"].size(), 1U);
-  EXPECT_EQ(summary["start_outside"][0]["row"], "speed/pivot");
-  EXPECT_EQ(summary["start_outside"][0]["value"], 3.0);
-  EXPECT_EQ(summary["start_outside"][0]["upper"], 1.0);
+  EXPECT_EQ(summary["violation"], 2.0);
+  ASSERT_EQ(summary["start_violations"].size(), 1U);
+  EXPECT_EQ(summary["start_violations"][0]["row"], "speed/pivot");
+  EXPECT_EQ(summary["start_violations"][0]["value"], 3.0);
+  EXPECT_EQ(summary["start_violations"][0]["upper"], 1.0);
   const std::string sentence = summary["sentence"];
-  EXPECT_NE(sentence.find("the start is outside its limits: 'speed/pivot' is 3, allowed -1 to 1"),
+  EXPECT_NE(sentence.find("the initial state violates limits: 'speed/pivot' is 3, allowed -1 to 1"),
             std::string::npos)
       << sentence;
   EXPECT_NE(sentence.find("not feasible: 'speed/pivot'"), std::string::npos) << sentence;
@@ -87,7 +87,7 @@ TEST_F(SolutionLimits, SummaryOfASolution_IsFeasible) {
   const auto summary =
       summary_json("swing.yaml", swing, solver, check_steps(swing, solver.xs(), solver.us()));
   EXPECT_EQ(summary["feasible"], true);
-  EXPECT_EQ(summary["start_outside"].size(), 0U);
+  EXPECT_EQ(summary["start_violations"].size(), 0U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The measures of a run, on traces whose figures are known.
+// Tests of the metrics of a run, on traces whose figures follow by hand.
 #include "burnish/report/metrics.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using testing::refusal;
 
 constexpr double dt = 1e-3;
 
-/// A turning arm of one joint with limits.
+/// Returns an arm with one revolute joint and limits.
 Model one_joint() {
   TreeSpec tree;
   tree.name = "one";
@@ -40,7 +40,7 @@ Model one_joint() {
   return build_model(tree);
 }
 
-/// A second of a trace whose rows start as a perfect run along x = 0.1 t with 30 N.
+/// Returns a trace of 1 s along x = 0.1 t with 30 N and no error; `change` edits each row.
 Trace trace_with(const std::function<void(int row, Trace& trace, double* values)>& change) {
   std::vector<TraceColumn> columns;
   for (const char* name : {"time",
@@ -65,9 +65,9 @@ Trace trace_with(const std::function<void(int row, Trace& trace, double* values)
                            "surface_normal_x_world",
                            "surface_normal_y_world",
                            "surface_normal_z_world",
-                           "believed_normal_x_world",
-                           "believed_normal_y_world",
-                           "believed_normal_z_world",
+                           "estimated_normal_x_world",
+                           "estimated_normal_y_world",
+                           "estimated_normal_z_world",
                            "q_hinge",
                            "tau_applied_hinge",
                            "limited_joints",
@@ -75,9 +75,9 @@ Trace trace_with(const std::function<void(int row, Trace& trace, double* values)
                            "iterations",
                            "missed_deadline",
                            "tick",
-                           "limits_pushing",
-                           "limits_outside",
-                           "limits_infeasible",
+                           "active_constraints",
+                           "constraint_violation",
+                           "constraints_infeasible",
                            "clipped_torques"})
     columns.push_back({name, "-"});
   Trace trace(columns, 1000);
@@ -93,7 +93,7 @@ Trace trace_with(const std::function<void(int row, Trace& trace, double* values)
     set("tool_force_z_world", 30.0);
     set("estimated_force_z_world", 30.0);
     set("surface_normal_z_world", 1.0);
-    set("believed_normal_z_world", 1.0);
+    set("estimated_normal_z_world", 1.0);
     change(row, trace, values);
   }
   return trace;
@@ -105,7 +105,7 @@ MetricsSpec from_half() {
   return spec;
 }
 
-TEST(Metrics, of_a_perfect_run_are_zero) {
+TEST(Metrics, PerfectRun_HasZeroErrors) {
   const Metrics m = measure(trace_with([](int, Trace&, double*) {}), one_joint(), from_half());
   EXPECT_EQ(m.rows, 500);
   EXPECT_EQ(m.start, 0.5);
@@ -122,7 +122,7 @@ TEST(Metrics, of_a_perfect_run_are_zero) {
   EXPECT_FALSE(m.solver.has_value());
 }
 
-TEST(Metrics, of_force_are_those_of_its_moving_average) {
+TEST(Metrics, ForceErrors_UseTheMovingAverage) {
   // A constant error of 2 N, and a ripple that averages out over 10 ms.
   const Metrics m = measure(trace_with([](int row, Trace& trace, double* values) {
                               values[trace.index("tool_force_z_world")] =
@@ -138,7 +138,7 @@ TEST(Metrics, of_force_are_those_of_its_moving_average) {
   EXPECT_NEAR(m.estimate_rmse, std::sqrt(2.0 * 2.0 + 5.0 * 5.0), 1e-9);
 }
 
-TEST(Metrics, use_the_force_along_the_normal_and_the_distance_across_it) {
+TEST(Metrics, Errors_UseNormalForceAndTangentialDistance) {
   const auto change = [](int, Trace& trace, double* values) {
     values[trace.index("tool_force_x_world")] = 9.0;  // friction
     values[trace.index("tool_z_world")] = -3e-3;      // sinks in
@@ -156,7 +156,7 @@ TEST(Metrics, use_the_force_along_the_normal_and_the_distance_across_it) {
   EXPECT_NEAR(other.position_mean, 5e-3, 1e-12);
 }
 
-TEST(Metrics, count_lost_contact_overshoot_and_impact_where_they_happen) {
+TEST(Metrics, LostContactOvershootAndImpact_AreMeasuredInTheirPhases) {
   const Metrics m = measure(trace_with([](int row, Trace& trace, double* values) {
                               double& force = values[trace.index("tool_force_z_world")];
                               double& contact = values[trace.index("in_contact")];
@@ -172,7 +172,7 @@ TEST(Metrics, count_lost_contact_overshoot_and_impact_where_they_happen) {
   EXPECT_NEAR(m.force_peak, 30.0, 1e-9);
 }
 
-TEST(Metrics, find_the_drift_and_the_smallest_margins) {
+TEST(Metrics, DriftAndSmallestMargins_AreFound) {
   const Metrics m = measure(trace_with([](int row, Trace& trace, double* values) {
                               values[trace.index("tool_rz_start")] = 0.5 + 0.2 * dt * row;
                               values[trace.index("q_hinge")] = row == 700 ? 1.7 : 0.0;
@@ -186,34 +186,36 @@ TEST(Metrics, find_the_drift_and_the_smallest_margins) {
   EXPECT_NEAR(m.limited_torque, 0.2, 1e-12);
 }
 
-TEST(Metrics, find_how_far_the_pressing_axis_leans) {
-  const Trace leaning = trace_with([](int row, Trace& trace, double* values) {
+TEST(Metrics, TiltedTool_GivesTheAngleOfItsAxisToTheNormal) {
+  const Trace inclined = trace_with([](int row, Trace& trace, double* values) {
     values[trace.index("tool_rx_start")] = row == 700 ? 0.3 : 0.0;
   });
   MetricsSpec spec = from_half();
-  EXPECT_FALSE(measure(leaning, one_joint(), spec).tool_to_normal);
+  EXPECT_FALSE(measure(inclined, one_joint(), spec).tool_to_normal);
   // At the start the tool's z points along -y of the world, and its x presses down.
   spec.tool_start_world << 0, 1, 0, 0, 0, -1, -1, 0, 0;
   spec.tool_axis = Eigen::Vector3d(2.0, 0.0, 0.0);
-  EXPECT_NEAR(measure(leaning, one_joint(), spec).tool_to_normal.value_or(-1.0), 0.0, 1e-9)
-      << "a turn about the pressing axis is no lean";
+  EXPECT_NEAR(measure(inclined, one_joint(), spec).tool_to_normal.value_or(-1.0), 0.0, 1e-9)
+      << "a rotation about the pressing axis does not incline it";
   spec.tool_axis = Eigen::Vector3d(2.0, 0.2, 0.0);
-  EXPECT_NEAR(measure(leaning, one_joint(), spec).tool_to_normal.value_or(-1.0), std::atan(0.1),
+  EXPECT_NEAR(measure(inclined, one_joint(), spec).tool_to_normal.value_or(-1.0), std::atan(0.1),
               1e-9);
   spec.tool_axis = Eigen::Vector3d::Zero();
-  expect_words(refusal([&] { measure(leaning, one_joint(), spec); }), {"tool's axis", "direction"});
+  expect_words(refusal([&] { measure(inclined, one_joint(), spec); }),
+               {"tool's axis", "direction"});
 }
 
-TEST(Metrics, report_the_solver_over_its_ticks) {
+TEST(Metrics, SolverFigures_CountTicksOnly) {
   const Metrics m = measure(trace_with([](int row, Trace& trace, double* values) {
                               if (row % 10 != 0) return;
                               values[trace.index("tick")] = 1.0;
                               values[trace.index("solve_time")] = row == 990 ? 5e-3 : 1e-3;
                               values[trace.index("iterations")] = 2.0;
                               values[trace.index("missed_deadline")] = row == 990 ? 1.0 : 0.0;
-                              values[trace.index("limits_pushing")] = row >= 900 ? 3.0 : 0.0;
-                              values[trace.index("limits_outside")] = row == 990 ? 0.2 : 0.1;
-                              values[trace.index("limits_infeasible")] = row == 990 ? 1.0 : 0.0;
+                              values[trace.index("active_constraints")] = row >= 900 ? 3.0 : 0.0;
+                              values[trace.index("constraint_violation")] = row == 990 ? 0.2 : 0.1;
+                              values[trace.index("constraints_infeasible")] =
+                                  row == 990 ? 1.0 : 0.0;
                               values[trace.index("clipped_torques")] = row == 800 ? 2.0 : 0.0;
                             }),
                             one_joint(), from_half());
@@ -225,13 +227,13 @@ TEST(Metrics, report_the_solver_over_its_ticks) {
   EXPECT_EQ(m.solver->missed_deadlines, 1);
   EXPECT_EQ(m.solver->at_limits, 10);
   EXPECT_EQ(m.solver->infeasible, 1);
-  EXPECT_EQ(m.solver->limits_outside, 0.2);
+  EXPECT_EQ(m.solver->constraint_violation, 0.2);
   EXPECT_EQ(m.solver->clipped, 1);
   const std::string text = metrics_text(m);
-  EXPECT_NE(text.find(" 50 "), std::string::npos) << "a count has no decimals\n" << text;
+  EXPECT_NE(text.find(" 50 "), std::string::npos) << "a count must have no decimals\n" << text;
 }
 
-TEST(Metrics, are_printed_with_their_units) {
+TEST(Metrics, Table_HasUnitsAndAlignedLines) {
   const Model model = one_joint();
   const Metrics m = measure(trace_with([](int, Trace&, double*) {}), model, from_half());
   const std::string table = metrics_table({{"first", m}, {"the second run", m}});
@@ -240,21 +242,21 @@ TEST(Metrics, are_printed_with_their_units) {
   EXPECT_NE(table.find("the second run"), std::string::npos) << table;
   std::size_t width = table.find('\n');
   for (std::size_t at = 0; at < table.size(); at += width + 1)
-    EXPECT_EQ(table.find('\n', at) - at, width) << "lines of one width\n" << table;
+    EXPECT_EQ(table.find('\n', at) - at, width) << "lines must have one width\n" << table;
   EXPECT_NE(metrics_text(m).find("hinge"), std::string::npos) << metrics_text(m);
   EXPECT_EQ(metrics_table({}), "");
 }
 
-TEST(Metrics, say_what_their_mean_is_of) {
+TEST(Metrics, Text_StatesTheAveragingWindow) {
   const Model model = one_joint();
   const Trace trace = trace_with([](int, Trace&, double*) {});
   MetricsSpec spec = from_half();
-  for (const auto& [average, taken, words] :
+  for (const auto& [average, rounded, words] :
        {std::tuple(0.010, 0.010, "mean over 10 ms"), std::tuple(0.0252, 0.025, "mean over 25 ms"),
         std::tuple(0.0, 0.0, "root mean square error of the force\n")}) {
     spec.average = average;
     const Metrics m = measure(trace, model, spec);
-    EXPECT_NEAR(m.average, taken, 1e-12);
+    EXPECT_NEAR(m.average, rounded, 1e-12);
     EXPECT_NE(metrics_text(m).find(words), std::string::npos) << metrics_text(m);
     std::string page;
     for (const PageMetric& metric : page_metrics(m)) page += metric.text + "\n";
@@ -264,7 +266,7 @@ TEST(Metrics, say_what_their_mean_is_of) {
   }
 }
 
-TEST(Metrics, print_no_number_that_nobody_can_read) {
+TEST(Metrics, Text_HasNoUnreadableNumbers) {
   Metrics m;
   m.force_mean = 1e300;
   m.force_mae = -0.0;
@@ -273,7 +275,7 @@ TEST(Metrics, print_no_number_that_nobody_can_read) {
   EXPECT_EQ(text.find("-0.0"), std::string::npos) << text;
 }
 
-/// The mean of each window, summed up with twice the digits.
+/// Returns the mean of a window, summed in extended precision.
 double mean_about(const Eigen::VectorXd& x, Eigen::Index i, int width) {
   const Eigen::Index from = std::max<Eigen::Index>(0, i - width / 2);
   const Eigen::Index to = std::min(x.size(), i - width / 2 + width);
@@ -282,7 +284,7 @@ double mean_about(const Eigen::VectorXd& x, Eigen::Index i, int width) {
   return static_cast<double>(sum / static_cast<long double>(to - from));
 }
 
-TEST(MovingMean, is_the_mean_of_every_window_at_any_width) {
+TEST(MovingMean, AnyWidth_GivesTheMeanOfEveryWindow) {
   const Eigen::VectorXd x = Eigen::VectorXd::Random(137);
   for (const int width : {1, 2, 3, 7, 10, 64, 136, 137, 138, 500}) {
     const Eigen::VectorXd mean = moving_mean(x, width);
@@ -292,7 +294,7 @@ TEST(MovingMean, is_the_mean_of_every_window_at_any_width) {
   EXPECT_EQ(moving_mean(Eigen::VectorXd(), 5).size(), 0);
 }
 
-TEST(MovingMean, keeps_its_digits_and_its_time_on_long_signals) {
+TEST(MovingMean, LongSignal_KeepsItsDigits) {
   const Eigen::VectorXd x = Eigen::VectorXd::Random(1'000'000).array() + 1e6;
   for (const int width : {20, 1000, 300'000}) {
     const Eigen::VectorXd mean = moving_mean(x, width);
@@ -301,7 +303,7 @@ TEST(MovingMean, keeps_its_digits_and_its_time_on_long_signals) {
   }
 }
 
-TEST(Metrics, refuse_windows_and_traces_that_hold_nothing_to_measure) {
+TEST(Metrics, EmptyWindowsAndTraces_AreRefused) {
   const Model model = one_joint();
   const Trace trace = trace_with([](int, Trace&, double*) {});
   MetricsSpec spec;

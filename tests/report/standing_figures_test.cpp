@@ -1,4 +1,4 @@
-// How a robot stood, on traces whose figures are known.
+// Tests of the figures of standing, on traces whose figures follow by hand.
 #include "burnish/report/standing_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -19,18 +19,18 @@ StandingFigures figures_of(const StandingTrace::Change& change = {}, double radi
   return measure_standing(standing.trace(change), standing.model, standing.supports);
 }
 
-TEST(StandingFigures, AreNothingOfWhatRests) {
+TEST(StandingFigures, RobotAtRest_HasNoSlipTiltOrFriction) {
   const StandingFigures f = figures_of();
   EXPECT_EQ(f.friction_used, 0.0);
   ASSERT_TRUE(f.pressure_margin.has_value());
-  EXPECT_NEAR(*f.pressure_margin, 0.05, 1e-12);  // of half_y, as the sole presses in its middle
-  EXPECT_EQ(f.least_load, 100.0);
+  EXPECT_NEAR(*f.pressure_margin, 0.05, 1e-12);  // half_y: the pressure is in the sole's middle
+  EXPECT_EQ(f.min_load, 100.0);
   EXPECT_NEAR(f.slip, 0.0, 1e-12);
   EXPECT_NEAR(f.base_tilt, 0.0, 1e-7);
   EXPECT_NEAR(f.com_moved, 0.0, 1e-12);
 }
 
-TEST(StandingFigures, OfFrictionAreTheShareOfTheCone) {
+TEST(StandingFigures, TangentialForce_GivesTheFractionOfTheCone) {
   const StandingFigures f = figures_of([](int row, const StandingTrace::Set& set) {
     if (row != 5) return;
     set("support_left_fx", 30.0);
@@ -39,8 +39,9 @@ TEST(StandingFigures, OfFrictionAreTheShareOfTheCone) {
   EXPECT_NEAR(f.friction_used, 50.0 / (0.8 * 100.0), 1e-12);
 }
 
-TEST(StandingFigures, OfPressureAreTheDistanceFromTheNearestEdge) {
-  // 8 cm ahead of a middle that is 10 cm from the edge; then outside, of a foot that bears nothing.
+TEST(StandingFigures, CenterOfPressure_GivesTheDistanceFromTheNearestEdge) {
+  // First 8 cm ahead of the middle, whose edge is at 10 cm; then outside the sole of an unloaded
+  // foot, which does not count.
   const StandingFigures ahead = figures_of([](int row, const StandingTrace::Set& set) {
     if (row == 5) set("support_left_my", -100.0 * 0.08);
     if (row != 6) return;
@@ -48,14 +49,14 @@ TEST(StandingFigures, OfPressureAreTheDistanceFromTheNearestEdge) {
     set("support_left_my", -100.0);
   });
   EXPECT_NEAR(ahead.pressure_margin.value_or(1.0), 0.02, 1e-12);
-  EXPECT_EQ(ahead.least_load, 1.0);
+  EXPECT_EQ(ahead.min_load, 1.0);
   const StandingFigures aside = figures_of([](int row, const StandingTrace::Set& set) {
     if (row == 5) set("support_right_mx", 100.0 * -0.06);
   });
   EXPECT_NEAR(aside.pressure_margin.value_or(1.0), -0.01, 1e-12);
 }
 
-TEST(StandingFigures, OfForcesBeginWhenTheGroundHasTakenTheRobot) {
+TEST(StandingFigures, InitialGroundContact_IsIgnoredInForceFigures) {
   const StandingFigures f = figures_of([](int row, const StandingTrace::Set& set) {
     if (row > 0) return;
     set("support_left_fz", 30.0);
@@ -63,18 +64,18 @@ TEST(StandingFigures, OfForcesBeginWhenTheGroundHasTakenTheRobot) {
     set("support_left_my", -3.0);
   });
   EXPECT_EQ(f.friction_used, 0.0);
-  EXPECT_EQ(f.least_load, 100.0);
+  EXPECT_EQ(f.min_load, 100.0);
   EXPECT_NEAR(f.pressure_margin.value_or(0.0), 0.05, 1e-12);
 }
 
-TEST(StandingFigures, OfBallsHaveNoCentreOfPressure) {
+TEST(StandingFigures, PointFeet_HaveNoPressureMargin) {
   const StandingFigures f = figures_of({}, 0.02);
   EXPECT_FALSE(f.pressure_margin.has_value());
-  EXPECT_EQ(f.least_load, 100.0);
+  EXPECT_EQ(f.min_load, 100.0);
 }
 
-TEST(StandingFigures, OfSlipAreAlongTheGroundAndOfTheCorners) {
-  // The whole robot 3 cm aside and 1 cm up: the one is slip, the other is not.
+TEST(StandingFigures, Slip_IsTheLargestHorizontalPathOfACorner) {
+  // The robot moves 3 cm aside, which is slip, and 1 cm up, which is not.
   const StandingFigures moved = figures_of([](int row, const StandingTrace::Set& set) {
     if (row != 7) return;
     set("q_root_joint.x", 0.03);
@@ -83,7 +84,7 @@ TEST(StandingFigures, OfSlipAreAlongTheGroundAndOfTheCorners) {
   EXPECT_NEAR(moved.slip, 0.03, 1e-12);
   EXPECT_NEAR(moved.com_moved, std::hypot(0.03, 0.01), 1e-12);
   EXPECT_NEAR(moved.base_tilt, 0.0, 1e-7);
-  // Turned about the vertical: the farthest corner of a sole goes the farthest.
+  // In a rotation about the vertical, the farthest corner of a sole slips the most.
   constexpr double angle = 0.1;
   const StandingFigures turned = figures_of([](int row, const StandingTrace::Set& set) {
     if (row != 7) return;
@@ -92,17 +93,17 @@ TEST(StandingFigures, OfSlipAreAlongTheGroundAndOfTheCorners) {
   });
   EXPECT_NEAR(turned.slip, 2.0 * std::sin(0.5 * angle) * std::hypot(0.1, 0.15 + 0.05), 1e-9);
   EXPECT_NEAR(turned.base_tilt, 0.0, 1e-7);
-  const StandingFigures ball = figures_of(
+  const StandingFigures point_foot = figures_of(
       [](int row, const StandingTrace::Set& set) {
         if (row != 7) return;
         set("q_root_joint.qz", std::sin(0.5 * angle));
         set("q_root_joint.qw", std::cos(0.5 * angle));
       },
       0.02);
-  EXPECT_NEAR(ball.slip, 2.0 * std::sin(0.5 * angle) * 0.15, 1e-9);
+  EXPECT_NEAR(point_foot.slip, 2.0 * std::sin(0.5 * angle) * 0.15, 1e-9);
 }
 
-TEST(StandingFigures, OfTiltAreTheAngleFromTheVertical) {
+TEST(StandingFigures, Tilt_IsTheAngleFromTheVertical) {
   constexpr double angle = 0.2;
   const StandingFigures f = figures_of([](int row, const StandingTrace::Set& set) {
     if (row != 7) return;
@@ -112,8 +113,8 @@ TEST(StandingFigures, OfTiltAreTheAngleFromTheVertical) {
   EXPECT_NEAR(f.base_tilt, angle, 1e-9);
 }
 
-TEST(StandingFigures, TakeTheNormalOfTheGroundNotOfTheSole) {
-  // Of a tilted sole with a force straight up nothing is across the ground.
+TEST(StandingFigures, TiltedSole_UsesTheNormalOfTheGround) {
+  // A vertical force on a tilted sole has no component along the ground.
   constexpr double angle = 0.2;
   const StandingFigures f = figures_of([](int row, const StandingTrace::Set& set) {
     if (row != 7) return;
@@ -125,19 +126,19 @@ TEST(StandingFigures, TakeTheNormalOfTheGroundNotOfTheSole) {
     }
   });
   EXPECT_NEAR(f.friction_used, 0.0, 1e-12);
-  EXPECT_NEAR(f.least_load, 100.0, 1e-9);
+  EXPECT_NEAR(f.min_load, 100.0, 1e-9);
 }
 
-TEST(StandingFigures, EndWhereThePlantLeftNoState) {
+TEST(StandingFigures, RowsFromANanState_AreIgnored) {
   const StandingFigures f = figures_of([](int row, const StandingTrace::Set& set) {
     if (row == 4) set("q_root_joint.x", std::numeric_limits<double>::quiet_NaN());
     if (row == 5) set("support_left_fz", 0.0);
   });
-  EXPECT_EQ(f.least_load, 100.0);
+  EXPECT_EQ(f.min_load, 100.0);
   EXPECT_NEAR(f.slip, 0.0, 1e-12);
 }
 
-TEST(StandingFigures, AreRefusedOfWhatDoesNotFit) {
+TEST(StandingFigures, BadSupportsOrTrace_AreRefused) {
   const StandingTrace standing;
   const Trace trace = standing.trace();
   expect_words(refusal([&] { (void)measure_standing(trace, standing.model, {}); }),
@@ -157,7 +158,7 @@ TEST(StandingFigures, AreRefusedOfWhatDoesNotFit) {
                {"right", "no direction"});
 }
 
-TEST(StandingFigures, AreAColumnPerRun) {
+TEST(StandingFigures, Table_HasAColumnPerRun) {
   EXPECT_EQ(standing_table({}), "");
   StandingFigures figures;
   figures.slip = 2e-3;

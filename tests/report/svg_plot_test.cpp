@@ -1,4 +1,4 @@
-// Line plots: what is drawn, and what is left out.
+// Tests of line plots: curves, axes, gaps and files.
 #include "burnish/report/svg_plot.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace burnish::testing {
 namespace {
 
-/// Points of all paths, px.
+/// Returns the points of all paths [px].
 std::vector<Eigen::Vector2d> points(const std::string& svg) {
   std::vector<Eigen::Vector2d> result;
   const std::regex point("[ML]([0-9.-]+) ([0-9.-]+)");
@@ -24,7 +24,7 @@ std::vector<Eigen::Vector2d> points(const std::string& svg) {
 
 PlotSpec one(Panel panel) { return {.panels = {std::move(panel)}}; }
 
-TEST(SvgPlot, LinesAreStraightAndUpIsUp) {
+TEST(SvgPlot, Line_IsStraightAndPointsUpwards) {
   const Eigen::Vector3d x(0, 1, 3), y(1, 2, 4);
   const auto p = points(svg_plot(one({.curves = {{.name = "line", .x = x, .y = y}}})));
   ASSERT_EQ(p.size(), 3U);
@@ -33,7 +33,7 @@ TEST(SvgPlot, LinesAreStraightAndUpIsUp) {
   EXPECT_NEAR((p[1].x() - p[0].x()) / (p[2].x() - p[0].x()), 1.0 / 3.0, 1e-3);
 }
 
-TEST(SvgPlot, EqualAspectMakesCirclesRound) {
+TEST(SvgPlot, EqualAspect_DrawsRoundCircles) {
   const Eigen::VectorXd angle = Eigen::VectorXd::LinSpaced(100, 0.0, 6.3);
   const auto p =
       points(svg_plot(one({.curves = {{.x = angle.array().cos(), .y = 5.0 + angle.array().sin()}},
@@ -46,7 +46,7 @@ TEST(SvgPlot, EqualAspectMakesCirclesRound) {
   EXPECT_NEAR(right - left, lower - upper, 0.2);
 }
 
-TEST(SvgPlot, WhatIsNotFiniteInterruptsTheLine) {
+TEST(SvgPlot, NonFinitePoints_InterruptTheLine) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Eigen::VectorXd x(5), y(5);
   x << 0, 1, 2, 3, 4;
@@ -58,7 +58,7 @@ TEST(SvgPlot, WhatIsNotFiniteInterruptsTheLine) {
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
-TEST(SvgPlot, EmptyAndConstantCurvesHaveAxesToo) {
+TEST(SvgPlot, EmptyAndConstantCurves_HaveAxes) {
   for (const Eigen::VectorXd& y : {Eigen::VectorXd(), Eigen::VectorXd(Eigen::VectorXd::Zero(3)),
                                    Eigen::VectorXd(Eigen::VectorXd::Constant(3, 1e9))}) {
     for (const bool log : {false, true}) {
@@ -78,15 +78,15 @@ TEST(SvgPlot, RoundingOfAUnit_DoesNotFillThePanel) {
     return std::abs(p[1].y() - p[2].y());
   };
   EXPECT_LT(span("normal error [deg]"), 0.01);
-  EXPECT_GT(span("something"), 10.0) << "without a known unit as before";
+  EXPECT_GT(span("something"), 10.0) << "without a unit, the range is that of the data";
 }
 
-TEST(SvgPlot, TextIsEscaped) {
+TEST(SvgPlot, Text_IsEscaped) {
   const std::string svg = svg_plot(one({.title = "a < b & c"}));
   EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);
 }
 
-TEST(SvgPlot, AFileThatCannotBeWrittenIsAnError) {
+TEST(SvgPlot, UnwritableFile_IsAnError) {
   EXPECT_THROW(write_svg_plot({}, "/nowhere/plot.svg"), Error);
 }
 

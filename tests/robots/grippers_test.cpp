@@ -1,4 +1,4 @@
-// Fingers of grippers among the joints of descriptions, and what loading makes of them.
+// Tests of the recognition of gripper fingers in descriptions, and of their locking at loading.
 #include "robots/grippers.hpp"
 
 #include <gtest/gtest.h>
@@ -27,11 +27,11 @@ FingerNames fingers_of(const std::string& beyond_l6) {
   return finger_joints(parse_urdf(six_joint_arm({.beyond = beyond_l6}), "arm.urdf"));
 }
 
-TEST(Grippers, BranchesAtTheEndOfAnArm_AreFingers) {
+TEST(GripperFingers, BranchesAtTheEndOfAnArm_AreFingers) {
   EXPECT_EQ(fingers_of(with_gripper().beyond), (FingerNames{"left", "right"}));
   EXPECT_EQ(finger_joints(read_urdf(BURNISH_ROBOTS_DIR "/crane/crane.urdf")),
             (FingerNames{"left_finger_a_joint", "left_finger_b_joint"}));
-  // Without names that tell, on a hand that is fixed to the last link, of two joints each.
+  // Two fingers of two joints each, without telling names, on a hand fixed to the last link.
   EXPECT_EQ(
       fingers_of("<link name='palm'/><joint name='p' type='fixed'><parent link='l6'/><child "
                  "link='palm'/></joint>" +
@@ -40,19 +40,19 @@ TEST(Grippers, BranchesAtTheEndOfAnArm_AreFingers) {
       (FingerNames{"a1", "a2", "b1", "b2"}));
 }
 
-TEST(Grippers, OneBranch_IsAFingerByItsName) {
+TEST(GripperFingers, SingleBranch_IsAFingerByItsName) {
   EXPECT_EQ(fingers_of(turning("j7", "l6", "moving_jaw", "0 0 0.05")), FingerNames{"j7"});
   EXPECT_EQ(fingers_of(turning("jointGripper", "l6", "mover", "0 0 0.05")),
             FingerNames{"jointGripper"});
-  // A wrist that turns a gripper is none, nor is a seventh joint.
+  // A wrist joint that rolls a gripper is not a finger, nor is a seventh joint.
   EXPECT_EQ(fingers_of(turning("gripper_roll", "l6", "gripper", "0 0 0.05")), FingerNames{});
   EXPECT_EQ(fingers_of(turning("j7", "l6", "hand", "0 0 0.05")), FingerNames{});
 }
 
-TEST(Grippers, RotorBesideTheLinkThatItDrives_IsNoBranch) {
+TEST(GripperFingers, RotorBesideItsLink_IsNotAFinger) {
   const std::string elbow = turning("elbow", "l6", "forearm", "0 0 0.1");
   EXPECT_EQ(fingers_of(elbow + turning("spin", "l6", "elbow_rotor", "0 0 0.05")), FingerNames{});
-  // Without a name that tells, it is the one without mass.
+  // Without a telling name, the rotor is the branch without mass.
   std::string heavy = elbow;
   heavy.replace(heavy.find("<link name='forearm'/>"), std::string("<link name='forearm'/>").size(),
                 "<link name='forearm'><inertial><mass value='0.3'/><inertia ixx='1e-3' ixy='0' "
@@ -62,8 +62,8 @@ TEST(Grippers, RotorBesideTheLinkThatItDrives_IsNoBranch) {
             (FingerNames{"elbow", "spin"}));
 }
 
-TEST(Grippers, ArmsBesideEachOther_AreNotFingers) {
-  // A torso of two joints with two arms of three.
+TEST(GripperFingers, TwoArms_AreNotFingers) {
+  // A torso of two joints has two arms of three joints.
   std::string arms;
   for (const std::string side : {"a", "b"})
     arms += turning(side + "1", "t2", side + "x", "0 0.2 0.3") +
@@ -80,13 +80,13 @@ TEST(Grippers, ArmsBesideEachOther_AreNotFingers) {
         << robot;
 }
 
-TEST(Grippers, FollowersOfAnArmsJoint_AreNotHeld) {
+TEST(GripperFingers, FollowerOfAnArmJoint_IsNotAFinger) {
   EXPECT_EQ(
       fingers_of(finger("left", "l6", 0.03, "<mimic joint='j2'/>") + finger("right", "l6", -0.03)),
       FingerNames{"right"});
 }
 
-TEST(Grippers, FingerAsTheTool_IsHeldAndANoteSaysSo) {
+TEST(GripperFingers, FingerAsTheTool_IsLockedWithANote) {
   const Scratch scratch;
   const std::string file = scratch.write("arm.urdf", six_joint_arm(with_gripper())).string();
   const auto carrying = [&](const std::string& tool) {
@@ -100,7 +100,7 @@ TEST(Grippers, FingerAsTheTool_IsHeldAndANoteSaysSo) {
   const Robot by_finger = carrying("right_link");
   EXPECT_EQ(by_finger.model.nv, 6);
   ASSERT_EQ(by_finger.notes.size(), 1U);
-  expect_words(by_finger.notes[0], {"joint 'left' is taken for a finger", "'right_link'"});
+  expect_words(by_finger.notes[0], {"joint 'left' is treated as a finger", "'right_link'"});
   EXPECT_EQ(load_robot(file).model.nv, 7);
 }
 

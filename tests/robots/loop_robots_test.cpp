@@ -1,4 +1,4 @@
-// Loops in settings: how they are read, and postures that close them.
+// Tests of loops in settings: reading, and postures that close them.
 #include <gtest/gtest.h>
 
 #include "burnish/contact/loops.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 class LoopSettings : public ::testing::Test {
  protected:
-  /// The four-bar mechanism with these settings behind its own description.
+  /// Writes settings of the four-bar mechanism that refer to its own description.
   std::string write(const std::string& settings) const {
     const std::string file =
         scratch_
@@ -29,7 +29,7 @@ const std::string pin =
     "loops: {pin: {between: [coupler, rocker], first: {xyz: [0.3, 0, 0]}, "
     "second: {xyz: [0.25, 0, 0]}}}\n";
 
-TEST_F(LoopSettings, AreReadWithTheirPlacementsAndDirections) {
+TEST_F(LoopSettings, PlacementsAndDirections_AreRead) {
   const Robot robot = load(
       "loops: {pin: {between: [coupler, rocker], first: {xyz: [0.3, 0, 0]}, second: {xyz: [0.25, "
       "0, 0], rpy: [0, 0.1, 0]}, directions: [x, z, rx]}}\ndefault_posture: any\npostures: {any: "
@@ -39,7 +39,7 @@ TEST_F(LoopSettings, AreReadWithTheirPlacementsAndDirections) {
   EXPECT_EQ(load(pin).model.loops[0].directions, Directions::linear());
 }
 
-TEST_F(LoopSettings, AreReadStrictly) {
+TEST_F(LoopSettings, BadKeys_AreRefusedWithTheirPlace) {
   const auto refused = [&](const std::string& settings) {
     return refusal([&] { load(settings); });
   };
@@ -54,7 +54,7 @@ TEST_F(LoopSettings, AreReadStrictly) {
                {"loop 'pin'", "'rokker'", "'rocker'"});
 }
 
-TEST_F(LoopSettings, OfAVariantReplaceThoseOfTheSameName) {
+TEST_F(LoopSettings, LoopOfAVariant_ReplacesTheLoopOfTheSameName) {
   const std::string file = write(pin +
                                  "variants: {off: {loops: {pin: {between: [coupler, world], first: "
                                  "{xyz: [0.3, 0, 0]}, second: {xyz: [0.3, 0, 0.1]}}}}}\n");
@@ -63,18 +63,18 @@ TEST_F(LoopSettings, OfAVariantReplaceThoseOfTheSameName) {
   EXPECT_EQ(robot.model.frames[robot.model.frame_index("pin/second")].body, -1);
 }
 
-TEST_F(LoopSettings, MakePosturesClose) {
+TEST_F(LoopSettings, PartialPosture_IsCompletedToCloseTheLoop) {
   const Robot robot = load(pin + "default_posture: start\npostures: {start: {drive: 0.8}}\n");
   EXPECT_TRUE(robot.warnings.empty());
   const Eigen::VectorXd q = robot.reference_configuration();
   EXPECT_EQ(q[robot.model.joints[robot.model.joint_index("drive")].q_index], 0.8);
   EXPECT_LT(loop_misses(robot.model, q)[0].translation, 1e-8);
-  // Without a posture the neutral one is moved onto the loop.
+  // Without a posture, the neutral configuration is projected onto the loop.
   const Robot plain = load(pin);
   EXPECT_LT(loop_misses(plain.model, plain.reference_configuration())[0].translation, 1e-8);
 }
 
-TEST_F(LoopSettings, WarnOfPosturesThatMissAndRefuseWhatCannotBeClosed) {
+TEST_F(LoopSettings, OpenPosture_IsClosedWithAWarningOrRefused) {
   const Robot closed = load(pin + "postures: {start: {drive: 0.8}}\n");
   const Eigen::VectorXd q = closed.posture("start");
   const auto posture = [&](double drive_off) {
@@ -87,18 +87,18 @@ TEST_F(LoopSettings, WarnOfPosturesThatMissAndRefuseWhatCannotBeClosed) {
     }
     return text + "}}\n";
   };
-  EXPECT_TRUE(load(pin + posture(0.0)).warnings.empty()) << "six decimals are near enough";
-  const Robot odd = load(pin + posture(0.1));
-  ASSERT_EQ(odd.warnings.size(), 1U);
-  expect_words(odd.warnings[0], {"posture 'start'", "loop 'pin'", "mm", "moved so that it closes"});
-  EXPECT_LT(loop_misses(odd.model, odd.posture("start"))[0].translation, 1e-8);
+  EXPECT_TRUE(load(pin + posture(0.0)).warnings.empty()) << "six decimals must be accurate enough";
+  const Robot moved = load(pin + posture(0.1));
+  ASSERT_EQ(moved.warnings.size(), 1U);
+  expect_words(moved.warnings[0], {"posture 'start'", "loop 'pin'", "mm", "move until it closes"});
+  EXPECT_LT(loop_misses(moved.model, moved.posture("start"))[0].translation, 1e-8);
   RobotOverrides strict;
   strict.strict = true;
   expect_words(refusal([&] { load(pin + posture(0.1), strict); }), {"posture 'start'", "strict"});
   const std::string far =
       "loops: {pin: {between: [coupler, rocker], first: {xyz: [0.3, 0, 0]}, "
       "second: {xyz: [0.25, 2, 0]}}}\npostures: {start: {drive: 0.8}}\ndefault_posture: start\n";
-  expect_words(refusal([&] { load(far); }), {"posture 'start'", "loop 'pin'", "mm are left"});
+  expect_words(refusal([&] { load(far); }), {"posture 'start'", "loop 'pin'", "mm remain"});
 }
 
 }  // namespace

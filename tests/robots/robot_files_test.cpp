@@ -1,5 +1,4 @@
-// Files of robots as people have them: names in capitals, pipes, SRDF beside URDF, limits in
-// settings.
+// Tests of robot files: names without a known ending, pipes, SRDF beside URDF, MJCF, and settings.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -34,7 +33,7 @@ const std::string& two_joints() {
   return xml;
 }
 
-/// A folder of its own, gone at the end.
+/// Writes files into a folder that is removed at the end.
 class RobotFiles : public ::testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) const {
@@ -44,7 +43,7 @@ class RobotFiles : public ::testing::Test {
   const fs::path& folder_ = scratch_.folder;
 };
 
-TEST_F(RobotFiles, NeedNoEnding) {
+TEST_F(RobotFiles, AnyFileEnding_IsRead) {
   for (const char* name : {"ARM.URDF", "arm.xml", "arm", "arm.urdf.txt"}) {
     EXPECT_EQ(load_robot(write(name, two_joints())).model.nv, 2) << name;
   }
@@ -54,7 +53,7 @@ TEST_F(RobotFiles, NeedNoEnding) {
   expect_words(refusal([&] { load_robot(write("arm.sdf", "<sdf/>")); }), {"<sdf>", "<robot>"});
 }
 
-/// A slide and a hinge, with what an MJCF file has beside them.
+/// Returns an MJCF model with a slide joint, a hinge and a site; `more` is added to it.
 std::string mjcf(const std::string& more = "") {
   return "<?xml version='1.0'?>\n<!-- <robot/> --><mujoco model='m'><option gravity='0 0 -2'/>"
          "<worldbody><body name='b'><joint name='s' type='slide'/><geom size='0.1'/><body "
@@ -63,7 +62,7 @@ std::string mjcf(const std::string& more = "") {
          more + "</mujoco>";
 }
 
-TEST_F(RobotFiles, AreToldApartByTheirContent) {
+TEST_F(RobotFiles, Format_IsDetectedFromTheContent) {
   for (const char* name : {"m.xml", "M.MJCF", "m", "m.urdf"}) {
     const Robot robot = load_robot(write(name, mjcf()));
     EXPECT_EQ(robot.model.nv, 2) << name;
@@ -72,7 +71,7 @@ TEST_F(RobotFiles, AreToldApartByTheirContent) {
     EXPECT_EQ(robot.default_posture, "qpos0");
     EXPECT_NEAR(robot.reference_configuration()[1], 0.5 * std::acos(-1.0), 1e-15);
   }
-  // What MuJoCo adds to URDF is no MJCF.
+  // A URDF file with a <mujoco> element is not MJCF.
   EXPECT_EQ(
       load_robot(write("a.xml", "<robot name='a'><mujoco/><link name='l'/></robot>")).model.name,
       "a");
@@ -87,7 +86,7 @@ TEST_F(RobotFiles, AreToldApartByTheirContent) {
   expect_words(refused("<mujoco/>"), {"m.xml", "<worldbody>"});
 }
 
-TEST_F(RobotFiles, MayBeMjcfInSettings) {
+TEST_F(RobotFiles, MjcfInSettings_IsReadWithItsKeyframes) {
   write("m.xml",
         mjcf("<keyframe><key name='home' qpos='1 2'/><key name='far' qpos='3 4'/></keyframe>"));
   const auto load = [&](const std::string& settings) {
@@ -104,7 +103,7 @@ TEST_F(RobotFiles, MayBeMjcfInSettings) {
   EXPECT_EQ(changed.posture("home")[0], 7.0);
   EXPECT_EQ(changed.reference_configuration()[0], 3.0);
   const auto frame = static_cast<std::size_t>(changed.model.frame_index("more"));
-  // Held at 4 rad, as the default posture has it, one m beside the body.
+  // The locked joint is at 4 rad, its angle in the default posture. The frame is 1 m off the body.
   EXPECT_NEAR(std::abs(changed.model.frames[frame].placement.translation().norm()), 1.0, 1e-14);
   expect_words(refusal([&] { load("mjcf: m.xml\nurdf: m.urdf"); }),
                {"robot.yaml", "'urdf'", "'mjcf'"});
@@ -112,19 +111,19 @@ TEST_F(RobotFiles, MayBeMjcfInSettings) {
   expect_words(refusal([&] { load("urdf: m.xml"); }), {"m.xml", "<mujoco>", "<robot>"});
 }
 
-TEST_F(RobotFiles, MayComeThroughAPipe) {
+TEST_F(RobotFiles, UrdfInAPipe_IsRead) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
   ASSERT_EQ(::write(ends[1], two_joints().data(), two_joints().size()),
             static_cast<ssize_t>(two_joints().size()));
   ::close(ends[1]);
   const std::string path = "/dev/fd/" + std::to_string(ends[0]);
-  if (!fs::exists(path)) GTEST_SKIP() << "no pipes by path here";
+  if (!fs::exists(path)) GTEST_SKIP() << "this system has no paths of pipes";
   EXPECT_EQ(load_robot(path).model.name, "arm");
   ::close(ends[0]);
 }
 
-TEST_F(RobotFiles, AreStrictWhereAsked) {
+TEST_F(RobotFiles, NamelessRobot_IsAWarningAndWithStrictAnError) {
   const std::string file =
       write("arm.urdf", "<robot><link name='base'/>" + body("upper") +
                             moving("hinge", "revolute", "base", "upper") + "</robot>");
@@ -144,7 +143,7 @@ const char* const states = R"(<robot name="arm">
     <joint name="wheel" value="0 1"/></group_state>
 </robot>)";
 
-TEST_F(RobotFiles, PosturesComeFromSrdfToo) {
+TEST_F(RobotFiles, SrdfBesideTheUrdf_GivesPostures) {
   write("urdf/arm.urdf", two_joints());
   write("srdf/arm.srdf", states);
   const Robot robot = load_robot((folder_ / "urdf/arm.urdf").string());
@@ -152,7 +151,7 @@ TEST_F(RobotFiles, PosturesComeFromSrdfToo) {
   EXPECT_EQ(robot.postures.at("home"), (Posture{{"hinge", {0.5}}, {"wheel", {-0.25}}}));
   const Eigen::VectorXd up = robot.posture("up");
   EXPECT_EQ(up[0], 0.0);
-  EXPECT_NEAR(up[1], 0.0, 1e-15);  // stated by cosine and sine
+  EXPECT_NEAR(up[1], 0.0, 1e-15);  // given as cosine and sine
   EXPECT_EQ(up[2], 1.0);
   EXPECT_EQ(robot.default_posture, "");
   RobotOverrides overrides;
@@ -174,7 +173,7 @@ TEST_F(RobotFiles, PostureBeyondTheLimits_IsAWarning) {
   EXPECT_EQ(robot.postures.size(), 2U);
 }
 
-TEST_F(RobotFiles, PosturesOfTheSettingsGoBeforeThoseOfSrdf) {
+TEST_F(RobotFiles, PostureInSettings_OverridesSrdf) {
   write("arm.urdf", two_joints());
   write("states.srdf", states);
   const std::string settings =
@@ -187,7 +186,7 @@ TEST_F(RobotFiles, PosturesOfTheSettingsGoBeforeThoseOfSrdf) {
   expect_words(refusal([&] { load_robot(folder_.string()); }), {"stats.srdf", "cannot be opened"});
 }
 
-TEST_F(RobotFiles, WhatIsOddAboutSrdfIsAWarning) {
+TEST_F(RobotFiles, BadEntriesOfSrdf_AreWarnings) {
   const std::string file = write("arm.urdf", two_joints());
   write("arm.srdf",
         "<robot>\n"
@@ -207,7 +206,7 @@ TEST_F(RobotFiles, WhatIsOddAboutSrdfIsAWarning) {
   expect_words(robot.warnings[2], {"line 5", "'far'"});
   expect_words(robot.warnings[3], {"line 8", "two values"});
   expect_words(robot.warnings[4], {"line 9", "no name"});
-  // Nobody has asked for this one.
+  // A broken file that nobody requested is a warning only.
   write("arm.srdf", "solid");
   EXPECT_EQ(load_robot(file).warnings.size(), 1u);
   RobotOverrides overrides;
@@ -215,7 +214,7 @@ TEST_F(RobotFiles, WhatIsOddAboutSrdfIsAWarning) {
   expect_words(refusal([&] { load_robot(file, overrides); }), {"arm.srdf", "not well formed"});
 }
 
-TEST_F(RobotFiles, ALimitOfZeroIsNotTakenForUnlimitedWhereTheSettingsStateIt) {
+TEST_F(RobotFiles, ZeroEffortInSettings_IsALimitWithoutAWarning) {
   std::string xml = two_joints();
   const std::size_t at = xml.find("effort='3'");
   xml.replace(at, 10, "effort='0'");
@@ -229,30 +228,32 @@ TEST_F(RobotFiles, ALimitOfZeroIsNotTakenForUnlimitedWhereTheSettingsStateIt) {
   EXPECT_EQ(load_robot(folder_.string()).warnings.size(), 1U);
 }
 
-TEST_F(RobotFiles, WhatAnElementHoldsTwiceCountsOnceWithAWarning) {
-  struct Twice {
+TEST_F(RobotFiles, RepeatedElement_IsReadOnceWithAWarning) {
+  struct Duplicate {
     const char *before, *more, *words;
   };
-  for (const Twice& twice :
-       {Twice{"</inertial>", "<inertial><mass value='7'/></inertial>", "<link> holds <inertial>"},
+  for (const Duplicate& duplicate :
+       {Duplicate{"</inertial>", "<inertial><mass value='7'/></inertial>",
+                  "<link> holds <inertial>"},
         {"<limit", "<axis xyz='0 1 0'/><axis xyz='0 0 1'/>", "<joint> holds <axis>"},
         {"<limit", "<limit lower='-0.1' upper='0.1' velocity='2' effort='3'/>", "holds <limit>"},
         {"<limit", "<dynamics damping='1'/><dynamics damping='2'/>", "holds <dynamics>"},
         {"<limit", "<origin xyz='0 0 1'/><origin xyz='0 0 2'/>", "holds <origin>"}}) {
     std::string xml = two_joints();
-    const std::string before = twice.before;
-    xml.insert(xml.find(before) + (before[1] == '/' ? before.size() : 0), twice.more);
+    const std::string before = duplicate.before;
+    xml.insert(xml.find(before) + (before[1] == '/' ? before.size() : 0), duplicate.more);
     const Robot robot = load_robot(write("arm.urdf", xml));
-    ASSERT_EQ(robot.warnings.size(), 1U) << twice.more;
-    expect_words(robot.warnings[0], {twice.words, "twice", "the first one counts"});
+    ASSERT_EQ(robot.warnings.size(), 1U) << duplicate.more;
+    expect_words(robot.warnings[0], {duplicate.words, "twice", "the first one counts"});
     EXPECT_EQ(robot.model.total_mass(), 2.0);
     const Model& model = robot.model;
-    EXPECT_EQ(model.damping[0], twice.words == std::string("holds <dynamics>") ? 1.0 : 0.0);
-    EXPECT_EQ(model.q_upper[0], twice.words == std::string("holds <limit>") ? 0.1 : 1.0);
+    const std::string words = duplicate.words;
+    EXPECT_EQ(model.damping[0], words == "holds <dynamics>" ? 1.0 : 0.0);
+    EXPECT_EQ(model.q_upper[0], words == "holds <limit>" ? 0.1 : 1.0);
   }
 }
 
-TEST_F(RobotFiles, LimitsOfTheSettingsGoBeforeThoseOfTheUrdf) {
+TEST_F(RobotFiles, LimitsInSettings_OverrideTheUrdf) {
   write("arm.urdf", two_joints());
   write("robot.yaml",
         "urdf: arm.urdf\nlimits: {hinge: {lower: -0.5, effort: 40}, wheel: {velocity: .inf}}\n"
@@ -279,7 +280,7 @@ TEST_F(RobotFiles, LimitsOfTheSettingsGoBeforeThoseOfTheUrdf) {
   expect_words(sentence("{hinge: {lower: low}}"), {"limits.hinge.lower", "'low'", "number"});
 }
 
-TEST_F(RobotFiles, SettingsStateSpringsFrictionAndRotorsBehindGears) {
+TEST_F(RobotFiles, JointsInSettings_SetSpringsFrictionAndRotors) {
   write("arm.urdf", two_joints());
   write("robot.yaml",
         "urdf: arm.urdf\n"
@@ -305,7 +306,7 @@ TEST_F(RobotFiles, SettingsStateSpringsFrictionAndRotorsBehindGears) {
   expect_words(sentence("{hinge: {gear_ratio: 50}}"), {"'gear_ratio'", "'rotor_inertia'"});
 }
 
-TEST_F(RobotFiles, SettingsSayWhatLinksWeighAndWhatIsCarried) {
+TEST_F(RobotFiles, InertiasAndPayloadInSettings_AreApplied) {
   write("arm.urdf", two_joints());
   write("robot.yaml", "urdf: arm.urdf");
   const Model plain = load_robot(folder_.string()).model;
@@ -336,7 +337,7 @@ TEST_F(RobotFiles, SettingsSayWhatLinksWeighAndWhatIsCarried) {
   expect_words(sentence("inertias: {nothing: {mass: 1}}"), {"robot.yaml", "'nothing'"});
 }
 
-TEST_F(RobotFiles, MoveWhatCarriesTheToolAloneWhereNothingSaysMore) {
+TEST_F(RobotFiles, RobotWithoutSettings_MovesOnlyJointsThatCarryTheTool) {
   const std::string xml =
       "<robot name='two arms'><link name='base'/>" + body("left") + body("hand") + body("right") +
       body("finger") + moving("l", "revolute", "base", "left") +
@@ -353,14 +354,14 @@ TEST_F(RobotFiles, MoveWhatCarriesTheToolAloneWhereNothingSaysMore) {
     return names;
   };
   using Names = std::vector<std::string>;
-  EXPECT_EQ(moving_for("hand", file), (Names{"l", "f"})) << "what follows moves too";
-  EXPECT_EQ(moving_for("h", file), (Names{"l", "f"})) << "by the name of a joint";
+  EXPECT_EQ(moving_for("hand", file), (Names{"l", "f"})) << "a follower moves with its leader";
+  EXPECT_EQ(moving_for("h", file), (Names{"l", "f"})) << "the name may be that of a joint";
   EXPECT_EQ(moving_for("right", file), Names{"r"});
-  EXPECT_EQ(moving_for("finger", file), (Names{"l", "r", "f"})) << "its leader carries it";
+  EXPECT_EQ(moving_for("finger", file), (Names{"l", "r", "f"})) << "the leader is needed, too";
   EXPECT_EQ(moving_for("base", file).size(), 3u);
   EXPECT_EQ(moving_for("hnad", file).size(), 3u);
   write("robot.yaml", "urdf: arms.urdf");
-  EXPECT_EQ(moving_for("right", folder_.string()).size(), 3u) << "settings say what moves";
+  EXPECT_EQ(moving_for("right", folder_.string()).size(), 3u) << "settings lock no joint here";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Settings as texts: what keys take, and how a variant changes them.
+// Tests of settings files of robots: keys, refusals, and variants.
 #include "robots/robot_settings.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::string sentence(const std::string& lines) {
   return refusal([&] { parse(lines); });
 }
 
-TEST(RobotSettings, HaveLimitsWithoutEnd) {
+TEST(RobotSettings, InfiniteLimits_AreRead) {
   const double infinity = std::numeric_limits<double>::infinity();
   const RobotSettings settings =
       parse("limits: {a: {lower: -.inf, upper: inf, velocity: .inf}, b: {lower: -inf, effort: 0}}")
@@ -32,31 +32,30 @@ TEST(RobotSettings, HaveLimitsWithoutEnd) {
   EXPECT_EQ(b.lower, -infinity);
   EXPECT_EQ(b.effort, 0.0);
   EXPECT_EQ(sentence("limits: {a: {upper: never}}"),
-            "robot.yaml: line 2: limits.a.upper: 'never' is no number");
+            "robot.yaml: line 2: limits.a.upper: 'never' is not a number");
   EXPECT_EQ(sentence("limits: {a: {velocity: -.inf}}"),
             "robot.yaml: line 2: limits.a.velocity: it is -inf; wanted at least 0");
   EXPECT_EQ(sentence("joints: {a: {armature: .inf}}"),
-            "robot.yaml: line 2: joints.a.armature: '.inf' is no number");
+            "robot.yaml: line 2: joints.a.armature: '.inf' is not a number");
 }
 
-TEST(RobotSettings, AreRefusedWithTheKeysThatThereAre) {
-  const std::string said = sentence("colour_of_paint: red");
-  EXPECT_TRUE(said.ends_with("loops, inertias, payload or variants")) << said;
+TEST(RobotSettings, BadKeys_AreRefusedWithTheValidKeys) {
+  const std::string error = sentence("colour_of_paint: red");
+  EXPECT_TRUE(error.ends_with("loops, inertias, payload or variants")) << error;
   EXPECT_EQ(sentence("variants: {a: {mjcf: a.xml, urdf: a.urdf}}"),
-            "robot.yaml: line 2: variants.a: keys 'urdf' and 'mjcf' are both stated; a robot has "
-            "one description");
+            "robot.yaml: line 2: variants.a: keys 'urdf' and 'mjcf' are both stated; wanted "
+            "only one");
   EXPECT_EQ(sentence("frames: {world: {parent: hand}}"),
-            "robot.yaml: line 2: frames.world: 'world' is the frame of the world; wanted another "
-            "name");
+            "robot.yaml: line 2: frames.world: the name 'world' is reserved; wanted another name");
   EXPECT_EQ(sentence("joints: {a: {rotor_inertia: 1e-5, gear_ratio: 0}}"),
-            "robot.yaml: line 2: joints.a.gear_ratio: it is 0; wanted turns of the rotor per turn "
-            "of the joint");
+            "robot.yaml: line 2: joints.a.gear_ratio: it is 0; wanted the turns of the rotor per "
+            "turn of the joint, not 0");
   EXPECT_EQ(sentence("postures: {a: {from: b}, b: {j: 1}}"),
-            "robot.yaml: line 2: postures.a.from: posture 'b' is none of those above it");
+            "robot.yaml: line 2: postures.a.from: posture 'b' does not exist above this posture");
 }
 
-/// Without that a variant would set the others back to what holds unless stated.
-TEST(RobotSettings, HaveNoKeyThatAlwaysHasAValue) {
+/// A key with a default value would let every variant reset it.
+TEST(RobotSettings, EveryKey_IsOptional) {
   using Kind = ValueType::Kind;
   for (const Field& field : description_of(static_cast<const RobotSettings*>(nullptr)).fields) {
     const Kind kind = field.type->kind;
@@ -66,7 +65,7 @@ TEST(RobotSettings, HaveNoKeyThatAlwaysHasAValue) {
   }
 }
 
-TEST(RobotSettings, OfAVariantGoBeforeThoseOfTheFile) {
+TEST(RobotSettings, Variant_OverridesTheFile) {
   const RobotSettingsFile file = parse(R"(srdf: arm.srdf
 base: free_flyer
 base_placement: {xyz: [1, 2, 3]}

@@ -1,3 +1,4 @@
+// Tests of loading robots: names, settings, variants, overrides, and errors in settings.
 #include "burnish/robots/robot.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ variants:
   adrift: {base: free_flyer}
 )";
 
-/// A folder of robots of its own, seen through BURNISH_ROBOTS.
+/// A folder of robots that BURNISH_ROBOTS names.
 class RobotFolder : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -74,7 +75,7 @@ double height(const Robot& robot, const std::string& frame) {
   return frame_placement(robot.model, robot.reference_configuration(), frame).translation().z();
 }
 
-TEST_F(RobotFolder, IsFoundByEveryName) {
+TEST_F(RobotFolder, NameOrPath_FindsTheRobot) {
   for (const std::string& name :
        {std::string("smallarm"), path("smallarm"), path("smallarm/robot.yaml")}) {
     EXPECT_EQ(load_robot(name).model.nv, 2) << name;
@@ -86,14 +87,14 @@ TEST_F(RobotFolder, IsFoundByEveryName) {
   EXPECT_EQ(plain.reference_configuration(), plain.model.q_neutral);
 }
 
-TEST_F(RobotFolder, PathsMayHoldColons) {
+TEST_F(RobotFolder, PathWithColons_IsRead) {
   fs::create_directories(scratch_.folder / "a:b");
   fs::copy(scratch_.folder / "smallarm", scratch_.folder / "a:b");
   EXPECT_EQ(load_robot(path("a:b")).model.nv, 2);
   EXPECT_EQ(load_robot(path("a:b:hinge")).model.nv, 1);
 }
 
-TEST_F(RobotFolder, ReadsTheSettings) {
+TEST_F(RobotFolder, Settings_GivePosturesFramesAndBasePlacement) {
   const Robot robot = load_robot("smallarm");
   EXPECT_EQ(robot.default_posture, "out");
   EXPECT_EQ(robot.postures.size(), 2u);
@@ -106,16 +107,16 @@ TEST_F(RobotFolder, ReadsTheSettings) {
   EXPECT_TRUE(base.linear().col(0).isApprox(Eigen::Vector3d::UnitY(), 1e-14));
 }
 
-TEST_F(RobotFolder, VariantsReplaceAndAdd) {
+TEST_F(RobotFolder, Variant_ReplacesAndAddsSettings) {
   const Robot robot = load_robot("smallarm:hinge");
   EXPECT_EQ(robot.default_posture, "back");
   EXPECT_EQ(robot.reference_configuration()[0], std::cos(-1.0));
-  // Locked at the variant's own "up"; its tool replaces the file's; the file's tip stays.
+  // Locked at the variant's posture "up". Its tool replaces the file's tool; the file's tip stays.
   EXPECT_DOUBLE_EQ(height(robot, "lower"), 2.75);
   EXPECT_DOUBLE_EQ(height(robot, "tip"), 2.75 + 3.5);
   EXPECT_TRUE(robot.model.has_frame("elbow"));
   EXPECT_EQ(robot.postures.size(), 3u);
-  // Without a posture of its own a variant locks at its default one.
+  // A variant without a posture locks its joints at the default posture.
   EXPECT_DOUBLE_EQ(height(load_robot("smallarm:locked"), "lower"), 2.25);
   const Robot adrift = load_robot("smallarm:adrift");
   EXPECT_EQ(adrift.model.nv, 8);
@@ -123,7 +124,7 @@ TEST_F(RobotFolder, VariantsReplaceAndAdd) {
   EXPECT_EQ(adrift.posture("up").head<3>(), Eigen::Vector3d(1, 2, 3));
 }
 
-TEST_F(RobotFolder, OverridesWin) {
+TEST_F(RobotFolder, Overrides_ReplaceSettingsAndVariant) {
   RobotOverrides overrides;
   overrides.base = Base::FreeFlyer;
   EXPECT_EQ(load_robot("smallarm:hinge", overrides).model.nv, 7);
@@ -131,7 +132,7 @@ TEST_F(RobotFolder, OverridesWin) {
   overrides.locked = {"shoulder"};
   EXPECT_EQ(load_robot("smallarm", overrides).model.nv, 1);
   EXPECT_EQ(load_robot("smallarm:locked", overrides).model.nv, 0);
-  expect_words(refusal([&] { load_robot("smallarm:hinge", overrides); }), {"leave one free"});
+  expect_words(refusal([&] { load_robot("smallarm:hinge", overrides); }), {"at least one free"});
   overrides = {};
   overrides.free = {"slide"};
   EXPECT_EQ(load_robot("smallarm:hinge", overrides).model.joints[0].name, "slide");
@@ -144,10 +145,10 @@ TEST_F(RobotFolder, OverridesWin) {
   expect_words(refusal([&] { load_robot(path("smallarm/arm.urdf"), overrides); }), {"'upp'"});
 }
 
-TEST_F(RobotFolder, NamesWhatIsNotFound) {
+TEST_F(RobotFolder, UnknownNames_AreRefusedWithTheNearestName) {
   const auto sentence = [](const std::string& name) { return refusal([&] { load_robot(name); }); };
   expect_words(sentence("smallarn"), {"'smallarn'", "'smallarm'?"});
-  expect_words(sentence("q"), {"'q'", "known are", "smallarm"});
+  expect_words(sentence("q"), {"'q'", "available robots", "smallarm"});
   expect_words(sentence(""), {"''"});
   expect_words(sentence("smallarm:hing"), {"robot.yaml", "'hing'", "'hinge'?"});
   expect_words(sentence("smallarm:"), {"smallarm:", "variant"});
@@ -159,7 +160,7 @@ TEST_F(RobotFolder, NamesWhatIsNotFound) {
   expect_words(refusal([&] { robot.posture("uut"); }), {"'arm'", "'uut'", "'out'?"});
 }
 
-TEST_F(RobotFolder, SearchesInOrder) {
+TEST_F(RobotFolder, SearchPath_StartsWithTheEnvironmentVariable) {
   ::setenv("BURNISH_ROBOTS", ("/nowhere::" + scratch_.folder.string()).c_str(), 1);
   const std::vector<fs::path> folders = robot_search_path();
   ASSERT_EQ(folders.size(), 4u);
@@ -168,7 +169,7 @@ TEST_F(RobotFolder, SearchesInOrder) {
   EXPECT_EQ(load_robot("smallarm").model.nv, 2);
 }
 
-TEST_F(RobotFolder, KnownNames_InAFolderOfThatName_AreTheKnownRobots) {
+TEST_F(RobotFolder, LocalFolder_DoesNotHideALibraryRobot) {
   fs::create_directories(scratch_.folder / "here" / "smallarm");
   fs::create_directories(scratch_.folder / "here" / "ownarm");
   for (const char* name : {"here/smallarm/", "here/ownarm/"}) {
@@ -194,7 +195,7 @@ const std::vector<BadSettings>& bad_settings() {
   static const std::vector<BadSettings> all = {
       {"Empty", "", {"urdf"}},
       {"List", "- urdf", {"line 1", "keys"}},
-      {"NoYaml", u + "base: [fixed", {"line ", "no YAML"}},
+      {"NoYaml", u + "base: [fixed", {"line ", "not valid YAML"}},
       {"NoUrdf", "base: fixed", {"'urdf'", "missing"}},
       {"MissingUrdf", "urdf: amr.urdf", {"amr.urdf", "cannot be opened"}},
       {"UrdfType", "urdf: [arm.urdf]", {"line 1", "urdf", "text"}},
@@ -245,20 +246,20 @@ const std::vector<BadSettings>& bad_settings() {
   return all;
 }
 
-class BadRobots : public RobotFolder, public ::testing::WithParamInterface<BadSettings> {};
+class BadRobotSettings : public RobotFolder, public ::testing::WithParamInterface<BadSettings> {};
 
-TEST_P(BadRobots, AreRefusedByName) {
+TEST_P(BadRobotSettings, Loading_IsRefusedWithTheKey) {
   write("smallarm/robot.yaml", GetParam().yaml);
   expect_words(refusal([&] { load_robot("smallarm"); }), GetParam().words);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robot, BadRobots, ::testing::ValuesIn(bad_settings()),
+INSTANTIATE_TEST_SUITE_P(Robot, BadRobotSettings, ::testing::ValuesIn(bad_settings()),
                          [](const auto& test) { return test.param.name; });
 
-/// "name" and "name:variant" of every robot that comes with the library.
+/// Returns "name" and "name:variant" of every robot of the library.
 std::vector<std::string> robots_of_the_library() {
   std::vector<std::string> names;
-  std::error_code ignored;  // no folder, no robots
+  std::error_code ignored;  // without the folder, the list is empty
   for (const auto& entry : fs::directory_iterator(BURNISH_ROBOTS_DIR, ignored)) {
     if (!fs::exists(entry.path() / "robot.yaml")) continue;
     const std::string name = entry.path().filename().string();
@@ -270,7 +271,7 @@ std::vector<std::string> robots_of_the_library() {
   return names;
 }
 
-TEST(Robot, ThoseOfTheLibraryLoad) {
+TEST(LibraryRobot, EveryVariant_LoadsWithValidPostures) {
   for (const std::string& name : robots_of_the_library()) {
     const Robot robot = load_robot(name);
     EXPECT_GT(robot.model.nv, 0) << name;

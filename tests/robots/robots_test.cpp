@@ -1,4 +1,4 @@
-// The robots that come with burnish: what their files must keep saying.
+// Tests of the library's robots: joints, masses, tools, postures.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,7 +14,7 @@ namespace {
 struct Expected {
   std::string name;
   int nv;
-  double mass;  // kg, of what moves
+  double mass;  // of the moving bodies [kg]
   std::string default_posture;
   std::vector<std::string> tools;
 };
@@ -47,24 +47,24 @@ Robot load(const std::string& name) {
 
 class RepositoryRobot : public ::testing::TestWithParam<Expected> {};
 
-TEST_P(RepositoryRobot, HasItsJointsAndMass) {
+TEST_P(RepositoryRobot, Model_HasItsJointsMassAndDefaultPosture) {
   const Robot robot = load(GetParam().name);
   EXPECT_EQ(robot.model.nv, GetParam().nv);
   EXPECT_NEAR(robot.model.total_mass(), GetParam().mass, 1e-6);
   EXPECT_EQ(robot.default_posture, GetParam().default_posture);
 }
 
-TEST_P(RepositoryRobot, HasItsToolFrames) {
+TEST_P(RepositoryRobot, ToolFrames_ExistAndMove) {
   const Robot robot = load(GetParam().name);
   for (const std::string& tool : GetParam().tools) {
     ASSERT_TRUE(robot.model.has_frame(tool)) << tool;
   }
-  // The first one moves.
+  // The first tool moves with a joint.
   const auto frame = static_cast<std::size_t>(robot.model.frame_index(GetParam().tools.front()));
   EXPECT_GE(robot.model.frames[frame].body, 0);
 }
 
-TEST_P(RepositoryRobot, HasPosturesWithinItsLimits) {
+TEST_P(RepositoryRobot, Postures_AreWithinTheLimits) {
   const Robot robot = load(GetParam().name);
   const Model& model = robot.model;
   for (const auto& named : robot.postures) {
@@ -88,7 +88,7 @@ std::string label(const ::testing::TestParamInfo<Expected>& robot) {
 
 INSTANTIATE_TEST_SUITE_P(All, RepositoryRobot, ::testing::ValuesIn(robots), label);
 
-TEST(Talos, StandsOnTheGroundInHalfSitting) {
+TEST(TalosPosture, HalfSitting_HasLevelSolesOnTheGround) {
   for (const char* name : {"talos", "talos:fixed"}) {
     const Robot robot = load(name);
     const Eigen::VectorXd q = robot.posture("half_sitting");
@@ -100,8 +100,8 @@ TEST(Talos, StandsOnTheGroundInHalfSitting) {
   }
 }
 
-// Where robot.yaml says that the tool is.
-TEST(Talos, ReachesTheSurfacesOfPolishing) {
+// The positions are those that the comments of robot.yaml state.
+TEST(TalosPosture, PolishingPostures_HaveTheToolAtItsStatedPosition) {
   const Robot robot = load("talos:right_arm");
   const std::vector<std::pair<std::string, Eigen::Vector3d>> stated{
       {"table", {0.431, -0.330, 1.021}},   {"board_x", {0.489, -0.336, 1.152}},

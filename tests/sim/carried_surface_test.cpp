@@ -1,4 +1,5 @@
-// A surface that the robot carries itself: what it pushes, what is refused, how a run is seen.
+// Tests of a surface that the robot itself carries: its contact forces, refused scenes, and traces
+// relative to it.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/rigid_body.hpp"
@@ -14,7 +15,7 @@ using testing::refusal;
 
 namespace {
 
-/// The tip 0.2 mm in the plate.
+/// Scene with the tip 0.2 mm inside the plate.
 SceneSpec plate_under_tip(const Robot& robot, double friction) {
   SceneSpec scene;
   scene.surface.frame = "plate";
@@ -23,7 +24,7 @@ SceneSpec plate_under_tip(const Robot& robot, double friction) {
                          -2e-4);
 }
 
-/// Velocities that let the tip slide on the plate.
+/// Velocities with which the tip slides on the plate.
 Eigen::VectorXd sliding(const Model& model) {
   Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nv);
   for (const auto& [joint, rate] : {std::pair("arm_right_1_joint", 0.2),
@@ -33,8 +34,7 @@ Eigen::VectorXd sliding(const Model& model) {
   return v;
 }
 
-TEST(CarriedSurface,
-     pushes_the_tip_as_it_is_pushed_back_so_that_momentum_is_that_of_gravity_alone) {
+TEST(CarriedSurface, ContactForces_AreInternalAndKeepTheMomentum) {
   const Robot robot = load_robot("talos:with_plate");
   const Model& model = robot.model;
   const auto plant = make_mujoco_plant(model, plate_under_tip(robot, 0.4), {.dt = 1e-5});
@@ -49,27 +49,29 @@ TEST(CarriedSurface,
   ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
   const Eigen::Vector3d force = plant->contact_force_world();
   EXPECT_GT(force.dot(n), 10.0);
-  EXPECT_GT((force - n.dot(force) * n).norm(), 1.0);  // it rubs
+  EXPECT_GT((force - n.dot(force) * n).norm(), 1.0);  // the contact has friction
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
   Vector6 expected;
   expected << weight, com.cross(weight);
   const Vector6 rate = (body.momentum() - before) / plant->dt();
-  // What is left is the step's: of the force at the tip it would be hundreds of times that.
+  // The remainder is the integration error. Without the reaction on the plate it would be hundreds
+  // of times larger.
   EXPECT_LE((rate - expected).norm(), 0.02 * force.norm()) << (rate - expected).transpose();
 }
 
-/// A hand that is too heavy to move: what it carries is as good as the world's.
-TEST(CarriedSurface, pushes_as_one_in_the_world_where_its_frame_stands_still) {
+/// An arm that is too heavy to move carries the plate, so the plate equals a surface fixed in the
+/// world.
+TEST(CarriedSurface, FixedFrame_GivesTheForcesOfASurfaceInTheWorld) {
   Robot robot = load_robot("talos:two_arms");
   for (const Joint& joint : robot.model.joints)
     if (joint.name.rfind("arm_right", 0) != 0) robot.model.armature[joint.v_index] = 1e9;
   const Eigen::VectorXd q = robot.reference_configuration();
   SceneSpec carried = plate_under_tip(robot, 0.3);
   carried.surface.motion = {.amplitude = 1e-4, .frequency = 5.0};
-  SceneSpec standing = carried;
-  standing.surface = in_world(carried.surface, surface_placement(robot.model, q, carried.surface));
+  SceneSpec fixed = carried;
+  fixed.surface = in_world(carried.surface, surface_placement(robot.model, q, carried.surface));
   const auto one = make_mujoco_plant(robot.model, carried);
-  const auto other = make_mujoco_plant(robot.model, standing);
+  const auto other = make_mujoco_plant(robot.model, fixed);
   Eigen::VectorXd v = sliding(robot.model);
   v[robot.model.joints[static_cast<std::size_t>(robot.model.joint_index("arm_left_2_joint"))]
         .v_index] = 0.0;
@@ -89,7 +91,7 @@ TEST(CarriedSurface, pushes_as_one_in_the_world_where_its_frame_stands_still) {
   EXPECT_LE((one->q() - other->q()).norm(), 1e-7);
 }
 
-TEST(CarriedSurface, is_refused_with_a_sentence_where_a_plant_has_none_or_nothing_can_move) {
+TEST(CarriedSurface, UnsupportedPlantOrFrame_IsRefused) {
   const Robot robot = load_robot("talos:two_arms");
   SceneSpec scene = plate_under_tip(robot, 0.0);
   expect_words(refusal([&] { make_ideal_plant(robot.model, scene); }),
@@ -103,7 +105,7 @@ TEST(CarriedSurface, is_refused_with_a_sentence_where_a_plant_has_none_or_nothin
   expect_words(refusal([&] { checked_scene(robot.model, scene); }), {"one body", "tool"});
 }
 
-/// Holds nothing, aims at a point of the plate.
+/// Controller without torque whose target is a point of the plate.
 class Aim final : public Controller {
  public:
   explicit Aim(const Model& model) : body_(model), plate_(body_.frame("plate")) {
@@ -123,20 +125,20 @@ class Aim final : public Controller {
   Command command_;
 };
 
-TEST(CarriedSurface, a_run_is_seen_from_it_as_if_it_stood_still) {
+TEST(CarriedSurface, SeenFromTheSurface_TraceIsInItsFrame) {
   const Robot robot = load_robot("talos:two_arms");
   const auto plant = make_mujoco_plant(robot.model, plate_under_tip(robot, 0.0));
   Aim controller(robot.model);
   ClosedLoop loop(*plant, controller, {}, {.control_period = plant->dt(), .max_duration = 0.3});
   ASSERT_EQ(loop.reset(robot.reference_configuration(), sliding(robot.model)), Status::Ok);
-  ASSERT_EQ(loop.run(0.3), Status::Ok);  // limp, it falls
+  ASSERT_EQ(loop.run(0.3), Status::Ok);  // without torque, the robot falls
   Trace room;
   const Trace& seen = seen_from_surface(loop.trace(), room);
   RigidBody body(robot.model);
   const int last = seen.rows() - 1;
   for (const int row : {0, last}) {
-    const auto at = [&](const char* what) {
-      const int column = seen.index(what);
+    const auto at = [&](const char* column_name) {
+      const int column = seen.index(column_name);
       return Eigen::Vector3d(seen.at(row, column), seen.at(row, column + 1),
                              seen.at(row, column + 2));
     };
@@ -151,7 +153,7 @@ TEST(CarriedSurface, a_run_is_seen_from_it_as_if_it_stood_still) {
     EXPECT_LE((at("surface_normal_x_world") - Eigen::Vector3d::UnitZ()).norm(), 1e-9);
     EXPECT_LE((at("surface_x_world") - plate.translation()).norm(), 1e-12);
   }
-  // It did move.
+  // Checks that the plate moved.
   EXPECT_GT(std::abs(seen.at(last, seen.index("surface_z_world")) -
                      seen.at(0, seen.index("surface_z_world"))),
             0.01);

@@ -1,4 +1,4 @@
-// The loop around plant and controller: what it records, holds, repeats and refuses.
+// Tests of the loop around plant and controller: records, timing, repeatability, refusals.
 #include "burnish/sim/closed_loop.hpp"
 
 #include <gtest/gtest.h>
@@ -25,11 +25,11 @@ PolishingCase noisy_case() {
   return result;
 }
 
-TEST(ClosedLoop, approaches_touches_ramps_and_tracks) {
-  PolishingCase wanted;
-  wanted.ki = 10.0;
-  wanted.clearance = 5e-3;
-  PolishingRun run(wanted, ideal);
+TEST(ClosedLoop, PolishingRun_ApproachesTouchesRampsAndTracks) {
+  PolishingCase setup;
+  setup.ki = 10.0;
+  setup.clearance = 5e-3;
+  PolishingRun run(setup, ideal);
   ASSERT_EQ(run.run(2.0), Status::Ok);
   const Trace& trace = run.loop().trace();
   ASSERT_EQ(trace.rows(), 4000);
@@ -47,7 +47,7 @@ TEST(ClosedLoop, approaches_touches_ramps_and_tracks) {
   EXPECT_EQ(trace.dropped(), 0);
 }
 
-TEST(ClosedLoop, holds_a_torque_between_ticks) {
+TEST(ClosedLoop, BetweenTicks_TheTorqueIsConstant) {
   PolishingRun run({}, ideal);
   ASSERT_EQ(run.run(0.05), Status::Ok);
   const Trace& trace = run.loop().trace();
@@ -63,9 +63,9 @@ TEST(ClosedLoop, holds_a_torque_between_ticks) {
   EXPECT_EQ(ticks, 49);
 }
 
-TEST(ClosedLoop, gives_the_same_bits_for_the_same_seed) {
-  PolishingCase wanted = noisy_case();
-  PolishingRun once(wanted, ideal), again(wanted, ideal);
+TEST(ClosedLoop, SameSeed_GivesTheSameBits) {
+  PolishingCase setup = noisy_case();
+  PolishingRun once(setup, ideal), again(setup, ideal);
   ASSERT_EQ(once.run(0.5), Status::Ok);
   ASSERT_EQ(again.run(0.5), Status::Ok);
   const auto last_row = [](PolishingRun& run) {
@@ -78,24 +78,24 @@ TEST(ClosedLoop, gives_the_same_bits_for_the_same_seed) {
   const Eigen::VectorXd first = last_row(once);
   EXPECT_EQ(first, last_row(again));
 
-  // And again after a reset.
+  // The same bits come again after a reset.
   ASSERT_EQ(again.loop().reset(again.start(), Eigen::VectorXd::Zero(again.controller().nv())),
             Status::Ok);
   EXPECT_EQ(again.loop().trace().rows(), 0);
   ASSERT_EQ(again.run(0.5), Status::Ok);
   EXPECT_EQ(first, last_row(again));
 
-  wanted.disturbances.seed = 8;
-  PolishingRun other(wanted, ideal);
+  setup.disturbances.seed = 8;
+  PolishingRun other(setup, ideal);
   ASSERT_EQ(other.run(0.5), Status::Ok);
   EXPECT_NE(first, last_row(other));
 }
 
-TEST(ClosedLoop, pushes_the_tool_when_told_to) {
-  PolishingCase wanted;
-  wanted.ki = 10.0;
-  wanted.disturbances.pushes = {{1.2, 0.1, {0.0, 10.0, 0.0}}};
-  PolishingRun pushed(wanted, ideal);
+TEST(ClosedLoop, Push_ActsOnTheToolAtItsTime) {
+  PolishingCase setup;
+  setup.ki = 10.0;
+  setup.disturbances.pushes = {{1.2, 0.1, {0.0, 10.0, 0.0}}};
+  PolishingRun pushed(setup, ideal);
   ASSERT_EQ(pushed.run(1.3), Status::Ok);
   const Trace& trace = pushed.loop().trace();
   const Trace::Column push = trace.column("push_y_world"), y = trace.column("tool_y_world");
@@ -104,7 +104,7 @@ TEST(ClosedLoop, pushes_the_tool_when_told_to) {
   EXPECT_GT(y[2599] - y[2399], 1e-3);
 }
 
-/// Limp.
+/// Controller without torque.
 class NoTorque final : public Controller {
  public:
   explicit NoTorque(int nv) { command_.tau = Eigen::VectorXd::Zero(nv); }
@@ -116,7 +116,7 @@ class NoTorque final : public Controller {
   Command command_;
 };
 
-TEST(ClosedLoop, hangs_a_robot_from_its_hoist_until_that_lets_go) {
+TEST(ClosedLoop, Hoist_CarriesTheRobotUntilItReleases) {
   const Model model = biped::model(Base::FreeFlyer);
   SceneSpec scene;
   scene.surface.point.z() = -100.0;
@@ -128,42 +128,42 @@ TEST(ClosedLoop, hangs_a_robot_from_its_hoist_until_that_lets_go) {
   const double height = plant->q()[2];
   ASSERT_LE(loop.run(0.2), Status::NotConverged);
   EXPECT_NEAR(plant->q()[2], height, 0.01);
-  EXPECT_NEAR(plant->q()[6], 1.0, 0.01);  // upright
+  EXPECT_NEAR(plant->q()[6], 1.0, 0.01);  // the base is upright
   ASSERT_LE(loop.run(0.4), Status::NotConverged);
   EXPECT_LT(plant->q()[2], height - 0.1);
 }
 
-TEST(HoistSpec, gives_the_weight_away_in_its_second_half) {
+TEST(HoistSpec, LoadFraction_FallsInTheSecondHalf) {
   const HoistSpec hoist{"pelvis", 2.0};
-  EXPECT_EQ(hoist.share(0.0), 1.0);
-  EXPECT_EQ(hoist.share(1.0), 1.0);
-  EXPECT_NEAR(hoist.share(1.5), 0.5, 1e-12);
-  EXPECT_EQ(hoist.share(2.0), 0.0);
-  EXPECT_EQ(HoistSpec{}.share(0.0), 0.0);
+  EXPECT_EQ(hoist.load_fraction(0.0), 1.0);
+  EXPECT_EQ(hoist.load_fraction(1.0), 1.0);
+  EXPECT_NEAR(hoist.load_fraction(1.5), 0.5, 1e-12);
+  EXPECT_EQ(hoist.load_fraction(2.0), 0.0);
+  EXPECT_EQ(HoistSpec{}.load_fraction(0.0), 0.0);
 }
 
-TEST(ClosedLoop, starts_its_motors_at_the_first_command) {
-  PolishingCase wanted;
-  wanted.disturbances.torque_cutoff = 50.0;
-  wanted.disturbances.command_delay = 5e-3;
-  PolishingRun run(wanted, ideal);
+TEST(ClosedLoop, FirstCommand_StartsTheMotorsAtItsTorque) {
+  PolishingCase setup;
+  setup.disturbances.torque_cutoff = 50.0;
+  setup.disturbances.command_delay = 5e-3;
+  PolishingRun run(setup, ideal);
   ASSERT_EQ(run.loop().step(), Status::Ok);
   EXPECT_EQ(run.loop().actuation().step().applied, run.loop().command().tau);
   EXPECT_GT(run.loop().command().tau.norm(), 1.0);
 }
 
-TEST(ClosedLoop, allocates_nothing_in_a_step_with_everything_switched_on) {
+TEST(ClosedLoop, StepWithAllDisturbances_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
-  PolishingCase wanted = noisy_case();
-  wanted.disturbances.torque_cutoff = 300.0;
-  wanted.disturbances.torque_scale_range = 0.05;
-  wanted.disturbances.joint_coulomb = 0.5;
-  wanted.disturbances.joint_viscous = 0.5;
-  wanted.disturbances.position_noise = 1e-5;
-  wanted.disturbances.velocity_noise = 1e-4;
-  wanted.disturbances.torque_sensor_noise = 0.01;
-  wanted.disturbances.pushes = {{0.1, 0.1, {1.0, 0.0, 0.0}}};
-  PolishingRun run(wanted, ideal);
+  PolishingCase setup = noisy_case();
+  setup.disturbances.torque_cutoff = 300.0;
+  setup.disturbances.torque_scale_range = 0.05;
+  setup.disturbances.joint_coulomb = 0.5;
+  setup.disturbances.joint_viscous = 0.5;
+  setup.disturbances.position_noise = 1e-5;
+  setup.disturbances.velocity_noise = 1e-4;
+  setup.disturbances.torque_sensor_noise = 0.01;
+  setup.disturbances.pushes = {{0.1, 0.1, {1.0, 0.0, 0.0}}};
+  PolishingRun run(setup, ideal);
   const AllocationGuard guard;
   const Status status = run.run(0.8);
   EXPECT_EQ(guard.count(), 0);
@@ -171,7 +171,7 @@ TEST(ClosedLoop, allocates_nothing_in_a_step_with_everything_switched_on) {
   EXPECT_EQ(run.loop().command().phase, number_of(Phase::Track));
 }
 
-TEST(ClosedLoop, refuses_what_does_not_fit) {
+TEST(ClosedLoop, InvalidOptions_AreRefused) {
   Eigen::VectorXd q;
   const Model model = right_arm(&q);
   PolishingRun run({}, ideal);
@@ -199,7 +199,7 @@ TEST(ClosedLoop, refuses_what_does_not_fit) {
                         {"ki", "-1"});
 }
 
-TEST(ImpedanceController, answers_a_measurement_that_is_none_with_a_status_and_its_last_torque) {
+TEST(ImpedanceController, InvalidMeasurement_ReturnsAStatusAndTheLastTorque) {
   PolishingRun run({}, ideal);
   ASSERT_EQ(run.run(0.1), Status::Ok);
   Measurement bad = run.loop().measurement();
@@ -211,7 +211,7 @@ TEST(ImpedanceController, answers_a_measurement_that_is_none_with_a_status_and_i
   EXPECT_EQ(run.controller().tick(bad).status, Status::WrongSize);
 }
 
-TEST(CirclePath, has_the_velocity_and_acceleration_of_its_position) {
+TEST(CirclePath, Derivatives_MatchThePosition) {
   CirclePath circle;
   circle.normal_world = {-1.0, 0.0, 1.0};
   circle.center_world = {0.3, -0.4, 1.0};

@@ -1,4 +1,5 @@
-// Each disturbance alone: what it changes, by how much, and that it leaves the rest alone.
+// Tests of each disturbance alone: the size of its effect, and that all other signals stay
+// unchanged.
 #include "burnish/sim/disturbances.hpp"
 
 #include <gtest/gtest.h>
@@ -22,14 +23,14 @@ namespace {
 
 constexpr double plant_step = 5e-4;
 
-TEST(RandomStream, gives_the_same_numbers_on_every_machine) {
+TEST(RandomStream, FirstNumbers_AreTheSameOnEveryMachine) {
   RandomStream random(7, 3);
   EXPECT_EQ(random.normal(), -0.7781829833984375);
   EXPECT_EQ(random.normal(), 0.4647064208984375);
   EXPECT_EQ(random.uniform(), 0.967922209237977);
 }
 
-TEST(RandomStream, draws_normal_numbers_of_mean_zero_and_deviation_one) {
+TEST(RandomStream, NormalNumbers_HaveMeanZeroAndDeviationOne) {
   RandomStream random(1, 0);
   const int n = 200000;
   double sum = 0.0, squares = 0.0, beyond_two = 0.0;
@@ -44,17 +45,17 @@ TEST(RandomStream, draws_normal_numbers_of_mean_zero_and_deviation_one) {
   EXPECT_NEAR(beyond_two / n, 0.0455, 0.003);
 }
 
-TEST(RandomStream, differs_between_seeds_and_between_streams) {
+TEST(RandomStream, SeedsAndStreams_GiveDifferentNumbers) {
   const auto first = [](std::uint64_t seed, std::uint64_t stream) {
     return RandomStream(seed, stream).uniform();
   };
-  std::set<double> seen;
+  std::set<double> measured;
   for (std::uint64_t seed = 0; seed < 10; ++seed)
-    for (std::uint64_t stream = 0; stream < 10; ++stream) seen.insert(first(seed, stream));
-  EXPECT_EQ(seen.size(), 100U);
+    for (std::uint64_t stream = 0; stream < 10; ++stream) measured.insert(first(seed, stream));
+  EXPECT_EQ(measured.size(), 100U);
 }
 
-/// What an actuation makes of one varying command.
+/// Response of an actuation to a varying command.
 struct Response {
   Eigen::MatrixXd command, delayed, tracked, noise, applied;  ///< nv x steps
   bool operator==(const Response&) const = default;
@@ -86,12 +87,12 @@ class ActuationTest : public ::testing::Test {
   Response ideal = respond(model, {});
 };
 
-TEST_F(ActuationTest, gives_what_is_commanded_when_nothing_is_switched_on) {
+TEST_F(ActuationTest, NoDisturbance_AppliesTheCommand) {
   EXPECT_EQ(ideal.applied, ideal.command);
   EXPECT_EQ(ideal.noise, Eigen::MatrixXd::Zero(model.nv, ideal.noise.cols()));
 }
 
-TEST_F(ActuationTest, delays_the_command_by_whole_steps) {
+TEST_F(ActuationTest, CommandDelay_DelaysByWholeSteps) {
   Disturbances d;
   d.command_delay = 3.1 * plant_step;
   const Response late = respond(model, d);
@@ -101,7 +102,7 @@ TEST_F(ActuationTest, delays_the_command_by_whole_steps) {
   EXPECT_EQ(late.command, ideal.command);
 }
 
-TEST_F(ActuationTest, follows_the_command_at_the_rate_of_the_cutoff) {
+TEST_F(ActuationTest, TorqueCutoff_FiltersTheCommand) {
   Disturbances d;
   d.torque_cutoff = 100.0;
   Actuation actuation(model, d, plant_step);
@@ -111,7 +112,7 @@ TEST_F(ActuationTest, follows_the_command_at_the_rate_of_the_cutoff) {
   EXPECT_EQ(actuation.step().delayed, step);
 }
 
-TEST_F(ActuationTest, scales_and_biases_every_joint_by_its_own_draw_within_the_range) {
+TEST_F(ActuationTest, ScaleAndBias_DifferByJointWithinTheirRange) {
   Disturbances d;
   d.torque_scale_range = 0.2;
   d.seed = 5;
@@ -129,7 +130,7 @@ TEST_F(ActuationTest, scales_and_biases_every_joint_by_its_own_draw_within_the_r
   EXPECT_LE((biased.applied.colwise() - d.torque_bias - ideal.command).norm(), 1e-12);
 }
 
-TEST_F(ActuationTest, adds_noise_of_the_wanted_deviation_to_nothing_else) {
+TEST_F(ActuationTest, TorqueNoise_HasItsDeviation) {
   Disturbances d;
   d.torque_noise = 0.05;
   const Response noisy = respond(model, d);
@@ -140,24 +141,24 @@ TEST_F(ActuationTest, adds_noise_of_the_wanted_deviation_to_nothing_else) {
   EXPECT_NEAR(deviation, 0.05, 0.008);
 }
 
-TEST_F(ActuationTest, noise_is_at_most_a_share_of_the_effort_limit) {
+TEST_F(ActuationTest, TorqueNoise_IsLimitedToAFractionOfTheEffortLimit) {
   Model weak = model;
   weak.effort_limit.setConstant(100.0);
   weak.effort_limit[1] = 1.0;
   Disturbances d;
   d.torque_noise = 0.05;
-  const Response all = respond(weak, d);
+  const Response unlimited = respond(weak, d);
   d.torque_noise_share = 0.0125;
   const Response noisy = respond(weak, d);
-  EXPECT_EQ(noisy.noise.row(0), all.noise.row(0));
-  EXPECT_LE((noisy.noise.row(1) - 0.25 * all.noise.row(1)).norm(), 1e-15);
+  EXPECT_EQ(noisy.noise.row(0), unlimited.noise.row(0));
+  EXPECT_LE((noisy.noise.row(1) - 0.25 * unlimited.noise.row(1)).norm(), 1e-15);
   EXPECT_EQ(torque_noise(weak, d).head<2>(), Eigen::Vector2d(0.05, 0.0125));
   d.torque_loop = true;
   d.torque_sensor_noise = 0.1;
   EXPECT_NEAR(torque_noise(weak, d)[0], std::hypot(0.05, 0.1), 1e-15);
 }
 
-TEST(DisturbancePreset, torque_noise_of_talos_is_the_same_in_all_joints) {
+TEST(DisturbancePreset, TorqueNoiseOfTalos_IsEqualInAllJoints) {
   if (!has_robot_files) GTEST_SKIP() << "needs robots in files";
   const Model talos = named_robot("talos");
   const Eigen::VectorXd noise = torque_noise(talos, disturbance_preset("mismatch"));
@@ -165,7 +166,7 @@ TEST(DisturbancePreset, torque_noise_of_talos_is_the_same_in_all_joints) {
   EXPECT_EQ(noise.tail(talos.nv - 6), Eigen::VectorXd::Constant(talos.nv - 6, 0.05));
 }
 
-TEST_F(ActuationTest, takes_scale_and_bias_away_by_its_torque_loop_and_follows_the_sensor) {
+TEST_F(ActuationTest, TorqueLoop_CancelsScaleAndBiasAndFollowsTheSensor) {
   Disturbances d;
   d.torque_scale_range = 0.2;
   d.torque_bias_range = 2.0;
@@ -175,10 +176,11 @@ TEST_F(ActuationTest, takes_scale_and_bias_away_by_its_torque_loop_and_follows_t
   const Response sensed = respond(model, d);
   EXPECT_NE(sensed.applied, ideal.applied);
   d.torque_loop = false;
-  EXPECT_EQ(respond(model, d).noise, ideal.noise) << "open, the sensor moves no motor";
+  EXPECT_EQ(respond(model, d).noise, ideal.noise)
+      << "without the torque loop, the sensor does not affect the motors";
 }
 
-TEST_F(ActuationTest, stays_within_the_effort_limits_and_says_so) {
+TEST_F(ActuationTest, EffortLimits_ClampTheTorqueAndCountTheJoints) {
   const Response strong = respond(model, {}, 1e4);
   for (Eigen::Index i = 0; i < strong.applied.cols(); ++i)
     EXPECT_LE((strong.applied.col(i).cwiseAbs() - model.effort_limit).maxCoeff(), 0.0);
@@ -190,7 +192,7 @@ TEST_F(ActuationTest, stays_within_the_effort_limits_and_says_so) {
   EXPECT_EQ(actuation.step().limited, model.nv);
 }
 
-TEST_F(ActuationTest, loses_the_torque_of_a_motor_for_a_while_and_of_no_other) {
+TEST_F(ActuationTest, MotorLoss_ScalesOneMotorForItsDuration) {
   Disturbances d;
   const Joint& joint = model.joints[2];
   d.motor_losses = {{.start = 10 * plant_step, .duration = 20 * plant_step, .joint = joint.name},
@@ -203,7 +205,7 @@ TEST_F(ActuationTest, loses_the_torque_of_a_motor_for_a_while_and_of_no_other) {
   EXPECT_EQ(lost.tracked, ideal.tracked);
 }
 
-TEST_F(ActuationTest, loses_it_at_the_same_time_after_a_reset_and_in_a_copy) {
+TEST_F(ActuationTest, MotorLoss_KeepsItsTimeAfterResetAndInACopy) {
   Disturbances d;
   d.motor_losses = {{.start = 3 * plant_step, .joint = model.joints[0].name}};
   Actuation actuation(model, d, plant_step);
@@ -220,7 +222,7 @@ TEST_F(ActuationTest, loses_it_at_the_same_time_after_a_reset_and_in_a_copy) {
   EXPECT_EQ(after(actuation, 3), 1.0);
 }
 
-TEST_F(ActuationTest, holds_the_last_command_in_place_of_one_that_is_no_number) {
+TEST_F(ActuationTest, NonFiniteCommand_AppliesTheLastFiniteOne) {
   Actuation actuation(model, {}, plant_step);
   const Eigen::VectorXd good = Eigen::VectorXd::Constant(model.nv, 2.0);
   actuation.apply(good);
@@ -231,7 +233,7 @@ TEST_F(ActuationTest, holds_the_last_command_in_place_of_one_that_is_no_number) 
   EXPECT_FALSE(actuation.step().held);
 }
 
-TEST_F(ActuationTest, draws_the_same_bits_for_the_same_seed_whatever_else_is_on) {
+TEST_F(ActuationTest, SameSeed_GivesTheSameBitsWithOtherDisturbances) {
   Disturbances d;
   d.seed = 11;
   d.torque_noise = 0.05;
@@ -245,39 +247,39 @@ TEST_F(ActuationTest, draws_the_same_bits_for_the_same_seed_whatever_else_is_on)
   EXPECT_NE(respond(model, d).noise, once.noise);
 }
 
-/// The entries of a measurement that differ from the ideal one.
+/// Measurements of a plant, to compare with the ideal ones.
 class SensingTest : public ::testing::Test {
  protected:
-  struct Seen {
-    Eigen::MatrixXd q, v, tau, force;  ///< a column per tick
+  struct Measured {
+    Eigen::MatrixXd q, v, tau, force;  ///< one column per tick
   };
 
-  /// A plant that presses and slides, measured every two steps.
-  Seen see(const Disturbances& disturbances) const {
+  /// Simulates a plant that presses and slides, measured every two steps.
+  Measured measure(const Disturbances& disturbances) const {
     SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
     const auto plant = make_ideal_plant(model, scene);
     EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
     Sensing sensing(model, disturbances);
     RigidBody body(model);
-    Seen seen;
+    Measured measured;
     constexpr int ticks = 100;
-    seen.q = Eigen::MatrixXd::Zero(model.nq, ticks);
-    seen.v = seen.tau = Eigen::MatrixXd::Zero(model.nv, ticks);
-    seen.force = Eigen::MatrixXd::Zero(3, ticks);
+    measured.q = Eigen::MatrixXd::Zero(model.nq, ticks);
+    measured.v = measured.tau = Eigen::MatrixXd::Zero(model.nv, ticks);
+    measured.force = Eigen::MatrixXd::Zero(3, ticks);
     Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
     for (int i = 0; i < ticks; ++i) {
       const Measurement& m = sensing.measure(*plant, tau);
-      seen.q.col(i) = m.q;
-      seen.v.col(i) = m.v;
-      seen.tau.col(i) = m.tau;
-      seen.force.col(i) = m.tool_force_world;
+      measured.q.col(i) = m.q;
+      measured.v.col(i) = m.v;
+      measured.tau.col(i) = m.tau;
+      measured.force.col(i) = m.tool_force_world;
       EXPECT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
       tau = body.gravity_torque() + Eigen::VectorXd::LinSpaced(model.nv, -2.0, 2.0);
       for (int k = 0; k < 2; ++k) EXPECT_EQ(plant->step(tau, {0.0, 0.0, -40.0}), Status::Ok);
     }
-    return seen;
+    return measured;
   }
-  static std::string changes(const Seen& a, const Seen& b) {
+  static std::string changes(const Measured& a, const Measured& b) {
     return std::string(a.q == b.q ? "" : "q ") + (a.v == b.v ? "" : "v ") +
            (a.tau == b.tau ? "" : "tau ") + (a.force == b.force ? "" : "force ");
   }
@@ -286,10 +288,10 @@ class SensingTest : public ::testing::Test {
   Model model = plant_model(right_arm(&q), {});
 };
 
-TEST_F(SensingTest, each_disturbance_changes_what_it_should_and_nothing_else) {
-  const Seen ideal = see({});
+TEST_F(SensingTest, EachDisturbance_ChangesOnlyItsOwnSignals) {
+  const Measured ideal = measure({});
   struct Case {
-    const char* what;
+    const char* name;
     std::function<void(Disturbances&)> switch_on;
     const char* changed;
   };
@@ -308,25 +310,26 @@ TEST_F(SensingTest, each_disturbance_changes_what_it_should_and_nothing_else) {
   for (const Case& c : cases) {
     Disturbances d;
     c.switch_on(d);
-    EXPECT_EQ(changes(see(d), ideal), c.changed) << c.what;
+    EXPECT_EQ(changes(measure(d), ideal), c.changed) << c.name;
   }
 }
 
-TEST_F(SensingTest, MeasurementDelay_OfAllButTheTime_IsRoundedToMeasurements) {
+TEST_F(SensingTest, MeasurementDelay_DelaysAllButTheTimeByWholeTicks) {
   Disturbances d;
   d.velocity_noise = 1e-3;
-  const Seen now = see(d);
+  const Measured now = measure(d);
   d.measurement_delay = 3.4e-3;
-  const Seen late = see(d);
+  const Measured late = measure(d);
   constexpr Eigen::Index ticks = 3;
   const Eigen::Index rest = now.q.cols() - ticks;
   EXPECT_EQ(late.q.rightCols(rest), now.q.leftCols(rest));
   EXPECT_EQ(late.v.rightCols(rest), now.v.leftCols(rest));
   EXPECT_EQ(late.tau.rightCols(rest), now.tau.leftCols(rest));
   EXPECT_EQ(late.force.rightCols(rest), now.force.leftCols(rest));
-  for (Eigen::Index i = 0; i < ticks; ++i) EXPECT_EQ(late.q.col(i), now.q.col(0)) << "at first";
+  for (Eigen::Index i = 0; i < ticks; ++i)
+    EXPECT_EQ(late.q.col(i), now.q.col(0)) << "before the delay, the first measurement is repeated";
   d.measurement_delay = 0.4e-3;
-  EXPECT_EQ(changes(see(d), now), "") << "less than half a measurement";
+  EXPECT_EQ(changes(measure(d), now), "") << "a delay below half a measurement rounds to zero";
 
   const auto plant = make_ideal_plant(model, scene_under_tip(model, q, {0.0, 0.0, 1.0}));
   ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
@@ -342,67 +345,68 @@ TEST_F(SensingTest, MeasurementDelay_OfAllButTheTime_IsRoundedToMeasurements) {
   }
 }
 
-TEST_F(SensingTest, a_reset_gives_the_same_bits_again) {
+TEST_F(SensingTest, Reset_GivesTheSameBits) {
   Disturbances d;
   d.position_noise = d.velocity_noise = d.torque_sensor_noise = d.force_noise = 0.1;
   const auto plant = make_ideal_plant(model, scene_under_tip(model, q, {0.0, 0.0, 1.0}));
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
   ASSERT_EQ(plant->reset(q, rest), Status::Ok);
   Sensing sensing(model, d);
-  std::vector<Measurement> seen;
+  std::vector<Measurement> measured;
   for (int time = 0; time < 2; ++time) {
-    for (int i = 0; i < 20; ++i) seen.push_back(sensing.measure(*plant, rest));
+    for (int i = 0; i < 20; ++i) measured.push_back(sensing.measure(*plant, rest));
     sensing.reset();
   }
   for (std::size_t i = 0; i < 20; ++i) {
-    EXPECT_EQ(seen[i].q, seen[20 + i].q);
-    EXPECT_EQ(seen[i].v, seen[20 + i].v);
-    EXPECT_EQ(seen[i].tau, seen[20 + i].tau);
-    EXPECT_EQ(seen[i].tool_force_world, seen[20 + i].tool_force_world);
+    EXPECT_EQ(measured[i].q, measured[20 + i].q);
+    EXPECT_EQ(measured[i].v, measured[20 + i].v);
+    EXPECT_EQ(measured[i].tau, measured[20 + i].tau);
+    EXPECT_EQ(measured[i].tool_force_world, measured[20 + i].tool_force_world);
   }
 }
 
-TEST_F(SensingTest, encoders_show_multiples_of_their_step) {
+TEST_F(SensingTest, EncoderBits_RoundPositionsToTheirStep) {
   Disturbances d;
   d.encoder_bits = 12;
   const double step = 2.0 * std::numbers::pi / 4096.0;
-  const Eigen::ArrayXXd marks = see(d).q.array() / step;
+  const Eigen::ArrayXXd marks = measure(d).q.array() / step;
   EXPECT_LE((marks - marks.round()).abs().maxCoeff(), 1e-9);
-  EXPECT_LE((see(d).q - see({}).q).cwiseAbs().maxCoeff(), 0.5 * step + 1e-12);
+  EXPECT_LE((measure(d).q - measure({}).q).cwiseAbs().maxCoeff(), 0.5 * step + 1e-12);
 }
 
-TEST_F(SensingTest, differences_follow_the_velocity_and_their_low_pass_lags_behind) {
+TEST_F(SensingTest, FiniteDifferences_FollowTheVelocityAndTheirFilterLags) {
   Disturbances d;
   d.finite_difference_velocity = true;
-  const Seen ideal = see({}), plain = see(d);
+  const Measured ideal = measure({}), plain = measure(d);
   const double scale = ideal.v.cwiseAbs().maxCoeff();
   EXPECT_LE((plain.v - ideal.v).rightCols(50).cwiseAbs().maxCoeff(), 0.1 * scale);
   d.velocity_cutoff = 50.0;
-  const Seen filtered = see(d);
+  const Measured filtered = measure(d);
   EXPECT_GT((filtered.v - ideal.v).norm(), 2.0 * (plain.v - ideal.v).norm());
   EXPECT_EQ(filtered.v.col(0), ideal.v.col(0));
 }
 
-TEST_F(SensingTest, force_filter_takes_noise_away) {
+TEST_F(SensingTest, ForceCutoff_ReducesTheNoise) {
   Disturbances d;
   d.force_noise = 0.3;
-  const Seen ideal = see({}), noisy = see(d);
-  const auto tail = [&](const Seen& seen) {
-    return (seen.force - ideal.force).rightCols(60).norm() / std::sqrt(180.0);
+  const Measured ideal = measure({}), noisy = measure(d);
+  const auto tail = [&](const Measured& measured) {
+    return (measured.force - ideal.force).rightCols(60).norm() / std::sqrt(180.0);
   };
   EXPECT_NEAR(tail(noisy), 0.3, 0.06);
   d.force_cutoff = 100.0;
-  const Seen smooth = see(d);
-  const Eigen::MatrixXd steps = smooth.force.rightCols(60) - smooth.force.middleCols(39, 60);
-  const Eigen::MatrixXd rough = noisy.force.rightCols(60) - noisy.force.middleCols(39, 60);
-  EXPECT_LT(steps.norm(), 0.3 * rough.norm());
+  const Measured smooth = measure(d);
+  const Eigen::MatrixXd increments = smooth.force.rightCols(60) - smooth.force.middleCols(39, 60);
+  const Eigen::MatrixXd noisy_increments =
+      noisy.force.rightCols(60) - noisy.force.middleCols(39, 60);
+  EXPECT_LT(increments.norm(), 0.3 * noisy_increments.norm());
 }
 
-TEST(PlantModel, scales_masses_and_states_joint_friction) {
+TEST(PlantModel, Disturbances_ScaleMassesAndSetJointFriction) {
   const Model nominal = right_arm();
   const Model ideal = plant_model(nominal, {});
   EXPECT_EQ(ideal.total_mass(), nominal.total_mass());
-  EXPECT_TRUE(ideal.friction.isZero(0.0)) << "unless it is switched on";
+  EXPECT_TRUE(ideal.friction.isZero(0.0)) << "joint friction is off by default";
   Disturbances d;
   d.mass_scale = 1.05;
   d.joint_coulomb = 1.0;
@@ -414,11 +418,11 @@ TEST(PlantModel, scales_masses_and_states_joint_friction) {
   EXPECT_EQ(real.friction, Eigen::VectorXd::Constant(real.nv, 1.0));
   EXPECT_EQ(real.damping, Eigen::VectorXd::Constant(real.nv, 0.5));
   d.torque_loop = true;
-  EXPECT_TRUE(plant_model(nominal, d).friction.isZero(0.0)) << "the loop takes friction away";
+  EXPECT_TRUE(plant_model(nominal, d).friction.isZero(0.0)) << "the torque loop cancels friction";
   EXPECT_TRUE(plant_model(nominal, d).damping.isZero(0.0));
 }
 
-TEST(PlantModel, joint_friction_is_at_most_a_share_of_the_effort_limit) {
+TEST(PlantModel, JointFriction_IsLimitedToAFractionOfTheEffortLimit) {
   Model nominal = right_arm();
   nominal.effort_limit.setConstant(100.0);
   nominal.effort_limit[1] = 4.0;
@@ -427,7 +431,7 @@ TEST(PlantModel, joint_friction_is_at_most_a_share_of_the_effort_limit) {
   EXPECT_EQ(real.damping.head<2>(), Eigen::Vector2d(1.0, 0.2));
 }
 
-TEST(PlantModel, carries_a_payload_that_the_controller_does_not_know) {
+TEST(PlantModel, Payload_AddsItsInertiaWithinItsRange) {
   const Model nominal = right_arm();
   Disturbances d;
   EXPECT_EQ(plant_model(nominal, d).total_mass(), nominal.total_mass());
@@ -442,15 +446,16 @@ TEST(PlantModel, carries_a_payload_that_the_controller_does_not_know) {
   EXPECT_LE((both.com - centre).norm(), 1e-12);
   d.payload.mass_range = 0.4;
   d.payload.com_range = 0.02;
-  double least = 2.0, most = 0.0;
+  double min_mass = 2.0, max_mass = 0.0;
   for (d.seed = 0; d.seed < 50; ++d.seed) {
-    const Payload drawn = carried_payload(d);
-    EXPECT_LE(std::abs(drawn.inertia.mass - 1.0), 0.4);
-    EXPECT_LE((drawn.inertia.com - d.payload.com).cwiseAbs().maxCoeff(), 0.02);
-    least = std::min(least, drawn.inertia.mass), most = std::max(most, drawn.inertia.mass);
+    const Payload payload = carried_payload(d);
+    EXPECT_LE(std::abs(payload.inertia.mass - 1.0), 0.4);
+    EXPECT_LE((payload.inertia.com - d.payload.com).cwiseAbs().maxCoeff(), 0.02);
+    min_mass = std::min(min_mass, payload.inertia.mass),
+    max_mass = std::max(max_mass, payload.inertia.mass);
   }
-  EXPECT_LT(least, 0.7);
-  EXPECT_GT(most, 1.3);
+  EXPECT_LT(min_mass, 0.7);
+  EXPECT_GT(max_mass, 1.3);
   d.payload.mass = -1.0;
   EXPECT_THROW((void)plant_model(nominal, d), Error);
   d.payload.mass = 1.0;
@@ -458,7 +463,7 @@ TEST(PlantModel, carries_a_payload_that_the_controller_does_not_know) {
   EXPECT_THROW((void)plant_model(nominal, d), Error);
 }
 
-TEST(PlantModel, spares_a_floating_base) {
+TEST(PlantModel, FloatingBase_GetsNoFrictionBiasOrNoise) {
   const Model floating = named_robot(has_robot_files ? "talos:right_arm" : "arm7", Base::FreeFlyer);
   Disturbances d;
   d.joint_coulomb = 1.0;
@@ -471,7 +476,7 @@ TEST(PlantModel, spares_a_floating_base) {
   EXPECT_TRUE(actuation.apply(Eigen::VectorXd::Zero(real.nv)).head(6).isZero(0.0));
 }
 
-TEST(PlantScene, tilts_about_the_tangents_and_shifts_along_the_normal) {
+TEST(PlantScene, SurfaceErrors_TiltAboutTangentsAndShiftAlongTheNormal) {
   SceneSpec nominal;
   nominal.surface.point = {0.4, -0.3, 1.0};
   nominal.surface.normal = {0.0, 0.0, 1.0};
@@ -491,14 +496,14 @@ TEST(PlantScene, tilts_about_the_tangents_and_shifts_along_the_normal) {
     const double tilt = std::atan2(real.normal.cross(nominal.surface.normal).norm(),
                                    real.normal.dot(nominal.surface.normal));
     EXPECT_NEAR(tilt * 180.0 / std::numbers::pi, 6.0, 1e-9);
-    EXPECT_NEAR(real.normal[axis], 0.0, 1e-12) << "its own axis stays";
+    EXPECT_NEAR(real.normal[axis], 0.0, 1e-12) << "the tilt axis must stay in place";
     EXPECT_LE((real.point - nominal.surface.point - Eigen::Vector3d(0.0, 0.0, 0.003)).norm(),
               1e-15);
     EXPECT_EQ(real.friction, 0.5);
   }
 }
 
-TEST(Pushes, act_from_their_start_for_their_duration_and_add_up) {
+TEST(Pushes, Push_ActsForItsDurationAndAddsToOthers) {
   const std::vector<Push> pushes{{1.0, 0.5, {1.0, 0.0, 0.0}}, {1.2, 1.0, {0.0, 2.0, 0.0}}};
   EXPECT_EQ(push_at(pushes, 0.9), Eigen::Vector3d::Zero());
   EXPECT_EQ(push_at(pushes, 1.0), Eigen::Vector3d(1.0, 0.0, 0.0));
@@ -506,7 +511,7 @@ TEST(Pushes, act_from_their_start_for_their_duration_and_add_up) {
   EXPECT_EQ(push_at(pushes, 1.5), Eigen::Vector3d(0.0, 2.0, 0.0));
 }
 
-TEST(DisturbancesTest, are_refused_by_name) {
+TEST(DisturbanceCheck, ValueOutOfRange_IsRefusedByName) {
   const Model model = right_arm();
   const auto refused = [&](auto&& change) {
     Disturbances d;

@@ -1,4 +1,5 @@
-// The ideal plant: order, energy, impacts, and what contact and friction may do to a motion.
+// Tests of the ideal plant: order of integration, energy, impacts, and limits of contact and
+// friction.
 #include "burnish/sim/ideal_plant.hpp"
 
 #include <gtest/gtest.h>
@@ -11,18 +12,18 @@
 namespace burnish::test {
 namespace {
 
-/// Kinetic and potential energy of a plant, J.
+/// Returns the kinetic and potential energy of a plant [J].
 double energy(RigidBody& body, const Plant& plant) {
   EXPECT_EQ(body.update(plant.q(), plant.v()), Status::Ok);
   return body.kinetic_energy() + body.potential_energy() + body.spring_energy();
 }
 
 struct Fall {
-  double drift = 0.0;  ///< J, largest change of energy
+  double drift = 0.0;  ///< largest change of energy [J]
   double energy = 0.0;
 };
 
-/// A robot that falls freely with a random velocity, far from any surface.
+/// Lets a robot fall freely with a random velocity, far from any surface.
 Fall fall(const TestRobot& robot, double dt, double duration) {
   Model model = plant_model(robot.model(), {});
   for (Tendon& tendon : model.tendons) tendon.damping = 0.0;
@@ -49,7 +50,7 @@ Fall fall(const TestRobot& robot, double dt, double duration) {
 
 class IdealPlantFall : public ::testing::TestWithParam<TestRobot> {};
 
-TEST_P(IdealPlantFall, conserves_energy_to_the_fourth_order) {
+TEST_P(IdealPlantFall, EnergyError_FallsWithTheFourthOrderOfTheStep) {
   const double duration = 0.1;
   EXPECT_LE(fall(GetParam(), 5e-4, duration).drift, 1e-5);
   const double coarse = fall(GetParam(), 4e-3, duration).drift;
@@ -86,7 +87,8 @@ class IdealPlant : public ::testing::Test {
     EXPECT_EQ(body.update(plant.q(), plant.v()), Status::Ok);
     return gap(plant.scene(), body.placement(body.frame("tool")).translation());
   }
-  /// A velocity along the surface: its part that moves the tip along the normal is taken away.
+  /// Returns a velocity along the surface, without the component that moves the tip along the
+  /// normal.
   Eigen::VectorXd along_surface(const Plant& plant) {
     const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(model.nv, -0.5, 0.5);
     const Eigen::VectorXd n = tool_jacobian(plant).transpose() * normal;
@@ -101,7 +103,7 @@ class IdealPlant : public ::testing::Test {
   Eigen::Vector3d none = Eigen::Vector3d::Zero();
 };
 
-TEST_F(IdealPlant, holds_the_surface_while_it_slides_and_does_no_work) {
+TEST_F(IdealPlant, SlidingTip_StaysOnTheSurfaceAndDoesNoWork) {
   const auto plant = on_surface(0.0);
   ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   ASSERT_EQ(plant->reset(q, along_surface(*plant)), Status::Ok);
@@ -119,7 +121,7 @@ TEST_F(IdealPlant, holds_the_surface_while_it_slides_and_does_no_work) {
   EXPECT_NEAR(energy(body, *plant) - before, work, 1e-5) << "the contact does no work";
 }
 
-TEST_F(IdealPlant, makes_contact_by_an_impact_that_leaves_no_normal_velocity) {
+TEST_F(IdealPlant, Impact_LeavesNoNormalVelocity) {
   const auto plant = on_surface(0.0, {}, 1.3e-3);
   ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   const Eigen::VectorXd n = tool_jacobian(*plant).transpose() * normal;
@@ -138,7 +140,7 @@ TEST_F(IdealPlant, makes_contact_by_an_impact_that_leaves_no_normal_velocity) {
   EXPECT_LT(energy(body, *plant), before);
 }
 
-TEST_F(IdealPlant, keeps_a_tip_where_coulomb_friction_can_hold_it) {
+TEST_F(IdealPlant, CoulombFriction_HoldsTheTip) {
   const auto plant = on_surface(0.5);
   ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   const Eigen::Vector3d tangent = Eigen::Vector3d::UnitY();
@@ -157,7 +159,7 @@ TEST_F(IdealPlant, keeps_a_tip_where_coulomb_friction_can_hold_it) {
   EXPECT_LE(slip.norm(), 1e-4);
 }
 
-TEST_F(IdealPlant, slides_on_a_viscous_surface_with_a_force_proportional_to_the_speed) {
+TEST_F(IdealPlant, ViscousSurface_GivesAForceProportionalToTheSpeed) {
   IdealPlantOptions options;
   options.tip_viscous = 40.0;
   const auto plant = on_surface(0.0, options);
@@ -176,7 +178,7 @@ TEST_F(IdealPlant, slides_on_a_viscous_surface_with_a_force_proportional_to_the_
   EXPECT_LE((sliding + 40.0 * slip).norm(), 0.05 * sliding.norm());
 }
 
-TEST(IdealPlantOfASingularMass, IsRefusedByItsJoint) {
+TEST(IdealPlantModel, SingularMassMatrix_IsRefusedWithItsJoint) {
   TreeSpec tree;
   tree.name = "bare";
   tree.links.resize(2);
@@ -194,7 +196,7 @@ TEST(IdealPlantOfASingularMass, IsRefusedByItsJoint) {
                         {"robot 'bare'", "joint 'hinge' moves no mass"});
 }
 
-TEST_F(IdealPlant, refuses_options_with_a_sentence) {
+TEST_F(IdealPlant, InvalidOptions_AreRefused) {
   IdealPlantOptions options;
   options.dt = 0.0;
   testing::expect_words(testing::refusal([&] { on_surface(0.0, options); }), {"dt", "more than 0"});

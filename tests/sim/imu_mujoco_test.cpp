@@ -1,4 +1,4 @@
-// A simulated unit against MuJoCo's accelerometer and gyroscope.
+// Comparison of a simulated IMU with MuJoCo's accelerometer and gyroscope.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// A body that floats, and a unit askew on an arm of it.
+/// Floating body with an IMU at an oblique pose on its arm.
 const char* const floating_arm = R"(
 <mujoco>
   <option timestep="1e-5" gravity="0.3 -0.2 -9.81"/>
@@ -42,7 +42,8 @@ struct Delete {
   void operator()(mjData* data) const { mj_deleteData(data); }
 };
 
-/// MuJoCo's state in burnish's order: quaternions x y z w, the base's velocity in its own axes.
+/// Converts MuJoCo's state to burnish's conventions: quaternions x y z w, velocity of the base in
+/// its own axes.
 void state_of(const mjModel& model, const mjData& data, VectorXd& q, VectorXd& v) {
   q = Eigen::Map<const VectorXd>(data.qpos, model.nq);
   v = Eigen::Map<const VectorXd>(data.qvel, model.nv);
@@ -51,7 +52,7 @@ void state_of(const mjModel& model, const mjData& data, VectorXd& q, VectorXd& v
   v.head<3>() = turn.conjugate() * Vector3d(v.head<3>());
 }
 
-TEST(ImuSensor, ReadsWhatMujocoReads) {
+TEST(ImuSensor, Readings_EqualMujocosSensors) {
   const testing::Scratch scratch;
   const std::string file = scratch.write("floating_arm.xml", floating_arm).string();
   char error[500] = "";
@@ -78,7 +79,7 @@ TEST(ImuSensor, ReadsWhatMujocoReads) {
     VectorXd q, v;
     state_of(*simulated, *data, q, v);
     (void)sensor.measure(q, v, simulated->opt.timestep);
-    mj_step(simulated.get(), data.get());  // its sensors are those of the step's start
+    mj_step(simulated.get(), data.get());  // MuJoCo's sensors refer to the start of the step
     state_of(*simulated, *data, q, v);
     const ImuReading& reading = sensor.measure(q, v, simulated->opt.timestep);
     const Eigen::Map<const Vector3d> acceleration(data->sensordata), turning(data->sensordata + 3);

@@ -1,4 +1,4 @@
-// What a simulated unit reads.
+// Tests of the readings of a simulated IMU.
 #include "burnish/sim/imu_sensor.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using burnish::testing::refusal;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-TEST(ImuSensor, ReadingsThatAreHeldLeadToTheTrueRotationAndVelocity) {
+TEST(ImuSensor, IntegratedReadings_GiveTheTrueRotationAndVelocity) {
   const Model model = named_robot("every_joint", Base::FreeFlyer);
   std::mt19937_64 generator(1);
   const std::string frame = "tip";
@@ -38,10 +38,10 @@ TEST(ImuSensor, ReadingsThatAreHeldLeadToTheTrueRotationAndVelocity) {
         from_eigen(Vector3d(body.velocity(body.frame(frame), Reference::centered()).head<3>())),
         from_eigen(Vector3d(at.translation()))};
   };
-  InertialState<double> carried = state();
+  InertialState<double> integrated = state();
   constexpr double dt = 0.01;
   const ImuReading first = sensor.measure(q_0, v_0, dt);
-  const Eigen::Matrix3d R = to_eigen(carried.R);
+  const Eigen::Matrix3d R = to_eigen(integrated.R);
   EXPECT_LT((first.gyro -
              R.transpose() * body.velocity(body.frame(frame), Reference::centered()).tail<3>())
                 .norm(),
@@ -52,16 +52,16 @@ TEST(ImuSensor, ReadingsThatAreHeldLeadToTheTrueRotationAndVelocity) {
     v += dt * random_vector(model.nv, 10.0, generator);
     q = integrate(model, q, dt * v);
     const ImuReading& reading = sensor.measure(q, v, dt);
-    carried = strapdown(carried, from_eigen(reading.gyro), from_eigen(reading.accelerometer),
-                        from_eigen(model.gravity), dt);
+    integrated = strapdown(integrated, from_eigen(reading.gyro), from_eigen(reading.accelerometer),
+                           from_eigen(model.gravity), dt);
     ASSERT_EQ(body.update(q, v), Status::Ok);
     const InertialState<double> now = state();
-    EXPECT_LT((to_eigen(now.R) - to_eigen(carried.R)).norm(), 1e-10);
-    EXPECT_LT((to_eigen(now.v) - to_eigen(carried.v)).norm(), 1e-9);
+    EXPECT_LT((to_eigen(now.R) - to_eigen(integrated.R)).norm(), 1e-10);
+    EXPECT_LT((to_eigen(now.v) - to_eigen(integrated.v)).norm(), 1e-9);
   }
 }
 
-TEST(ImuSensor, ErrorsAreAsTheDisturbancesSay) {
+TEST(ImuSensor, Disturbances_SetBiasNoiseAndResolution) {
   const Model model = named_robot("every_joint", Base::FreeFlyer);
   const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
   Disturbances d;
@@ -75,7 +75,7 @@ TEST(ImuSensor, ErrorsAreAsTheDisturbancesSay) {
   EXPECT_LE(biased.gyro_bias().cwiseAbs().maxCoeff(), 0.02);
   EXPECT_LE(biased.accelerometer_bias().cwiseAbs().maxCoeff(), 0.3);
 
-  // Noise: the deviation of readings is density / sqrt(dt), that of a walk density sqrt(t).
+  // Noise: readings deviate by density / sqrt(dt), a random walk by density sqrt(t).
   Disturbances n;
   n.gyro_noise = 0.01;
   n.accelerometer_noise = 0.2;
@@ -109,7 +109,7 @@ TEST(ImuSensor, ErrorsAreAsTheDisturbancesSay) {
   }
 }
 
-TEST(ImuSensor, ItsRandomNumbersAreThoseOfItsSeedAgainAfterReset) {
+TEST(ImuSensor, Reset_RepeatsTheRandomNumbers) {
   const Model model = named_robot("every_joint", Base::FreeFlyer);
   const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
   Disturbances d;
@@ -127,26 +127,26 @@ TEST(ImuSensor, ItsRandomNumbersAreThoseOfItsSeedAgainAfterReset) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(ImuSensor, GoesWrongAsItsFaultsSayAndIsAsBeforeAfterThem) {
+TEST(ImuSensor, Faults_ChangeReadingsOnlyWhileTheyLast) {
   const Model model = named_robot("every_joint", Base::FreeFlyer);
   const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
   constexpr double dt = 0.01;
   Disturbances d;
   d.seed = 3;
   d.gyro_noise = d.accelerometer_noise = d.gyro_bias_walk = 0.1;
-  ImuSensor right(model, "", d);
+  ImuSensor reference(model, "", d);
   const Vector3d turn(0.0, 0.3, 0.0), pull(0.0, 0.0, -2.0);
   d.imu_faults = {{.start = 0.1, .duration = 0.1, .gyro_offset = turn},
                   {.start = 0.15, .duration = 0.1, .accelerometer_offset = pull},
                   {.start = 0.3, .duration = 0.1, .frozen = true},
                   {.start = 0.5, .duration = 0.1, .silent = true},
                   {.start = 0.8, .silent = true}};
-  ImuSensor wrong(model, "", d);
+  ImuSensor faulty(model, "", d);
   Vector3d last = Vector3d::Zero();
   for (int tick = 0; tick < 100; ++tick) {
     const double time = tick * dt;
-    const ImuReading& truth = right.measure(q, rest, dt, time);
-    const ImuReading& read = wrong.measure(q, rest, dt, time);
+    const ImuReading& truth = reference.measure(q, rest, dt, time);
+    const ImuReading& read = faulty.measure(q, rest, dt, time);
     if (tick < 30 || tick >= 40) {
       const bool steps = tick >= 10 && tick < 20, pulls = tick >= 15 && tick < 25;
       EXPECT_EQ(read.gyro, steps ? Vector3d(truth.gyro + turn) : truth.gyro) << tick;
@@ -157,17 +157,18 @@ TEST(ImuSensor, GoesWrongAsItsFaultsSayAndIsAsBeforeAfterThem) {
     } else {
       EXPECT_EQ(read.gyro, last) << tick;
     }
-    EXPECT_EQ(wrong.is_silent(), (tick >= 50 && tick < 60) || tick >= 80) << tick;
+    EXPECT_EQ(faulty.is_silent(), (tick >= 50 && tick < 60) || tick >= 80) << tick;
   }
-  wrong.reset();
-  EXPECT_FALSE(wrong.is_silent());
-  d.imu_faults = {{.start = 0.0, .frozen = true}};  // there is no reading before: the first
+  faulty.reset();
+  EXPECT_FALSE(faulty.is_silent());
+  d.imu_faults = {
+      {.start = 0.0, .frozen = true}};  // without an earlier reading, the first one freezes
   ImuSensor stuck(model, "", d);
   const ImuReading first = stuck.measure(q, rest, dt);
   EXPECT_EQ(stuck.measure(q, rest, dt, dt).gyro, first.gyro);
 }
 
-TEST(ImuSensor, RefusesFramesAndNoiseThatWillNotDo) {
+TEST(ImuSensor, InvalidFrameOrNoise_IsRefused) {
   const Model model = named_robot("every_joint", Base::FreeFlyer);
   expect_words(refusal([&] { ImuSensor(model, "tap", {}); }), {"'tap'", "'tip'"});
   expect_words(refusal([&] { ImuSensor(model, "world", {}); }), {"fixed to the world"});
@@ -181,28 +182,29 @@ TEST(ImuSensor, RefusesFramesAndNoiseThatWillNotDo) {
   expect_words(refusal([&] { ImuSensor(model, "", d); }), {"imu_faults[0].gyro_offset", "nan"});
 }
 
-TEST(Sensing, HasReadingsOfTheUnitWhereThereIsOne) {
+TEST(Sensing, MountedImu_AddsItsReadings) {
   const Model model = arm7::model(Base::Fixed);
   const auto plant = make_ideal_plant(model, {});
   Disturbances d;
   d.imu_faults = {{.start = 1.5 * plant->dt(), .silent = true}};
-  Sensing with(model, d), without(model, {});
-  with.mount_imu(model, "tool");
+  Sensing with_imu(model, d), without_imu(model, {});
+  with_imu.mount_imu(model, "tool");
   const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
   ASSERT_LE(plant->reset(q, rest), Status::NotConverged);
-  EXPECT_FALSE(without.measure(*plant, rest).imu.has_value());
-  const Measurement first = with.measure(*plant, rest);
+  EXPECT_FALSE(without_imu.measure(*plant, rest).imu.has_value());
+  const Measurement first = with_imu.measure(*plant, rest);
   ASSERT_TRUE(first.imu.has_value());
   EXPECT_NEAR(first.imu->accelerometer.norm(), 9.81, 1e-12);
-  // It falls freely: what is left of gravity is what the joints hold.
+  // The arm falls freely; the accelerometer measures acceleration minus gravity at the tool.
   ASSERT_LE(plant->step(rest, Vector3d::Zero()), Status::NotConverged);
-  const Measurement second = with.measure(*plant, rest);
+  const Measurement second = with_imu.measure(*plant, rest);
   RigidBody body(model);
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
   const Vector3d speed = body.velocity(body.frame("tool"), Reference::centered()).head<3>();
   EXPECT_NEAR(second.imu->accelerometer.norm(), (speed / plant->dt() - model.gravity).norm(), 1e-9);
   ASSERT_LE(plant->step(rest, Vector3d::Zero()), Status::NotConverged);
-  EXPECT_FALSE(with.measure(*plant, rest).imu.has_value()) << "it is silent from then on";
+  EXPECT_FALSE(with_imu.measure(*plant, rest).imu.has_value())
+      << "the IMU is silent from its fault on";
 }
 
 }  // namespace

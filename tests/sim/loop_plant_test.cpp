@@ -1,4 +1,4 @@
-// Robots with loops as plants, and in closed loop with a controller that plans.
+// Tests of robots with kinematic loops as plants, and in closed loop with a planning controller.
 #include <gtest/gtest.h>
 
 #include "burnish/contact/loops.hpp"
@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 struct LoopPlantKind {
   std::string name;
   std::unique_ptr<Plant> (*make)(const Model&, const SceneSpec&);
-  double drift;  ///< m
+  double drift;  ///< largest closure error of loops [m]
 };
 void PrintTo(const LoopPlantKind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -49,7 +49,7 @@ SceneSpec far_below() {
   return scene;
 }
 
-double worst_miss(const Model& model, const VectorXd& q) {
+double max_miss(const Model& model, const VectorXd& q) {
   double worst = 0.0;
   for (const LoopMiss& miss : loop_misses(model, q))
     worst = std::max({worst, miss.translation, miss.rotation});
@@ -58,7 +58,7 @@ double worst_miss(const Model& model, const VectorXd& q) {
 
 class LoopPlant : public ::testing::TestWithParam<LoopPlantKind> {};
 
-TEST_P(LoopPlant, moves_as_the_model_says) {
+TEST_P(LoopPlant, Step_MatchesTheModelsAcceleration) {
   for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
     const Robot robot = loop_robot(name);
     const Model model = plant_model(robot.model, {});
@@ -77,7 +77,7 @@ TEST_P(LoopPlant, moves_as_the_model_says) {
   }
 }
 
-TEST_P(LoopPlant, keeps_its_loops_closed_while_it_swings) {
+TEST_P(LoopPlant, SwingingMotion_KeepsLoopsClosed) {
   for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
     const Robot robot = loop_robot(name);
     const Model model = plant_model(robot.model, {});
@@ -86,17 +86,17 @@ TEST_P(LoopPlant, keeps_its_loops_closed_while_it_swings) {
     ASSERT_EQ(plant->reset(q, rest), Status::Ok);
     double worst = 0.0;
     while (plant->time() < 2.0) {
-      // Motors that brake: without them a leg falls through its dead points.
+      // The motors brake: without brakes, a leg falls through its singularities.
       const VectorXd tau = -(model.effort_limit.array() > 0.0).select(0.5 * plant->v(), 0.0);
       ASSERT_LE(plant->step(tau, Eigen::Vector3d::Zero()), Status::NotConverged) << name;
-      worst = std::max(worst, worst_miss(model, plant->q()));
+      worst = std::max(worst, max_miss(model, plant->q()));
     }
     EXPECT_LT(worst, GetParam().drift) << name;
-    EXPECT_GT((plant->q() - q).norm(), 0.1) << name << ": nothing moved";
+    EXPECT_GT((plant->q() - q).norm(), 0.1) << name << ": the robot must move";
   }
 }
 
-TEST_P(LoopPlant, meets_a_surface_with_its_loops) {
+TEST_P(LoopPlant, SurfaceContact_KeepsLoopsClosed) {
   const Robot robot = loop_robot("parallel_ankle");
   const Model model = plant_model(robot.model, {});
   SceneSpec scene = far_below();
@@ -112,13 +112,13 @@ TEST_P(LoopPlant, meets_a_surface_with_its_loops) {
     const VectorXd tau = -(model.effort_limit.array() > 0.0).select(2.0 * plant->v(), 0.0);
     ASSERT_LE(plant->step(tau, Eigen::Vector3d::Zero()), Status::NotConverged);
     touched = touched || plant->in_contact();
-    worst = std::max(worst, worst_miss(model, plant->q()));
+    worst = std::max(worst, max_miss(model, plant->q()));
   }
   EXPECT_TRUE(touched);
   EXPECT_LT(worst, 2.0 * GetParam().drift);
 }
 
-/// Tracks a posture of the crank, from another one, with plans 0.3 s long.
+/// Controller that moves the crank to the posture `to`, with plans 0.3 s long.
 MpcSpec tracking(const Robot& robot, const VectorXd& q, double to) {
   MpcSpec spec;
   spec.problem.model = robot.model;
@@ -141,7 +141,7 @@ MpcSpec tracking(const Robot& robot, const VectorXd& q, double to) {
   return spec;
 }
 
-TEST_P(LoopPlant, follows_a_controller_that_plans_with_the_loop) {
+TEST_P(LoopPlant, MpcWithLoops_ReachesItsTarget) {
   const Robot robot = loop_robot("four_bar");
   const Model& model = robot.model;
   const VectorXd q = closed_configuration(model, {{"drive", {0.8}}});
@@ -154,22 +154,22 @@ TEST_P(LoopPlant, follows_a_controller_that_plans_with_the_loop) {
   double worst = 0.0;
   while (plant->time() < 2.0) {
     ASSERT_LE(loop.step(), Status::NotConverged);
-    worst = std::max(worst, worst_miss(model, plant->q()));
+    worst = std::max(worst, max_miss(model, plant->q()));
   }
   EXPECT_EQ(controller.fault().kind, FaultKind::None) << controller.fault().text();
   const int drive = model.joint_index("drive");
   EXPECT_NEAR(plant->q()[model.joints[drive].q_index], goal, 0.02);
   EXPECT_LT(plant->v().norm(), 0.05);
   EXPECT_LT(worst, GetParam().drift);
-  // The model is right: what the loop carries is not taken for an error of it.
+  // The model is exact: the observer must not take the loop's forces for model errors.
   EXPECT_LT(controller.torque_error().cwiseAbs().maxCoeff(), 0.02);
   for (int k = 0; k < model.nv; ++k) {
     if (k == model.joints[drive].v_index) continue;
-    EXPECT_EQ(loop.command().tau[k], 0.0) << "a hinge has no motor";
+    EXPECT_EQ(loop.command().tau[k], 0.0) << "passive joints must get no torque";
   }
 }
 
-TEST_P(LoopPlant, is_held_by_the_fallback) {
+TEST_P(LoopPlant, Fallback_HoldsTheRobot) {
   const Robot robot = loop_robot("four_bar");
   const Model& model = robot.model;
   const VectorXd q = closed_configuration(model, {{"drive", {0.8}}});
@@ -182,14 +182,14 @@ TEST_P(LoopPlant, is_held_by_the_fallback) {
   ASSERT_LE(loop.run(1.5), Status::NotConverged);
   EXPECT_NE(controller.fault().kind, FaultKind::None);
   EXPECT_LT(plant->v().norm(), 1e-2);
-  EXPECT_LT((plant->q() - q).cwiseAbs().maxCoeff(), 0.05) << "it fell";
+  EXPECT_LT((plant->q() - q).cwiseAbs().maxCoeff(), 0.05) << "the robot must not fall";
 }
 
 INSTANTIATE_TEST_SUITE_P(plants, LoopPlant, ::testing::ValuesIn(loop_plants()),
                          [](const auto& test) { return test.param.name; });
 
 #ifdef BURNISH_HAS_MUJOCO
-TEST(LoopPlantOfMujoco, says_which_loops_it_cannot_hold) {
+TEST(MujocoLoops, UnsupportedDirections_AreRefusedByName) {
   Model model = loop_robot("four_bar").model;
   model.loops[0].directions = Directions::parse("x,z");
   testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, far_below()); }),

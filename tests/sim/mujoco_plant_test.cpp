@@ -1,5 +1,5 @@
-// MuJoCo as a plant: the same robot as the model to the last digits, and the contact that was asked
-// for.
+// Tests of MuJoCo as the plant: the robot equals the model to rounding errors, and contact forces
+// follow the scene.
 #include "burnish/mujoco/mujoco_plant.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ double relative(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want) {
 
 class MujocoPlantModel : public ::testing::TestWithParam<TestRobot> {};
 
-TEST_P(MujocoPlantModel, has_the_mass_matrix_and_the_bias_of_the_model) {
+TEST_P(MujocoPlantModel, MassMatrixAndBias_EqualTheModels) {
   const Model model = GetParam().model();
   SceneSpec scene;
   scene.tip.frame = GetParam().tool;
@@ -45,13 +45,13 @@ TEST_P(MujocoPlantModel, has_the_mass_matrix_and_the_bias_of_the_model) {
   }
 }
 
-TEST_P(MujocoPlantModel, falls_as_the_ideal_plant_does) {
+TEST_P(MujocoPlantModel, FreeFall_MatchesTheIdealPlant) {
   const Model model = plant_model(GetParam().model(), {});
   SceneSpec scene;
   scene.tip.frame = GetParam().tool;
   scene.surface.point.z() = -100.0;
   MujocoPlantOptions fine;
-  fine.dt = 2e-5;  // its integrator is of first order
+  fine.dt = 2e-5;  // MuJoCo's integrator has first order
   fine.joint_stops = false;
   const auto theirs = make_mujoco_plant(model, scene, fine);
   const auto ours = make_ideal_plant(model, scene);
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(robots, MujocoPlantModel,
                                            TestRobot{"followers", Base::FreeFlyer, "z_5"}),
                          [](const auto& test) { return test.param.label(); });
 
-TEST(MujocoPlant, keeps_followers_where_their_leaders_put_them) {
+TEST(MujocoPlant, Followers_AreAtTheirLeadersPositions) {
   const Model model = TestRobot{"followers", Base::Fixed, "tip"}.model();
   SceneSpec scene;
   scene.tip.frame = "tip";
@@ -103,11 +103,11 @@ TEST(MujocoPlant, keeps_followers_where_their_leaders_put_them) {
   EXPECT_LE((v_back - v).cwiseAbs().maxCoeff(), 1e-15);
 }
 
-TEST(MujocoPlant, sinks_in_by_the_force_over_the_stiffness) {
+TEST(MujocoPlant, PenetrationDepth_IsForceOverStiffness) {
   for (const double stiffness : {2e4, 1e5}) {
-    PolishingCase wanted;
-    wanted.ki = 10.0;
-    PolishingRun run(wanted, [&](const Model& model, SceneSpec scene) {
+    PolishingCase setup;
+    setup.ki = 10.0;
+    PolishingRun run(setup, [&](const Model& model, SceneSpec scene) {
       scene.surface.stiffness = stiffness;
       return make_mujoco_plant(model, scene);
     });
@@ -122,8 +122,8 @@ TEST(MujocoPlant, sinks_in_by_the_force_over_the_stiffness) {
   }
 }
 
-/// The same arm pushed and drawn along, over both contacts.
-TEST(MujocoPlant, its_exact_contact_pushes_as_the_engines_own_does) {
+/// Presses and drags an arm over both kinds of contact.
+TEST(MujocoPlant, ExactContact_MatchesTheEnginesContact) {
   for (const auto kind :
        {SurfaceShape::Kind::Plane, SurfaceShape::Kind::Sphere, SurfaceShape::Kind::Cylinder}) {
     Eigen::VectorXd q;
@@ -156,26 +156,27 @@ TEST(MujocoPlant, its_exact_contact_pushes_as_the_engines_own_does) {
     const auto exact = run(MujocoContact::Exact), engine = run(MujocoContact::Engine);
     EXPECT_LT((exact[0] - engine[0]).norm(), 0.01 * engine[0].norm())
         << name_of(kind) << exact[0].transpose() << " and " << engine[0].transpose();
-    // The engine lifts what slides, so that the forces differ, but not their direction.
+    // The engine lifts a sliding tip, so the forces differ in size, but not in direction.
     EXPECT_LT((exact[1].normalized() - engine[1].normalized()).norm(), 0.01)
         << name_of(kind) << exact[1].transpose() << " and " << engine[1].transpose();
   }
 }
 
-TEST(MujocoPlant, the_engines_own_contact_is_refused_for_what_it_has_not) {
+TEST(MujocoPlant, EngineContact_RefusesUnsupportedShapes) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
   SceneSpec scene;
   scene.surface.shape = {.kind = SurfaceShape::Kind::Saddle};
   const std::string sentence = testing::refusal(
       [&] { make_mujoco_plant(model, scene, {.contact = MujocoContact::Engine}); });
-  testing::expect_words(sentence, {"has no saddle", "contact: exact"});
+  testing::expect_words(sentence, {"does not support a saddle", "contact: exact"});
   scene.surface.shape = {.kind = SurfaceShape::Kind::Sphere, .radius = 0.01, .hollow = true};
-  testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, scene); }),
-                        {"0.02 m does not fit into the hollow sphere", "smaller tip"});
+  testing::expect_words(
+      testing::refusal([&] { make_mujoco_plant(model, scene); }),
+      {"0.02 m does not fit into the hollow sphere", "wanted a tip radius below"});
 }
 
-/// The tip's velocity that joint velocities make along a direction alone, by the least of them.
+/// Returns the smallest joint velocities that move the tip with this velocity, without rotation.
 Eigen::VectorXd moving_along(const Model& model, const Eigen::VectorXd& q,
                              const Eigen::Vector3d& v_world) {
   RigidBody body(model);
@@ -187,13 +188,13 @@ Eigen::VectorXd moving_along(const Model& model, const Eigen::VectorXd& q,
   return motion.jacobian.completeOrthogonalDecomposition().solve(twist);
 }
 
-TEST(MujocoPlant, a_surface_that_moves_pushes_as_one_at_rest_that_is_moved_into) {
+TEST(MujocoPlant, MovingSurface_GivesTheForceOfAnApproachingTip) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
   const Eigen::Vector3d normal = Eigen::Vector3d(-0.6, 0.0, 0.8);
-  SceneSpec rest = scene_under_tip(model, q, normal, {}, -1e-4);  // 10 N deep
-  SceneSpec moves = rest;
-  moves.surface.motion = {.drift = 0.02};  // 10 N by damping
+  SceneSpec at_rest = scene_under_tip(model, q, normal, {}, -1e-4);  // 10 N by stiffness
+  SceneSpec moving = at_rest;
+  moving.surface.motion = {.drift = 0.02};  // 10 N by damping
   const auto force = [&](const SceneSpec& scene, const Eigen::VectorXd& v) {
     const auto plant = make_mujoco_plant(model, scene, {.dt = 1e-5});
     EXPECT_EQ(plant->reset(q, v), Status::Ok);
@@ -201,13 +202,13 @@ TEST(MujocoPlant, a_surface_that_moves_pushes_as_one_at_rest_that_is_moved_into)
     return plant->contact_force_world();
   };
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.nv);
-  const Eigen::Vector3d pushed = force(moves, still);
-  const Eigen::Vector3d met = force(rest, moving_along(model, q, -0.02 * normal));
-  EXPECT_LT((pushed - met).norm(), 1e-3 * met.norm());
-  EXPECT_GT(pushed.norm(), 1.5 * force(rest, still).norm());
+  const Eigen::Vector3d moving_force = force(moving, still);
+  const Eigen::Vector3d approach_force = force(at_rest, moving_along(model, q, -0.02 * normal));
+  EXPECT_LT((moving_force - approach_force).norm(), 1e-3 * approach_force.norm());
+  EXPECT_GT(moving_force.norm(), 1.5 * force(at_rest, still).norm());
 }
 
-TEST(MujocoPlant, a_surface_carries_the_tip_that_is_pressed_on_it) {
+TEST(MujocoPlant, MovingSurface_CarriesThePressedTip) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
   SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
@@ -220,7 +221,8 @@ TEST(MujocoPlant, a_surface_carries_the_tip_that_is_pressed_on_it) {
     ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
     body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
     const double height = body.placement(body.frame("tool")).translation().z();
-    const double surface = scene.surface.point.z() + scene.surface.motion.way(plant->time());
+    const double surface =
+        scene.surface.point.z() + scene.surface.motion.displacement(plant->time());
     if (plant->time() > 0.05) {
       EXPECT_TRUE(plant->in_contact()) << plant->time();
       EXPECT_NEAR(height - surface, scene.tip.radius, 6e-4) << plant->time();
@@ -229,20 +231,20 @@ TEST(MujocoPlant, a_surface_carries_the_tip_that_is_pressed_on_it) {
     tau += motion.jacobian.topRows(3).transpose() * Eigen::Vector3d(0.0, 0.0, -30.0);
     ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
   }
-  EXPECT_EQ(scene.surface.motion.way(0.1), 0.0);
-  EXPECT_NEAR(scene.surface.motion.way(0.225), 2e-3 + 0.125 * 5e-3, 1e-12);
+  EXPECT_EQ(scene.surface.motion.displacement(0.1), 0.0);
+  EXPECT_NEAR(scene.surface.motion.displacement(0.225), 2e-3 + 0.125 * 5e-3, 1e-12);
 }
 
-TEST(MujocoPlant, an_edge_pushes_along_the_plane_that_is_touched_and_between_them_over_it) {
+TEST(MujocoPlant, Ridge_GivesANormalForceAtFacesAndEdge) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
   constexpr double slope = 0.3, radius = 0.02;
   const auto direction = [&](double edge) {
     SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
     scene.surface.shape = {.kind = SurfaceShape::Kind::Ridge, .edge = edge, .slope = slope};
-    // Sunk by a tenth of a millimetre, wherever the nearest point is.
-    const double above = gap(scene, frame_placement(model, q, "tool").translation());
-    scene.surface.point.z() += (above + 1e-4) / std::cos(edge < -radius ? slope : 0.0);
+    // The tip is 0.1 mm inside the surface, at any edge position.
+    const double clearance = gap(scene, frame_placement(model, q, "tool").translation());
+    scene.surface.point.z() += (clearance + 1e-4) / std::cos(edge < -radius ? slope : 0.0);
     const auto plant = make_mujoco_plant(model, scene);
     EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
     EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv), Eigen::Vector3d::Zero()), Status::Ok);
@@ -260,7 +262,7 @@ TEST(MujocoPlant, an_edge_pushes_along_the_plane_that_is_touched_and_between_the
   EXPECT_LT(over, 0.9 * slope);
 }
 
-TEST(MujocoPlant, surfaces_that_move_are_refused_where_they_cannot) {
+TEST(MujocoPlant, MovingSurface_IsRefusedByPlantsWithoutSupport) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
   SceneSpec scene;
@@ -268,12 +270,12 @@ TEST(MujocoPlant, surfaces_that_move_are_refused_where_they_cannot) {
   testing::expect_words(testing::refusal([&] {
                           make_mujoco_plant(model, scene, {.contact = MujocoContact::Engine});
                         }),
-                        {"no surface that moves", "contact: exact"});
+                        {"does not support a moving surface", "contact: exact"});
   testing::expect_words(testing::refusal([&] { make_ideal_plant(model, scene); }),
                         {"surface moves", "MuJoCo as the plant"});
 }
 
-TEST(MujocoPlant, answers_a_torque_that_blows_up_with_a_status) {
+TEST(MujocoPlant, DivergingTorque_ReturnsAStatusAndKeepsTheState) {
   Eigen::VectorXd q;
   const Model model = right_arm(&q);
   SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
@@ -285,15 +287,15 @@ TEST(MujocoPlant, answers_a_torque_that_blows_up_with_a_status) {
   EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv), Eigen::Vector3d::Zero()), Status::Ok);
 }
 
-TEST(MujocoPlant, stops_joints_at_their_limits_unless_told_not_to) {
+TEST(MujocoPlant, JointStops_LimitPositionsUnlessDisabled) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
   SceneSpec scene;
   scene.surface.point.z() = -100.0;
-  MujocoPlantOptions free;
-  free.joint_stops = false;
+  MujocoPlantOptions without_stops;
+  without_stops.joint_stops = false;
   const auto stopped = make_mujoco_plant(model, scene);
-  const auto endless = make_mujoco_plant(model, scene, free);
+  const auto endless = make_mujoco_plant(model, scene, without_stops);
   const int last = model.nv - 1;
   Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
   tau[last] = 30.0;
@@ -305,7 +307,7 @@ TEST(MujocoPlant, stops_joints_at_their_limits_unless_told_not_to) {
   EXPECT_GT(endless->q()[last], model.q_upper[last] + 0.5);
 }
 
-TEST(MujocoPlant, refuses_options_with_a_sentence) {
+TEST(MujocoPlant, InvalidOptions_AreRefused) {
   Eigen::VectorXd q;
   const Model model = right_arm(&q);
   MujocoPlantOptions options;

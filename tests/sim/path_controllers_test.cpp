@@ -1,4 +1,4 @@
-// Controllers without a plan: their phases, integrals, loops, and how well they polish.
+// Tests of controllers without a plan: phases, integrals, loops, and polishing accuracy.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -29,31 +29,33 @@ MakeController make_admittance(const AdmittanceGains& gains = {}) {
   };
 }
 
-PolishingCase rubbing(const MakeController& make) {
-  PolishingCase wanted;
-  wanted.friction = 0.3;
-  wanted.make_controller = make;
-  return wanted;
+PolishingCase with_friction(const MakeController& make) {
+  PolishingCase setup;
+  setup.friction = 0.3;
+  setup.make_controller = make;
+  return setup;
 }
 
-Metrics polished(const PolishingCase& wanted, double duration = 6.0) {
-  PolishingRun run(wanted, rigid_plant);
+Metrics polished(const PolishingCase& setup, double duration = 6.0) {
+  PolishingRun run(setup, rigid_plant);
   EXPECT_EQ(run.run(duration), Status::Ok);
   return run.metrics(3.0);
 }
 
 class PathController : public ::testing::TestWithParam<bool> {
  protected:
-  static MakeController shipped() { return GetParam() ? make_admittance() : make_impedance(); }
+  static MakeController default_controller() {
+    return GetParam() ? make_admittance() : make_impedance();
+  }
 };
 INSTANTIATE_TEST_SUITE_P(both, PathController, ::testing::Bool(),
                          [](const auto& test) { return test.param ? "admittance" : "impedance"; });
 
-TEST_P(PathController, ramps_the_force_however_long_the_approach_took) {
-  PolishingCase wanted;
-  wanted.clearance = 0.04;  // 0.8 s at 5 cm/s: longer than the ramp
-  wanted.make_controller = shipped();
-  PolishingRun run(wanted, rigid_plant);
+TEST_P(PathController, LongApproach_RampsTheForceFromContact) {
+  PolishingCase setup;
+  setup.clearance = 0.04;  // 0.8 s at 5 cm/s: longer than the ramp
+  setup.make_controller = default_controller();
+  PolishingRun run(setup, rigid_plant);
   ASSERT_EQ(run.run(2.0), Status::Ok);
   const Trace& trace = run.loop().trace();
   const Trace::Column phase = trace.column("phase"), target = trace.column("target_force");
@@ -68,28 +70,28 @@ TEST_P(PathController, ramps_the_force_however_long_the_approach_took) {
   EXPECT_EQ(target[track], 30.0);
 }
 
-TEST_P(PathController, polishes_in_spite_of_friction_that_it_does_not_know) {
-  const Metrics metrics = polished(rubbing(shipped()));
+TEST_P(PathController, UnmodelledFriction_IsTolerated) {
+  const Metrics metrics = polished(with_friction(default_controller()));
   EXPECT_EQ(metrics.without_contact, 0.0);
   EXPECT_NEAR(metrics.force_mean, 30.0, 0.3) << metrics_text(metrics);
   EXPECT_LE(metrics.force_rmse, 1.0) << metrics_text(metrics);
   EXPECT_LE(metrics.position_rmse, 2e-3) << metrics_text(metrics);
 }
 
-TEST_P(PathController, allocates_nothing_in_a_run) {
+TEST_P(PathController, Run_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
-  PolishingCase wanted = rubbing(shipped());
-  wanted.disturbances = sensor_noise(1.05);
-  PolishingRun run(wanted, rigid_plant);
+  PolishingCase setup = with_friction(default_controller());
+  setup.disturbances = sensor_noise(1.05);
+  PolishingRun run(setup, rigid_plant);
   const AllocationGuard guard;
   const Status status = run.run(0.8);
   EXPECT_EQ(guard.count(), 0);
   EXPECT_EQ(status, Status::Ok);
 }
 
-TEST_P(PathController, gives_the_same_torques_again_after_a_reset) {
-  PolishingCase wanted = rubbing(shipped());
-  PolishingRun run(wanted, rigid_plant);
+TEST_P(PathController, Reset_GivesTheSameForces) {
+  PolishingCase setup = with_friction(default_controller());
+  PolishingRun run(setup, rigid_plant);
   const auto force = [&] {
     EXPECT_EQ(run.run(0.7), Status::Ok);
     return Eigen::VectorXd(run.loop().trace().column("tool_force_z_world"));
@@ -100,10 +102,10 @@ TEST_P(PathController, gives_the_same_torques_again_after_a_reset) {
   EXPECT_EQ(force(), once);
 }
 
-TEST_P(PathController, answers_a_measurement_that_is_none_with_a_status_and_its_last_torque) {
-  PolishingCase wanted;
-  wanted.make_controller = shipped();
-  PolishingRun run(wanted, rigid_plant);
+TEST_P(PathController, InvalidMeasurement_ReturnsAStatusAndTheLastTorque) {
+  PolishingCase setup;
+  setup.make_controller = default_controller();
+  PolishingRun run(setup, rigid_plant);
   ASSERT_EQ(run.run(0.1), Status::Ok);
   Measurement bad = run.loop().measurement();
   const Eigen::VectorXd before = run.controller().tick(bad).tau;
@@ -114,33 +116,33 @@ TEST_P(PathController, answers_a_measurement_that_is_none_with_a_status_and_its_
   EXPECT_EQ(run.controller().tick(bad).status, Status::WrongSize);
 }
 
-// Position integral of the impedance.
+// Position integral of the impedance controller.
 
-ImpedanceGains with_integral(double ki, double most = 20.0) {
+ImpedanceGains with_integral(double ki, double limit = 20.0) {
   ImpedanceGains gains;
   gains.kp = 900.0;
   gains.kd = 60.0;
   gains.ki_position = ki;
-  gains.position_integral_limit = most;
+  gains.position_integral_limit = limit;
   return gains;
 }
 
-TEST(Impedance, an_integral_takes_the_place_s_error_by_friction_away) {
-  const Metrics without = polished(rubbing(make_impedance(with_integral(0.0))));
-  const Metrics with = polished(rubbing(make_impedance(with_integral(8000.0))));
+TEST(Impedance, PositionIntegral_RemovesTheErrorByFriction) {
+  const Metrics without = polished(with_friction(make_impedance(with_integral(0.0))));
+  const Metrics with = polished(with_friction(make_impedance(with_integral(8000.0))));
   EXPECT_GT(without.position_rmse, 4e-3);
   EXPECT_LT(with.position_rmse, 0.25 * without.position_rmse) << metrics_text(with);
   EXPECT_LT(with.force_rmse, 1.2 * without.force_rmse) << metrics_text(with);
-  // It helps no more than it may.
-  const Metrics bounded = polished(rubbing(make_impedance(with_integral(8000.0, 0.5))));
+  // A small integral limit bounds the correction.
+  const Metrics bounded = polished(with_friction(make_impedance(with_integral(8000.0, 0.5))));
   EXPECT_GT(bounded.position_rmse, 2.0 * with.position_rmse);
   EXPECT_LT(bounded.position_rmse, without.position_rmse);
 }
 
-/// The torques of a controller whose robot is held a centimetre beside the path and feels 20 of 30
-/// N, at the end of each of so many times 0.1 s.
-std::vector<Eigen::VectorXd> torques_of_one_held(const MakeController& make, double effort,
-                                                 int count) {
+/// Returns the torques of a controller every 0.1 s, `count` times. Its robot is fixed 1 cm beside
+/// the path and measures 20 N of 30 N.
+std::vector<Eigen::VectorXd> torques_of_fixed_robot(const MakeController& make, double effort,
+                                                    int count) {
   Eigen::VectorXd q;
   Model model = right_arm(&q);
   model.effort_limit.setConstant(effort);
@@ -152,32 +154,32 @@ std::vector<Eigen::VectorXd> torques_of_one_held(const MakeController& make, dou
     return TaskPoint{.p_world = p + Eigen::Vector3d(0.01, 0.0, 0.0), .force = 30.0};
   };
   const auto controller = make(model, path, {});
-  Measurement held;
-  held.q = q;
-  held.v = held.tau = Eigen::VectorXd::Zero(model.nv);
-  held.tool_force_world = {0.0, 0.0, 20.0};
+  Measurement fixed;
+  fixed.q = q;
+  fixed.v = fixed.tau = Eigen::VectorXd::Zero(model.nv);
+  fixed.tool_force_world = {0.0, 0.0, 20.0};
   std::vector<Eigen::VectorXd> torques;
   for (int i = 0; i < count; ++i) {
-    for (int k = 0; k < 100; ++k) controller->tick(held);
-    torques.push_back(controller->tick(held).tau);
+    for (int k = 0; k < 100; ++k) controller->tick(fixed);
+    torques.push_back(controller->tick(fixed).tau);
   }
   return torques;
 }
 
-TEST(Impedance, integrals_grow_to_their_limits_and_stand_still_while_a_torque_is_at_its_own) {
+TEST(Impedance, Integrals_StopAtTheirLimitsAndAtTorqueLimits) {
   const MakeController make = make_impedance(with_integral(8000.0));
-  const auto free = torques_of_one_held(make, 1e6, 80);
-  EXPECT_GT((free[2] - free[1]).norm(), 0.5);
-  EXPECT_EQ(free[79], free[78]);  // both bounds are reached within a second
-  const auto limited = torques_of_one_held(make, 1.0, 3);
+  const auto unlimited = torques_of_fixed_robot(make, 1e6, 80);
+  EXPECT_GT((unlimited[2] - unlimited[1]).norm(), 0.5);
+  EXPECT_EQ(unlimited[79], unlimited[78]);  // both bounds are reached within a second
+  const auto limited = torques_of_fixed_robot(make, 1.0, 3);
   EXPECT_EQ(limited[2], limited[0]);
 }
 
-// The two loops of the admittance.
+// Inner and outer loop of the admittance controller.
 
-/// One that is to press with 30 N where its arm, which does not move, has its tool.
-struct HeldAdmittance {
-  explicit HeldAdmittance(const AdmittanceGains& gains) {
+/// Admittance controller with a target of 30 N, on an arm that does not move.
+struct FixedAdmittance {
+  explicit FixedAdmittance(const AdmittanceGains& gains) {
     const Model model = right_arm(&measured.q);
     const Eigen::Vector3d p = frame_placement(model, measured.q, "tool").translation();
     PressingPath path;
@@ -190,28 +192,28 @@ struct HeldAdmittance {
   std::unique_ptr<Controller> controller;
 };
 
-TEST(Admittance, holds_its_joints_until_the_outer_loop_s_command_arrives) {
+TEST(Admittance, OuterLoopDelay_KeepsTheFirstTorqueUntilItPasses) {
   AdmittanceGains gains;
   gains.rate = 250.0;
   gains.delay = 6e-3;
-  HeldAdmittance held(gains);
-  const Eigen::VectorXd first = held.controller->tick(held.measured).tau;
-  // The command to go down was sent at the first tick: it comes with the seventh.
+  FixedAdmittance fixed(gains);
+  const Eigen::VectorXd first = fixed.controller->tick(fixed.measured).tau;
+  // The command to press is sent at the first tick and arrives with the seventh.
   for (int tick = 1; tick < 6; ++tick)
-    EXPECT_EQ(held.controller->tick(held.measured).tau, first) << tick;
-  EXPECT_NE(held.controller->tick(held.measured).tau, first);
+    EXPECT_EQ(fixed.controller->tick(fixed.measured).tau, first) << tick;
+  EXPECT_NE(fixed.controller->tick(fixed.measured).tau, first);
 }
 
-TEST(Admittance, reads_the_force_at_its_own_rate) {
+TEST(Admittance, OuterLoopRate_SamplesTheForce) {
   AdmittanceGains gains;
   gains.rate = 100.0;  // every tenth tick
   gains.delay = 0.0;
   const auto last_torque = [&](int pushed_tick) {
-    HeldAdmittance held(gains);
+    FixedAdmittance fixed(gains);
     Eigen::VectorXd tau;
     for (int tick = 0; tick < 45; ++tick) {
-      held.measured.tool_force_world = {0.0, 0.0, tick == pushed_tick ? 60.0 : 20.0};
-      tau = held.controller->tick(held.measured).tau;
+      fixed.measured.tool_force_world = {0.0, 0.0, tick == pushed_tick ? 60.0 : 20.0};
+      tau = fixed.controller->tick(fixed.measured).tau;
     }
     return tau;
   };
@@ -219,7 +221,7 @@ TEST(Admittance, reads_the_force_at_its_own_rate) {
   EXPECT_NE(last_torque(30), last_torque(37));
 }
 
-TEST(Admittance, refuses_what_cannot_be) {
+TEST(Admittance, InvalidOptions_AreRefused) {
   Eigen::VectorXd q;
   const Model model = right_arm(&q);
   AdmittanceSpec spec;

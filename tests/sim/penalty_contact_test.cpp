@@ -1,4 +1,4 @@
-// A spring, a damper and Coulomb friction at the end of a step.
+// Tests of spring, damper and Coulomb friction evaluated at the end of a step.
 #include "sim/penalty_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::vector<Case> cases() {
   std::mt19937_64 generator(11);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto vector = [&] { return Vector3d(unit(generator), unit(generator), unit(generator)); };
-  std::vector<Case> all;
+  std::vector<Case> result;
   for (int i = 0; i < 300; ++i) {
     Eigen::Matrix3d root;
     root << vector(), vector(), vector();
@@ -29,12 +29,12 @@ std::vector<Case> cases() {
               0.5 * (1.0 + unit(generator))},
              {5e-4, 1e-4 * (1.0 + unit(generator)), vector().normalized(), 0.1 * vector(),
               root * root.transpose() + 0.1 * Eigen::Matrix3d::Identity()}};
-    all.push_back(one);
+    result.push_back(one);
   }
-  return all;
+  return result;
 }
 
-TEST(PenaltyContact, HoldsItsLawAtTheEndOfTheStep) {
+TEST(PenaltyContact, Force_SatisfiesTheLawAtTheEndOfTheStep) {
   for (const Case& one : cases()) {
     const auto& [contact, tip] = one;
     const Vector3d f = penalty_force(contact, tip), v = one.v_end(f);
@@ -43,7 +43,7 @@ TEST(PenaltyContact, HoldsItsLawAtTheEndOfTheStep) {
     EXPECT_NEAR(fn, std::max(0.0, law), 1e-8 * (1.0 + std::abs(law)));
     const Vector3d ft = f - fn * tip.n, vt = v - vn * tip.n;
     EXPECT_LE(ft.norm(), contact.friction * fn * (1.0 + 1e-9) + 1e-12);
-    // It sticks, or slides against the force, which is then all that friction has.
+    // The tip sticks, or slides against a friction force at its limit.
     if (vt.norm() > 1e-6) {
       EXPECT_NEAR(ft.norm(), contact.friction * fn, 1e-6 * (1.0 + fn));
       EXPECT_NEAR(ft.dot(vt), -ft.norm() * vt.norm(), 1e-5 * (1e-3 + ft.norm() * vt.norm()));
@@ -51,25 +51,25 @@ TEST(PenaltyContact, HoldsItsLawAtTheEndOfTheStep) {
   }
 }
 
-TEST(PenaltyContact, DoesNotPullAndDoesNotReach) {
+TEST(PenaltyContact, SeparatingTip_GetsNoForce) {
   Case one = cases().front();
   one.tip.depth = 0.0;
   EXPECT_EQ(penalty_force(one.contact, one.tip), Vector3d::Zero());
   one.tip.depth = 1e-9;
-  one.tip.v = 10.0 * one.tip.n;  // leaves fast: a damper alone would pull
+  one.tip.v = 10.0 * one.tip.n;  // separates fast: a damper alone would pull
   EXPECT_EQ(penalty_force(one.contact, one.tip), Vector3d::Zero());
 }
 
-TEST(PenaltyContact, IsTheSpringsForceWhereNothingMoves) {
+TEST(PenaltyContact, TipAtRest_GetsTheSpringForce) {
   const PenaltyContact contact{1e5, 500.0, 0.3};
-  // A tip that the force just keeps from moving, pressed with 30 N.
+  // The contact force keeps the tip, pressed with 30 N, exactly at rest.
   const Vector3d n = Vector3d(0.2, 0.1, 1.0).normalized();
   TipStep tip{5e-4, 30.0 / 1e5, n, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
   tip.v = -tip.dt * 30.0 * tip.A * n;
   EXPECT_LT((penalty_force(contact, tip) - 30.0 * n).norm(), 1e-9);
 }
 
-TEST(PenaltyContact, DrawsNoEnergyFromStiffness) {
+TEST(PenaltyContact, StiffSpring_AddsNoEnergy) {
   // A mass on a spring far too stiff for the step comes to rest.
   const PenaltyContact contact{1e9, 0.0, 0.5};
   const double dt = 5e-4, mass = 2.0;

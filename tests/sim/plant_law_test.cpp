@@ -1,4 +1,4 @@
-// Laws that hold for every plant, whoever computes it. A new plant joins with one line.
+// Laws that every plant must satisfy. A new plant joins with one line.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -20,8 +20,8 @@ namespace {
 struct Kind {
   std::string name;
   std::unique_ptr<Plant> (*make)(const Model&, const SceneSpec&);
-  double sinking;   ///< m under 30 N
-  double stiction;  ///< rad/s of creep that friction lets through
+  double sinking;   ///< penetration under 30 N [m]
+  double stiction;  ///< creep of joints under static friction [rad/s]
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -60,7 +60,7 @@ class PlantLaw : public ::testing::TestWithParam<Kind> {
     EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(robot.nv)), Status::Ok);
     return plant;
   }
-  /// Torques that hold the plant against gravity, and push its tool with a force.
+  /// Returns torques that compensate gravity and make the tool push with a force.
   Eigen::VectorXd holding(const Plant& plant, const Eigen::Vector3d& force_world) {
     EXPECT_EQ(body.update(plant.q(), plant.v()), Status::Ok);
     body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
@@ -74,7 +74,7 @@ class PlantLaw : public ::testing::TestWithParam<Kind> {
   FrameDerivatives motion;
 };
 
-TEST_P(PlantLaw, moves_freely_as_the_model_says) {
+TEST_P(PlantLaw, FreeMotion_MatchesTheModelsAcceleration) {
   const auto plant = at_rest({0.0, 0.0, 1.0}, 0.5);
   ContactDynamics dynamics(model);
   std::mt19937_64 generator(3);
@@ -90,11 +90,11 @@ TEST_P(PlantLaw, moves_freely_as_the_model_says) {
   EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
 }
 
-TEST_P(PlantLaw, pushes_back_along_the_normal_with_the_force_it_is_pressed_with) {
+TEST_P(PlantLaw, PressedSurface_ReactsAlongItsNormal) {
   for (const Eigen::Vector3d& normal :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(-0.6, 0.0, 0.8)}) {
     const auto plant = at_rest(normal, 0.0);
-    // The contact alone moves no tip: what is pressed along the normal comes back along it.
+    // The contact is frictionless: the reaction to a normal force is along the normal.
     for (int i = 0; i < 200; ++i)
       ASSERT_EQ(plant->step(holding(*plant, -30.0 * normal), Eigen::Vector3d::Zero()), Status::Ok);
     EXPECT_TRUE(plant->in_contact());
@@ -108,24 +108,24 @@ TEST_P(PlantLaw, pushes_back_along_the_normal_with_the_force_it_is_pressed_with)
   }
 }
 
-TEST_P(PlantLaw, a_surface_ends_where_its_extent_says) {
+TEST_P(PlantLaw, SurfaceExtent_EndsTheContact) {
   const Eigen::Vector3d normal(-0.6, 0.0, 0.8);
   SceneSpec square = scene(normal, 0.0);
   square.surface.extent = 0.05;
   const Eigen::Matrix3d axes = Reference::surface_with_normal(normal).rotation;
   for (const int side : {0, 1})
-    for (const double off : {-0.051, -0.049, 0.049, 0.051}) {
+    for (const double offset : {-0.051, -0.049, 0.049, 0.051}) {
       SceneSpec beside = square;
-      beside.surface.point += off * axes.col(side);
+      beside.surface.point += offset * axes.col(side);
       const auto plant = started(model, beside);
       for (int i = 0; i < 20; ++i)
         ASSERT_EQ(plant->step(holding(*plant, -30.0 * normal), Eigen::Vector3d::Zero()),
                   Status::Ok);
-      EXPECT_EQ(plant->in_contact(), std::abs(off) < 0.05) << side << " " << off;
+      EXPECT_EQ(plant->in_contact(), std::abs(offset) < 0.05) << side << " " << offset;
     }
 }
 
-TEST_P(PlantLaw, a_tip_that_slides_over_the_edge_is_free_and_does_not_come_back_from_below) {
+TEST_P(PlantLaw, TipBeyondTheEdge_HasNoContactFromBelow) {
   const Eigen::Vector3d normal(0.0, 0.0, 1.0);
   SceneSpec square = scene(normal, 0.0);
   square.surface.extent = 0.05;
@@ -149,8 +149,9 @@ TEST_P(PlantLaw, a_tip_that_slides_over_the_edge_is_free_and_does_not_come_back_
   EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
 }
 
-TEST_P(PlantLaw, a_tip_that_sinks_into_a_soft_surface_stays_in_contact) {
-  // 60 N sink it by 12 cm, six of its radii: what has an end holds as what has none.
+TEST_P(PlantLaw, SoftSurface_StaysInContactWhenTheTipSinks) {
+  // 60 N sink the tip by 12 cm, six of its radii. A surface with an extent must support it like an
+  // endless one.
   const Eigen::Vector3d normal(0.0, 0.0, 1.0);
   SceneSpec soft = scene(normal, 0.0);
   soft.surface.stiffness = 500.0;
@@ -168,8 +169,8 @@ TEST_P(PlantLaw, a_tip_that_sinks_into_a_soft_surface_stays_in_contact) {
   EXPECT_EQ(ending->q(), endless->q());
 }
 
-TEST_P(PlantLaw, balances_gravity_contact_and_torque_at_rest) {
-  // A robot that is braked hard: what the surface exerts is what the tool presses with.
+TEST_P(PlantLaw, AtRest_GravityContactAndTorqueBalance) {
+  // The robot's joints are damped strongly, so the surface's force balances the tool's force.
   Model braked = model;
   braked.damping.setConstant(200.0);
   const Eigen::Vector3d normal(0.0, 0.0, 1.0);
@@ -179,7 +180,7 @@ TEST_P(PlantLaw, balances_gravity_contact_and_torque_at_rest) {
     tau = holding(*plant, -30.0 * normal) + 2.0 * plant->v();
     ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
   }
-  // M a = tau - gravity + friction + J^T force, with a and v all but zero.
+  // M a = tau - gravity + friction + J^T force, with a and v almost zero.
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
   body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
   const Eigen::VectorXd rest =
@@ -189,7 +190,7 @@ TEST_P(PlantLaw, balances_gravity_contact_and_torque_at_rest) {
   EXPECT_GT(plant->contact_force_world().z(), 5.0);
 }
 
-TEST_P(PlantLaw, feels_a_push_as_torques_at_the_tool) {
+TEST_P(PlantLaw, Push_EqualsItsJointTorques) {
   const Eigen::Vector3d push(3.0, -4.0, 5.0);
   const auto pushed = at_rest({0.0, 0.0, 1.0}, 0.5), driven = at_rest({0.0, 0.0, 1.0}, 0.5);
   const Eigen::VectorXd hold = holding(*pushed, Eigen::Vector3d::Zero());
@@ -200,7 +201,7 @@ TEST_P(PlantLaw, feels_a_push_as_torques_at_the_tool) {
   EXPECT_GT(pushed->v().norm(), 1e-4);
 }
 
-TEST_P(PlantLaw, never_pulls) {
+TEST_P(PlantLaw, SeparatingTip_GetsNoForce) {
   const auto plant = at_rest({0.0, 0.0, 1.0}, 0.0, 0.3);
   for (int i = 0; i < 400; ++i) {
     const double force = i < 100 ? -30.0 : 30.0;
@@ -213,7 +214,7 @@ TEST_P(PlantLaw, never_pulls) {
   EXPECT_GT(gap(plant->scene(), body.placement(body.frame("tool")).translation()), 1e-3);
 }
 
-TEST_P(PlantLaw, slides_with_the_friction_of_the_surface_against_the_motion) {
+TEST_P(PlantLaw, SlidingTip_GetsCoulombFrictionAgainstItsMotion) {
   const double mu = 0.3;
   const auto plant = at_rest({0.0, 0.0, 1.0}, 0.0, mu);
   for (int i = 0; i < 300; ++i)
@@ -231,16 +232,16 @@ TEST_P(PlantLaw, slides_with_the_friction_of_the_surface_against_the_motion) {
       << sliding.transpose() << " and " << at_point.transpose();
 }
 
-TEST_P(PlantLaw, holds_joints_by_coulomb_friction_and_slows_them_by_viscous) {
-  Model stuck = model;
-  stuck.friction.setConstant(200.0);
-  const auto held = started(stuck, scene({0.0, 0.0, 1.0}, 0.5));
+TEST_P(PlantLaw, JointFriction_HoldsAndDampsJoints) {
+  Model stiff_joints = model;
+  stiff_joints.friction.setConstant(200.0);
+  const auto blocked = started(stiff_joints, scene({0.0, 0.0, 1.0}, 0.5));
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.nv);
-  for (int i = 0; i < 200; ++i) ASSERT_EQ(held->step(none, Eigen::Vector3d::Zero()), Status::Ok);
-  EXPECT_LE(held->v().cwiseAbs().maxCoeff(), GetParam().stiction);
-  // Gravity is what friction holds.
-  ASSERT_EQ(body.update(held->q(), held->v()), Status::Ok);
-  EXPECT_LE((held->friction_torque() - body.gravity_torque()).norm(),
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(blocked->step(none, Eigen::Vector3d::Zero()), Status::Ok);
+  EXPECT_LE(blocked->v().cwiseAbs().maxCoeff(), GetParam().stiction);
+  // Friction carries gravity.
+  ASSERT_EQ(body.update(blocked->q(), blocked->v()), Status::Ok);
+  EXPECT_LE((blocked->friction_torque() - body.gravity_torque()).norm(),
             0.02 * body.gravity_torque().norm());
 
   Model slowed = model;
@@ -250,15 +251,15 @@ TEST_P(PlantLaw, holds_joints_by_coulomb_friction_and_slows_them_by_viscous) {
   EXPECT_LE((plant->friction_torque() + 3.0 * plant->v()).norm(), 0.05 * 3.0 * plant->v().norm());
 }
 
-TEST_P(PlantLaw, is_pulled_by_springs_and_slowed_by_tendons) {
+TEST_P(PlantLaw, SpringsAndTendons_ActAsTheModelsPassiveTorque) {
   Model sprung = model;
   sprung.stiffness.setConstant(80.0);
   sprung.spring_rest.setConstant(0.3);
-  const auto part = [&](int k, double coefficient) {
+  const auto entry = [&](int k, double coefficient) {
     return Tendon::Entry{sprung.joints[static_cast<std::size_t>(sprung.joint_of_v[k])].q_index, k,
                          coefficient};
   };
-  sprung.tendons = {{"tendon", {part(0, 1.0), part(2, -2.0)}, 0.1, 50.0, 3.0}};
+  sprung.tendons = {{"tendon", {entry(0, 1.0), entry(2, -2.0)}, 0.1, 50.0, 3.0}};
   RigidBody sprung_body(sprung);
   ContactDynamics dynamics(sprung);
   std::mt19937_64 generator(3);
@@ -267,7 +268,7 @@ TEST_P(PlantLaw, is_pulled_by_springs_and_slowed_by_tendons) {
   const auto plant = started(sprung, scene({0.0, 0.0, 1.0}, 0.5));
   ASSERT_EQ(plant->reset(q, v), Status::Ok);
   ASSERT_EQ(sprung_body.update(q, v), Status::Ok);
-  // Besides, the model has the arm's own damping and friction, which sharpen with the slip.
+  // The reference plant keeps the arm's own damping and friction.
   Model unsprung = sprung;
   unsprung.stiffness.setZero();
   unsprung.tendons.clear();
@@ -285,7 +286,7 @@ TEST_P(PlantLaw, is_pulled_by_springs_and_slowed_by_tendons) {
             0.02 * pull.norm());
 }
 
-TEST_P(PlantLaw, goes_back_to_a_snapshot_bit_by_bit) {
+TEST_P(PlantLaw, RestoredSnapshot_GivesTheSameBits) {
   const auto plant = at_rest({0.0, 0.0, 1.0}, 1e-4, 0.3);
   const auto drive = [&](int steps) {
     for (int i = 0; i < steps; ++i)
@@ -312,7 +313,7 @@ TEST_P(PlantLaw, goes_back_to_a_snapshot_bit_by_bit) {
   EXPECT_EQ(plant->q(), q_then);
 }
 
-TEST_P(PlantLaw, answers_bad_input_with_a_status_and_stays_as_it_was) {
+TEST_P(PlantLaw, InvalidInput_ReturnsAStatusAndKeepsTheState) {
   const auto plant = at_rest({0.0, 0.0, 1.0}, 0.0);
   const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nv);
   Eigen::VectorXd bad = v;
@@ -328,7 +329,7 @@ TEST_P(PlantLaw, answers_bad_input_with_a_status_and_stays_as_it_was) {
   EXPECT_EQ(plant->time(), 0.0);
 }
 
-TEST_P(PlantLaw, refuses_scenes_with_a_sentence) {
+TEST_P(PlantLaw, InvalidScenes_AreRefused) {
   const auto refused = [&](auto&& change) {
     SceneSpec bad = scene({0.0, 0.0, 1.0}, 0.0);
     change(bad);
@@ -345,12 +346,12 @@ TEST_P(PlantLaw, refuses_scenes_with_a_sentence) {
                         {"radius", "more than 0"});
 }
 
-TEST_P(PlantLaw, allocates_nothing_while_it_runs) {
+TEST_P(PlantLaw, Run_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
-  Model rubbing = model;
-  rubbing.friction.setConstant(0.5);
-  rubbing.damping.setConstant(0.5);
-  const auto plant = started(rubbing, scene({0.0, 0.0, 1.0}, 1e-4, 0.3));
+  Model with_friction = model;
+  with_friction.friction.setConstant(0.5);
+  with_friction.damping.setConstant(0.5);
+  const auto plant = started(with_friction, scene({0.0, 0.0, 1.0}, 1e-4, 0.3));
   const Eigen::VectorXd tau = holding(*plant, {5.0, 0.0, -30.0});
   PlantSnapshot snapshot;
   plant->save(snapshot);

@@ -26,7 +26,8 @@ Instance draw(int n, std::mt19937& random) {
   return p;
 }
 
-/// Every choice of free, lower and upper per entry; the one that fulfils the optimality conditions.
+/// Tries every choice of free, lower and upper per entry; returns the choice that satisfies the
+/// optimality conditions.
 Eigen::VectorXd enumerate(const Instance& p) {
   const auto n = static_cast<int>(p.q.size());
   int choices = 1;
@@ -57,11 +58,11 @@ Eigen::VectorXd enumerate(const Instance& p) {
     }
     if (optimal) return x;
   }
-  ADD_FAILURE() << "no vertex is optimal";
+  ADD_FAILURE() << "no active set is optimal";
   return {};
 }
 
-TEST(BoxQp, agrees_with_trying_every_active_set) {
+TEST(BoxQp, Solution_EqualsEnumeratedActiveSets) {
   std::mt19937 random(3);
   int clamped = 0;
   for (int trial = 0; trial < 300; ++trial) {
@@ -76,10 +77,10 @@ TEST(BoxQp, agrees_with_trying_every_active_set) {
     EXPECT_TRUE((x.array() >= p.lower.array()).all() && (x.array() <= p.upper.array()).all());
     for (int i = 0; i < n; ++i) clamped += solver.clamped(i) ? 1 : 0;
   }
-  EXPECT_GT(clamped, 100) << "the bounds were never active";
+  EXPECT_GT(clamped, 100) << "the bounds are rarely active";
 }
 
-TEST(BoxQp, started_at_the_solution_takes_no_more_than_one_step) {
+TEST(BoxQp, StartAtTheSolution_TakesAtMostOneStep) {
   std::mt19937 random(4);
   const Instance p = draw(6, random);
   BoxQp solver(6);
@@ -90,7 +91,7 @@ TEST(BoxQp, started_at_the_solution_takes_no_more_than_one_step) {
       1);
 }
 
-TEST(BoxQp, says_when_the_matrix_is_not_positive_definite) {
+TEST(BoxQp, IndefiniteMatrix_IsReported) {
   const double Q[] = {1.0, 2.0, 0.0, 1.0};
   const double q[] = {0.1, 0.1};
   const double lower[] = {-1.0, -1.0};
@@ -99,11 +100,11 @@ TEST(BoxQp, says_when_the_matrix_is_not_positive_definite) {
   EXPECT_FALSE(BoxQp(2).solve({2, Q, 2, q, 1, lower, upper}, x).positive_definite);
 }
 
-/// minimise over the stacked controls, states eliminated, by cyclic coordinate descent.
+/// Minimizes over the stacked controls, with states eliminated, by cyclic coordinate descent.
 RowMatrix condensed_solution(const LqProblem& lq) {
   const TestProblem& p = lq.problem;
   const int N = p.knots();
-  const int nu = p.most_controls;
+  const int nu = p.max_nu;
   const int ndx = p.shape.ndx;
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(ndx, N * nu);  // x_k = S u + s
   Eigen::VectorXd s = Eigen::Map<const Eigen::VectorXd>(p.start.data(), ndx);
@@ -133,7 +134,7 @@ RowMatrix condensed_solution(const LqProblem& lq) {
 
 class BoundedLq : public ::testing::TestWithParam<StepUpdate> {};
 
-TEST_P(BoundedLq, agrees_with_the_condensed_problem) {
+TEST_P(BoundedLq, BoundedControls_EqualTheCondensedSolution) {
   int active = 0;
   for (unsigned seed = 1; seed <= 12; ++seed) {
     LqSpec spec{.ndx = 4, .nu = std::vector<int>(7, 2), .seed = seed};
@@ -159,7 +160,8 @@ TEST_P(BoundedLq, agrees_with_the_condensed_problem) {
       for (int i = 0; i < 2; ++i) {
         if (solver.us()(k, i) > -0.4 && solver.us()(k, i) < 0.3) continue;
         ++active;
-        EXPECT_EQ(solver.gain(k).row(i).cwiseAbs().maxCoeff(), 0.0) << "gain of a clamped control";
+        EXPECT_EQ(solver.gain(k).row(i).cwiseAbs().maxCoeff(), 0.0)
+            << "a clamped control must have zero gain";
       }
   }
   EXPECT_GT(active, 20);

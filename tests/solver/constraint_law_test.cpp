@@ -1,6 +1,7 @@
-// What every residual must do as a constraint of a solved problem, hard, soft and as an equality:
-// be kept, push only where it is at its limit and by what the cost saves, and be differentiated
-// right. Residuals are those of residual_cases(); a new one joins there.
+// Laws that every residual must satisfy as a constraint of a solved problem: hard, soft, and as an
+// equality. The constraint is satisfied, its multiplier vanishes unless it is active and equals the
+// marginal saving of the cost, and its derivatives are exact. The residuals are those of
+// residual_cases(); a new residual joins there.
 #include <gtest/gtest.h>
 
 #include "burnish/ocp/check.hpp"
@@ -28,19 +29,19 @@ struct SolvedProblem {
     return problem.residual(knot, term, solver.xs().row(knot).transpose(),
                             solver.us().row(knot).transpose());
   }
-  /// Of the rows with limits.
+  /// Values of the constraint rows.
   std::vector<double> limited(int knot) {
     const Eigen::VectorXd x = solver.xs().row(knot), u = solver.us().row(std::min(knot, knots - 1));
     return problem.row_values(knot, x.data(), u.data());
   }
   Eigen::VectorXd all_multipliers() const {
-    Eigen::VectorXd all(0);
+    Eigen::VectorXd result(0);
     for (int k = 0; k <= knots; ++k) {
       const VectorView m = solver.multipliers(k);
-      all.conservativeResize(all.size() + m.size());
-      all.tail(m.size()) = m;
+      result.conservativeResize(result.size() + m.size());
+      result.tail(m.size()) = m;
     }
-    return all;
+    return result;
   }
   double largest_multiplier() const { return all_multipliers().cwiseAbs().maxCoeff(); }
 
@@ -48,40 +49,42 @@ struct SolvedProblem {
   DdpSolver solver;
 };
 
-/// What a residual of this problem cannot be, by its name, and why.
+/// Residual, by name, that a law exempts, and why.
 struct Exception {
   std::string residual, why;
 };
 const std::vector<Exception> no_hard_limit = {};
 const std::vector<Exception> no_soft_limit = {
     {"own with jacobian",
-     "a limit on a product of two forces has several minima; from the hard one's it falls into "
-     "another, where nothing pushes as hard as the price"}};
+     "a limit on a product of two forces has several minima; from the hard solution the solver "
+     "finds another, where all multipliers are below the L1 weight"}};
 const std::vector<Exception> no_equality = {};
 
-/// One row of a residual, between what it is at different knots of the solution without limits.
+/// Limit on one row of a residual, between its values at different knots of the solution without
+/// limits.
 struct MiddleLimit {
   int rows, row;
-  double range;  ///< of the row over the knots
-  bool above;    ///< the side of the limit: the start is inside
+  double range;  ///< range of the row over the knots
+  bool above;    ///< whether the limit is an upper one; the start satisfies it
   double limit;
-  double at_last;  ///< a value for the last knot that it does not have
+  double at_last;  ///< a value that differs from the row's at the last knot
 };
 
-/// What the state holds beside q and v: nothing, the torques that act, or the torques or the forces
-/// of the step before.
-enum class Beside { Nothing, Torques, TorquesBefore, ForcesBefore };
+/// Entries of the state beside q and v: none, filtered torques, torques of the previous step, or
+/// contact forces of the previous step.
+enum class ExtraState { Nothing, Torques, TorquesBefore, ForcesBefore };
 
-class ConstraintLaw : public ::testing::TestWithParam<Beside> {
+class ConstraintLaw : public ::testing::TestWithParam<ExtraState> {
  protected:
-  /// An arm whose contacts give way goes somewhere, and what is `limited` is seen as a cost that
-  /// weighs nothing.
-  ProblemSpec going(const Residual& residual) {
-    ProblemSpec spec = bare_problem(given, model);
-    // Flat: on a curved one the product of two forces is between minima at its limit.
+  /// Problem in which an arm with compliant contacts moves to a goal. `residual` is a cost with
+  /// negligible weight, to be watched.
+  ProblemSpec reaching_problem(const Residual& residual) {
+    ProblemSpec spec = bare_problem(ocp_case, model);
+    // The surface is a plane: on a curved surface, the product of two forces would be between
+    // minima at its limit.
     spec.contacts[2].reference = Reference::surface(tilt());
     const int nv = model.nv;
-    const Eigen::VectorXd far = setup.state(given);
+    const Eigen::VectorXd far = setup.state(ocp_case);
     spec.initial_state.segment(model.nq, nv) *= 0.2;
     Eigen::VectorXd goal = spec.initial_state;
     goal.head(nv) += 0.2 * (far.head(nv) - goal.head(nv));
@@ -102,19 +105,19 @@ class ConstraintLaw : public ::testing::TestWithParam<Beside> {
     spec.terminal = {arrive};
     return spec;
   }
-  static MiddleLimit middle_limit(SolvedProblem& free) {
-    const Eigen::Index rows = free.values(0, 2).size();
+  static MiddleLimit middle_limit(SolvedProblem& unlimited) {
+    const Eigen::Index rows = unlimited.values(0, 2).size();
     Eigen::MatrixXd r(rows, knots);
-    for (int k = 0; k < knots; ++k) r.col(k) = free.values(k, 2);
-    const Eigen::VectorXd least = r.rowwise().minCoeff(), most = r.rowwise().maxCoeff();
+    for (int k = 0; k < knots; ++k) r.col(k) = unlimited.values(k, 2);
+    const Eigen::VectorXd lowest = r.rowwise().minCoeff(), highest = r.rowwise().maxCoeff();
     Eigen::Index row = 0;
-    const double range = (most - least).maxCoeff(&row);
+    const double range = (highest - lowest).maxCoeff(&row);
     MiddleLimit result{static_cast<int>(rows), static_cast<int>(row), range, false, 0.0, 0.0};
-    result.limit = most[row] - 0.4 * range;
+    result.limit = highest[row] - 0.4 * range;
     result.above = r(row, 0) <= result.limit;
-    if (!result.above) result.limit = least[row] + 0.4 * range;
+    if (!result.above) result.limit = lowest[row] + 0.4 * range;
     const double last = r(row, knots - 1);
-    result.at_last = last + (last > 0.5 * (least[row] + most[row]) ? -0.3 : 0.3) * range;
+    result.at_last = last + (last > 0.5 * (lowest[row] + highest[row]) ? -0.3 : 0.3) * range;
     return result;
   }
   static Constraint constraint(const Residual& residual, const MiddleLimit& of) {
@@ -124,13 +127,13 @@ class ConstraintLaw : public ::testing::TestWithParam<Beside> {
             .upper = Eigen::VectorXd::Constant(of.rows, none),
             .scale = Eigen::VectorXd::Constant(1, of.range)};
   }
-  /// `moved` is how far the limit is out, in ranges.
-  static ProblemSpec within(ProblemSpec spec, const MiddleLimit& of, double price = none,
+  /// `moved` is the relaxation of the limit, as a fraction of its range.
+  static ProblemSpec within(ProblemSpec spec, const MiddleLimit& of, double l1_weight = none,
                             double moved = 0.0) {
     Constraint limit = constraint(spec.stages[0].costs[2].residual, of);
     (of.above ? limit.upper : limit.lower)[of.row] =
         of.limit + (of.above ? moved : -moved) * of.range;
-    limit.price = price;
+    limit.l1_weight = l1_weight;
     for (Stage& stage : spec.stages) stage.constraints = {limit};
     return spec;
   }
@@ -142,13 +145,13 @@ class ConstraintLaw : public ::testing::TestWithParam<Beside> {
     return spec;
   }
 
-  /// Rows are kept, but for a price; multipliers are zero inside, of the sign of the limit that
-  /// pushes, and the price where that is broken.
-  static void expect_kept(SolvedProblem& solved, double price = none) {
+  /// Expects satisfied rows, except for an L1 penalty. A multiplier is zero for an inactive row,
+  /// has the sign of the active limit, and equals the L1 weight where the limit is violated.
+  static void expect_satisfied(SolvedProblem& solved, double l1_weight = none) {
     const double largest = solved.largest_multiplier();
-    EXPECT_GT(largest, 0.0) << "no limit pushes";
+    EXPECT_GT(largest, 0.0) << "no constraint is active";
     EXPECT_LT(solved.solver.optimality_error(), 1e-5);
-    int broken = 0;
+    int violated = 0;
     for (int k = 0; k <= knots; ++k) {
       const std::vector<double> values = solved.limited(k);
       const VectorView m = solved.solver.multipliers(k);
@@ -158,16 +161,16 @@ class ConstraintLaw : public ::testing::TestWithParam<Beside> {
         const double y = values[static_cast<std::size_t>(i)];
         const double lower = solved.problem.row_lower(k)[i], upper = solved.problem.row_upper(k)[i];
         const double scale = solved.problem.row_scale(k)[i];
-        const double outside = std::max(y - upper, lower - y) / scale;
-        EXPECT_LE(std::abs(m[i]), price * (1.0 + 1e-9));
-        if (std::isinf(price)) {
-          EXPECT_LE(outside, 1e-8);
-        } else if (outside > 1e-6) {
-          EXPECT_NEAR(m[i], y > upper ? price : -price, 1e-6 * price);
-          ++broken;
+        const double violation = std::max(y - upper, lower - y) / scale;
+        EXPECT_LE(std::abs(m[i]), l1_weight * (1.0 + 1e-9));
+        if (std::isinf(l1_weight)) {
+          EXPECT_LE(violation, 1e-8);
+        } else if (violation > 1e-6) {
+          EXPECT_NEAR(m[i], y > upper ? l1_weight : -l1_weight, 1e-6 * l1_weight);
+          ++violated;
         }
-        if (outside < -1e-6) {
-          EXPECT_EQ(m[i], 0.0) << "inside by " << -outside;
+        if (violation < -1e-6) {
+          EXPECT_EQ(m[i], 0.0) << "inactive by " << -violation;
         }
         if (m[i] > 1e-6 * largest) {
           EXPECT_GE(y, upper - 1e-6 * scale);
@@ -177,77 +180,78 @@ class ConstraintLaw : public ::testing::TestWithParam<Beside> {
         }
       }
     }
-    if (std::isfinite(price)) {
-      EXPECT_GT(broken, 0) << "the price keeps the limit";
+    if (std::isfinite(l1_weight)) {
+      EXPECT_GT(violated, 0) << "the L1 weight is too large: no limit is violated";
     }
   }
-  /// The sum of multipliers is what the cost goes down by per unit that the limit is further up.
-  static void expect_what_the_cost_saves(const SolvedProblem& solved, const ProblemSpec& up,
-                                         const ProblemSpec& down, double moved) {
+  /// The sum of the multipliers must equal the decrease of the cost per unit of relaxation.
+  static void expect_multipliers_equal_savings(const SolvedProblem& solved, const ProblemSpec& up,
+                                               const ProblemSpec& down, double moved) {
     const double saved =
         SolvedProblem(down).solver.summary().cost - SolvedProblem(up).solver.summary().cost;
     const Eigen::VectorXd m = solved.all_multipliers();
     EXPECT_NEAR(saved / (2.0 * moved), m.sum(), 1e-3 * m.cwiseAbs().sum());
   }
 
-  void of_each_residual(const std::vector<Exception>& exceptions,
-                        const std::function<void(const ProblemSpec&, const MiddleLimit&)>& law) {
-    for (const ResidualCase& residual : residual_cases(given)) {
+  void for_each_residual(const std::vector<Exception>& exceptions,
+                         const std::function<void(const ProblemSpec&, const MiddleLimit&)>& law) {
+    for (const ResidualCase& residual : residual_cases(ocp_case)) {
       if (std::any_of(exceptions.begin(), exceptions.end(),
                       [&](const Exception& other) { return other.residual == residual.name; }))
         continue;
       SCOPED_TRACE(residual.name);
-      generator.seed(12);  // whatever the others draw
-      const ProblemSpec spec = going(residual.make(setup));
-      SolvedProblem free(spec);
-      law(spec, middle_limit(free));
+      generator.seed(12);  // independent of the other residuals
+      const ProblemSpec spec = reaching_problem(residual.make(setup));
+      SolvedProblem unlimited(spec);
+      law(spec, middle_limit(unlimited));
     }
   }
 
-  OcpCase given{arm.robot, GetParam() == Beside::Torques || GetParam() == Beside::TorquesBefore,
-                GetParam() == Beside::TorquesBefore, GetParam() == Beside::ForcesBefore};
-  Model model = given.robot.model();
+  OcpCase ocp_case{arm.robot,
+                   GetParam() == ExtraState::Torques || GetParam() == ExtraState::TorquesBefore,
+                   GetParam() == ExtraState::TorquesBefore, GetParam() == ExtraState::ForcesBefore};
+  Model model = ocp_case.robot.model();
   std::mt19937_64 generator{12};
-  OcpSetup setup{model, given.robot.tool, generator};
+  OcpSetup setup{model, ocp_case.robot.tool, generator};
 };
 
-TEST_P(ConstraintLaw, AHardLimitIsKept) {
-  of_each_residual(no_hard_limit, [](const ProblemSpec& spec, const MiddleLimit& of) {
+TEST_P(ConstraintLaw, HardLimit_IsSatisfied) {
+  for_each_residual(no_hard_limit, [](const ProblemSpec& spec, const MiddleLimit& of) {
     SolvedProblem solved(within(spec, of));
-    expect_kept(solved);
+    expect_satisfied(solved);
     const double d = of.above ? 1e-4 : -1e-4;
-    expect_what_the_cost_saves(solved, within(spec, of, none, d), within(spec, of, none, -d),
-                               1e-4 * of.range);
+    expect_multipliers_equal_savings(solved, within(spec, of, none, d), within(spec, of, none, -d),
+                                     1e-4 * of.range);
   });
 }
 
-TEST_P(ConstraintLaw, AnEqualityIsKept) {
-  of_each_residual(no_equality, [](const ProblemSpec& spec, const MiddleLimit& of) {
+TEST_P(ConstraintLaw, Equality_IsSatisfied) {
+  for_each_residual(no_equality, [](const ProblemSpec& spec, const MiddleLimit& of) {
     SolvedProblem solved(equal_at_the_last_knot(spec, of));
-    expect_kept(solved);
-    expect_what_the_cost_saves(solved, equal_at_the_last_knot(spec, of, 1e-4),
-                               equal_at_the_last_knot(spec, of, -1e-4), 1e-4 * of.range);
+    expect_satisfied(solved);
+    expect_multipliers_equal_savings(solved, equal_at_the_last_knot(spec, of, 1e-4),
+                                     equal_at_the_last_knot(spec, of, -1e-4), 1e-4 * of.range);
   });
 }
 
-TEST_P(ConstraintLaw, ASoftLimitIsBrokenAtItsPriceAndKeptAboveIt) {
-  of_each_residual(no_soft_limit, [](const ProblemSpec& spec, const MiddleLimit& of) {
+TEST_P(ConstraintLaw, SoftLimit_IsViolatedOnlyBelowTheMultiplier) {
+  for_each_residual(no_soft_limit, [](const ProblemSpec& spec, const MiddleLimit& of) {
     const SolvedProblem hard(within(spec, of));
-    const double price = hard.largest_multiplier();
-    // From there: there may be other minima.
-    SolvedProblem cheap(within(spec, of, 0.9 * price), &hard);
-    expect_kept(cheap, 0.9 * price);
-    EXPECT_LT(cheap.solver.summary().cost, hard.solver.summary().cost);
-    const SolvedProblem dear(within(spec, of, 2.0 * price), &hard);
-    EXPECT_NEAR(dear.solver.summary().cost, hard.solver.summary().cost,
+    const double l1_weight = hard.largest_multiplier();
+    // Starts from the hard solution, because there may be other minima.
+    SolvedProblem small_weight(within(spec, of, 0.9 * l1_weight), &hard);
+    expect_satisfied(small_weight, 0.9 * l1_weight);
+    EXPECT_LT(small_weight.solver.summary().cost, hard.solver.summary().cost);
+    const SolvedProblem large_weight(within(spec, of, 2.0 * l1_weight), &hard);
+    EXPECT_NEAR(large_weight.solver.summary().cost, hard.solver.summary().cost,
                 1e-8 * hard.solver.summary().cost);
-    EXPECT_LT((dear.all_multipliers() - hard.all_multipliers()).cwiseAbs().maxCoeff(),
-              1e-4 * price);
+    EXPECT_LT((large_weight.all_multipliers() - hard.all_multipliers()).cwiseAbs().maxCoeff(),
+              1e-4 * l1_weight);
   });
 }
 
-TEST_P(ConstraintLaw, DerivativesOfItsRowsPassTheCheck) {
-  of_each_residual(no_hard_limit, [](const ProblemSpec& spec, const MiddleLimit& of) {
+TEST_P(ConstraintLaw, RowDerivatives_PassTheCheck) {
+  for_each_residual(no_hard_limit, [](const ProblemSpec& spec, const MiddleLimit& of) {
     Problem problem(within(spec, of));
     ProblemCheckOptions options{.states = 1};
     const ProblemReport report = check_problem(problem, options);
@@ -256,17 +260,17 @@ TEST_P(ConstraintLaw, DerivativesOfItsRowsPassTheCheck) {
 }
 
 INSTANTIATE_TEST_SUITE_P(TorqueModel, ConstraintLaw,
-                         ::testing::Values(Beside::Nothing, Beside::Torques, Beside::TorquesBefore,
-                                           Beside::ForcesBefore),
+                         ::testing::Values(ExtraState::Nothing, ExtraState::Torques,
+                                           ExtraState::TorquesBefore, ExtraState::ForcesBefore),
                          [](const auto& law) {
                            switch (law.param) {
-                             case Beside::Torques:
+                             case ExtraState::Torques:
                                return "torques_in_the_state";
-                             case Beside::TorquesBefore:
+                             case ExtraState::TorquesBefore:
                                return "torques_of_the_step_before";
-                             case Beside::ForcesBefore:
+                             case ExtraState::ForcesBefore:
                                return "forces_of_the_step_before";
-                             case Beside::Nothing:
+                             case ExtraState::Nothing:
                                break;
                            }
                            return "torques_at_once";

@@ -1,5 +1,5 @@
-// What a solve promises beside its answer: no allocation, the same bits for any number of threads,
-// a reason in words, a time budget, names.
+// Guarantees of a solve beside its solution: no allocation, the same bits for any number of
+// threads, a stop reason in words, a time budget, names.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -15,9 +15,9 @@
 namespace burnish::testing {
 namespace {
 
-class Contract : public ::testing::TestWithParam<StepUpdate> {};
+class DdpSolverContract : public ::testing::TestWithParam<StepUpdate> {};
 
-TEST_P(Contract, allocates_nothing_in_a_solve) {
+TEST_P(DdpSolverContract, Solve_AllocatesNothing) {
   if (AllocationGuard::unavailable() != nullptr) GTEST_SKIP() << AllocationGuard::unavailable();
   for (const int threads : {1, 2}) {
     TestProblem p = pendulum_swing_up();
@@ -35,7 +35,7 @@ TEST_P(Contract, allocates_nothing_in_a_solve) {
   }
 }
 
-TEST_P(Contract, has_the_same_bits_for_any_number_of_threads) {
+TEST_P(DdpSolverContract, AnyNumberOfThreads_GivesTheSameBits) {
   RowMatrix first_xs;
   RowMatrix first_us;
   for (const int threads : {1, 2, 3}) {
@@ -56,7 +56,7 @@ TEST_P(Contract, has_the_same_bits_for_any_number_of_threads) {
   }
 }
 
-TEST_P(Contract, throws_what_a_function_of_the_problem_throws_in_any_thread) {
+TEST_P(DdpSolverContract, ExceptionInAnyThread_IsRethrown) {
   for (const int threads : {1, 2, 3}) {
     for (const int knot : {0, 17, 40}) {
       TestProblem p = unicycle();
@@ -76,7 +76,7 @@ TEST_P(Contract, throws_what_a_function_of_the_problem_throws_in_any_thread) {
   }
 }
 
-TEST_P(Contract, names_the_knot_and_the_term_that_are_not_finite) {
+TEST_P(DdpSolverContract, NonFiniteCost_NamesKnotAndTerm) {
   TestProblem p = unicycle();
   p.poisoned_knot = 12;
   DdpSolver solver(p, {.update = GetParam()});
@@ -87,7 +87,7 @@ TEST_P(Contract, names_the_knot_and_the_term_that_are_not_finite) {
   EXPECT_EQ(solver.text(), "not finite: cost term 'nothing' at stage, knot 12");
 }
 
-TEST_P(Contract, names_the_knot_whose_derivatives_are_not_finite) {
+TEST_P(DdpSolverContract, NonFiniteDerivatives_NameTheKnot) {
   for (const int knot : {0, 7, 40}) {
     TestProblem p = unicycle();
     p.poisoned_derivatives = knot;
@@ -97,7 +97,7 @@ TEST_P(Contract, names_the_knot_whose_derivatives_are_not_finite) {
   }
 }
 
-TEST_P(Contract, names_the_knot_where_a_guess_is_not_finite) {
+TEST_P(DdpSolverContract, NonFiniteGuess_NamesTheKnot) {
   TestProblem p = unicycle();
   DdpSolver solver(p, {.update = GetParam()});
   RowMatrix xs = RowMatrix::Zero(41, 3);
@@ -107,7 +107,7 @@ TEST_P(Contract, names_the_knot_where_a_guess_is_not_finite) {
   EXPECT_EQ(solver.summary().knot, 5);
 }
 
-TEST_P(Contract, started_at_the_solution_stops_at_once) {
+TEST_P(DdpSolverContract, StartAtTheSolution_TakesNoIteration) {
   TestProblem p = unicycle();
   DdpSolver solver(p, {.update = GetParam()});
   const int cold = solver.solve().iterations;
@@ -122,19 +122,19 @@ TEST_P(Contract, started_at_the_solution_stops_at_once) {
   EXPECT_EQ(solver.xs()(0, 0), p.start[0]);
 }
 
-TEST_P(Contract, stops_after_so_many_iterations) {
+TEST_P(DdpSolverContract, IterationLimit_StopsTheSolve) {
   TestProblem p = pendulum_swing_up();
-  for (const int most : {0, 1, 4}) {
-    DdpSolver solver(p, {.update = GetParam(), .max_iterations = most});
+  for (const int count : {0, 1, 4}) {
+    DdpSolver solver(p, {.update = GetParam(), .max_iterations = count});
     const DdpSummary& s = solver.solve();
     EXPECT_EQ(s.reason, StopReason::MaxIterations);
-    EXPECT_EQ(s.iterations, most);
-    EXPECT_EQ(s.log.size(), static_cast<std::size_t>(most));
-    expect_words(solver.text(), {"stopped after " + std::to_string(most) + " iterations"});
+    EXPECT_EQ(s.iterations, count);
+    EXPECT_EQ(s.log.size(), static_cast<std::size_t>(count));
+    expect_words(solver.text(), {"stopped after " + std::to_string(count) + " iterations"});
   }
 }
 
-TEST_P(Contract, returns_the_best_iterate_when_the_time_is_spent) {
+TEST_P(DdpSolverContract, SpentTimeBudget_ReturnsTheBestFeasibleIterate) {
   TestProblem p = pendulum_swing_up();
   auto slow = [step = p.stages[0].roll](const double* x, const double* u, double* next) {
     std::this_thread::sleep_for(std::chrono::microseconds(20));
@@ -147,22 +147,23 @@ TEST_P(Contract, returns_the_best_iterate_when_the_time_is_spent) {
   EXPECT_TRUE(std::isfinite(solver.summary().cost));
   expect_words(solver.text(), {"time budget of 0 us spent after 0 iterations"});
 
-  // Stopped after any number of iterations: the best feasible one, the guess (which hangs still)
-  // included.
+  // Stopped after any number of iterations, the solver returns the best feasible iterate, including
+  // the guess.
   const double guess = solver.summary().cost;
-  for (int most = 1; most < 20; ++most) {
-    DdpSolver other(p, {.update = GetParam(),
-                        .callback = [most](const DdpProgress& at) { return at.iteration < most; }});
+  for (int count = 1; count < 20; ++count) {
+    DdpSolver other(p, {.update = GetParam(), .callback = [count](const DdpProgress& at) {
+                          return at.iteration < count;
+                        }});
     const DdpSummary& s = other.solve();
     double best = guess;
     for (const DdpProgress& entry : s.log)
       if (entry.feasible) best = std::min(best, entry.cost);
-    EXPECT_TRUE(s.feasible) << most;
-    EXPECT_NEAR(s.cost, best, 1e-12 * best) << most;
+    EXPECT_TRUE(s.feasible) << count;
+    EXPECT_NEAR(s.cost, best, 1e-12 * best) << count;
   }
 }
 
-TEST_P(Contract, the_callback_may_stop) {
+TEST_P(DdpSolverContract, Callback_StopsTheSolve) {
   TestProblem p = pendulum_swing_up();
   DdpSolver solver(p, {.update = GetParam(),
                        .callback = [](const DdpProgress& at) { return at.iteration < 3; }});
@@ -170,7 +171,7 @@ TEST_P(Contract, the_callback_may_stop) {
   EXPECT_EQ(solver.summary().iterations, 3);
 }
 
-TEST_P(Contract, says_where_the_largest_gap_is) {
+TEST_P(DdpSolverContract, InfeasibleGuess_NamesTheLargestGap) {
   TestProblem p = unicycle();
   DdpSolver solver(p, {.update = GetParam(), .max_iterations = 0});
   RowMatrix xs = RowMatrix::Zero(41, 3);
@@ -185,13 +186,13 @@ TEST_P(Contract, says_where_the_largest_gap_is) {
   expect_words(solver.text(), {"not feasible: largest gap 0.5 in 'x1' before stage, knot 9"});
 }
 
-INSTANTIATE_TEST_SUITE_P(Updates, Contract,
+INSTANTIATE_TEST_SUITE_P(Updates, DdpSolverContract,
                          ::testing::Values(StepUpdate::Rollout, StepUpdate::MultipleShooting),
                          [](const auto& param) {
                            return param.param == StepUpdate::Rollout ? "rollout" : "shooting";
                          });
 
-TEST(Solver, says_which_control_costs_nothing_and_does_nothing) {
+TEST(DdpSolver, IndefiniteControlHessian_NamesTheControl) {
   TestProblem p = pendulum_swing_up(10, 0.05, -1e12);
   DdpSolver solver(p);
   EXPECT_EQ(solver.solve().reason, StopReason::NotPositiveDefinite);
@@ -199,7 +200,7 @@ TEST(Solver, says_which_control_costs_nothing_and_does_nothing) {
                {"Quu is not positive definite at stage, knot 9, control 'u0'", "1e+09"});
 }
 
-TEST(Solver, regularises_a_control_without_cost) {
+TEST(DdpSolver, ControlWithoutCost_IsRegularized) {
   TestProblem p = pendulum_swing_up(30, 0.05, 0.0);
   p.stages.back().expand = [](const double*, const double*, KnotExpansion& e) {
     e.gradient[0] = e.gradient[1] = 0.0;
@@ -211,7 +212,7 @@ TEST(Solver, regularises_a_control_without_cost) {
   EXPECT_NE(solver.summary().reason, StopReason::NotPositiveDefinite);
 }
 
-TEST(Solver, reports_cost_by_term_and_by_knot) {
+TEST(DdpSolver, CostReport_ListsTermsAndKnots) {
   TestProblem p = unicycle();
   DdpSolver solver(p);
   const double cost = solver.solve().cost;
@@ -225,33 +226,33 @@ TEST(Solver, reports_cost_by_term_and_by_knot) {
   EXPECT_NE(report.text().find("work"), std::string::npos);
 }
 
-TEST(Solver, reports_rows_where_they_are_furthest_outside_their_limits) {
+TEST(DdpSolver, CostReport_ListsTheLargestViolationPerRow) {
   TestProblem p = unicycle();
   DdpSolver solver(p);
   solver.solve();
   EXPECT_TRUE(solver.cost_report().rows.empty());
   const RowMatrix xs = solver.xs();
   Eigen::Index first = 0, second = 0;
-  const double most = xs.col(0).maxCoeff(&first), highest = xs.col(1).maxCoeff(&second);
+  const double max_x0 = xs.col(0).maxCoeff(&first), max_x1 = xs.col(1).maxCoeff(&second);
   p.row_scales = {1.0, 1.0};
   p.row_limits_below = {-1e3, -1e3};
-  p.row_limits_above = {most - 0.25, highest + 0.5};
+  p.row_limits_above = {max_x0 - 0.25, max_x1 + 0.5};
   const CostReport report = solver.cost_report();
   ASSERT_EQ(report.rows.size(), 2U);
   EXPECT_EQ(report.rows[0].name, "limit/x0");
   EXPECT_EQ(report.rows[0].knot, p.knot_name(static_cast<int>(first)));
-  EXPECT_EQ(report.rows[0].value, most);
-  EXPECT_NEAR(report.rows[0].outside, 0.25, 1e-12);
-  EXPECT_NEAR(report.rows[1].outside, -0.5, 1e-12);
+  EXPECT_EQ(report.rows[0].value, max_x0);
+  EXPECT_NEAR(report.rows[0].violation, 0.25, 1e-12);
+  EXPECT_NEAR(report.rows[1].violation, -0.5, 1e-12);
   const std::string text = report.text();
   EXPECT_NE(text.find("1 of 2 rows are outside"), std::string::npos) << text;
   EXPECT_NE(text.find("limit/x0"), std::string::npos) << text;
   EXPECT_EQ(text.find("limit/x1"), std::string::npos) << text;
-  p.row_limits_above[0] = most - 1e-12 * std::abs(most);  // rounding breaks no limit
+  p.row_limits_above[0] = max_x0 - 1e-12 * std::abs(max_x0);  // rounding errors are no violation
   EXPECT_NE(solver.cost_report().text().find("every row is inside"), std::string::npos);
 }
 
-TEST(Solver, gains_come_with_names) {
+TEST(DdpSolver, NamedGain_HasRowAndColumnNames) {
   TestProblem p = unicycle();
   DdpSolver solver(p);
   solver.solve();
@@ -262,7 +263,7 @@ TEST(Solver, gains_come_with_names) {
   EXPECT_EQ(solver.named_value_hessian(40).values, Eigen::MatrixXd::Identity(3, 3) * 10.0);
 }
 
-TEST(Solver, adds_up_the_time_of_its_phases) {
+TEST(DdpSolver, PhaseTimes_AddUpToAtMostTheTotal) {
   TestProblem p = pendulum_swing_up();
   DdpSolver solver(p);
   const PhaseTimes t = solver.solve().seconds;
@@ -273,24 +274,24 @@ TEST(Solver, adds_up_the_time_of_its_phases) {
 }
 
 #ifdef __linux__
-TEST(Solver, pins_threads_when_told_and_refuses_more_of_them_than_cores) {
+TEST(DdpSolver, PinnedThreads_AreRefusedBeyondTheCores) {
   TestProblem p = unicycle();
   const int cores = allowed_cores();
   DdpSolver solver(p, {.threads = std::min(cores, 3), .pin_threads = true});
   EXPECT_EQ(solver.solve().reason, StopReason::Converged);
-  const auto ask = [&](DdpOptions options) {
+  const auto refused = [&](DdpOptions options) {
     return refusal([&] { solver.set_options(std::move(options)); });
   };
-  expect_words(ask({.threads = cores + 1, .pin_threads = true}),
+  expect_words(refused({.threads = cores + 1, .pin_threads = true}),
                {std::to_string(cores + 1) + " workers", std::to_string(cores) + " core"});
   EXPECT_EQ(solver.options().threads, std::min(cores, 3));
-  EXPECT_EQ(ask({.threads = cores + 1}), "");
+  EXPECT_EQ(refused({.threads = cores + 1}), "");
   solver.set_guess(RowMatrix::Zero(41, 3), RowMatrix::Zero(40, 2));
   EXPECT_EQ(solver.solve().reason, StopReason::Converged);
 }
 #endif
 
-TEST(Solver, refuses_options_and_guesses_in_a_sentence) {
+TEST(DdpSolver, InvalidOptionsAndGuesses_AreRefused) {
   TestProblem p = unicycle();
   expect_words(refusal([&] { DdpSolver(p, {.max_iterations = -1}); }), {"max_iterations", "-1"});
   expect_words(refusal([&] { DdpSolver(p, {.threads = 0}); }), {"threads", "1 to"});

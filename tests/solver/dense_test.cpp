@@ -1,4 +1,4 @@
-// The solver's kernels against Eigen, for sizes around the width of a vector and of a tile.
+// Tests of the solver's dense kernels against Eigen, for sizes around the vector and tile widths.
 #include "solver/dense.hpp"
 
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@
 namespace burnish::dense {
 namespace {
 
-/// A matrix in padded memory, random where it counts and not a number elsewhere.
-struct Padded {
-  Padded(int rows, int columns, bool padding_is_nan = true)
+/// Matrix in padded memory: random entries, NaN in the padding.
+struct PaddedMatrix {
+  PaddedMatrix(int rows, int columns, bool padding_is_nan = true)
       : stride(round_up(columns)),
         memory(static_cast<std::size_t>(round_up(rows) * stride + spare + lanes)) {
     for (int i = 0; i < round_up(rows) * stride; ++i)
@@ -32,13 +32,13 @@ double error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return std::isnan(largest) ? 1e300 : largest;
 }
 
-TEST(Dense, product_equals_eigen_for_every_size) {
+TEST(Dense, Product_EqualsEigenForEverySize) {
   for (int m = 1; m <= 19; ++m)
     for (const int n : {1, 3, 4, 7, 8, 9, 16, 23, 30}) {
       const int count = 1 + (m * n) % 13;
-      Padded a(count, m);
-      Padded b(count, n);
-      Padded c(m, n, false);
+      PaddedMatrix a(count, m);
+      PaddedMatrix b(count, n);
+      PaddedMatrix c(m, n, false);
       const Eigen::MatrixXd before = c.matrix(m, n);
       const Eigen::MatrixXd ab = a.matrix(count, m).transpose() * b.matrix(count, n);
       product<Update::Add>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, m, n, c.data(),
@@ -53,12 +53,12 @@ TEST(Dense, product_equals_eigen_for_every_size) {
     }
 }
 
-TEST(Dense, lower_product_equals_eigen_below_the_diagonal) {
+TEST(Dense, LowerProduct_EqualsEigenBelowTheDiagonal) {
   for (int n = 1; n <= 40; ++n) {
     const int count = 1 + n % 7;
-    Padded a(count, n);
-    Padded b(count, n);
-    Padded c(n, n, false);
+    PaddedMatrix a(count, n);
+    PaddedMatrix b(count, n);
+    PaddedMatrix c(n, n, false);
     const Eigen::MatrixXd wanted =
         c.matrix(n, n) + a.matrix(count, n).transpose() * b.matrix(count, n);
     lower_product<Update::Add>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, n, c.data(),
@@ -70,27 +70,27 @@ TEST(Dense, lower_product_equals_eigen_below_the_diagonal) {
   }
 }
 
-TEST(Dense, mirror_and_transpose_move_every_entry) {
+TEST(Dense, MirrorAndTranspose_MoveEveryEntry) {
   for (int n = 1; n <= 30; ++n) {
-    Padded a(n, n);
-    Padded b(n, n, false);
+    PaddedMatrix a(n, n);
+    PaddedMatrix b(n, n, false);
     mirror_lower({a.data(), a.stride}, {0, n}, b.data(), b.stride);
     const Eigen::MatrixXd wanted = a.matrix(n, n).selfadjointView<Eigen::Lower>();
     EXPECT_EQ(error(b.matrix(n, n), wanted), 0.0) << n;
     mirror_lower({a.data(), a.stride}, {0, n}, a.data(), a.stride);
     EXPECT_EQ(error(a.matrix(n, n), wanted), 0.0) << n;
     const int m = 1 + (3 * n) % 11;
-    Padded c(m, n);
-    Padded d(n, m, false);
+    PaddedMatrix c(m, n);
+    PaddedMatrix d(n, m, false);
     transpose_copy({c.data(), c.stride}, m, n, d.data(), d.stride);
     EXPECT_EQ(error(d.matrix(n, m), c.matrix(m, n).transpose()), 0.0) << m << " x " << n;
   }
 }
 
-TEST(Dense, partial_cholesky_and_gains_equal_eigen) {
+TEST(Dense, PartialCholeskyAndGains_EqualEigen) {
   for (int nu = 1; nu <= 34; ++nu) {
     const int n = 1 + (5 * nu) % 23;
-    Padded y(nu, nu + n);
+    PaddedMatrix y(nu, nu + n);
     const Eigen::MatrixXd root = Eigen::MatrixXd::Random(nu, nu);
     const Eigen::MatrixXd Q = root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(nu, nu);
     y.matrix(nu, nu + n).leftCols(nu) = Q;
@@ -98,16 +98,16 @@ TEST(Dense, partial_cholesky_and_gains_equal_eigen) {
     std::vector<double> inverse(static_cast<std::size_t>(nu));
     EXPECT_EQ(partial_cholesky(y.data(), y.stride, nu, {0, nu + n}, inverse.data()), -1);
     EXPECT_LT(error(y.matrix(nu, nu + n).rightCols(n), solve_positive_half(Q, Z)), 1e-10);
-    Padded x(nu, n, false);
+    PaddedMatrix x(nu, n, false);
     solve_gains(y.data(), y.stride, nu, nu, n, inverse.data(), x.data(), x.stride);
     const double scale = solve_positive(Q, Z).cwiseAbs().maxCoeff();
     EXPECT_LT(error(x.matrix(nu, n), -solve_positive(Q, Z)), 1e-10 * scale) << nu;
   }
 }
 
-TEST(Dense, partial_cholesky_names_the_pivot_that_is_not_positive) {
+TEST(Dense, PartialCholesky_NamesTheNonPositivePivot) {
   for (const int bad : {0, 3, 8, 11}) {
-    Padded y(12, 15);
+    PaddedMatrix y(12, 15);
     y.matrix(12, 15).leftCols(12).setIdentity();
     y.matrix(12, 15)(bad, bad) = bad == 3 ? std::nan("") : -1.0;
     double inverse[12];

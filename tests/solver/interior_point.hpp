@@ -1,5 +1,6 @@
-// An oracle of its own: a dense convex quadratic program by Mehrotra's predictor-corrector,
-//   minimise 1/2 x^T H x + g^T x  subject to  G x <= h,  A x = b.
+// Independent solver for comparisons: a dense convex quadratic program by Mehrotra's
+// predictor-corrector method,
+// minimize 1/2 x^T H x + g^T x  subject to  G x <= h,  A x = b.
 #pragma once
 
 #include <Eigen/Dense>
@@ -9,12 +10,12 @@ namespace burnish::testing {
 
 struct QpSolution {
   Eigen::VectorXd x;
-  Eigen::VectorXd multiplier;  ///< of G x <= h, not negative
+  Eigen::VectorXd multiplier;  ///< multipliers of G x <= h, nonnegative
   Eigen::VectorXd equal_multiplier;
   bool converged = false;
 };
 
-inline double longest_step(const Eigen::VectorXd& value, const Eigen::VectorXd& change) {
+inline double max_step(const Eigen::VectorXd& value, const Eigen::VectorXd& change) {
   double length = 1.0;
   for (Eigen::Index i = 0; i < value.size(); ++i)
     if (change[i] < 0.0) length = std::min(length, -value[i] / change[i]);
@@ -59,16 +60,18 @@ inline QpSolution solve_qp(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
       dm = -(complementarity + s.multiplier.cwiseProduct(ds)).cwiseQuotient(slack);
     };
     direction(slack.cwiseProduct(s.multiplier));
-    const double affine = std::min(longest_step(slack, ds), longest_step(s.multiplier, dm));
-    const double left = (slack + affine * ds).dot(s.multiplier + affine * dm) / inequalities;
-    // Complementarity is to vanish with the rest, not before it.
-    const double rest = stationary.cwiseAbs().maxCoeff() / scale;
-    const double centre =
-        gap < 0.1 * rest ? gap : std::max(std::pow(left / gap, 3) * gap, 1e-15 * scale);
+    const double affine = std::min(max_step(slack, ds), max_step(s.multiplier, dm));
+    const double remaining_gap =
+        (slack + affine * ds).dot(s.multiplier + affine * dm) / inequalities;
+    // Complementarity must not vanish before the other residuals.
+    const double residual = stationary.cwiseAbs().maxCoeff() / scale;
+    const double centre = gap < 0.1 * residual
+                              ? gap
+                              : std::max(std::pow(remaining_gap / gap, 3) * gap, 1e-15 * scale);
     direction(slack.cwiseProduct(s.multiplier) + ds.cwiseProduct(dm) -
               VectorXd::Constant(m, centre));
     const double length =
-        std::min(1.0, 0.99 * std::min(longest_step(slack, ds), longest_step(s.multiplier, dm)));
+        std::min(1.0, 0.99 * std::min(max_step(slack, ds), max_step(s.multiplier, dm)));
     s.x += length * dx;
     s.equal_multiplier += length * de;
     slack += length * ds;

@@ -1,4 +1,4 @@
-// Linear-quadratic problems with limits: solutions and multipliers of an interior-point method.
+// Linear-quadratic problems with limits, compared with an interior-point method.
 #include "solver/limited_lq.hpp"
 
 #include <gtest/gtest.h>
@@ -16,14 +16,14 @@ struct LimitedSpec {
   const char* name;
   LqSpec lq;
   int rows = 0;
-  double room = 1.0;  ///< limits lie so far from a point that keeps them, on average
-  double one_sided = 0.3, equal = 0.0;  ///< shares of rows
-  int entries = 0;                      ///< rows that are entries of dx, the first ones
+  double slack = 1.0;                   ///< mean distance of limits from a feasible point
+  double one_sided = 0.3, equal = 0.0;  ///< fractions of rows
+  int entries = 0;                      ///< number of leading rows that are entries of dx
 };
 
 void PrintTo(const LimitedSpec& spec, std::ostream* out) { *out << spec.name; }
 
-/// A problem with limits, in the memory that a solver gives it.
+/// Problem with limits, in the memory layout of the solver.
 struct LimitedProblem {
   LqProblem lq;
   int N, ndx, nu_max, rows, entries;
@@ -31,7 +31,7 @@ struct LimitedProblem {
   RiccatiRecursion recursion;
   RiccatiLayout layout;
   std::vector<MatrixXd> C;             ///< rows x nz
-  std::vector<VectorXd> lower, upper;  ///< of controls, then rows
+  std::vector<VectorXd> lower, upper;  ///< limits of controls, then of rows
   std::vector<Buffer> memory;
   std::vector<KnotExpansion> expansions;
   std::vector<int> controls, row_counts;
@@ -43,7 +43,7 @@ struct LimitedProblem {
       : lq(random_lq(spec.lq)),
         N(lq.problem.knots()),
         ndx(lq.problem.shape.ndx),
-        nu_max(lq.problem.most_controls),
+        nu_max(lq.problem.max_nu),
         rows(spec.rows),
         entries(spec.entries),
         shape(lq.problem.shape),
@@ -53,7 +53,7 @@ struct LimitedProblem {
     limit(spec);
   }
 
-  Buffer& room(std::size_t size) {
+  Buffer& storage(std::size_t size) {
     memory.emplace_back(size + 64);
     return memory.back();
   }
@@ -70,18 +70,18 @@ struct LimitedProblem {
       row_counts.push_back(rows - entries);
       KnotExpansion e;
       e.stride = layout.expansion_stride;
-      e.gradient = room(S).data();
-      e.hessian = room(S * static_cast<std::size_t>(layout.expansion_rows)).data();
-      e.dynamics = room(S * static_cast<std::size_t>(ndx + dense::lanes)).data();
-      e.lead = room(512).data();
-      e.decay = room(64).data();
-      e.rows = room(S * static_cast<std::size_t>(rows + 8)).data();
+      e.gradient = storage(S).data();
+      e.hessian = storage(S * static_cast<std::size_t>(layout.expansion_rows)).data();
+      e.dynamics = storage(S * static_cast<std::size_t>(ndx + dense::lanes)).data();
+      e.tangent_blocks = storage(512).data();
+      e.decay = storage(64).data();
+      e.rows = storage(S * static_cast<std::size_t>(rows + 8)).data();
       fill_expansion(s, VectorXd::Zero(s.nu + ndx), form, k + 1 == knots, e);
       expansions.push_back(e);
-      double* value = room(vs * static_cast<std::size_t>(ndx + 1)).data();
+      double* value = storage(vs * static_cast<std::size_t>(ndx + 1)).data();
       values.push_back({value, value + vs});
       const auto gs = static_cast<std::size_t>(layout.gain_stride);
-      double* policy = room(gs * static_cast<std::size_t>(nu_max + 2 + dense::lanes)).data();
+      double* policy = storage(gs * static_cast<std::size_t>(nu_max + 2 + dense::lanes)).data();
       policies.push_back({policy, policy + gs});
       double* gap = gaps.data() + k * vs;
       for (int i = 0; i < ndx; ++i)
@@ -89,7 +89,7 @@ struct LimitedProblem {
     }
   }
 
-  /// Limits about a random trajectory, which keeps them.
+  /// Sets limits around a random trajectory that satisfies them.
   void limit(const LimitedSpec& spec) {
     std::mt19937 random(spec.lq.seed + 100);
     std::normal_distribution<double> normal;
@@ -116,13 +116,13 @@ struct LimitedProblem {
           continue;
         }
         if (i >= s.nu && uniform(random) < spec.equal) continue;
-        lower.back()[i] -= spec.room * uniform(random);
-        upper.back()[i] += spec.room * uniform(random);
+        lower.back()[i] -= spec.slack * uniform(random);
+        upper.back()[i] += spec.slack * uniform(random);
         const double side = uniform(random);
         if (side < 0.5 * spec.one_sided) lower.back()[i] = -1e300;
         if (side > 1.0 - 0.5 * spec.one_sided) upper.back()[i] = 1e300;
       }
-      // The first state is given: rows that only it enters could not move.
+      // The first state is fixed: rows that depend only on it could not change.
       if (k < static_cast<std::size_t>(N)) x = s.F * z + s.c;
     }
   }
@@ -132,12 +132,12 @@ struct LimitedProblem {
             layout.value_stride, values,   policies,   0.0};
   }
 
-  /// Of the c-th of a knot's controls and rows.
+  /// Returns the place of the c-th control or row of a knot.
   int place(const LimitedLq& lqp, std::size_t knot, int c) const {
     const int behind = controls[knot] + entries;
     return c < behind ? c : lqp.first_row() + c - behind;
   }
-  void give_limits(LimitedLq& lqp, double weight) const {
+  void set_limits(LimitedLq& lqp, double weight) const {
     for (int k = 0; k <= N; ++k) {
       const LimitedLq::Rows r = lqp.rows(k);
       const auto i = static_cast<std::size_t>(k);
@@ -147,7 +147,7 @@ struct LimitedProblem {
         r.upper[at] = upper[i][c];
         r.scale[at] = 1.0;
         r.weight[at] = weight;
-        r.price[at] = 1e9;
+        r.l1_weight[at] = 1e9;
         r.beyond[at] = 0.0;
         r.multiplier[at] = 0.0;
       }
@@ -155,13 +155,14 @@ struct LimitedProblem {
   }
 };
 
-/// Of the dense problem in all controls: their values, and multipliers of each knot's rows.
-struct Oracle {
+/// Solution of the dense problem in all controls: their values, and the multipliers of each knot's
+/// rows.
+struct DenseSolution {
   std::vector<VectorXd> z, multiplier;
   bool converged = false;
 };
 
-Oracle oracle(const LimitedProblem& p) {
+DenseSolution dense_solution(const LimitedProblem& p) {
   int count = 0;
   for (int nu : p.controls) count += nu;
   MatrixXd H = MatrixXd::Zero(count, count);
@@ -176,8 +177,8 @@ Oracle oracle(const LimitedProblem& p) {
     double sign;
   };
   std::vector<Side> sides, equals;
-  std::vector<VectorXd> left, left_equal;
-  std::vector<double> right, right_equal;
+  std::vector<VectorXd> left_side, left_side_equal;
+  std::vector<double> right_side, right_side_equal;
   int first = 0;
   for (std::size_t k = 0; k < p.controls.size(); ++k) {
     const LqStage& s = p.lq.stages[k];
@@ -195,16 +196,16 @@ Oracle oracle(const LimitedProblem& p) {
     for (Eigen::Index r = 0; r < rows.rows(); ++r) {
       if (p.lower[k][r] == p.upper[k][r]) {
         equals.push_back({k, r, 1.0});
-        left_equal.emplace_back(rows.row(r));
-        right_equal.push_back(p.upper[k][r] - offset[r]);
+        left_side_equal.emplace_back(rows.row(r));
+        right_side_equal.push_back(p.upper[k][r] - offset[r]);
         continue;
       }
       for (double sign : {-1.0, 1.0}) {
         const double limit = sign < 0.0 ? p.lower[k][r] : p.upper[k][r];
         if (std::abs(limit) > 1e299) continue;
         sides.push_back({k, r, sign});
-        left.emplace_back(sign * rows.row(r).transpose());
-        right.push_back(sign * (limit - offset[r]));
+        left_side.emplace_back(sign * rows.row(r).transpose());
+        right_side.push_back(sign * (limit - offset[r]));
       }
     }
     by_u.push_back(Z);
@@ -223,9 +224,9 @@ Oracle oracle(const LimitedProblem& p) {
     return VectorXd(
         Eigen::Map<const VectorXd>(entries.data(), static_cast<Eigen::Index>(entries.size())));
   };
-  const QpSolution qp =
-      solve_qp(H, g, matrix(left), vector(right), matrix(left_equal), vector(right_equal));
-  Oracle answer;
+  const QpSolution qp = solve_qp(H, g, matrix(left_side), vector(right_side),
+                                 matrix(left_side_equal), vector(right_side_equal));
+  DenseSolution answer;
   answer.converged = qp.converged;
   for (std::size_t k = 0; k < by_u.size(); ++k) {
     answer.z.emplace_back(by_u[k] * qp.x + at_zero[k]);
@@ -244,18 +245,19 @@ constexpr int never = 1000;
 
 class LimitedLqLaw : public ::testing::TestWithParam<LimitedSpec> {};
 
-/// By semismooth steps alone, and with the interior-point method from the start.
+/// Expects the dense solution; `interior_after` selects semismooth steps alone or the
+/// interior-point method from the start.
 void expect_solution(const LimitedSpec& spec, int interior_after) {
   LimitedProblem p(spec);
   LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
-  p.give_limits(lqp, 10.0);
+  p.set_limits(lqp, 10.0);
   const LimitedLqResult result = lqp.solve(
       p.view(), p.recursion,
-      {.factors = 200, .sweeps = 2000, .interior_after = interior_after, .tolerance = 1e-10},
+      {.factorizations = 200, .sweeps = 2000, .interior_after = interior_after, .tolerance = 1e-10},
       false);
-  const Oracle wanted = oracle(p);
+  const DenseSolution wanted = dense_solution(p);
   EXPECT_TRUE(wanted.converged);
-  EXPECT_TRUE(result.converged) << result.open;
+  EXPECT_TRUE(result.converged) << result.residual;
   int active = 0;
   for (int k = 0; k <= p.N; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -268,17 +270,13 @@ void expect_solution(const LimitedSpec& spec, int interior_after) {
       active += std::abs(wanted.multiplier[i][r]) > 1e-6;
     }
   }
-  std::printf("%-12s %d active, %d factors, %d sweeps\n", spec.name, active, result.factors,
-              result.sweeps);
+  std::printf("%-12s %d active, %d factorizations, %d sweeps\n", spec.name, active,
+              result.factorizations, result.sweeps);
 }
 
-TEST_P(LimitedLqLaw, has_the_solution_and_the_multipliers_of_an_interior_point_method) {
-  expect_solution(GetParam(), never);
-}
+TEST_P(LimitedLqLaw, SemismoothSteps_GiveTheDenseSolution) { expect_solution(GetParam(), never); }
 
-TEST_P(LimitedLqLaw, has_them_too_where_its_own_interior_point_method_begins) {
-  expect_solution(GetParam(), 0);
-}
+TEST_P(LimitedLqLaw, InteriorPointStart_GivesTheDenseSolution) { expect_solution(GetParam(), 0); }
 
 std::vector<LimitedSpec> specs() {
   const auto structured = DynamicsForm::SecondOrder;
@@ -291,7 +289,7 @@ std::vector<LimitedSpec> specs() {
       {"filter",
        {.nv = 3, .filtered = 3, .nu = std::vector<int>(6, 3), .form = structured, .seed = 6},
        1},
-      {"lead_blocks",
+      {"tangent_blocks",
        {.nv = 9, .blocks = {{0, 6}, {7, 2}}, .nu = {3, 3, 3, 3}, .form = structured, .seed = 8},
        1},
       {"equalities",
@@ -310,49 +308,51 @@ std::vector<LimitedSpec> specs() {
   };
 }
 
-TEST(LimitedLq, takes_few_recursions_where_the_interior_point_method_begins_and_many_rows_push) {
+TEST(LimitedLq, InteriorPointStartWithManyActiveRows_TakesFewFactorizations) {
   for (const LimitedSpec& spec : specs())
     for (unsigned seed = 100; seed < 110; ++seed) {
       LimitedSpec tight = spec;
       tight.lq.seed = seed;
-      tight.room *= 0.05;
+      tight.slack *= 0.05;
       LimitedProblem p(tight);
       LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
-      p.give_limits(lqp, 1000.0);
+      p.set_limits(lqp, 1000.0);
       const LimitedLqResult result = lqp.solve(
           p.view(), p.recursion,
-          {.factors = 200, .sweeps = 2000, .interior_after = 0, .tolerance = 1e-9}, false);
-      EXPECT_TRUE(result.converged) << spec.name << ", seed " << seed << ": " << result.open;
-      EXPECT_LE(result.factors, 30) << spec.name << ", seed " << seed;
+          {.factorizations = 200, .sweeps = 2000, .interior_after = 0, .tolerance = 1e-9}, false);
+      EXPECT_TRUE(result.converged) << spec.name << ", seed " << seed << ": " << result.residual;
+      EXPECT_LE(result.factorizations, 30) << spec.name << ", seed " << seed;
     }
 }
 
-TEST(LimitedLq, converges_where_many_rows_push_and_weights_are_small) {
+TEST(LimitedLq, ManyActiveRowsAndSmallWeights_Converge) {
   for (const LimitedSpec& spec : specs())
     for (unsigned seed = 100; seed < 130; ++seed) {
       LimitedSpec other = spec;
       other.lq.seed = seed;
-      other.room *= 0.5;
+      other.slack *= 0.5;
       LimitedProblem p(other);
       LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
-      p.give_limits(lqp, 10.0);
+      p.set_limits(lqp, 10.0);
       const LimitedLqResult result = lqp.solve(
           p.view(), p.recursion,
-          {.factors = 200, .sweeps = 2000, .interior_after = never, .tolerance = 1e-9}, false);
-      EXPECT_TRUE(result.converged) << spec.name << ", seed " << seed << ": " << result.open;
+          {.factorizations = 200, .sweeps = 2000, .interior_after = never, .tolerance = 1e-9},
+          false);
+      EXPECT_TRUE(result.converged) << spec.name << ", seed " << seed << ": " << result.residual;
     }
 }
 
-/// Solves it, then the same a knot later from there on; returns the latter's factors.
+/// Solves the problem, then the problem one knot later from that solution. Returns the second
+/// result.
 LimitedLqResult solve_a_knot_later(LimitedProblem p, bool shifted) {
   LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
   const auto N = static_cast<std::size_t>(p.N);
-  for (std::size_t k = N - 1; k <= N; ++k) {  // the end can be added to
+  for (std::size_t k = N - 1; k <= N; ++k) {  // leaves the last two knots without limits
     p.lower[k].setConstant(-1e300);
     p.upper[k].setConstant(1e300);
   }
-  p.give_limits(lqp, 10.0);
-  const LimitedLqBudget budget{.factors = 200, .sweeps = 2000, .tolerance = 1e-8};
+  p.set_limits(lqp, 10.0);
+  const LimitedLqBudget budget{.factorizations = 200, .sweeps = 2000, .tolerance = 1e-8};
   EXPECT_TRUE(lqp.solve(p.view(), p.recursion, budget, false).converged);
   if (shifted) lqp.shift(p.controls);
   std::vector<VectorXd> multipliers, guesses;
@@ -371,7 +371,7 @@ LimitedLqResult solve_a_knot_later(LimitedProblem p, bool shifted) {
     p.lower[k] = p.lower[k + 1];
     p.upper[k] = p.upper[k + 1];
   }
-  p.give_limits(lqp, 10.0);
+  p.set_limits(lqp, 10.0);
   for (std::size_t k = 0; k <= N; ++k)
     std::copy_n(multipliers[k].data(), lqp.places(), lqp.rows(static_cast<int>(k)).multiplier);
   for (std::size_t k = 0; k < N; ++k)
@@ -379,21 +379,21 @@ LimitedLqResult solve_a_knot_later(LimitedProblem p, bool shifted) {
   return lqp.solve(p.view(), p.recursion, budget, true);
 }
 
-TEST(LimitedLq, needs_fewer_factors_a_knot_later_where_what_it_starts_from_is_shifted) {
-  int shifted = 0, as_it_was = 0;
+TEST(LimitedLq, ShiftedStart_TakesFewerFactorizationsOneKnotLater) {
+  int shifted = 0, unshifted = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     LimitedSpec spec{
         "arm",
         {.nv = 6, .nu = std::vector<int>(20, 6), .form = DynamicsForm::SecondOrder, .seed = seed},
         2};
-    const LimitedLqResult with = solve_a_knot_later(LimitedProblem(spec), true);
-    const LimitedLqResult without = solve_a_knot_later(LimitedProblem(spec), false);
-    EXPECT_TRUE(with.converged && without.converged) << "seed " << seed;
-    EXPECT_LT(with.factors, without.factors) << "seed " << seed;
-    shifted += with.factors;
-    as_it_was += without.factors;
+    const LimitedLqResult from_shifted = solve_a_knot_later(LimitedProblem(spec), true);
+    const LimitedLqResult from_unshifted = solve_a_knot_later(LimitedProblem(spec), false);
+    EXPECT_TRUE(from_shifted.converged && from_unshifted.converged) << "seed " << seed;
+    EXPECT_LT(from_shifted.factorizations, from_unshifted.factorizations) << "seed " << seed;
+    shifted += from_shifted.factorizations;
+    unshifted += from_unshifted.factorizations;
   }
-  std::printf("factors: %d of shifted starts, %d of others\n", shifted, as_it_was);
+  std::printf("factorizations: %d from shifted starts, %d from others\n", shifted, unshifted);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LimitedLqLaw, ::testing::ValuesIn(specs()),

@@ -1,4 +1,4 @@
-// Linear-quadratic problems: one iteration, and the answer of a dense KKT system.
+// Tests of linear-quadratic problems: one iteration finds the solution of a dense KKT system.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -48,7 +48,7 @@ Solution solve_kkt(const LqProblem& lq) {
   }
   kkt.topRightCorner(variables, rows) = kkt.bottomLeftCorner(rows, variables).transpose();
   const Eigen::VectorXd y = kkt.fullPivLu().solve(right);
-  Solution solution{RowMatrix(N + 1, ndx), RowMatrix::Zero(N, p.most_controls)};
+  Solution solution{RowMatrix(N + 1, ndx), RowMatrix::Zero(N, p.max_nu)};
   for (int k = 0; k <= N; ++k) solution.xs.row(k) = y.segment(k * ndx, ndx);
   for (int k = 0; k < N; ++k)
     solution.us.row(k).head(p.controls(k)) = y.segment(first_u[k], p.controls(k));
@@ -71,7 +71,7 @@ std::vector<Case> cases() {
       {"filter", {.nv = 3, .filtered = 3, .nu = {3, 3, 3, 3}, .form = structured, .seed = 6}},
       {"filter_more_controls",
        {.nv = 4, .filtered = 2, .nu = {5, 5, 5}, .form = structured, .seed = 7}},
-      {"lead_blocks",
+      {"tangent_blocks",
        {.nv = 9, .blocks = {{0, 6}, {7, 2}}, .nu = {3, 3, 3, 3}, .form = structured, .seed = 8}},
       {"lead_blocks_filter_impacts",
        {.nv = 10,
@@ -87,7 +87,7 @@ std::vector<Case> cases() {
 
 class LqLaw : public ::testing::TestWithParam<std::tuple<Case, StepUpdate, bool>> {};
 
-TEST_P(LqLaw, is_solved_in_one_iteration) {
+TEST_P(LqLaw, AnyGuess_IsSolvedInOneIteration) {
   const auto& [which, update, from_anywhere] = GetParam();
   LqProblem lq = random_lq(which.spec);
   const Solution wanted = solve_kkt(lq);
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(All, LqLaw,
                                   (std::get<2>(param.param) ? "_from_anywhere" : "_from_start");
                          });
 
-TEST(Lq, structured_form_equals_dense_form) {
+TEST(Lq, StructuredForm_EqualsDenseForm) {
   for (Case c : cases()) {
     if (c.spec.nv == 0) continue;
     LqProblem structured = random_lq(c.spec);
@@ -146,16 +146,16 @@ TEST(Lq, structured_form_equals_dense_form) {
   }
 }
 
-/// Trials of a line search, counted from 0: those before `which` fail, and that one reports a cost
-/// that is higher by `more` than it is.
+/// Trials of a line search, counted from 0. Trials before `which` fail; trial `which` reports a
+/// cost that is too high by `more`.
 struct Trials {
   int which = 0;
   double more = 0.0;
   int next = -1;
 };
 
-/// Knot 0 tells what is a trial: what is rolled after it was expanded.
-void spy(TestKnot& knot, Trials& trials) {
+/// Counts trials at knot 0: rollouts after an expansion.
+void count_trials(TestKnot& knot, Trials& trials) {
   knot.expand = [expand = knot.expand, &trials](const double* x, const double* u,
                                                 KnotExpansion& out) {
     trials.next = 0;
@@ -178,11 +178,11 @@ double cost_of(const LqProblem& lq, const RowMatrix& xs, const RowMatrix& us) {
   return cost;
 }
 
-/// A guess with random controls, and states that follow from them or are random as well.
+/// Guess with random controls; the states follow from them or are random as well.
 Solution random_guess(const LqProblem& lq, bool feasible) {
   const int N = lq.problem.knots(), ndx = lq.problem.shape.ndx;
   std::srand(23);
-  Solution guess{RowMatrix::Random(N + 1, ndx), RowMatrix::Random(N, lq.problem.most_controls)};
+  Solution guess{RowMatrix::Random(N + 1, ndx), RowMatrix::Random(N, lq.problem.max_nu)};
   if (!feasible) return guess;
   std::copy(lq.problem.start.begin(), lq.problem.start.end(), guess.xs.row(0).data());
   for (int k = 0; k < N; ++k)
@@ -193,29 +193,30 @@ Solution random_guess(const LqProblem& lq, bool feasible) {
 
 class ExpectedImprovement : public ::testing::TestWithParam<std::tuple<Case, bool>> {};
 
-TEST_P(ExpectedImprovement, is_exact_at_every_step_length) {
-  // Along a step of an LQ problem states and controls move on straight lines, so that the cost at
-  // every length is known. A trial that reports a cost just below what the rule allows is taken,
-  // and one just above it is not: that brackets what the solver expected.
+TEST_P(ExpectedImprovement, AnyStepLength_IsExact) {
+  // Along a step of an LQ problem, states and controls move on straight lines, so the exact cost is
+  // available at every length. A trial with a cost just below the acceptance bound is accepted, a
+  // trial just above it is not. This brackets the solver's expected improvement.
   const auto& [which, feasible] = GetParam();
   const LineSearch rule;
   for (int halvings = 0; halvings <= 5; ++halvings) {
     const double length = std::pow(0.5, halvings);
-    for (const bool taken : {true, false}) {
+    for (const bool accepted : {true, false}) {
       LqProblem lq = random_lq(which.spec);
       const Solution best = solve_kkt(lq), guess = random_guess(lq, feasible);
       const double before = cost_of(lq, guess.xs, guess.us);
       const double saved = before - cost_of(lq, guess.xs + length * (best.xs - guess.xs),
                                             guess.us + length * (best.us - guess.us));
-      const double least = (saved > 0.0 ? rule.sufficient_decrease : rule.allowed_increase) * saved;
-      const bool always = saved > 0.0 && !feasible;  // gaps are closed at any price
-      Trials trials{halvings, saved - least + (taken ? -1e-6 : 1e-6) * std::abs(saved)};
-      spy(lq.problem.stages[0], trials);
+      const double required =
+          (saved > 0.0 ? rule.sufficient_decrease : rule.allowed_increase) * saved;
+      const bool always = saved > 0.0 && !feasible;  // closing the gaps accepts any cost
+      Trials trials{halvings, saved - required + (accepted ? -1e-6 : 1e-6) * std::abs(saved)};
+      count_trials(lq.problem.stages[0], trials);
       DdpSolver solver(lq.problem, {.update = StepUpdate::Rollout, .max_iterations = 1});
       solver.set_guess(guess.xs, guess.us);
       const DdpSummary& summary = solver.solve();
       ASSERT_EQ(summary.log.size(), 1U) << solver.text();
-      if (taken || always) {
+      if (accepted || always) {
         EXPECT_EQ(summary.log[0].step_length, length) << "saved " << saved;
       } else {
         EXPECT_LT(summary.log[0].step_length, length) << "saved " << saved;
@@ -234,10 +235,10 @@ INSTANTIATE_TEST_SUITE_P(All, ExpectedImprovement,
                                   (std::get<1>(param.param) ? "_feasible" : "_with_gaps");
                          });
 
-TEST(Lq, value_function_predicts_the_cost_between_bounds) {
+TEST(Lq, ValueFunction_PredictsTheCostWithActiveBounds) {
   for (const std::size_t which : {0U, 4U, 8U}) {
     LqProblem lq = random_lq(cases()[which].spec);
-    const auto nu = static_cast<std::size_t>(lq.problem.most_controls);
+    const auto nu = static_cast<std::size_t>(lq.problem.max_nu);
     const auto knots = static_cast<std::size_t>(lq.problem.knots());
     const double bound = 0.5 * solve_kkt(lq).us.cwiseAbs().maxCoeff();
     lq.problem.lower.assign(knots, std::vector<double>(nu, -bound));
@@ -245,9 +246,9 @@ TEST(Lq, value_function_predicts_the_cost_between_bounds) {
     DdpSolver solver(lq.problem, {.stop_tolerance = 1e-15});
     const double cost = solver.solve().cost;
     const RowMatrix us = solver.us();
-    EXPECT_EQ(us.cwiseAbs().maxCoeff(), bound) << "the case holds nothing at its bounds";
-    EXPECT_LT(us.cwiseAbs().minCoeff(), bound) << "the case holds everything at its bounds";
-    // So little that no control comes to its bound or leaves it.
+    EXPECT_EQ(us.cwiseAbs().maxCoeff(), bound) << "no control is at its bounds";
+    EXPECT_LT(us.cwiseAbs().minCoeff(), bound) << "every control is at its bounds";
+    // Small enough that no control reaches or leaves its bound.
     const Eigen::VectorXd dx = Eigen::VectorXd::LinSpaced(lq.problem.shape.ndx, -3e-4, 4e-4);
     const double change =
         solver.value_gradient(0).dot(dx) + 0.5 * dx.dot(solver.value_hessian(0) * dx);
@@ -258,7 +259,7 @@ TEST(Lq, value_function_predicts_the_cost_between_bounds) {
   }
 }
 
-TEST(Lq, value_function_predicts_the_cost_from_another_start) {
+TEST(Lq, ValueFunction_PredictsTheCostFromAnotherStart) {
   LqProblem lq = random_lq(cases()[8].spec);
   DdpSolver solver(lq.problem);
   const double cost = solver.solve().cost;

@@ -1,4 +1,4 @@
-// Two small nonlinear problems with derivatives by hand. Nothing is allocated in their functions.
+// Two small nonlinear problems with hand-written derivatives. Their functions do not allocate.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace burnish::testing {
 
-/// A pendulum of unit mass and length from hanging to upright, angle 0 hanging, torque u, with
-/// semi-implicit Euler steps.
+/// Swing-up of a pendulum of unit mass and length by a torque u; angle 0 hangs down. Semi-implicit
+/// Euler steps.
 inline TestProblem pendulum_swing_up(int knots = 60, double step = 0.05,
                                      double torque_cost = 1e-2) {
   TestProblem p;
@@ -58,7 +58,7 @@ inline TestProblem pendulum_swing_up(int knots = 60, double step = 0.05,
   return p;
 }
 
-/// A unicycle (x, y, heading) driven by (speed, turn rate) to the origin.
+/// Unicycle (x, y, heading), driven by (speed, turn rate) to the origin.
 inline TestProblem unicycle(int knots = 40, double step = 0.1) {
   TestProblem p;
   p.shape = {.nx = 3, .ndx = 3, .nv = 0, .filtered = 0, .blocks = {}};
@@ -104,9 +104,9 @@ inline TestProblem unicycle(int knots = 40, double step = 0.1) {
   return p;
 }
 
-/// The same bounds on every control of every knot.
+/// Sets the same bounds on every control of every knot.
 inline void set_bounds(TestProblem& p, double lower, double upper) {
-  const std::vector<double> low(static_cast<std::size_t>(p.most_controls), lower);
+  const std::vector<double> low(static_cast<std::size_t>(p.max_nu), lower);
   const std::vector<double> high(low.size(), upper);
   p.lower.assign(p.stages.size(), low);
   p.upper.assign(p.stages.size(), high);

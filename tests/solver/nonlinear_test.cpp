@@ -1,4 +1,5 @@
-// Nonlinear problems: both updates reach a point where the gradient of the Lagrangian vanishes.
+// Tests of nonlinear problems: both step updates reach a point where the gradient of the Lagrangian
+// vanishes.
 #include <gtest/gtest.h>
 
 #include "burnish/solver/ddp.hpp"
@@ -7,7 +8,7 @@
 namespace burnish::testing {
 namespace {
 
-/// Cost of rolling controls out, for differences.
+/// Cost of rolled-out controls, for finite differences.
 double cost_of(TestProblem& p, const RowMatrix& us) {
   std::vector<double> x = p.start;
   std::vector<double> next = x;
@@ -20,7 +21,7 @@ double cost_of(TestProblem& p, const RowMatrix& us) {
   return cost;
 }
 
-/// Largest derivative of the cost by a control that may still move, by central differences.
+/// Largest derivative of the cost by a control that is free to move, by central differences.
 double slope_by_differences(TestProblem& p, const RowMatrix& us) {
   double largest = 0.0;
   const double h = 1e-5;
@@ -41,7 +42,7 @@ double slope_by_differences(TestProblem& p, const RowMatrix& us) {
 
 class Nonlinear : public ::testing::TestWithParam<StepUpdate> {};
 
-TEST_P(Nonlinear, pendulum_swings_up) {
+TEST_P(Nonlinear, Pendulum_SwingsUp) {
   TestProblem p = pendulum_swing_up();
   DdpSolver solver(p, {.update = GetParam(), .max_iterations = 200, .stop_tolerance = 1e-12});
   const DdpSummary& s = solver.solve();
@@ -53,7 +54,7 @@ TEST_P(Nonlinear, pendulum_swings_up) {
   EXPECT_NEAR(cost_of(p, solver.us()), s.cost, 1e-7);
 }
 
-TEST_P(Nonlinear, pendulum_swings_up_with_little_torque) {
+TEST_P(Nonlinear, Pendulum_SwingsUpWithBoundedTorque) {
   TestProblem p = pendulum_swing_up(80);
   set_bounds(p, -4.0, 4.5);
   DdpSolver solver(p, {.update = GetParam(), .max_iterations = 500, .stop_tolerance = 1e-11});
@@ -65,7 +66,7 @@ TEST_P(Nonlinear, pendulum_swings_up_with_little_torque) {
   EXPECT_LT(slope_by_differences(p, solver.us()), 1e-4);
 }
 
-TEST_P(Nonlinear, unicycle_parks_from_an_infeasible_guess) {
+TEST_P(Nonlinear, UnicycleWithInfeasibleGuess_Parks) {
   TestProblem p = unicycle();
   DdpSolver solver(p, {.update = GetParam(), .stop_tolerance = 1e-13});
   RowMatrix xs(p.knots() + 1, 3);
@@ -84,14 +85,14 @@ INSTANTIATE_TEST_SUITE_P(Updates, Nonlinear,
                            return param.param == StepUpdate::Rollout ? "rollout" : "shooting";
                          });
 
-TEST(Nonlinear, both_updates_find_the_same_cost) {
+TEST(Nonlinear, BothUpdates_FindTheSameCost) {
   TestProblem p = unicycle();
   DdpSolver rollout(p, {.stop_tolerance = 1e-12});
   DdpSolver shooting(p, {.update = StepUpdate::MultipleShooting, .stop_tolerance = 1e-12});
   EXPECT_NEAR(rollout.solve().cost, shooting.solve().cost, 1e-9);
 }
 
-TEST(Nonlinear, optimality_error_is_the_largest_slope_away_from_the_solution) {
+TEST(Nonlinear, UnconvergedSolve_HasTheLargestSlopeAsOptimalityError) {
   TestProblem p = pendulum_swing_up();
   DdpSolver solver(p, {.max_iterations = 3});
   solver.solve();

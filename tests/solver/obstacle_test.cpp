@@ -1,5 +1,5 @@
-// An arm that reaches behind something: each point of its way is on the side that is said, by the
-// positions of the frame alone, and it touches.
+// Obstacles as constraints on positions of a frame: an arm that reaches behind an obstacle stays on
+// the allowed side and touches it.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -10,12 +10,12 @@
 namespace burnish::test {
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Obstacle : public ::testing::Test {
  protected:
-  /// Where the tool is at each knot of a reach to the goal within a limit.
-  std::vector<Eigen::Vector3d> way(const Constraint& limit) {
+  /// Positions of the tool at each knot of a reach to the goal within a limit.
+  std::vector<Eigen::Vector3d> path(const Constraint& limit) {
     ProblemSpec spec{.model = model};
     spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
     spec.initial_state.head(model.nq) = q;
@@ -44,13 +44,13 @@ class Obstacle : public ::testing::Test {
               .translation());
     return result;
   }
-  /// The least margin of the way is zero.
-  static void expect_touched(const std::vector<Eigen::Vector3d>& way,
+  /// The smallest margin along the path must be zero.
+  static void expect_touched(const std::vector<Eigen::Vector3d>& path,
                              const std::function<double(const Eigen::Vector3d&)>& margin) {
-    double least = endless;
-    for (const Eigen::Vector3d& p : way) least = std::min(least, margin(p));
-    EXPECT_GE(least, -1e-8);
-    EXPECT_LE(least, 1e-6) << "nothing is in the way";
+    double min_margin = infinite;
+    for (const Eigen::Vector3d& p : path) min_margin = std::min(min_margin, margin(p));
+    EXPECT_GE(min_margin, -1e-8);
+    EXPECT_LE(min_margin, 1e-6) << "the path must touch the obstacle";
   }
 
   Model model = named_robot("arm7");
@@ -60,40 +60,40 @@ class Obstacle : public ::testing::Test {
   Eigen::VectorXd one(double x) const { return Eigen::VectorXd::Constant(1, x); }
 };
 
-TEST_F(Obstacle, IsAHalfSpaceByOneRowOfAPositionInLeaningAxes) {
+TEST_F(Obstacle, HalfSpaceByPositionInTiltedAxes_IsTouchedNotCrossed) {
   const Eigen::Vector3d normal = Eigen::Vector3d(0.2, -1.0, -0.3).normalized();
   const Eigen::Vector3d point = 0.5 * (start + goal);
   const Eigen::Matrix3d axes = Reference::surface_with_normal(normal).rotation;
-  expect_touched(way({.name = "wall",
-                      .residual = residual::FramePosition{"tool", point, Reference::world(axes)},
-                      .lower = Eigen::Vector3d(-endless, -endless, 0.0),
-                      .scale = one(0.1)}),
+  expect_touched(path({.name = "wall",
+                       .residual = residual::FramePosition{"tool", point, Reference::world(axes)},
+                       .lower = Eigen::Vector3d(-infinite, -infinite, 0.0),
+                       .scale = one(0.1)}),
                  [&](const Eigen::Vector3d& p) { return normal.dot(p - point); });
 }
 
-TEST_F(Obstacle, IsASphereByADistanceFromAPoint) {
+TEST_F(Obstacle, SphereByDistanceFromAPoint_IsTouchedNotCrossed) {
   const Eigen::Vector3d centre = 0.5 * (start + goal) + Eigen::Vector3d(0.02, 0.0, 0.03);
-  expect_touched(way({.name = "ball",
-                      .residual = residual::FrameDistance{"tool", centre},
-                      .lower = one(0.08)}),
+  expect_touched(path({.name = "ball",
+                       .residual = residual::FrameDistance{"tool", centre},
+                       .lower = one(0.08)}),
                  [&](const Eigen::Vector3d& p) { return (p - centre).norm() - 0.08; });
 }
 
-TEST_F(Obstacle, IsACylinderByADistanceFromALine) {
+TEST_F(Obstacle, CylinderByDistanceFromALine_IsTouchedNotCrossed) {
   const Eigen::Vector3d foot(0.5 * (start + goal).x() + 0.02, 0.5 * (start + goal).y(), 0.0);
   expect_touched(
-      way({.name = "pillar",
-           .residual = residual::FrameDistance{"tool", foot, Directions::x() | Directions::y()},
-           .lower = one(0.06)}),
+      path({.name = "pillar",
+            .residual = residual::FrameDistance{"tool", foot, Directions::x() | Directions::y()},
+            .lower = one(0.06)}),
       [&](const Eigen::Vector3d& p) { return (p - foot).head<2>().norm() - 0.06; });
 }
 
-TEST_F(Obstacle, IsATubeThatTheToolStaysIn) {
+TEST_F(Obstacle, TubeByDistanceFromALine_IsTouchedNotLeft) {
   const Eigen::Vector3d along = (goal - start + Eigen::Vector3d(0.1, 0.0, 0.1)).normalized();
   const residual::FrameDistance across{
       "tool", start, Directions::x() | Directions::y(),
       Reference::world(Reference::surface_with_normal(along).rotation)};
-  expect_touched(way({.name = "tube", .residual = across, .upper = one(0.05)}),
+  expect_touched(path({.name = "tube", .residual = across, .upper = one(0.05)}),
                  [&](const Eigen::Vector3d& p) { return 0.05 - along.cross(p - start).norm(); });
 }
 

@@ -1,4 +1,4 @@
-// The published solution of the polishing problem, solved from the same warm start.
+// Comparison with the published solution of the polishing problem, from the same warm start.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -40,20 +40,20 @@ class ReferenceSolution : public ::testing::TestWithParam<StepUpdate> {
     const auto robot = shared / "robots" / "panda.urdf";
     if (!std::filesystem::exists(file) || !std::filesystem::exists(robot))
       GTEST_SKIP() << "the published solution is not at " << file;
-    std::ifstream(file) >> wanted_;
+    std::ifstream(file) >> published_;
     ModelOptions options;
     options.locked = {"panda_finger_joint1", "panda_finger_joint2"};
     model_ = build_model(read_urdf(robot.string()), options);
   }
-  Json wanted_;
+  Json published_;
   Model model_;
 };
 
-TEST_P(ReferenceSolution, is_reached_in_as_many_iterations) {
-  const Eigen::VectorXd x0 = vector_of(wanted_["x0"]);
+TEST_P(ReferenceSolution, SameWarmStart_ReachesThePublishedSolution) {
+  const Eigen::VectorXd x0 = vector_of(published_["x0"]);
   Problem problem(polishing::reference_problem(model_, "panda_hand_tcp", x0.head(7), 100));
-  // The published solution was regularised with 1e-9 throughout, a thousandth of the control's own
-  // weight, which its gains show; and its last step was made after the one that met 1e-9.
+  // The published solution was regularized with 1e-9 throughout, a thousandth of the control
+  // weight, which affects its gains. Its last step was made after the step that satisfied 1e-9.
   DdpSolver solver(problem, {.update = GetParam(),
                              .stop_tolerance = 1e-13,
                              .regularization = {.initial = 1e-9, .decrease_above = 1.0}});
@@ -61,19 +61,19 @@ TEST_P(ReferenceSolution, is_reached_in_as_many_iterations) {
   solver.set_guess(x0.transpose().replicate(101, 1), u0.transpose().replicate(100, 1));
   const DdpSummary& summary = solver.solve();
   ASSERT_EQ(summary.reason, StopReason::Converged) << solver.text();
-  EXPECT_LE(summary.iterations, wanted_["iterations"].get<int>() + 2);
+  EXPECT_LE(summary.iterations, published_["iterations"].get<int>() + 2);
   RecordProperty("iterations", summary.iterations);
-  const double cost = wanted_["cost"].get<double>();
+  const double cost = published_["cost"].get<double>();
   EXPECT_NEAR(summary.cost, cost, 1e-6 * cost);
-  EXPECT_LT(relative(solver.xs(), matrix_of(wanted_["xs"])), 1e-5);
-  EXPECT_LT(relative(solver.us(), matrix_of(wanted_["us"])), 1e-5);
+  EXPECT_LT(relative(solver.xs(), matrix_of(published_["xs"])), 1e-5);
+  EXPECT_LT(relative(solver.us(), matrix_of(published_["us"])), 1e-5);
   Eigen::MatrixXd forces(100, 1);
   for (int k = 0; k < 100; ++k)
     forces.row(k) = problem.forces(k, solver.xs().row(k), solver.us().row(k));
-  EXPECT_LT(relative(forces, matrix_of(wanted_["lambda"])), 1e-5);
+  EXPECT_LT(relative(forces, matrix_of(published_["lambda"])), 1e-5);
   // The published gain has the opposite sign: u = u_k - K (x (-) x_k).
-  EXPECT_LT(relative(-solver.gain(0), matrix_of(wanted_["K0"])), 1e-5);
-  EXPECT_LT(relative(solver.value_hessian(0), matrix_of(wanted_["Vxx0"])), 1e-5);
+  EXPECT_LT(relative(-solver.gain(0), matrix_of(published_["K0"])), 1e-5);
+  EXPECT_LT(relative(solver.value_hessian(0), matrix_of(published_["Vxx0"])), 1e-5);
   EXPECT_LT(solver.optimality_error(), 1e-4);
 }
 

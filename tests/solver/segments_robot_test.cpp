@@ -1,4 +1,5 @@
-// The recursion by segments on robots: values, gains and directions of one sweep, to rounding.
+// Tests of the segmented recursion on robots: values, gains and directions equal a single sweep up
+// to rounding.
 #include <gtest/gtest.h>
 
 #include "burnish/solver/ddp.hpp"
@@ -14,7 +15,7 @@ double difference(const A& a, const B& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-/// One iteration of both from the same guess, a little off the solution.
+/// Expects the same single iteration from a guess near the solution, with and without segments.
 void expect_same_iteration(const ProblemSpec& spec, int knots, int segments, double rounding) {
   Problem problem(spec);
   const int nx = problem.state().nx;
@@ -28,20 +29,20 @@ void expect_same_iteration(const ProblemSpec& spec, int knots, int segments, dou
     solver.solve();
     return solver;
   };
-  const DdpSolver whole = iterate(1);
-  const DdpSolver cut = iterate(segments);
-  EXPECT_EQ(whole.summary().regularization, 0.0);
-  EXPECT_LT(difference(cut.xs(), whole.xs()), rounding);
-  EXPECT_LT(difference(cut.us(), whole.us()), rounding);
-  EXPECT_NE(RowMatrix(cut.us()), RowMatrix(whole.us())) << "nothing was cut";
+  const DdpSolver single = iterate(1);
+  const DdpSolver segmented = iterate(segments);
+  EXPECT_EQ(single.summary().regularization, 0.0);
+  EXPECT_LT(difference(segmented.xs(), single.xs()), rounding);
+  EXPECT_LT(difference(segmented.us(), single.us()), rounding);
+  EXPECT_NE(RowMatrix(segmented.us()), RowMatrix(single.us())) << "the horizon must be split";
   for (int k = 0; k < knots; ++k) {
-    EXPECT_LT(difference(cut.gain(k), whole.gain(k)), rounding) << k;
-    EXPECT_LT(difference(cut.value_hessian(k), whole.value_hessian(k)), rounding) << k;
-    EXPECT_LT(difference(cut.value_gradient(k), whole.value_gradient(k)), rounding) << k;
+    EXPECT_LT(difference(segmented.gain(k), single.gain(k)), rounding) << k;
+    EXPECT_LT(difference(segmented.value_hessian(k), single.value_hessian(k)), rounding) << k;
+    EXPECT_LT(difference(segmented.value_gradient(k), single.value_gradient(k)), rounding) << k;
   }
 }
 
-TEST(SegmentsOfRobots, equal_one_sweep_on_an_arm_that_presses) {
+TEST(SegmentedRobotProblem, PressingArm_EqualsASingleSweep) {
   const PressingArm arm = pressing_arm();
   for (const int knots : {100, 500})
     for (const int segments : {3, 9})
@@ -49,7 +50,7 @@ TEST(SegmentsOfRobots, equal_one_sweep_on_an_arm_that_presses) {
                             knots, segments, 1e-8);
 }
 
-TEST(SegmentsOfRobots, equal_one_sweep_with_filtered_torques) {
+TEST(SegmentedRobotProblem, FilteredTorques_EqualASingleSweep) {
   const PressingArm arm = pressing_arm();
   ProblemSpec spec = polishing::reference_problem(arm.model, "tool", arm.posture, 100);
   spec.torque_model = TorqueModel{.cutoff = 100.0};
@@ -59,7 +60,7 @@ TEST(SegmentsOfRobots, equal_one_sweep_with_filtered_torques) {
   expect_same_iteration(spec, 100, 5, 1e-8);
 }
 
-TEST(SegmentsOfRobots, equal_one_sweep_on_a_humanoid_on_two_feet) {
+TEST(SegmentedRobotProblem, HumanoidOnTwoFeet_EqualsASingleSweep) {
 #if BURNISH_HAS_ROBOTS
   const Robot robot = load_robot("talos");
   const Model& model = robot.model;

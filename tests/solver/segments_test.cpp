@@ -1,4 +1,5 @@
-// A recursion by segments finds the values, gains and directions of one sweep, to rounding.
+// Tests of the segmented recursion: values, gains and directions equal a single sweep up to
+// rounding.
 #include <gtest/gtest.h>
 
 #include "burnish/solver/ddp.hpp"
@@ -16,7 +17,7 @@ struct Horizon {
 
 void PrintTo(const Horizon& horizon, std::ostream* out) { *out << horizon.name; }
 
-class Segments : public ::testing::TestWithParam<Horizon> {};
+class SegmentedHorizon : public ::testing::TestWithParam<Horizon> {};
 
 template <class A, class B>
 double difference(const A& a, const B& b) {
@@ -24,7 +25,7 @@ double difference(const A& a, const B& b) {
   return (a - b).cwiseAbs().maxCoeff() / (1.0 + b.cwiseAbs().maxCoeff());
 }
 
-TEST_P(Segments, give_gains_and_values_of_the_whole_horizon) {
+TEST_P(SegmentedHorizon, GainsAndValues_EqualASingleSweep) {
   for (const StepUpdate update : {StepUpdate::Rollout, StepUpdate::MultipleShooting}) {
     LqProblem lq = random_lq(GetParam().spec);
     const auto solve = [&](int segments, double regularization) {
@@ -36,29 +37,29 @@ TEST_P(Segments, give_gains_and_values_of_the_whole_horizon) {
       return solver;
     };
     for (const double regularization : {0.0, 0.3}) {
-      const DdpSolver whole = solve(1, regularization);
+      const DdpSolver single = solve(1, regularization);
       for (const int segments : {2, 3, 4, 7}) {
-        const DdpSolver cut = solve(segments, regularization);
-        EXPECT_NEAR(cut.summary().expected_improvement, whole.summary().expected_improvement,
-                    1e-9 * std::abs(whole.summary().expected_improvement));
-        EXPECT_LT(difference(cut.xs(), whole.xs()), 1e-9);
-        EXPECT_LT(difference(cut.us(), whole.us()), 1e-9);
+        const DdpSolver segmented = solve(segments, regularization);
+        EXPECT_NEAR(segmented.summary().expected_improvement, single.summary().expected_improvement,
+                    1e-9 * std::abs(single.summary().expected_improvement));
+        EXPECT_LT(difference(segmented.xs(), single.xs()), 1e-9);
+        EXPECT_LT(difference(segmented.us(), single.us()), 1e-9);
         for (int k = 0; k < lq.problem.knots(); ++k) {
-          EXPECT_LT(difference(cut.gain(k), whole.gain(k)), 1e-9) << segments << " " << k;
-          EXPECT_LT(difference(cut.feedforward(k), whole.feedforward(k)), 1e-9);
-          EXPECT_LT(difference(cut.value_hessian(k), whole.value_hessian(k)), 1e-9);
-          EXPECT_LT(difference(cut.value_gradient(k), whole.value_gradient(k)), 1e-9);
+          EXPECT_LT(difference(segmented.gain(k), single.gain(k)), 1e-9) << segments << " " << k;
+          EXPECT_LT(difference(segmented.feedforward(k), single.feedforward(k)), 1e-9);
+          EXPECT_LT(difference(segmented.value_hessian(k), single.value_hessian(k)), 1e-9);
+          EXPECT_LT(difference(segmented.value_gradient(k), single.value_gradient(k)), 1e-9);
         }
-        // Two segments are one sweep, to the bit.
+        // Two segments equal a single sweep to the bit.
         if (segments == 2) {
-          EXPECT_EQ(cut.xs(), whole.xs());
+          EXPECT_EQ(segmented.xs(), single.xs());
         }
       }
     }
   }
 }
 
-TEST_P(Segments, have_the_same_bits_for_any_number_of_threads) {
+TEST_P(SegmentedHorizon, AnyNumberOfThreads_GivesTheSameBits) {
   LqProblem lq = random_lq(GetParam().spec);
   RowMatrix us;
   Eigen::MatrixXd gain;
@@ -75,7 +76,7 @@ TEST_P(Segments, have_the_same_bits_for_any_number_of_threads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Horizons, Segments,
+    Horizons, SegmentedHorizon,
     ::testing::Values(
         Horizon{"dense", {.ndx = 5, .nu = std::vector<int>(13, 3)}},
         Horizon{"arm", {.nv = 7, .nu = std::vector<int>(17, 7), .form = DynamicsForm::SecondOrder}},
@@ -91,31 +92,31 @@ INSTANTIATE_TEST_SUITE_P(
                  .form = DynamicsForm::SecondOrder}}),
     [](const auto& param) { return param.param.name; });
 
-TEST(SegmentsOf, nonlinear_problems_lead_to_the_same_solution) {
+TEST(SegmentedSolver, NonlinearProblem_GivesTheSameSolution) {
   for (const StepUpdate update : {StepUpdate::Rollout, StepUpdate::MultipleShooting}) {
     TestProblem p = unicycle();
-    DdpSolver whole(p, {.update = update});
-    DdpSolver cut(p, {.update = update, .threads = 2, .segments = 5});
-    EXPECT_EQ(whole.solve().reason, StopReason::Converged);
-    EXPECT_EQ(cut.solve().reason, StopReason::Converged);
-    EXPECT_EQ(cut.summary().iterations, whole.summary().iterations);
-    EXPECT_LT(difference(cut.us(), whole.us()), 1e-8);
-    EXPECT_LT(difference(cut.gain(11), whole.gain(11)), 1e-8);
+    DdpSolver single(p, {.update = update});
+    DdpSolver segmented(p, {.update = update, .threads = 2, .segments = 5});
+    EXPECT_EQ(single.solve().reason, StopReason::Converged);
+    EXPECT_EQ(segmented.solve().reason, StopReason::Converged);
+    EXPECT_EQ(segmented.summary().iterations, single.summary().iterations);
+    EXPECT_LT(difference(segmented.us(), single.us()), 1e-8);
+    EXPECT_LT(difference(segmented.gain(11), single.gain(11)), 1e-8);
   }
 }
 
-TEST(SegmentsOf, a_problem_with_bounds_are_one_sweep) {
+TEST(SegmentedSolver, BoundedControls_UseASingleSweep) {
   TestProblem p = pendulum_swing_up();
   set_bounds(p, -5.0, 5.0);
-  DdpSolver whole(p, {.max_iterations = 15});
-  DdpSolver cut(p, {.max_iterations = 15, .threads = 2, .segments = 6});
-  whole.solve();
-  cut.solve();
-  EXPECT_EQ(RowMatrix(cut.xs()), RowMatrix(whole.xs()));
-  EXPECT_EQ(RowMatrix(cut.us()), RowMatrix(whole.us()));
+  DdpSolver single(p, {.max_iterations = 15});
+  DdpSolver segmented(p, {.max_iterations = 15, .threads = 2, .segments = 6});
+  single.solve();
+  segmented.solve();
+  EXPECT_EQ(RowMatrix(segmented.xs()), RowMatrix(single.xs()));
+  EXPECT_EQ(RowMatrix(segmented.us()), RowMatrix(single.us()));
 }
 
-/// Controls that only what follows them gives a price.
+/// Problem in which only the following costs weigh a control.
 LqProblem without_control_cost(double sign) {
   LqProblem lq = random_lq({.ndx = 4, .nu = std::vector<int>(12, 2)});
   for (std::size_t k = 0; k < 12; ++k) {
@@ -131,18 +132,18 @@ LqProblem without_control_cost(double sign) {
   return lq;
 }
 
-TEST(SegmentsOf, a_problem_whose_parts_have_no_solution_are_one_sweep) {
+TEST(SegmentedSolver, SingularSegments_UseASingleSweep) {
   LqProblem lq = without_control_cost(1.0);
-  DdpSolver whole(lq.problem, {.max_iterations = 1});
-  DdpSolver cut(lq.problem, {.max_iterations = 1, .segments = 4});
-  whole.solve();
-  cut.solve();
-  EXPECT_EQ(whole.summary().regularization, 0.0);
-  EXPECT_EQ(cut.summary().regularization, 0.0);
-  for (int k = 0; k < 12; ++k) EXPECT_EQ(cut.gain(k), whole.gain(k));
+  DdpSolver single(lq.problem, {.max_iterations = 1});
+  DdpSolver segmented(lq.problem, {.max_iterations = 1, .segments = 4});
+  single.solve();
+  segmented.solve();
+  EXPECT_EQ(single.summary().regularization, 0.0);
+  EXPECT_EQ(segmented.summary().regularization, 0.0);
+  for (int k = 0; k < 12; ++k) EXPECT_EQ(segmented.gain(k), single.gain(k));
 }
 
-TEST(SegmentsOf, a_problem_without_a_minimum_name_the_same_control) {
+TEST(SegmentedSolver, IndefiniteProblem_NamesTheSameKnot) {
   LqProblem lq = without_control_cost(-100.0);
   for (const int segments : {1, 4}) {
     DdpSolver solver(lq.problem, {.segments = segments, .regularization = {.largest = 1e-6}});
@@ -151,7 +152,7 @@ TEST(SegmentsOf, a_problem_without_a_minimum_name_the_same_control) {
   }
 }
 
-TEST(SegmentsOf, a_solver_allocate_nothing_in_a_solve) {
+TEST(SegmentedSolver, Solve_AllocatesNothing) {
   if (AllocationGuard::unavailable() != nullptr) GTEST_SKIP() << AllocationGuard::unavailable();
   for (const int threads : {1, 2}) {
     TestProblem p = unicycle();
@@ -162,7 +163,7 @@ TEST(SegmentsOf, a_solver_allocate_nothing_in_a_solve) {
   }
 }
 
-TEST(SegmentsOf, a_horizon_are_fewer_than_its_knots) {
+TEST(SegmentedSolver, SegmentsNotFewerThanKnots_AreRefused) {
   TestProblem p = unicycle();
   expect_words(refusal([&] { DdpSolver(p, {.segments = 0}); }), {"segments is 0", "1 to"});
   DdpSolver solver(p, {.segments = 39});

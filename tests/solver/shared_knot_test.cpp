@@ -1,4 +1,5 @@
-// A crew that shares the knots of the recursion finds what a worker alone finds, to the last bit.
+// Tests of a thread team that shares the knots of the recursion: its results equal a single
+// thread's to the bit.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -19,7 +20,7 @@ struct Shape {
 
 void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
 
-/// A recursion over a random problem, with the memory that it reads and writes.
+/// Recursion over a random problem, with the memory that it reads and writes.
 class Sweep {
  public:
   Sweep(const Shape& shape, int workers)
@@ -27,7 +28,7 @@ class Sweep {
         lq_(random_lq(shape.spec)),
         state_(lq_.problem.shape),
         knots_(lq_.problem.knots()),
-        recursion_(state_, lq_.problem.most_controls, workers) {
+        recursion_(state_, lq_.problem.max_nu, workers) {
     const RiccatiLayout& layout = recursion_.layout();
     const auto memory = [&](int rows, int stride) {
       return Buffer(static_cast<std::size_t>(rows * stride + 64 + layout.spare));
@@ -35,30 +36,30 @@ class Sweep {
     for (int k = 0; k <= knots_; ++k) {
       expansion_memory_.push_back(
           memory(layout.expansion_rows + state_.ndx + 2, layout.expansion_stride));
-      lead_memory_.push_back(memory(4, 64));
+      tangent_memory_.push_back(memory(4, 64));
       values_.push_back(memory(state_.ndx + 1, layout.value_stride));
-      policies_.push_back(memory(lq_.problem.most_controls + 1, layout.gain_stride));
+      policies_.push_back(memory(lq_.problem.max_nu + 1, layout.gain_stride));
       gaps_.push_back(memory(2, layout.value_stride));
       expansions_.push_back(expansion(k));
       for (int i = 0; i < state_.ndx; ++i) gap(k)[i] = 0.1 * std::sin(i + k);
     }
-    const auto nu = static_cast<std::size_t>(lq_.problem.most_controls);
+    const auto nu = static_cast<std::size_t>(lq_.problem.max_nu);
     lower_.assign(nu, -0.4);
     upper_.assign(nu, 0.3);
     u_.assign(nu, 0.1);
   }
 
-  /// What the leader was told, or, where a control failed, what everybody was.
-  void run(const Crew& crew, double regularization, std::vector<RiccatiStep>& told) {
-    if (crew.leads()) recursion_.terminal(expansions_.back(), value(knots_));
-    crew.meet();
+  /// Collects the steps that the leader gets; stops at a failed control.
+  void run(const ThreadTeam& team, double regularization, std::vector<RiccatiStep>& steps) {
+    if (team.leads()) recursion_.terminal(expansions_.back(), value(knots_));
+    team.meet();
     for (int k = knots_ - 1; k >= 0; --k) {
       const ControlBox box{lower_.data(), upper_.data(), u_.data()};
       const RiccatiStep step = recursion_.step(
-          expansions_[static_cast<std::size_t>(k)], lq_.stages[static_cast<std::size_t>(k)].nu,
-          gap(k), value(k + 1), regularization, shape_.bounded ? box : ControlBox{}, policy(k),
-          value(k), gap(k) + recursion_.layout().value_stride, crew);
-      if (crew.leads()) told.push_back(step);
+          {expansions_[static_cast<std::size_t>(k)], lq_.stages[static_cast<std::size_t>(k)].nu,
+           gap(k), value(k + 1), policy(k), value(k), gap(k) + recursion_.layout().value_stride},
+          {regularization, shape_.bounded ? box : ControlBox{}}, team);
+      if (team.leads()) steps.push_back(step);
       if (step.failed_control >= 0) return;
     }
   }
@@ -105,7 +106,7 @@ class Sweep {
     e.hessian = e.gradient + layout.expansion_stride;
     e.dynamics = e.hessian + layout.expansion_rows * layout.expansion_stride;
     e.decay = e.dynamics + state_.ndx * layout.expansion_stride;
-    e.lead = lead_memory_.back().data();
+    e.tangent_blocks = tangent_memory_.back().data();
     fill_expansion(stage, Eigen::VectorXd::Constant(stage.nu + state_.ndx, 0.2), shape_.spec.form,
                    k == knots_, e);
     return e;
@@ -116,50 +117,50 @@ class Sweep {
   StateShape state_;
   int knots_;
   RiccatiRecursion recursion_;
-  std::vector<Buffer> expansion_memory_, lead_memory_, values_, policies_, gaps_;
+  std::vector<Buffer> expansion_memory_, tangent_memory_, values_, policies_, gaps_;
   std::vector<KnotExpansion> expansions_;
   std::vector<double> lower_, upper_, u_;
 };
 
 class SharedKnot : public ::testing::TestWithParam<Shape> {};
 
-TEST_P(SharedKnot, has_the_same_bits_for_any_number_of_workers) {
-  Sweep alone(GetParam(), 1);
+TEST_P(SharedKnot, AnyNumberOfWorkers_GivesTheSameBits) {
+  Sweep single(GetParam(), 1);
   std::vector<RiccatiStep> expected;
-  alone.run({}, 1e-3, expected);
+  single.run({}, 1e-3, expected);
   ASSERT_EQ(expected.size(), GetParam().spec.nu.size());
   for (const int workers : {1, 2, 3, 5}) {
     ThreadPool pool(workers);
-    Sweep crew(GetParam(), workers);
-    std::vector<RiccatiStep> told;
-    told.reserve(expected.size());
-    pool.together([&](const Crew& who) noexcept { crew.run(who, 1e-3, told); });
-    crew.expect_same_bits(alone);
-    ASSERT_EQ(told.size(), expected.size());
-    for (std::size_t k = 0; k < told.size(); ++k) {
-      EXPECT_EQ(told[k].failed_control, -1);
-      EXPECT_EQ(told[k].slope, expected[k].slope);
-      EXPECT_EQ(told[k].curvature, expected[k].curvature);
-      EXPECT_EQ(told[k].gap_slope, expected[k].gap_slope);
-      EXPECT_EQ(told[k].gap_curvature, expected[k].gap_curvature);
+    Sweep team(GetParam(), workers);
+    std::vector<RiccatiStep> steps;
+    steps.reserve(expected.size());
+    pool.together([&](const ThreadTeam& member) noexcept { team.run(member, 1e-3, steps); });
+    team.expect_same_bits(single);
+    ASSERT_EQ(steps.size(), expected.size());
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      EXPECT_EQ(steps[k].failed_control, -1);
+      EXPECT_EQ(steps[k].slope, expected[k].slope);
+      EXPECT_EQ(steps[k].curvature, expected[k].curvature);
+      EXPECT_EQ(steps[k].gap_slope, expected[k].gap_slope);
+      EXPECT_EQ(steps[k].gap_curvature, expected[k].gap_curvature);
     }
   }
 }
 
-TEST_P(SharedKnot, every_worker_learns_of_a_control_that_fails) {
+TEST_P(SharedKnot, FailedControl_StopsEveryWorker) {
   if (GetParam().spec.nu.back() == 0) GTEST_SKIP() << "no control to fail";
-  Sweep alone(GetParam(), 1);
+  Sweep single(GetParam(), 1);
   std::vector<RiccatiStep> expected;
-  alone.run({}, -1e3, expected);
+  single.run({}, -1e3, expected);
   ASSERT_EQ(expected.size(), 1U);
   EXPECT_EQ(expected[0].failed_control, 0);
   for (const int workers : {2, 3}) {
     ThreadPool pool(workers);
-    Sweep crew(GetParam(), workers);
-    std::vector<RiccatiStep> told;
-    pool.together([&](const Crew& who) noexcept { crew.run(who, -1e3, told); });
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].failed_control, 0);
+    Sweep team(GetParam(), workers);
+    std::vector<RiccatiStep> steps;
+    pool.together([&](const ThreadTeam& member) noexcept { team.run(member, -1e3, steps); });
+    ASSERT_EQ(steps.size(), 1U);
+    EXPECT_EQ(steps[0].failed_control, 0);
   }
 }
 
@@ -194,13 +195,13 @@ LqSpec humanoid() {
           .form = DynamicsForm::SecondOrder};
 }
 
-TEST(SharedKnots, of_a_solver_change_no_bit_of_its_answer) {
+TEST(SharedKnotSolver, SharedKnots_GiveTheSameBits) {
   for (const bool bounded : {false, true})
     for (const StepUpdate update : {StepUpdate::Rollout, StepUpdate::MultipleShooting}) {
       std::vector<LqProblem> problems;
       std::vector<DdpSolver> solvers;
       problems.reserve(4);
-      for (const auto& [threads, share] : {std::pair(1, true), {2, true}, {2, false}, {3, true}}) {
+      for (const auto& [threads, shared] : {std::pair(1, true), {2, true}, {2, false}, {3, true}}) {
         LqProblem& lq = problems.emplace_back(random_lq(humanoid()));
         if (bounded) {
           lq.problem.lower.assign(6, std::vector<double>(24, -0.3));
@@ -209,7 +210,7 @@ TEST(SharedKnots, of_a_solver_change_no_bit_of_its_answer) {
         solvers.emplace_back(
             lq.problem,
             DdpOptions{
-                .update = update, .max_iterations = 4, .threads = threads, .share_knots = share});
+                .update = update, .max_iterations = 4, .threads = threads, .share_knots = shared});
         solvers.back().solve();
         const DdpSolver& one = solvers.front();
         const DdpSolver& it = solvers.back();
@@ -226,17 +227,18 @@ TEST(SharedKnots, of_a_solver_change_no_bit_of_its_answer) {
     }
 }
 
-TEST(SharedKnots, are_those_of_large_problems_alone) {
+TEST(SharedKnotSolver, OnlyLargeProblems_ExceedTheSharingThreshold) {
   const auto work = [](const LqSpec& spec) {
     const LqProblem lq = random_lq(spec);
     return RiccatiRecursion(lq.problem.shape, spec.nu[0]).multiplications(spec.nu[0], spec.form);
   };
-  // The solver's border is 2e5: of these, the humanoid's knots are shared.
+  // The solver shares knots above 2e5 multiplications: the humanoid's knots are above, the arm's
+  // below.
   EXPECT_GT(work(humanoid()), 2e5);
   EXPECT_LT(work({.nv = 7, .filtered = 7, .nu = {7}, .form = DynamicsForm::SecondOrder}), 1e4);
 }
 
-TEST(SharedKnots, say_which_control_costs_nothing) {
+TEST(SharedKnotSolver, IndefiniteProblem_NamesTheControl) {
   for (const int threads : {1, 2}) {
     LqProblem lq = random_lq(humanoid());
     for (LqStage& stage : lq.stages) stage.H *= -1.0;

@@ -1,4 +1,4 @@
-// Problems for the solver's tests: knots given as functions, and random linear-quadratic ones.
+// Problems for the solver's tests: knots given as functions, and random linear-quadratic problems.
 #pragma once
 
 #include <algorithm>
@@ -19,24 +19,24 @@ struct TestKnot {
   std::function<void(const double* x, const double* u, KnotExpansion& out)> expand;
 };
 
-/// A problem over a vector space whose knots are functions. A cost has two terms, 'work' with all
-/// of it and 'nothing' with none.
+/// Problem over a vector space whose knots are functions. Its cost has two terms: 'work' has the
+/// whole cost, 'nothing' is zero.
 class TestProblem final : public ShootingProblem {
  public:
   StateShape shape;
   std::vector<TestKnot> stages;  ///< N + 1
   std::vector<double> start;
   std::vector<std::vector<double>> lower, upper;  ///< per knot; empty: unbounded
-  int most_controls = 0;
-  /// Of rows of every knot: the entries of the state.
+  int max_nu = 0;
+  /// Limits of the rows of every knot; the rows are the entries of the state.
   std::vector<double> row_limits_below, row_limits_above;
-  std::vector<double> row_scales, row_prices, row_squares;
-  int poisoned_knot = -1;  ///< its cost is not a number, in the term 'nothing'
+  std::vector<double> row_scales, row_l1_weights, row_quadratic_weights;
+  int poisoned_knot = -1;  ///< knot whose term 'nothing' is NaN
   int poisoned_derivatives = -1;
   mutable int prepared = 0;
 
   void close() {
-    for (const TestKnot& k : stages) most_controls = std::max(most_controls, k.nu);
+    for (const TestKnot& k : stages) max_nu = std::max(max_nu, k.nu);
     ranges_.clear();
     for (int k = 0; k < knots(); k += 3) ranges_.push_back({k, std::min(knots(), k + 3)});
     ranges_.push_back({knots(), knots() + 1});
@@ -45,7 +45,7 @@ class TestProblem final : public ShootingProblem {
   const StateShape& state() const override { return shape; }
   int knots() const override { return static_cast<int>(stages.size()) - 1; }
   int controls(int knot) const override { return stages[knot].nu; }
-  int max_controls() const override { return most_controls; }
+  int max_controls() const override { return max_nu; }
   const double* initial_state() const override { return start.data(); }
   void integrate(const double* x, const double* dx, double* out) const override {
     for (int i = 0; i < shape.ndx; ++i) out[i] = x[i] + dx[i];
@@ -64,8 +64,10 @@ class TestProblem final : public ShootingProblem {
   const double* row_lower(int /*knot*/) const override { return row_limits_below.data(); }
   const double* row_upper(int /*knot*/) const override { return row_limits_above.data(); }
   const double* row_scale(int /*knot*/) const override { return row_scales.data(); }
-  const double* row_price(int /*knot*/) const override { return row_prices.data(); }
-  const double* row_square(int /*knot*/) const override { return row_squares.data(); }
+  const double* row_l1_weight(int /*knot*/) const override { return row_l1_weights.data(); }
+  const double* row_quadratic_weight(int /*knot*/) const override {
+    return row_quadratic_weights.data();
+  }
   std::vector<std::string> row_names(int knot) const override {
     return numbered("limit/x", rows(knot));
   }
@@ -85,7 +87,7 @@ class TestProblem final : public ShootingProblem {
   void evaluate(int worker, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
                 double* row_values) override {
     for (int k = range.begin; k < range.end; ++k)
-      values[k] = roll(worker, k, at.x + k * shape.nx, at.u + k * most_controls,
+      values[k] = roll(worker, k, at.x + k * shape.nx, at.u + k * max_nu,
                        k < knots() ? next + k * shape.nx : nullptr,
                        row_values != nullptr ? row_values + k * max_rows() : nullptr);
   }
@@ -93,7 +95,7 @@ class TestProblem final : public ShootingProblem {
               KnotExpansion* out) override {
     evaluate(worker, range, at, next, values, nullptr);
     for (int k = range.begin; k < range.end; ++k) {
-      stages[k].expand(at.x + k * shape.nx, at.u + k * most_controls, out[k]);
+      stages[k].expand(at.x + k * shape.nx, at.u + k * max_nu, out[k]);
       for (int r = 0; r < rows(k); ++r) {
         out[k].row_values[r] = at.x[k * shape.nx + r];
         std::fill_n(out[k].rows + r * out[k].stride, stages[k].nu + shape.ndx, 0.0);
@@ -104,7 +106,7 @@ class TestProblem final : public ShootingProblem {
   }
 
   std::vector<std::string> state_names() const override { return numbered("x", shape.ndx); }
-  std::vector<std::string> control_names() const override { return numbered("u", most_controls); }
+  std::vector<std::string> control_names() const override { return numbered("u", max_nu); }
   std::vector<std::string> term_names(int /*knot*/) const override { return {"work", "nothing"}; }
   std::vector<double> term_costs(int knot, const double* x, const double* u) override {
     std::vector<double> next(start.size());
@@ -122,11 +124,11 @@ class TestProblem final : public ShootingProblem {
 };
 
 struct LqSpec {
-  int nv = 0;  ///< 0: no structure, `ndx` entries
+  int nv = 0;  ///< 0: unstructured, with `ndx` entries
   int filtered = 0;
   int ndx = 4;
-  std::vector<LeadBlock> blocks = {};
-  std::vector<int> nu;  ///< per knot; 0 is an impact
+  std::vector<NonEuclideanBlock> blocks = {};
+  std::vector<int> nu;  ///< controls per knot; 0 is an impact
   DynamicsForm form = DynamicsForm::Dense;
   unsigned seed = 1;
 };
@@ -169,7 +171,7 @@ inline LqStage random_stage(const LqSpec& spec, const StateShape& shape, int nu,
   s.F = RowMatrix::Zero(ndx, nz);
   RowMatrix A = RowMatrix::Identity(nv, nv);
   RowMatrix B = A;
-  for (const LeadBlock& b : spec.blocks) {
+  for (const NonEuclideanBlock& b : spec.blocks) {
     s.A.emplace_back(RowMatrix::Identity(b.size, b.size) + 0.3 * draw(b.size, b.size));
     s.B.emplace_back(RowMatrix::Identity(b.size, b.size) + 0.3 * draw(b.size, b.size));
     A.block(b.first, b.first, b.size, b.size) = s.A.back();
@@ -200,15 +202,15 @@ inline void fill_expansion(const LqStage& s, const Eigen::VectorXd& z, DynamicsF
   for (Eigen::Index i = 0; i < dynamics.rows(); ++i)
     for (Eigen::Index j = 0; j < z.size(); ++j) out.dynamics[i * out.stride + j] = dynamics(i, j);
   if (form == DynamicsForm::Dense) return;
-  double* lead = out.lead;
+  double* tangent_blocks = out.tangent_blocks;
   for (std::size_t b = 0; b < s.A.size(); ++b) {
-    lead = std::copy(s.A[b].data(), s.A[b].data() + s.A[b].size(), lead);
-    lead = std::copy(s.B[b].data(), s.B[b].data() + s.B[b].size(), lead);
+    tangent_blocks = std::copy(s.A[b].data(), s.A[b].data() + s.A[b].size(), tangent_blocks);
+    tangent_blocks = std::copy(s.B[b].data(), s.B[b].data() + s.B[b].size(), tangent_blocks);
   }
   std::copy(s.decay.data(), s.decay.data() + s.decay.size(), out.decay);
 }
 
-/// Roll and expand allocate: not for tests that count allocations.
+/// Roll and expand allocate, so this problem is not for tests that count allocations.
 inline LqProblem random_lq(const LqSpec& spec) {
   LqProblem lq;
   StateShape& shape = lq.problem.shape;

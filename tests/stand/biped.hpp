@@ -1,4 +1,4 @@
-// A robot with two legs as a URDF text.
+// URDF text of a robot with two legs.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace burnish::stand {
 
-/// A biped without roll of its ankles, in any size: lengths by `size`, masses by its cube, efforts
-/// by both; `more` stands behind its links.
+/// Returns the URDF text of a biped without ankle roll. Lengths scale with `size`, masses with its
+/// cube, efforts with the product of the two. `more` is appended to the links and joints.
 inline std::string biped(double size, const std::string& more = "") {
   const auto text = [](double value) { return std::to_string(value); };
   const double m = size * size * size, I = m * size * size, effort = m * size;
@@ -19,11 +19,11 @@ inline std::string biped(double size, const std::string& more = "") {
   };
   const auto joint = [&](const std::string& name, const std::string& parent,
                          const std::string& child, double y, double z, const std::string& axis,
-                         double lower, double upper, double most) {
+                         double lower, double upper, double max_effort) {
     return "<joint name='" + name + "' type='revolute'><parent link='" + parent +
            "'/><child link='" + child + "'/><origin xyz='0 " + text(y * size) + " " +
            text(z * size) + "'/><axis xyz='" + axis + "'/><limit lower='" + text(lower) +
-           "' upper='" + text(upper) + "' effort='" + text(most * effort) +
+           "' upper='" + text(upper) + "' effort='" + text(max_effort * effort) +
            "' velocity='20'/></joint>";
   };
   std::string all = "<robot name='biped'>" + link("pelvis", 25.0, 0.2, 0.7);

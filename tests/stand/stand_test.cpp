@@ -1,5 +1,4 @@
-// Standing and swaying: the quadruped, Talos and a description of one's own in MuJoCo, and the
-// file.
+// Standing and swaying of the quadruped, Talos and user descriptions in MuJoCo, and the task file.
 #include "burnish/tasks/stand/stand.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +22,7 @@ using testing::refusal;
 const std::string shipped = BURNISH_TASKS_DIR "/stand/quadruped.yaml";
 const std::string quadruped = BURNISH_ROBOTS_DIR "/quadruped";
 
-/// The shipped one, which the controller does not know all about, over soon.
+/// Shipped task with its model errors, shortened.
 Task short_task(const std::string& robot = quadruped, std::vector<std::string> overrides = {}) {
   const std::vector<std::string> always{"robot=" + robot,
                                         "standing.settle=0.3",
@@ -38,7 +37,7 @@ Task short_task(const std::string& robot = quadruped, std::vector<std::string> o
   return read_task(shipped, overrides);
 }
 
-/// All notes, one after the other.
+/// Returns all notes in one string.
 std::string notes_text(const Task& task, const Setting& setting) {
   std::string text;
   for (const std::string& note : setting_notes(task, setting)) text += note + "; ";
@@ -54,32 +53,33 @@ class Stand : public ::testing::Test {
   }
 };
 
-/// On its feet, on its way, and its base is no known one.
+/// Expects a run that stood and swayed accurately, with an estimated (not measured) base.
 void expect_swayed(const RunResult& result) {
   EXPECT_TRUE(result.done) << result.outcome;
   EXPECT_FALSE(result.fell);
   ASSERT_TRUE(result.sway && result.standing) << result.outcome;
-  EXPECT_GT(result.standing->com_moved, 0.02) << "it does not sway";
+  EXPECT_GT(result.standing->com_moved, 0.02) << "the robot does not sway";
   EXPECT_LT(result.sway->com_rmse, 3e-3);
   EXPECT_LT(result.sway->turn_rmse, 0.012);
-  EXPECT_GT(result.sway->believed_place, 1e-5);
-  EXPECT_LT(result.sway->believed_place, 3e-3);
-  EXPECT_LT(result.sway->believed_turn, 0.012);
+  EXPECT_GT(result.sway->position_estimate_rmse, 1e-5);
+  EXPECT_LT(result.sway->position_estimate_rmse, 3e-3);
+  EXPECT_LT(result.sway->orientation_estimate_rmse, 0.012);
   EXPECT_LT(result.sway->foot_slip, 3e-3);
-  EXPECT_LT(result.sway->com_end, 3e-3) << "it does not come back";
+  EXPECT_LT(result.sway->com_end, 3e-3) << "the robot does not return to its start";
   EXPECT_EQ(result.trace.column("phase")[result.trace.rows() - 1], 2.0);
 }
 
-TEST_F(Stand, the_quadruped_sways_with_and_without_force_sensors_in_its_feet) {
+TEST_F(Stand, QuadrupedWithOrWithoutForceSensors_Sways) {
   const RunResult with = run(short_task());
   expect_swayed(with);
-  EXPECT_GT(with.standing->least_load, 12.0);
+  EXPECT_GT(with.standing->min_load, 12.0);
   const RunResult without = run(short_task(quadruped, {"standing.force_sensors=false"}));
   expect_swayed(without);
-  EXPECT_NE(with.sway->com_rmse, without.sway->com_rmse) << "sensors that it has not are used";
+  EXPECT_NE(with.sway->com_rmse, without.sway->com_rmse)
+      << "the run without force sensors uses them";
 }
 
-TEST_F(Stand, talos_sways_on_its_soles) {
+TEST_F(Stand, TalosOnSoles_Sways) {
   Task task = read_task(
       BURNISH_TASKS_DIR "/stand/talos.yaml",
       {std::string("robot=") + BURNISH_ROBOTS_DIR "/talos", "standing.settle=0.3",
@@ -91,10 +91,10 @@ TEST_F(Stand, talos_sways_on_its_soles) {
   ASSERT_TRUE(result.sway);
   EXPECT_GT(result.standing->com_moved, 0.015);
   EXPECT_LT(result.sway->com_rmse, 3e-3);
-  EXPECT_LT(result.sway->believed_place, 2e-3);
+  EXPECT_LT(result.sway->position_estimate_rmse, 2e-3);
 }
 
-TEST_F(Stand, survives_a_push_at_its_trunk) {
+TEST_F(Stand, PushAtTheTrunk_KeepsStanding) {
   Task task = short_task();
   task.disturbances.pushes = {{0.9, 0.2, Eigen::Vector3d(20.0, 60.0, 0.0)}};
   const RunResult result = run(task);
@@ -104,7 +104,7 @@ TEST_F(Stand, survives_a_push_at_its_trunk) {
   EXPECT_NE(result.trace.column("push_y_world").maxCoeff(), 0.0);
 }
 
-TEST_F(Stand, FootPushedOffTheGroundAndNoSway_OutcomeSaysBoth) {
+TEST_F(Stand, FootLiftsAndNoSway_OutcomeReportsBoth) {
   Task task = short_task();
   task.disturbances.pushes = {{0.9, 0.1, Eigen::Vector3d(0.0, 90.0, 0.0)}};
   Setting setting = make_setting(task);
@@ -113,25 +113,25 @@ TEST_F(Stand, FootPushedOffTheGroundAndNoSway_OutcomeSaysBoth) {
   const RunResult result = run_task({.task = task, .setting = setting, .plan_rate = 0.0});
   EXPECT_TRUE(result.done) << result.outcome;
   expect_words(result.outcome,
-               {"stood: ", "; a foot came off the ground", "; no direction could be swayed in"});
+               {"stood: ", "; a foot lost contact", "; no direction of the sway was possible"});
 }
 
-TEST_F(Stand, says_whether_it_fell) {
+TEST_F(Stand, HardPushOrSlipLimit_OutcomeReportsWhetherItFell) {
   Task task = short_task();
   task.disturbances.pushes = {{0.9, 0.4, Eigen::Vector3d(0.0, 400.0, 0.0)}};
   const RunResult fallen = run(task);
   EXPECT_FALSE(fallen.done);
   EXPECT_TRUE(fallen.fell) << fallen.outcome;
   EXPECT_EQ(fallen.fault.kind, FaultKind::Watched);
-  expect_words(fallen.outcome, {"beyond a limit", "slip of foot '", "; it fell"});
+  expect_words(fallen.outcome, {"beyond a limit", "slip of foot '", "; the robot fell"});
   task.disturbances.pushes.clear();
   task.slip = 1e-5;
   const RunResult stopped = run(task);
   EXPECT_FALSE(stopped.done || stopped.fell);
-  expect_words(stopped.outcome, {"slip of foot '", "; it stands"});
+  expect_words(stopped.outcome, {"slip of foot '", "; the robot stands"});
 }
 
-TEST_F(Stand, stands_on_a_description_of_ones_own) {
+TEST_F(Stand, UserDescription_StandsAndSways) {
   std::string text = testing::contents(quadruped + "/quadruped.urdf");
   std::string feet;
   for (const std::string leg : {"fl", "fr", "rl", "rr"})
@@ -145,18 +145,19 @@ TEST_F(Stand, stands_on_a_description_of_ones_own) {
       refusal([&] {
         make_setting(short_task(file, {"standing.feet=[fl_toe, fr_foot, rl_toe, rr_toe]"}));
       }),
-      {"standing.feet: frame 'fr_foot' is none of robot"});
+      {"standing.feet: frame 'fr_foot' does not exist on robot"});
   const Task task = short_task(file, {"standing.feet=[fl_toe, fr_toe, rl_toe, rr_toe]"});
   const Setting setting = make_setting(task);
-  EXPECT_EQ(make_setting(task).q_start, setting.q_start) << "the same every time";
+  EXPECT_EQ(make_setting(task).q_start, setting.q_start) << "two searches give different postures";
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const SupportSpec& foot : setting.scene.supports) middle += 0.25 * foot.point;
   EXPECT_LT((setting.com - middle).head<2>().norm(), 2e-4);
-  EXPECT_NEAR(setting.p_base.z() - middle.z(), 0.8 * 0.44, 0.03);  // of straight legs
+  // The base is at 80 % of the length of straight legs.
+  EXPECT_NEAR(setting.p_base.z() - middle.z(), 0.8 * 0.44, 0.03);
   expect_swayed(run(task));
 }
 
-TEST(StandRobot, AnotherRobot_FeetAndPostureAreFoundAndSaid) {
+TEST(StandRobot, AnotherRobot_FindsFeetAndPostureWithNotes) {
   const Task task = read_task(BURNISH_TASKS_DIR "/stand/talos.yaml", {"robot=" + quadruped});
   const Setting setting = make_setting(task, load_task_robot(task));
   EXPECT_EQ(setting.standing.feet,
@@ -164,41 +165,42 @@ TEST(StandRobot, AnotherRobot_FeetAndPostureAreFoundAndSaid) {
   EXPECT_FALSE(setting.standing.has_soles());
   expect_words(notes_text(task, setting),
                {"standing.feet: 'left_sole_link' and the others are not in robot 'quadruped'",
-                "fl_foot, fr_foot, rl_foot, rr_foot (found), balls of radius 0.018 m",
+                "fl_foot, fr_foot, rl_foot, rr_foot (found), point feet of radius 0.018 m",
                 "posture: robot 'quadruped' does not have 'standing_board'"});
-  const Task asked = short_task(BURNISH_ROBOTS_DIR "/talos", {"standing.feet=auto"});
-  const Setting found = make_setting(asked);
+  const Task auto_task = short_task(BURNISH_ROBOTS_DIR "/talos", {"standing.feet=auto"});
+  const Setting found = make_setting(auto_task);
   EXPECT_EQ(found.standing.feet, (std::vector<std::string>{"left_sole_link", "right_sole_link"}));
   EXPECT_NEAR(found.scene.supports.front().half_x, 0.105, 1e-9);
-  expect_words(notes_text(asked, found), {"feet: left_sole_link", "soles of 0.21 x 0.13 m"});
-  EXPECT_EQ(asked.standing.feet, std::vector<std::string>{"auto"});
-  EXPECT_NE(task_text(asked).find("  feet: auto\n"), std::string::npos);
+  expect_words(notes_text(auto_task, found), {"feet: left_sole_link", "soles of 0.21 x 0.13 m"});
+  EXPECT_EQ(auto_task.standing.feet, std::vector<std::string>{"auto"});
+  EXPECT_NE(task_text(auto_task).find("  feet: auto\n"), std::string::npos);
   expect_words(
       refusal([] { make_setting(short_task(BURNISH_ROBOTS_DIR "/arm7", {"standing.feet=auto"})); }),
       {"standing.feet: no feet were found on robot 'arm7': "});
   expect_words(
       refusal([] { make_setting(short_task(quadruped, {"standing.feet=[fl_foot, rr_foot]"})); }),
-      {"standing.feet: 2 point feet", "three of them, or soles"});
+      {"standing.feet: 2 point feet", "at least three, or soles"});
 }
 
-/// A robot from elsewhere, where it is at hand: 2.5 kg, with limits of 1000 Nm.
-TEST_F(Stand, stands_on_a_small_robot_from_elsewhere) {
+/// Robot of 2.5 kg with effort limits of 1000 Nm, from a file that is not part of burnish.
+TEST_F(Stand, LightRobotSolo12_StandsAndSways) {
   const std::string file = std::string(BURNISH_SHARED_DIR) + "/robots/solo12.urdf";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
   const std::string feet = "standing.feet=[FL_FOOT, FR_FOOT, HL_FOOT, HR_FOOT]";
   Task task = short_task(file, {feet});
-  task.standing.least_load = 12.0;
-  // Left and right bear the same: which one comes first is rounding.
-  expect_words(refusal([&] { run(task); }),
-               {"posture: the robot, which weighs 24.525 N, cannot stand at the start",
-                "in the way is the load of ", "_FOOT, 12 N", "standing.least_load"});
-  task.standing.least_load = std::nullopt;
+  task.standing.min_load = 12.0;
+  // Left and right feet carry equal loads, so rounding decides which foot the message names.
+  expect_words(
+      refusal([&] { run(task); }),
+      {"posture: the robot, which weighs 24.525 N, cannot stand at the start",
+       "it violates the constraint 'load of ", "_FOOT', at least 12 N", "standing.min_load"});
+  task.standing.min_load = std::nullopt;
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
   EXPECT_LT(result.sway->com_rmse, 5e-3);
 }
 
-TEST(StandTrunk, sways_from_where_it_starts_to_there_again) {
+TEST(StandTrunk, SwayPath_StartsAndEndsAtRest) {
   Task task = short_task();
   const Setting setting = make_setting(task);
   const double begin = task.settle_duration, end = begin + task.sway_duration;
@@ -217,7 +219,7 @@ TEST(StandTrunk, sways_from_where_it_starts_to_there_again) {
   EXPECT_LT((rate - at.com_velocity).norm(), 1e-4 * rate.norm());
 }
 
-TEST(StandTrunk, goes_along_the_heading_of_the_base) {
+TEST(StandTrunk, RotatedBase_SwaysAlongItsHeading) {
   Task task = short_task();
   task.sway.turn.setZero();
   task.sway.shift = {0.03, 0.0, 0.0};
@@ -226,12 +228,12 @@ TEST(StandTrunk, goes_along_the_heading_of_the_base) {
   posture.at("root_joint") = {0.0, 0.0, 0.32455, 0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5)};
   const Setting setting = make_setting(task, robot);
   const Trunk at = trunk_at(task, setting, task.settle_duration + 0.7);
-  const Eigen::Vector3d way = at.com - setting.com;
-  EXPECT_LT(std::abs(way.x()), 1e-12) << "it looks along y";
-  EXPECT_GT(std::abs(way.y()), 1e-3);
+  const Eigen::Vector3d displacement = at.com - setting.com;
+  EXPECT_LT(std::abs(displacement.x()), 1e-12) << "the robot faces along y";
+  EXPECT_GT(std::abs(displacement.y()), 1e-3);
 }
 
-TEST(StandTrunk, is_refused_where_feet_do_not_bear_it) {
+TEST(StandTrunk, SwayBeyondTheFeetWithoutFit_IsRefused) {
   const auto refused = [](const std::vector<std::string>& overrides) {
     const Task task = short_task(quadruped, overrides);
     return refusal([&] { refuse_out_of_reach(task, make_setting(task)); });
@@ -241,21 +243,21 @@ TEST(StandTrunk, is_refused_where_feet_do_not_bear_it) {
                {"sway: the robot", "cannot stand", "s into its sway", "load of r"});
   expect_words(refused({"sway.turn=[0, 0, 0.9]", "sway.fit=false"}),
                {"sway: no posture on these feet"});
-  expect_words(refused({"standing.least_load=60"}),
+  expect_words(refused({"standing.min_load=60"}),
                {"posture: the robot, which weighs 196.2 N, cannot stand at the start", "60 N"});
   expect_words(refused({"constraints.torque=0.1"}), {"posture: ", "torque limits/"});
-  // Legs that cannot fold so far stand as low as they can, and a note says how low.
+  // Legs that cannot crouch that far crouch as low as possible, and a note gives the value.
   const Task low = short_task(quadruped, {"posture=search", "crouch=0.99"});
   expect_words(notes_text(low, make_setting(low)), {"crouch: ", " in place of 0.99"});
 }
 
-TEST(StandTrunk, sways_less_where_feet_or_joints_do_not_let_it) {
+TEST(StandTrunk, SwayBeyondTheFeet_IsReducedWithANote) {
   const Task task = short_task(quadruped, {"sway.shift=[0.02, 0.2, 0]"});
   const Setting setting = make_setting(task);
   EXPECT_EQ(refusal([&] { refuse_out_of_reach(task, setting); }), "");
   EXPECT_GT(setting.sway.shift.y(), 0.01);
   EXPECT_LT(setting.sway.shift.y(), 0.05);
-  expect_words(notes_text(task, setting), {"sway: made smaller", "y ", " in place of 0.2 m"});
+  expect_words(notes_text(task, setting), {"sway: reduced", "y ", " in place of 0.2 m"});
   const Task shipped_one = short_task();
   EXPECT_EQ(notes_text(shipped_one, make_setting(shipped_one)), "");
 }
@@ -278,7 +280,7 @@ Task biped_task(const std::string& file, double size, std::vector<std::string> o
   return read_task(BURNISH_TASKS_DIR "/stand/talos.yaml", overrides);
 }
 
-TEST(StandPosture, SolesThatAreNotLevelAtZero_AreLevelled) {
+TEST(StandPosture, SolesTiltedAtZero_AreLevelled) {
   const testing::Scratch scratch;
   Robot robot = pressing::load_floating(scratch.write("biped.urdf", biped(1.0)).string());
   Standing standing;
@@ -295,7 +297,7 @@ TEST(StandPosture, SolesThatAreNotLevelAtZero_AreLevelled) {
     EXPECT_GT(frame_placement(model, q, foot).linear()(2, 2), 1.0 - 1e-7) << foot;
 }
 
-TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
+TEST_F(Stand, LegsWithoutAnkleRoll_SwaysInPossibleDirections) {
   const testing::Scratch scratch;
   const Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
   const Setting setting = make_setting(task);
@@ -305,20 +307,20 @@ TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
   EXPECT_GT(setting.sway.shift.x(), 0.01);
   EXPECT_GT(setting.sway.turn.y(), 0.01);
   expect_words(notes_text(task, setting),
-               {"sway: y, roll and yaw left out",
-                "turning about z of 'r_sole' follows from the directions"});
+               {"sway: y, roll and yaw omitted",
+                "turning about z of 'r_sole' depends on the other directions of the feet"});
   // Eleven of the twelve directions are independent.
-  int held = 0;
+  int constrained = 0;
   for (const ContactSpec& foot : make_mpc(task, setting).problem.contacts)
-    held += foot.directions.count();
-  EXPECT_EQ(held, 11);
+    constrained += foot.directions.count();
+  EXPECT_EQ(constrained, 11);
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
   ASSERT_TRUE(result.sway);
   EXPECT_LT(result.sway->com_rmse, 3e-3);
 }
 
-TEST_F(Stand, stands_with_one_file_whether_it_weighs_little_or_much) {
+TEST_F(Stand, BipedsFrom1To175Kg_StandWithOneFile) {
   const testing::Scratch scratch;
   for (const double size : {0.274, 0.5, 1.53}) {  // 1 kg, 6 kg and 175 kg
     const RunResult result = run(biped_task(
@@ -329,9 +331,9 @@ TEST_F(Stand, stands_with_one_file_whether_it_weighs_little_or_much) {
   }
 }
 
-TEST_F(Stand, is_held_at_first_where_its_base_is_light) {
+TEST_F(Stand, LightBase_StandsFromTheStart) {
   const testing::Scratch scratch;
-  // A pelvis of 0.3 kg under the trunk that weighs the rest.
+  // Pelvis of 0.3 kg, with the mass in a trunk above it.
   std::string text = biped(1.0,
                            "<link name='trunk'><inertial><origin xyz='0 0 0.2'/><mass value='25'/>"
                            "<inertia ixx='0.7' ixy='0' ixz='0' iyy='0.7' iyz='0' izz='0.7'/>"
@@ -349,8 +351,8 @@ TEST_F(Stand, is_held_at_first_where_its_base_is_light) {
   EXPECT_TRUE(result.done) << result.outcome;
 }
 
-/// Soles 5 cm wide under 60 kg, whose trunk could bend at a waist.
-TEST_F(Stand, NarrowSoles_HeldAtFirstWithoutTipping) {
+/// Soles 5 cm wide under a robot of 60 kg with a waist joint.
+TEST_F(Stand, NarrowSoles_StandsWithoutTipping) {
   const testing::Scratch scratch;
   const std::string waist =
       "<link name='trunk'><inertial><origin xyz='0 0 0.3'/><mass value='20'/><inertia ixx='0.7' "
@@ -363,7 +365,7 @@ TEST_F(Stand, NarrowSoles_HeldAtFirstWithoutTipping) {
   const Joint& joint =
       setting.robot.model
           .joints[static_cast<std::size_t>(setting.robot.model.joint_index("waist"))];
-  EXPECT_LT(std::abs(setting.q_start[joint.q_index]), 1e-3) << "the trunk leans without need";
+  EXPECT_LT(std::abs(setting.q_start[joint.q_index]), 1e-3) << "the trunk inclines without need";
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
 }
@@ -381,15 +383,15 @@ TEST(StandRobot, LegsThatReachNoPosture_RefusalNamesJointsAtTheirLimits) {
                {"posture: no posture was found", "ended at limits of '", "'l_ankle'"});
 }
 
-TEST(StandRobot, DescriptionWithoutPostures_OneIsSearchedAndSaid) {
+TEST(StandRobot, DescriptionWithoutPostures_SearchesOneWithANote) {
   const testing::Scratch scratch;
   Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
   task.posture = "standing_board";
   expect_words(notes_text(task, make_setting(task)),
-               {"posture: robot 'biped' does not have 'standing_board'; one was found"});
+               {"posture: robot 'biped' does not have 'standing_board'; a posture was found"});
 }
 
-TEST(StandRobot, GroundStatedMuchTooStiff_NoteSaysWhatTheWeightAsksFor) {
+TEST(StandRobot, GroundTooStiff_NoteProposesAStiffness) {
   const Task stiff = short_task(quadruped, {"standing.stiffness=1e7"});
   expect_words(notes_text(stiff, make_setting(stiff)),
                {"standing.stiffness: 1e+07 N/m is 50 times", "auto: 200000 N/m"});
@@ -397,7 +399,7 @@ TEST(StandRobot, GroundStatedMuchTooStiff_NoteSaysWhatTheWeightAsksFor) {
   EXPECT_EQ(notes_text(usual, make_setting(usual)), "");
 }
 
-TEST(StandRobot, AnklesThatCannotCrouch_StandsAsLowAsTheyLetIt) {
+TEST(StandRobot, AnkleLimitsBlockTheCrouch_CrouchesLess) {
   const testing::Scratch scratch;
   std::string text = biped(1.0);
   for (const std::string side : {"l", "r"}) {
@@ -413,7 +415,7 @@ TEST(StandRobot, AnklesThatCannotCrouch_StandsAsLowAsTheyLetIt) {
   EXPECT_GT(setting.q_start[ankle.q_index], -0.45);
 }
 
-TEST(StandRobot, locks_what_is_so_light_that_noise_throws_it_about) {
+TEST(StandRobot, VeryLightLink_IsLockedUnlessGeared) {
   const testing::Scratch scratch;
   const auto finger = [](const std::string& dynamics) {
     return "<link name='finger'><inertial><origin xyz='0 0 0.01'/><mass value='0.01'/><inertia "
@@ -434,7 +436,7 @@ TEST(StandRobot, locks_what_is_so_light_that_noise_throws_it_about) {
   EXPECT_TRUE(geared.notes.empty());
 }
 
-TEST(StandRobot, is_held_less_firmly_where_its_feet_would_shake) {
+TEST(StandRobot, StronglyDampedGround_ReducesFallbackDamping) {
   const testing::Scratch scratch;
   const auto damping = [&](double size, const std::vector<std::string>& overrides) {
     const Task task =
@@ -443,13 +445,13 @@ TEST(StandRobot, is_held_less_firmly_where_its_feet_would_shake) {
     return make_mpc(task, setting).fallback.damping;
   };
   EXPECT_EQ(damping(1.0, {}), 15.0);
-  // Ground that gives way far beside what the legs carry.
+  // Soft, strongly damped ground.
   EXPECT_LT(damping(1.0, {"standing.stiffness=1e5", "standing.damping=5e3"}), 15.0);
 }
 
-TEST(StandFile, writes_a_file_that_reads_back_with_every_key_explained) {
+TEST(StandFile, WrittenTask_ReadsBackUnchanged) {
   EXPECT_EQ(testing::contents(shipped), task_text(read_task(shipped)))
-      << "burnish run tasks/stand/quadruped.yaml --write-task FILE mends it";
+      << "burnish run tasks/stand/quadruped.yaml --write-task FILE updates it";
   Task task = read_task(shipped);
   task.posture = "search";
   task.standing.feet = {"a foot", "another: #2"};
@@ -460,13 +462,13 @@ TEST(StandFile, writes_a_file_that_reads_back_with_every_key_explained) {
   EXPECT_EQ(back.sway.turn, task.sway.turn);
 }
 
-TEST(StandFile, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
+TEST(StandFile, InvalidFile_RefusalNamesTheLine) {
   const auto refused = [](const std::string& text, const std::vector<std::string>& overrides = {}) {
     return refusal([&] {
-      const auto said = files::parse_said<Task>(text, "my.yaml", overrides);
-      files::placed(said.texts, [&] {
-        check_task(said.spec);
-        refuse_out_of_reach(said.spec, make_setting(said.spec));
+      const auto parsed = files::parse_said<Task>(text, "my.yaml", overrides);
+      files::placed(parsed.texts, [&] {
+        check_task(parsed.spec);
+        refuse_out_of_reach(parsed.spec, make_setting(parsed.spec));
       });
     });
   };
@@ -476,17 +478,19 @@ TEST(StandFile, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
   expect_words(refused(head + "sways: 3\n"), {"line 3", "sways", "sway"});
   expect_words(refused(head + "sway: {shift: 3}\n"), {"line 3: sway.shift"});
   expect_words(refused(head + "sway: {rise: 5}\n"),
-               {"line 3: sway.rise: it is 5 s", "half of that"});
+               {"line 3: sway.rise: it is 5 s", "wanted at most"});
   expect_words(refused(head + "crouch: 1\n"), {"line 3: crouch"});
-  expect_words(refused(head + "standing: {feet: []}\n"), {"line 3: standing.feet: there are none"});
+  expect_words(refused(head + "standing: {feet: []}\n"),
+               {"line 3: standing.feet: no feet are stated"});
   expect_words(refused(head + "standing: {feet: [fl_foot, fr_fot, rl_foot, rr_foot]}\n"),
                {"line 3: standing.feet", "'fr_fot'", "did you mean 'fr_foot'?"});
-  expect_words(refused(head + "standing: {half_x: 0.1}\n"), {"standing.half_x: half sides"});
+  expect_words(refused(head + "standing: {half_x: 0.1}\n"),
+               {"standing.half_x: half_x and half_y are 0.1 and 0 m"});
   expect_words(
       refused(head + "standing: {half_x: 0.1, half_y: 0.1}\n"),
       {"standing.feet: the sole of", "is not level at the start", "degrees off the vertical"});
   expect_words(refused(head + "sway: {shift: [0, 0.2, 0], fit: false}\n"),
-               {"line 3: sway: ", "in the way"});
+               {"line 3: sway: ", "it violates"});
   expect_words(refused(head + "posture: standin\n"), {"line 3: posture", "'standing'"});
   expect_words(refused(head + "controller: {update_rate: 300}\n"),
                {"line 3: controller.update_rate: it is 300 Hz"});
@@ -494,14 +498,14 @@ TEST(StandFile, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
                {"line 3: controller.solver_delay"});
   expect_words(refused(head + "controller: {knots: 300}\n"), {"line 3: controller.knots"});
   expect_words(refused(head + "controller: {step: 0.1, knots: 5}\n"),
-               {"line 3: controller.step", "standing.contact_kd 20", "below 0.1 s"});
+               {"line 3: controller.step", "standing.contact_kd is 20", "below 0.1 s"});
   expect_words(refused(head + "phases: {rest_duration: 1e5}\n"),
                {"line 3: phases.rest_duration: it takes"});
   expect_words(refused("task: stand\nrobot: quadrupd\n"), {"line 2: robot", "quadruped"});
   expect_words(refused(head, {"disturbances=sensor"}), {"override 'disturbances=sensor'"});
 }
 
-TEST_F(Stand, ends_when_it_is_told_to) {
+TEST_F(Stand, ProgressReturnsFalse_InterruptsTheRun) {
   RunSpec spec{.task = short_task()};
   spec.progress = [](double time, double end) { return time < 0.6 && end > 1.9; };
   const RunResult result = run_task(spec);

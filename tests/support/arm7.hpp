@@ -1,4 +1,5 @@
-// robots/arm7 in code, for builds that read no files; built_robots_test.cpp holds it to the file.
+// Robot arm7 in code, for builds that read no files; built_robots_test.cpp compares it with
+// robots/arm7.
 #pragma once
 
 #include <string>
@@ -22,7 +23,7 @@ inline Eigen::Isometry3d placement(const Eigen::Vector3d& xyz, const Eigen::Vect
   return result;
 }
 
-/// An <inertial> of the file: origin, mass, and ixx, iyy, izz, ixy, ixz, iyz in its own axes.
+/// An <inertial> of the file: mass, origin, and ixx, iyy, izz, ixy, ixz, iyz in its own axes.
 struct Inertial {
   double mass;
   Eigen::Vector3d xyz, rpy;
@@ -36,7 +37,7 @@ struct Inertial {
   }
 };
 
-/// A <joint>: origin, axis, limits and dynamics.
+/// A <joint> of the file: origin, axis, limits and dynamics.
 struct Hinge {
   Eigen::Vector3d xyz, rpy, axis;
   double lower, upper, effort, velocity, damping, friction, armature;
@@ -156,7 +157,7 @@ inline TreeSpec tree() {
   return tree;
 }
 
-/// Bolted down, or floating 0.5 m up, with the frame of its tool.
+/// Options with a fixed base, or a floating base 0.5 m up, and the frame of the tool.
 inline ModelOptions options(Base base) {
   ModelOptions options;
   options.base = base;
@@ -166,7 +167,7 @@ inline ModelOptions options(Base base) {
 }
 inline Model model(Base base) { return build_model(tree(), options(base)); }
 
-/// The posture "ready", bolted down: the probe points down.
+/// Posture "ready" on a fixed base: the probe points down.
 inline Eigen::VectorXd ready() {
   return Eigen::Vector<double, 7>(0.07, 0.23, -0.19, -1.94, 0.23, -0.67, 0.3);
 }

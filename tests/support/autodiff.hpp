@@ -1,5 +1,5 @@
-// Automatic differentiation through the kernels: states whose derivatives are seeded along the
-// tangent of q and along v, and the blocks d/dq and d/dv of what a kernel makes of them.
+// Automatic differentiation through the kernels. States are seeded with derivatives along the
+// tangent of q and along v; the results are the derivatives with respect to q and v.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,14 +23,14 @@ inline Duals constant_duals(const Eigen::VectorXd& x) {
   return result;
 }
 
-/// A vector and its derivative along every direction (a column each).
+/// A vector with its derivative along every direction, one column each.
 struct Seeded {
   Eigen::VectorXd values;
   Eigen::MatrixXd directions;
 };
 
-/// The derivative, along every direction of the seeds x and y, of the Duals that `evaluate` makes
-/// of x and y: as many columns as they have.
+/// Returns the derivative of evaluate(x, y) along every direction of the seeds x and y, one column
+/// each.
 template <class Evaluate>
 Eigen::MatrixXd differentiate(const Seeded& x, const Seeded& y, Evaluate&& evaluate) {
   const auto columns = static_cast<int>(x.directions.cols());
@@ -53,18 +53,18 @@ Eigen::MatrixXd differentiate(const Seeded& x, const Seeded& y, Evaluate&& evalu
   return result;
 }
 
-/// Derivatives of one thing by q (along the tangent, at q (+) 0) and by another vector of nv
+/// Derivatives with respect to q (along the tangent, at q (+) 0) and to another vector of nv
 /// entries.
 struct ByState {
   Eigen::MatrixXd dq, dv;
 
-  /// Those of some of the entries.
+  /// Derivatives of some of the entries.
   ByState of(Eigen::Index first, Eigen::Index count) const {
     return {dq.middleRows(first, count), dv.middleRows(first, count)};
   }
 };
 
-/// The derivatives of what `evaluate` makes of q (nq) and v (nv).
+/// Returns the derivatives of evaluate(q, v), with q (nq) and v (nv).
 template <class Evaluate>
 ByState differentiate(const Model& model, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                       Evaluate&& evaluate) {
@@ -83,7 +83,7 @@ inline Eigen::VectorXd values_of(std::span<const Dual> duals) {
   return result;
 }
 
-/// The entries of vectors one after the other, as the functions above take them.
+/// Concatenates the entries of vectors to a result of `evaluate`.
 inline Duals entries(std::initializer_list<Vec3<Dual>> vectors) {
   Duals result;
   for (const Vec3<Dual>& v : vectors) result.insert(result.end(), {v.x, v.y, v.z});

@@ -1,4 +1,4 @@
-// The contact kernels for automatic differentiation, compiled once for all tests.
+// Contact kernels for automatic differentiation, compiled once for all tests.
 #include "derivatives/constrained_derivatives.tpp"
 #include "support/autodiff.hpp"
 

@@ -1,4 +1,4 @@
-// A robot on two legs with one arm, for builds that read no files: what a humanoid is to the tests.
+// Robot with two legs and one arm, in code: the humanoid of builds that read no files.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace burnish::test::biped {
 
-/// A solid box of a mass, kg, and full lengths, m, whose middle is at `com`.
+/// Solid box with a mass [kg] and full lengths [m], centered at `com`.
 inline LinkSpec box(const std::string& name, double mass, const Eigen::Vector3d& size,
                     const Eigen::Vector3d& com) {
   const Eigen::Vector3d squares = size.cwiseProduct(size);
@@ -16,10 +16,10 @@ inline LinkSpec box(const std::string& name, double mass, const Eigen::Vector3d&
   return {name, {mass, com, (mass / 12.0 * about).asDiagonal()}, {}};
 }
 
-/// Adds a link that hangs on the last link of its limb, turning about an axis.
+/// Limb that grows by a link on its last link, with a revolute joint.
 struct Limb {
   TreeSpec& tree;
-  std::string name;  ///< of its links, before their number
+  std::string name;  ///< prefix of the names of its links
   std::string last = "pelvis";
   int count = 0;
 
@@ -41,7 +41,7 @@ struct Limb {
     tree.joints.push_back(joint);
     tree.links.push_back(box(last, mass, size, com));
   }
-  /// A link without mass, fixed to the last one.
+  /// Adds a link without mass, fixed to the last link.
   void end(const std::string& link, const Eigen::Vector3d& at) {
     JointSpec joint;
     joint.name = link + "_joint";
@@ -85,8 +85,8 @@ inline Model model(Base base) {
   return build_model(tree(), options);
 }
 
-/// Floating with knees bent: hip, knee and ankle of each leg turn by -0.4, 0.8 and -0.4 rad, and
-/// the elbow by -0.5 rad.
+/// Floating base with bent knees: hip, knee and ankle of each leg at -0.4, 0.8 and -0.4 rad, and
+/// the elbow at -0.5 rad.
 inline Eigen::VectorXd half_sitting(const Model& model) {
   Eigen::VectorXd q = model.q_neutral;
   const auto set = [&](const std::string& joint, double angle) {

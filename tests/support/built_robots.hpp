@@ -1,5 +1,5 @@
-// Robots in code: those that every build tests with, and those that stand in for robots in files
-// where a build reads none.
+// Robots in code: some that every build tests with, and some that replace robots in files in builds
+// that read none.
 #pragma once
 
 #include <random>
@@ -10,14 +10,14 @@
 #include "support/biped.hpp"
 #include "support/trees.hpp"
 #ifndef BURNISH_HAS_ROBOTS
-#error "link burnish_test_robots: without, this would quietly test fewer robots"
+#error "link burnish_test_robots: without it, the tests would silently cover fewer robots"
 #endif
 
 namespace burnish::test {
 
 /// revolute - planar - prismatic - floating - continuous - revolute, with branches on the planar
-/// and the floating link, and a ball on one at the root. Springs are in joints of every kind that
-/// has some, and a tendon with a spring and a damper goes along three joints.
+/// and the floating link, and a ball joint on a branch at the root. Every kind of joint that may
+/// have a spring has one; a tendon with a spring and a damper acts on three joints.
 inline TreeSpec tree_of_every_joint() {
   using enum JointType;
   std::mt19937_64 generator(6);
@@ -56,9 +56,9 @@ inline TreeSpec tree_of_every_joint() {
   return tree;
 }
 
-/// Bodies that hang on several joints in a row, with links without a mass between them: slide -
-/// slide - ball, hinge - hinge - slide, ball - slide, and beside them hinge - slide and hinge -
-/// ball, both with rotors. Axes are such that no posture lets two joints move a body alike.
+/// Bodies on several joints in a row, with massless links between them: slide - slide - ball, hinge
+/// - hinge - slide, ball - slide; beside them hinge - slide and hinge - ball, both with rotors. The
+/// axes are chosen such that in no posture two joints move a body in the same direction.
 inline TreeSpec tree_of_joints_in_a_row() {
   using enum JointType;
   using Eigen::Vector3d;
@@ -77,37 +77,37 @@ inline TreeSpec tree_of_joints_in_a_row() {
     tree.joints.back().placement = testing::random_placement(generator);
     tree.joints.back().placement.translation() *= 0.5;
   };
-  const auto give_mass = [&] { tree.links.back().inertia = testing::random_inertia(generator); };
+  const auto add_mass = [&] { tree.links.back().inertia = testing::random_inertia(generator); };
   add("a_1", Prismatic, "root", Vector3d::UnitX());
   place();
   add("a_2", Prismatic, "a_1", Vector3d(0.6, 0.8, 0.0));
   add("a", Ball, "a_2");
-  give_mass();
+  add_mass();
   add("b_1", Revolute, "a", Vector3d::UnitX());
   place();
   add("b_2", Revolute, "b_1", Vector3d::UnitY());
   add("b", Prismatic, "b_2", Vector3d::UnitZ());
-  give_mass();
+  add_mass();
   add("c", Ball, "b");
   place();
   add("tip", Prismatic, "c", Vector3d(0.0, 0.6, 0.8));
-  give_mass();
+  add_mass();
   add("side_1", Continuous, "a_2", Vector3d::UnitY());
   place();
   add("side", Prismatic, "side_1", Vector3d(0.8, 0.6, 0.0));
-  give_mass();
+  add_mass();
   add("rotor", Revolute, "b", Vector3d::UnitY());
   place();
   tree.joints.back().armature = 0.3;
   add("end", Ball, "rotor");
   tree.joints.back().armature = 0.1;
-  give_mass();
+  add_mass();
   return tree;
 }
 
-/// A trunk of 12 joints, from which a branch of 6 goes on and one of 3 leaves: entries have more
-/// relatives than are worth a sparse factor (Tree::deep). Small links, so that the tips are not
-/// metres away.
+/// Trunk of 12 joints, followed by a branch of 6 and a branch of 3 joints. Entries have too many
+/// relatives for a sparse factorization to pay off (Tree::deep). Links are small, so that the tips
+/// are not metres away.
 inline TreeSpec deep_tree() {
   using enum JointType;
   std::mt19937_64 generator(8);
@@ -137,9 +137,9 @@ inline TreeSpec deep_tree() {
   return tree;
 }
 
-/// Followers of every kind: above and beside their leaders, before and behind them, of each other,
-/// on the circle, sliding by an angle, with multiplier 0, with joints beyond them, on both sides of
-/// contacts between branches.
+/// Follower joints of every kind: ancestors and relatives of their leaders, earlier and later in
+/// the order, followers of followers, continuous, sliding by an angle, with multiplier 0, with
+/// joints beyond them, and on both sides of contacts between branches.
 inline TreeSpec tree_with_followers() {
   using enum JointType;
   std::mt19937_64 generator(15);
@@ -153,7 +153,7 @@ inline TreeSpec tree_with_followers() {
     joint.placement = testing::random_placement(generator);
     joint.placement.translation() *= 0.5;
     const double armature = testing::uniform(generator, 0.0, 0.1);
-    if (type != Floating) joint.armature = armature;  // MuJoCo's rotors are along fixed axes
+    if (type != Floating) joint.armature = armature;  // MuJoCo's rotors have fixed axes
     tree.joints.push_back(joint);
     tree.links.push_back({link, testing::random_inertia(generator), {}});
   };
@@ -193,17 +193,17 @@ inline Model compiled(const TreeSpec& tree, Base base) {
 /// Whether this build reads robots from files.
 constexpr bool has_robot_files = BURNISH_HAS_ROBOTS;
 
-/// A robot in code: a frame at its end, and one on another branch or nearer to the base.
+/// Robot in code, with a frame at its end, and a frame on another branch or nearer to the base.
 struct BuiltRobot {
   std::string name;
   Model (*model)(Base);
   std::string tool, other_tool;
-  Base usual = Base::Fixed;  ///< where one base must do
+  Base usual = Base::Fixed;  ///< base in tests that use only one base
 };
 
-/// Those of this build. A new one joins the law suites with one line.
+/// Robots in code of this build. A new robot joins the law suites with one line.
 inline const std::vector<BuiltRobot>& built_robots() {
-  static const std::vector<BuiltRobot> everywhere = {
+  static const std::vector<BuiltRobot> in_every_build = {
       {"every_joint", [](Base base) { return compiled(tree_of_every_joint(), base); }, "tip",
        "d_side"},
       {"in_a_row", [](Base base) { return compiled(tree_of_joints_in_a_row(), base); }, "tip",
@@ -216,10 +216,10 @@ inline const std::vector<BuiltRobot>& built_robots() {
         {"arm7", arm7::model, "tool", "link_1"},
         {"biped", biped::model, "right_sole_link", "left_sole_link", Base::FreeFlyer},
     };
-    robots.insert(robots.end(), everywhere.begin(), everywhere.end());
+    robots.insert(robots.end(), in_every_build.begin(), in_every_build.end());
     return robots;
   }();
-  return has_robot_files ? everywhere : without_files;
+  return has_robot_files ? in_every_build : without_files;
 }
 
 }  // namespace burnish::test

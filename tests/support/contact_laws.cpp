@@ -17,16 +17,16 @@ namespace burnish::test {
 
 const std::vector<LawRobot>& law_robots() {
   static const std::vector<LawRobot> robots = [] {
-    std::vector<LawRobot> all;
+    std::vector<LawRobot> result;
     if (has_robot_files)
-      all = {{"talos:right_arm", "tool", "torso_2_link"},
-             {"talos", "right_sole_link", "left_sole_link", Base::FreeFlyer},
-             {"arm7", "tool", "link_1"},
-             {"parallel_ankle", "left_ball/second", "left_ball/first"},
-             {"crane", "left_tip", "right_tip"}};
+      result = {{"talos:right_arm", "tool", "torso_2_link"},
+                {"talos", "right_sole_link", "left_sole_link", Base::FreeFlyer},
+                {"arm7", "tool", "link_1"},
+                {"parallel_ankle", "left_ball/second", "left_ball/first"},
+                {"crane", "left_tip", "right_tip"}};
     for (const BuiltRobot& built : built_robots())
-      all.push_back({built.name, built.tool, built.other_tool, built.usual});
-    return all;
+      result.push_back({built.name, built.tool, built.other_tool, built.usual});
+    return result;
   }();
   return robots;
 }
@@ -34,7 +34,7 @@ const std::vector<LawRobot>& law_robots() {
 const std::vector<std::string>& law_references() {
   static const std::vector<std::string> names{"local",  "centered",  "surface",     "world",
                                               "third",  "elsewhere", "ball",        "barrel",
-                                              "saddle", "rubbing",   "rubbing_ball"};
+                                              "saddle", "sliding",   "sliding_ball"};
   return names;
 }
 
@@ -76,15 +76,16 @@ State random_state(const Model& model, std::mt19937_64& generator) {
           uniform(model.nv, 10.0, generator)};
 }
 
-bool may_rub(const Directions& held) {
-  return Directions{static_cast<std::uint8_t>(held.bits & Directions::linear().bits)}.count() == 1;
+bool may_slide_with_friction(const Directions& directions) {
+  return Directions{static_cast<std::uint8_t>(directions.bits & Directions::linear().bits)}
+             .count() == 1;
 }
 
 Reference reference_of(const std::string& name, const Model& model, const ContactSpec& contact) {
   const Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
-  if (name == "surface" || name == "rubbing") return Reference::surface(tilt);
-  if (name == "rubbing_ball") return reference_of("ball", model, contact);
+  if (name == "surface" || name == "sliding") return Reference::surface(tilt);
+  if (name == "sliding_ball") return reference_of("ball", model, contact);
   if (name == "ball" || name == "barrel" || name == "saddle") {
     const Eigen::Vector3d center(0.2, -0.3, -2.5);
     const Quadric surface = name == "ball"     ? Quadric::sphere(center, 0.3)
@@ -110,7 +111,7 @@ ContactSpec contact_of(const Model& model, const LawRobot& robot, const std::str
   spec.reference = reference_of(reference, model, spec);
   spec.directions = directions;
   spec.acceleration = acceleration;
-  if (reference.starts_with("rubbing")) spec.friction = {0.4, 0.2, 0.03};
+  if (reference.starts_with("sliding")) spec.friction = {0.4, 0.2, 0.03};
   if (gains == Gains::None) return spec;
   spec.error = gains == Gains::Log6 ? PoseError::Log6 : PoseError::Split;
   spec.kp << 90.0, 100.0, 110.0, 80.0, 120.0, 95.0;
@@ -121,7 +122,7 @@ ContactSpec contact_of(const Model& model, const LawRobot& robot, const std::str
   return spec;
 }
 
-/// The six derivative blocks, a over lambda.
+/// The derivative blocks by q, v and tau, with the rows of a above the rows of lambda.
 struct Blocks {
   Eigen::MatrixXd dq, dv, dtau;
 };
@@ -142,7 +143,7 @@ Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& lambda)
   return both;
 }
 
-/// a over lambda.
+/// Stacks a above lambda.
 Duals stacked(const ConstrainedDynamics<Dual>& dynamics) {
   Duals both = dynamics.a;
   both.insert(both.end(), dynamics.lambda.begin(), dynamics.lambda.begin() + dynamics.rows());
@@ -171,14 +172,15 @@ Blocks by_autodiff(const Model& model, ConstrainedDynamics<Dual>& dynamics, cons
   return blocks;
 }
 
-/// States whose differences make a block: column 2 k steps ahead along entry k, the next one back.
-struct Stepped {
-  Stepped(const State& state, int n)
+/// States for differences of a block: column 2 k is a step ahead along entry k, column 2 k + 1 a
+/// step back.
+struct SteppedStates {
+  SteppedStates(const State& state, int n)
       : q(state.q.replicate(1, 2 * n)),
         v(state.v.replicate(1, 2 * n)),
         tau(state.tau.replicate(1, 2 * n)) {}
 
-  /// d(a, lambda) by central differences of steps `step`.
+  /// Returns d(a, lambda) by central differences with steps `step`.
   Eigen::MatrixXd differences(ContactDynamicsBatch& batch, double step) const {
     batch.forward(q, v, tau);
     const auto n = v.rows();
@@ -193,12 +195,11 @@ struct Stepped {
   Eigen::MatrixXd q, v, tau;
 };
 
-/// Differences along q and v. The values are those of packs, which makes this the law of theirs
-/// too.
+/// Differences along q and v. The values come from packs, so this checks their values, too.
 Blocks by_differences(const Model& model, ContactDynamicsBatch& batch, const State& state,
                       double step) {
   const int n = model.nv;
-  Stepped in_q(state, n), in_v(state, n);
+  SteppedStates in_q(state, n), in_v(state, n);
   for (int k = 0; k < n; ++k)
     for (const int side : {0, 1}) {
       const double ahead = side == 0 ? step : -step;
@@ -209,10 +210,10 @@ Blocks by_differences(const Model& model, ContactDynamicsBatch& batch, const Sta
   return {in_q.differences(batch, step), in_v.differences(batch, step), Eigen::MatrixXd()};
 }
 
-/// a and lambda are linear in tau: a wide step loses nothing but rounding errors.
+/// a and lambda are linear in tau: a wide step only reduces rounding errors.
 Eigen::MatrixXd differences_in_tau(ContactDynamicsBatch& batch, const State& state) {
   const auto n = static_cast<int>(state.tau.size());
-  Stepped in_tau(state, n);
+  SteppedStates in_tau(state, n);
   for (int k = 0; k < n; ++k) {
     in_tau.tau(k, 2 * k) += 1.0;
     in_tau.tau(k, 2 * k + 1) -= 1.0;
@@ -228,35 +229,35 @@ Blocks extrapolated_differences(const Model& model, ContactDynamicsBatch& batch,
   return {(4.0 * narrow.dq - wide.dq) / 3.0, (4.0 * narrow.dv - wide.dv) / 3.0, Eigen::MatrixXd()};
 }
 
-/// Largest difference relative to the largest entry of the block, a and lambda rows apart. A block
-/// of a that is zero in exact arithmetic (da/dtau of an arm held in as many directions as it has
-/// joints) is measured against `floor_a`.
+/// Returns the largest difference relative to the largest entry of the block, separately for rows
+/// of a and of lambda. `floor_a` is the smallest reference for a block of a that is exactly zero,
+/// such as da/dtau of an arm whose contact has as many directions as the arm has joints.
 double relative(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want, int n, double floor_a) {
-  const auto part = [](const auto& g, const auto& w, double least) {
+  const auto block_error = [](const auto& g, const auto& w, double floor) {
     if (w.size() == 0) return 0.0;
     const double error = (g - w).cwiseAbs().maxCoeff();
     if (!std::isfinite(error)) return 1e300;
-    return error / std::max(w.cwiseAbs().maxCoeff(), least);
+    return error / std::max(w.cwiseAbs().maxCoeff(), floor);
   };
   const auto m = got.rows() - n;
-  return std::max(part(got.topRows(n), want.topRows(n), floor_a),
-                  part(got.bottomRows(m), want.bottomRows(m), 1e-12));
+  return std::max(block_error(got.topRows(n), want.topRows(n), floor_a),
+                  block_error(got.bottomRows(m), want.bottomRows(m), 1e-12));
 }
 
-/// True when J M^-1 J^T, scaled to a unit diagonal, has an eigenvalue below the bound: below 1e-4
-/// both sides of the comparison lose the digits that it is made to 1e-9.
+/// Whether J M^-1 J^T, scaled to a unit diagonal, has an eigenvalue below the bound. Below 1e-4,
+/// both sides of the comparison lose the digits that a comparison to 1e-9 needs.
 bool near_singular(ContactDynamics& dynamics, double bound = 1e-4) {
   if (dynamics.rows() == 0) return false;
   const Eigen::MatrixXd J = dynamics.jacobian();
   Eigen::MatrixXd G = J * solve_positive(dynamics.mass_matrix(), J.transpose());
   const Eigen::VectorXd scale = G.diagonal().cwiseSqrt().cwiseInverse();
   G = scale.asDiagonal() * G * scale.asDiagonal();
-  const double least = symmetric_eigen(G).values.minCoeff();
-  return !(least > bound);
+  const double smallest = symmetric_eigen(G).values.minCoeff();
+  return !(smallest > bound);
 }
 
 /// Propositions 3 and 4 alone: inverse dynamics at constant a and lambda, contact acceleration at
-/// constant a. The worst relative error against automatic differentiation.
+/// constant a. Returns the worst relative error against automatic differentiation.
 double propositions_error(const Model& model, ContactDynamics& dynamics,
                           ConstrainedDynamics<Dual>& dual, const State& state) {
   const int n = model.nv;
@@ -282,9 +283,9 @@ double propositions_error(const Model& model, ContactDynamics& dynamics,
   return std::max(worst, relative(dynamics.dalpha_dv(), alpha.dv, 0, 0.0));
 }
 
-/// Within 0.1 rad of half a turn from the target, where the logarithm of the rotation error jumps,
-/// or where a surface's normal is about half a turn from where the axes start.
-bool at_a_cut(const ContactDynamics& dynamics) {
+/// Whether the state is within 0.1 rad of half a turn from the target, where the logarithm of the
+/// rotation error jumps, or a surface's normal is about half a turn from the initial axes.
+bool is_near_a_cut(const ContactDynamics& dynamics) {
   const CompiledContact& contact = dynamics.contacts().contacts()[0];
   const ContactForce at = dynamics.force(0);
   if (contact.spec.reference.quadric) {
@@ -297,9 +298,9 @@ bool at_a_cut(const ContactDynamics& dynamics) {
   return Eigen::AngleAxisd(apart).angle() > M_PI - 0.1;
 }
 
-/// Where a tool that rubs is about to jam, both sides lose digits, as near a singular contact: what
-/// friction leaves of its apparent inertia is below a tenth, since the force is as many times what
-/// it is without friction. That comes on top of what the contact itself loses.
+/// Whether friction is about to jam the sliding tool: both sides then lose digits, as near a
+/// singular contact. Friction leaves less than a tenth of the apparent inertia, so the force is
+/// more than ten times the force without friction. This adds to the loss at the contact itself.
 bool near_jam(const ContactDynamics& dynamics, ContactDynamics* smooth, const State& state,
               bool compliant) {
   if (smooth == nullptr) return false;
@@ -317,7 +318,7 @@ std::string describe_case(const char* against, const char* block, Acceleration a
          ", state " + std::to_string(state);
 }
 
-/// Entries of v that move tool against base: a contact with more rows cannot be held exactly.
+/// Number of entries of v that move tool against base. A contact with more rows cannot be rigid.
 int relative_freedoms(const ContactSet& set) {
   int count = 0;
   for (const ContactSupport& entry : set.contacts()[0].support)
@@ -325,9 +326,10 @@ int relative_freedoms(const ContactSet& set) {
   return count;
 }
 
-/// Whether the contact can be held exactly: not where its rows outnumber the freedoms, nor where
-/// they depend on each other at every posture, as about a point that shoulder joints turn about.
-bool can_be_held(const Model& model, const ContactSpec& spec, const ContactSet& set) {
+/// Whether a rigid contact is possible: its rows must not outnumber the relative freedoms, and must
+/// not depend on each other in every posture (as about a point through which all shoulder axes
+/// pass).
+bool can_be_rigid(const Model& model, const ContactSpec& spec, const ContactSet& set) {
   if (relative_freedoms(set) < set.rows()) return false;
   ContactDynamics dynamics(model, {spec});
   std::mt19937_64 generator(7);
@@ -343,7 +345,7 @@ void run_case(const Model& model, const ContactSpec& spec, Acceleration accelera
               int states, std::mt19937_64& generator, LawRow& row) {
   ContactSolver solver;
   const ContactSet set(model, {spec});
-  const bool compliant = !can_be_held(model, spec, set);
+  const bool compliant = !can_be_rigid(model, spec, set);
   if (compliant) solver.mu = 0.05;
   ContactDynamics dynamics(model, {spec}, solver);
   ContactDynamicsBatch batch(model, {spec}, 2 * model.nv, solver);
@@ -354,8 +356,8 @@ void run_case(const Model& model, const ContactSpec& spec, Acceleration accelera
     sliding.friction.reset();
     smooth.emplace(model, std::vector{sliding}, solver);
   }
-  const auto note = [&](const char* against, const char* block, double error, double& worst,
-                        int state) {
+  const auto record = [&](const char* against, const char* block, double error, double& worst,
+                          int state) {
     if (error <= worst) return;
     worst = error;
     if (error > 1e-9 || row.worst_case.empty())
@@ -364,7 +366,7 @@ void run_case(const Model& model, const ContactSpec& spec, Acceleration accelera
   for (int i = 0; i < states; ++i) {
     State state = random_state(model, generator);
     dynamics.forward(state.q, state.v, state.tau);
-    while (at_a_cut(dynamics) || (!compliant && near_singular(dynamics)) ||
+    while (is_near_a_cut(dynamics) || (!compliant && near_singular(dynamics)) ||
            near_jam(dynamics, smooth ? &*smooth : nullptr, state, compliant)) {
       ++row.resampled;
       state = random_state(model, generator);
@@ -374,27 +376,28 @@ void run_case(const Model& model, const ContactSpec& spec, Acceleration accelera
     const bool thorough = i % 20 == 0;
     const Blocks want = by_autodiff(model, dual, state, thorough);
     const int n = model.nv;
-    // What da/dtau would be without the contact.
-    const double free =
+    // Largest entry of da/dtau without the contact.
+    const double unconstrained =
         1e-3 * solve_positive(dynamics.mass_matrix(), Eigen::MatrixXd::Identity(n, n)).maxCoeff();
-    note("autodiff", "d/dq", relative(got.dq, want.dq, n, 1e-12), row.autodiff, i);
-    note("autodiff", "d/dv", relative(got.dv, want.dv, n, 1e-12), row.autodiff, i);
+    record("autodiff", "d/dq", relative(got.dq, want.dq, n, 1e-12), row.autodiff, i);
+    record("autodiff", "d/dv", relative(got.dv, want.dv, n, 1e-12), row.autodiff, i);
     ++row.states;
     if (i % 5 == 0)
-      note("autodiff", "of inverse dynamics or contact acceleration",
-           propositions_error(model, dynamics, dual, state), row.autodiff, i);
+      record("autodiff", "of inverse dynamics or contact acceleration",
+             propositions_error(model, dynamics, dual, state), row.autodiff, i);
     if (!thorough) continue;
-    note("autodiff", "d/dtau", relative(got.dtau, want.dtau, n, free), row.autodiff, i);
+    record("autodiff", "d/dtau", relative(got.dtau, want.dtau, n, unconstrained), row.autodiff, i);
     double dq = 1e300, dv = 1e300;
     for (const double step : {1e-3, 1e-4, 1e-5}) {
       const Blocks rough = extrapolated_differences(model, batch, state, step);
       dq = std::min(dq, relative(got.dq, rough.dq, n, 1e-12));
       dv = std::min(dv, relative(got.dv, rough.dv, n, 1e-12));
     }
-    note("differences", "d/dq", dq, row.differences, i);
-    note("differences", "d/dv", dv, row.differences, i);
-    note("differences", "d/dtau", relative(got.dtau, differences_in_tau(batch, state), n, free),
-         row.differences, i);
+    record("differences", "d/dq", dq, row.differences, i);
+    record("differences", "d/dv", dv, row.differences, i);
+    record("differences", "d/dtau",
+           relative(got.dtau, differences_in_tau(batch, state), n, unconstrained), row.differences,
+           i);
   }
 }
 
@@ -406,7 +409,7 @@ std::vector<LawRow> sweep(const LawRobot& robot, const std::string& reference, i
   std::vector<LawRow> rows;
   for (const Directions& directions : law_directions())
     for (const bool two_bodies : {false, true}) {
-      if (reference.starts_with("rubbing") && !may_rub(directions)) continue;
+      if (reference.starts_with("sliding") && !may_slide_with_friction(directions)) continue;
       LawRow row;
       row.directions = directions;
       row.two_bodies = two_bodies;

@@ -1,4 +1,4 @@
-// Energy of a robot, and its motion under contacts.
+// Energy of a robot, and its motion with contacts.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace burnish::test {
 
-/// Kinetic and potential, J.
+/// Returns the kinetic and potential energy [J].
 inline double energy_of(const Model& model, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
   ContactDynamics dynamics(model);
   dynamics.acceleration(q, v, v);
@@ -26,8 +26,8 @@ inline Torque constant_torque(const Eigen::VectorXd& tau) {
   return [tau](const Eigen::VectorXd&, const Eigen::VectorXd&) { return tau; };
 }
 
-/// One step of length h by the classical method of fourth order. Right for joints whose increments
-/// add up: not for a floating base.
+/// Integrates one step of length h by the classical fourth-order Runge-Kutta method. Only valid for
+/// joints whose increments add up: not for a floating base.
 inline void runge_kutta_step(ContactDynamics& dynamics, const Model& model, const Torque& torque,
                              double h, RobotState& state) {
   const Eigen::VectorXd q = state.q, v = state.v;

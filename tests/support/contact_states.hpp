@@ -1,4 +1,4 @@
-// Robots, states and contacts that the contact tests draw from.
+// Random robots, states and contacts for contact tests.
 #pragma once
 
 #include <random>
@@ -32,30 +32,30 @@ inline RobotState random_state(const Model& model, std::mt19937_64& generator) {
   return {q, v, uniform(model.nv, 10.0, generator)};
 }
 
-/// Least eigenvalue of J M^-1 J^T scaled to a unit diagonal, at the last state.
+/// Smallest eigenvalue of J M^-1 J^T, scaled to a unit diagonal, at the last state.
 inline double independence(const ContactDynamics& dynamics) {
   if (dynamics.rows() == 0) return 1.0;
   const Eigen::MatrixXd J = dynamics.jacobian();
   const Eigen::MatrixXd G = J * solve_positive(dynamics.mass_matrix(), J.transpose());
   const Eigen::VectorXd scale = G.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd unit = scale.asDiagonal() * G * scale.asDiagonal();
-  const double least = symmetric_eigen(unit).values[0];
-  return std::isfinite(least) ? least : 0.0;
+  const double smallest = symmetric_eigen(unit).values[0];
+  return std::isfinite(smallest) ? smallest : 0.0;
 }
 
-/// A random state at which the contacts are far from redundant. Throws Error if there seems to be
-/// none.
+/// Returns a random state at which the contacts are far from redundant. Throws Error if 2000
+/// attempts find none.
 inline RobotState regular_state(const Model& model, ContactDynamics& dynamics,
-                                std::mt19937_64& generator, double least = 1e-3) {
+                                std::mt19937_64& generator, double min_independence = 1e-3) {
   for (int attempt = 0; attempt < 2000; ++attempt) {
     const RobotState state = random_state(model, generator);
     dynamics.acceleration(state.q, state.v, state.v);
-    if (independence(dynamics) > least) return state;
+    if (independence(dynamics) > min_independence) return state;
   }
-  throw Error("no posture of " + model.name + " holds its contacts independently");
+  throw Error("no posture of " + model.name + " has independent contacts");
 }
 
-/// v without the part of it that moves the contacts.
+/// Returns v without the component that moves the contacts.
 inline Eigen::VectorXd at_rest(ContactDynamics& dynamics, const Eigen::VectorXd& q,
                                const Eigen::VectorXd& v) {
   dynamics.acceleration(q, v, v);
@@ -67,13 +67,13 @@ inline Eigen::Matrix3d tilt() {
   return Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
 }
 
-/// The four, the surface tilted, and local axes that are turned in the tool.
+/// The four references, with a tilted surface, and local axes that are rotated in the tool.
 inline std::vector<Reference> all_references() {
   return {Reference::local(), Reference::centered(), Reference::surface(tilt()), Reference::world(),
           Reference::local(tilt())};
 }
 
-/// Those of contacts: one that follows a surface too.
+/// References of contacts: all_references() and a reference that follows a surface.
 inline std::vector<Reference> contact_references() {
   std::vector<Reference> result = all_references();
   const Eigen::Vector3d near(0.3, 0.0, 0.2);
@@ -81,7 +81,7 @@ inline std::vector<Reference> contact_references() {
   return result;
 }
 
-/// These, and references whose origin or axes go with another body than tool and base.
+/// all_references(), and references whose origin or axes move with a body other than tool and base.
 inline std::vector<Reference> all_references(const Model& model, const std::string& tool,
                                              const std::string& base) {
   std::vector<Reference> result = all_references();
@@ -107,7 +107,7 @@ inline ContactSpec contact(const std::string& tool, const std::string& base = "w
   return spec;
 }
 
-/// Largest difference relative to the largest entry, which counts as at least `floor`.
+/// Largest difference, relative to the largest entry of `want` (at least `floor`).
 inline double relative_error(const Eigen::Ref<const Eigen::MatrixXd>& got,
                              const Eigen::Ref<const Eigen::MatrixXd>& want, double floor = 1e-9) {
   if (got.rows() != want.rows() || got.cols() != want.cols()) return 1e300;

@@ -1,6 +1,6 @@
-// A number with its derivatives along some directions: forward automatic differentiation as the
-// kernels' scalar. Every operation makes a number at once, which compilers are through with sooner
-// than with the expression templates of Eigen's AutoDiffScalar.
+// Number with its derivatives along some directions: forward automatic differentiation as a scalar
+// of the kernels. Every operation computes a value immediately, which compiles faster than the
+// expression templates of Eigen's AutoDiffScalar.
 #pragma once
 
 #include <cmath>
@@ -9,23 +9,23 @@
 
 namespace burnish::test {
 
-/// Directions that one evaluation differentiates along. Few, so that what a kernel works on stays
-/// in the processor's nearest memory; more directions are more evaluations.
+/// Directions per evaluation. A small number keeps the working set of a kernel in the nearest
+/// cache; more directions need more evaluations.
 inline constexpr int dual_directions = 8;
 
 class Dual {
  public:
   Dual() = default;
-  // As kernels write constants.
+  // Implicit, because kernels write constants as double.
   Dual(double value) : value_(value) {}  // NOLINT(google-explicit-constructor)
-  /// The variable of direction `along`.
+  /// Variable of direction `along`.
   Dual(double value, int along) : value_(value) { set(along, 1.0); }
 
   double value() const { return value_; }
   double derivative(int along) const { return by_.lane(along); }
   void set(int along, double derivative) { by_.v[along] = derivative; }
 
-  /// What a function of it is, whose value and slope there are given.
+  /// Applies a function with the given value and slope at this number.
   Dual through(double value, double slope) const { return {value, Directions(slope) * by_}; }
 
   BURNISH_INLINE friend Dual operator+(const Dual& a, const Dual& b) {

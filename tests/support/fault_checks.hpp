@@ -1,4 +1,4 @@
-// What tests of faults look at: the report, the fallback's torque, that the robot comes to rest.
+// Checks of faults: the report, the fallback torque, and that the robot comes to rest.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace burnish::test {
 
-/// The documented fallback at a state, but for its spring: gravity compensation and damping.
+/// Fallback torque at a state, without its spring: gravity compensation and damping.
 inline Eigen::VectorXd fallback_torque(const Model& model, const Eigen::VectorXd& q,
                                        const Eigen::VectorXd& v) {
   ContactDynamics dynamics(model);
@@ -18,15 +18,15 @@ inline Eigen::VectorXd fallback_torque(const Model& model, const Eigen::VectorXd
   return dynamics.bias() - Fallback{}.damping * dynamics.mass_matrix() * v;
 }
 
-/// The report of a fault at `time`, give or take `tolerance` s.
+/// Expects the report of a fault at `time`, up to `tolerance` [s].
 inline void expect_report(const FaultReport& fault, FaultKind kind, double time, double tolerance) {
   ASSERT_EQ(fault.kind, kind) << fault.text();
   EXPECT_NEAR(fault.time, time, tolerance) << fault.text();
-  // The sentence.
+  // The sentence of the report.
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.4f s", fault.time);
   testing::expect_words(fault.text(), {std::string(name_of(kind)) + " at ", seconds});
-  // The last second: in order, and the fault in its last row alone.
+  // The last second of the trace: times in order, and the fault only in the last row.
   const Trace& trace = fault.last_second;
   const int last = trace.rows() - 1;
   ASSERT_EQ(trace.rows(), std::min(2000, static_cast<int>(std::lround(fault.time / 5e-4)) + 1));
@@ -41,7 +41,7 @@ inline const Eigen::VectorXd& effort_of(MpcRun& run) {
   return run.mpc().problem().model().effort_limit;
 }
 
-/// What latches: the kind, the trace, no force aimed at, the fallback's torque.
+/// Expects a latched fault: kind and trace unchanged, zero target force, the fallback torque.
 inline void expect_fallback(MpcRun& run) {
   const FaultKind kind = run.mpc().fault().kind;
   const double time = run.mpc().fault().time;
@@ -50,8 +50,8 @@ inline void expect_fallback(MpcRun& run) {
   const Command& command = run.loop().command();
   const Measurement& seen = run.watched().seen;
   const Eigen::VectorXd wanted = fallback_torque(run.mpc().problem().model(), seen.q, seen.v);
-  // What the spring adds; fallback_test.cpp has it to the last digit.
-  const Eigen::ArrayXd spring = Fallback{}.give * effort_of(run).array();
+  // Largest torque of the spring; fallback_test.cpp tests it exactly.
+  const Eigen::ArrayXd spring = Fallback{}.saturation_fraction * effort_of(run).array();
   EXPECT_TRUE(((command.tau - wanted).array().abs() <= spring + 1e-9).all())
       << (command.tau - wanted).transpose();
   EXPECT_EQ(command.target_force, 0.0);
@@ -68,10 +68,10 @@ inline void expect_rest(MpcRun& run) {
 }
 
 inline std::function<void(Measurement&)> between(double from, double to,
-                                                 std::function<void(Measurement&)> what) {
-  return [from, to, what = std::move(what)](Measurement& m) {
+                                                 std::function<void(Measurement&)> change) {
+  return [from, to, change = std::move(change)](Measurement& m) {
     const double time = m.time;
-    if (time > from - 1e-9 && time < to - 1e-9) what(m);
+    if (time > from - 1e-9 && time < to - 1e-9) change(m);
   };
 }
 

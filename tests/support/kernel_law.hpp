@@ -1,5 +1,5 @@
-// What every kernel with derivatives must do: agree with automatic differentiation through itself,
-// with central differences, and give the same in every lane of a pack as for one state.
+// Laws of every kernel with derivatives: it agrees with automatic differentiation through itself
+// and with central differences, and every lane of a pack gives the result of a single state.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ struct Blocks {
   std::vector<S> dq, dv;
 };
 
-/// Largest difference of two matrices relative to the larger of 1 and their largest entry.
+/// Largest difference of two matrices, relative to their largest entry (at least 1).
 template <class A, class B>
 double relative_error(const Eigen::MatrixBase<A>& got, const Eigen::MatrixBase<B>& wanted) {
   if (got.size() == 0) return 0.0;
@@ -37,7 +37,7 @@ inline Eigen::VectorXd as_vector(const std::vector<double>& entries) {
                                            static_cast<Eigen::Index>(entries.size()));
 }
 
-/// A state: q (nq), v and a (nv).
+/// State: q (nq), v and a (nv).
 struct KernelState {
   Eigen::VectorXd q, v, a;
 };
@@ -46,7 +46,7 @@ inline KernelState random_kernel_state(const Model& model, std::mt19937_64& gene
           random_vector(model.nv, 1.0, generator)};
 }
 
-/// A vector that holds x[i] of state l in lane l of entry i.
+/// Returns a vector with x[i] of state l in lane l of entry i.
 template <class S>
 std::vector<S> packed(const std::vector<Eigen::VectorXd>& x) {
   std::vector<S> result(static_cast<std::size_t>(x[0].size()), S(0.0));
@@ -63,8 +63,8 @@ std::vector<double> lane_values(const std::vector<S>& x, int lane) {
 }
 
 /// `Kernel` has, for any scalar S and a state q, v, a:
-///   std::vector<S> values(q, v, a) const;     what is differentiated
-///   Blocks<S> derivatives(q, v, a) const;     its derivatives by q and v
+///   std::vector<S> values(q, v, a) const;     values to differentiate
+///   Blocks<S> derivatives(q, v, a) const;     their derivatives with respect to q and v
 template <class Kernel>
 void expect_kernel_law(const Model& model, const Kernel& kernel, int states = 10) {
   std::mt19937_64 generator(20250);
@@ -99,7 +99,7 @@ void expect_kernel_law(const Model& model, const Kernel& kernel, int states = 10
   }
 }
 
-/// The values and blocks of every lane against those of its state alone.
+/// Expects the values and blocks of every lane to equal those of its state alone.
 template <class Kernel>
 void expect_lanes_alike(const Model& model, const Kernel& kernel) {
   using S = NativePack;
@@ -128,7 +128,7 @@ void expect_lanes_alike(const Model& model, const Kernel& kernel) {
   }
 }
 
-/// A test suite over test_robots().
+/// Test suite over test_robots().
 class OnRobots : public ::testing::TestWithParam<TestRobot> {
  protected:
   Model model = GetParam().model();

@@ -1,4 +1,4 @@
-// Mechanisms with loops, in code.
+// Mechanisms with kinematic loops, in code.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace burnish::testing {
 
-/// A bar of uniform mass along x of its link.
+/// Bar of uniform mass along x of its link.
 inline LinkSpec bar(const std::string& name, double length) {
   LinkSpec result;
   result.name = name;
@@ -18,8 +18,8 @@ inline LinkSpec bar(const std::string& name, double length) {
   return result;
 }
 
-/// crank (0.1 m) - coupler (0.3 m) - rocker (0.25 m) over a base of 0.3 m, hinges along y, bars
-/// along x at zero; the coupler's tip is tied to the rocker's by `directions` of it.
+/// crank (0.1 m) - coupler (0.3 m) - rocker (0.25 m) over a base of 0.3 m, with hinges along y and
+/// bars along x at zero. `directions` connect the coupler's tip to the rocker's tip.
 inline TreeSpec four_bar(const Directions& directions = Directions::linear()) {
   TreeSpec tree;
   tree.name = "four_bar";
@@ -45,10 +45,10 @@ inline TreeSpec four_bar(const Directions& directions = Directions::linear()) {
   return tree;
 }
 
-/// A plate on three legs of two parts each, in space: every leg has a hinge about a tangent of the
-/// base at its foot and one at its knee, and its upper part has a ball (three hinges) at the plate,
-/// which floats: six entries of v less nothing hang on it, and three loops of three directions
-/// close it. `turned`: the loops' frames do not lie along the hinges.
+/// Plate on three legs of two links each, in space. Each leg has a hip hinge about a tangent of the
+/// base and a knee hinge; its shank ends in a spherical joint at the plate. The plate floats, and
+/// three loops of three directions close the mechanism. With `turned`, the loop frames are not
+/// aligned with the hinges.
 inline TreeSpec tripod(bool turned = true) {
   TreeSpec tree;
   tree.name = "tripod";

@@ -1,5 +1,5 @@
 // Model predictive polishing with Talos' right arm on the ideal plant: a short task, and a loop
-// whose measurements, specification and plant a test may spoil.
+// whose measurements, specification and plant a test may change.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace burnish::test {
 
-/// Ramp from 0.3 s to 0.5 s, then half a turn of a small circle. The horizon is short: 30 knots.
+/// Ramp from 0.3 s to 0.5 s, then half a turn on a small circle. The horizon is short: 30 knots.
 inline polishing::Task short_task() {
   polishing::Task task;
   task.robot = std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm";
@@ -31,14 +31,14 @@ inline polishing::Task short_task() {
   task.path.start_up = 0.4;
   task.path.rate = 3.0;
   task.horizon = 0.3;
-  // What the tests count on, whatever is the default.
+  // Settings that the tests depend on, independent of the defaults.
   task.update_rate = 100.0;
   task.tick_rate = 2000.0;
   task.step = 0.01;
   task.iterations = 1;
   task.contact_kd = 50.0;
   task.model_error.bandwidth = 100.0;
-  task.model_error.boost = 6.0;
+  task.model_error.transient_scale = 6.0;
   task.weights.posture = 0.1;
   task.weights.velocity = 1.0;
   task.weights.torque = 1e-4;
@@ -50,7 +50,8 @@ inline polishing::Task short_task() {
   return task;
 }
 
-/// A controller between the loop and another one: spoils what it is told, counts allocations.
+/// Controller around another controller: it changes measurements, counts allocations, and records
+/// the largest torques.
 class Watched final : public Controller {
  public:
   explicit Watched(Controller& inner) : inner_(&inner) {}
@@ -74,11 +75,11 @@ class Watched final : public Controller {
   }
 
   std::function<void(Measurement&)> spoil;
-  Measurement seen;  ///< by the controller at the last tick
+  Measurement seen;  ///< measurement of the last tick, after `spoil`
   long allocations = 0;
   long ticks = 0;
   bool finite = true;
-  Eigen::VectorXd largest;  ///< of |tau|, over all ticks
+  Eigen::VectorXd largest;  ///< largest |tau| per joint, over all ticks
 
  private:
   Controller* inner_;
@@ -88,25 +89,26 @@ struct MpcCase {
   polishing::Task task = short_task();
   std::function<void(MpcSpec&)> change = nullptr;
   std::function<void(Measurement&)> spoil = nullptr;
-  /// Of the plant; with its scene as it is.
+  /// Makes the plant from model and scene; default: the ideal plant.
   std::function<std::unique_ptr<Plant>(const Model&, const SceneSpec&)> make_plant = nullptr;
 };
 
 /// Plant, controller and loop of a case, at its start.
 class MpcRun {
  public:
-  /// With an estimator that is all that says where the base is.
-  explicit MpcRun(const MpcCase& wanted,
+  /// With `estimator`, measurements contain only the estimated base.
+  explicit MpcRun(const MpcCase& test_case,
                   const std::optional<BaseEstimatorOptions>& estimator = std::nullopt)
-      : task_(wanted.task), setting_(polishing::make_setting(task_)) {
+      : task_(test_case.task), setting_(polishing::make_setting(task_)) {
     const Model model = plant_model(setting_.robot.model, task_.disturbances);
     const SceneSpec scene = plant_scene(setting_.scene, task_.disturbances);
-    plant_ = wanted.make_plant ? wanted.make_plant(model, scene) : make_ideal_plant(model, scene);
+    plant_ =
+        test_case.make_plant ? test_case.make_plant(model, scene) : make_ideal_plant(model, scene);
     MpcSpec spec = polishing::make_mpc(task_, setting_);
-    if (wanted.change) wanted.change(spec);
+    if (test_case.change) test_case.change(spec);
     mpc_ = std::make_unique<MpcController>(spec);
     watched_ = std::make_unique<Watched>(*mpc_);
-    watched_->spoil = wanted.spoil;
+    watched_->spoil = test_case.spoil;
     ClosedLoopOptions options;
     options.control_period = spec.tick_period;
     options.max_duration = 4.0;
@@ -119,21 +121,21 @@ class MpcRun {
     status_ = loop_->reset(setting_.q_start, Eigen::VectorXd::Zero(setting_.robot.model.nv));
   }
   Status run(double duration) {
-    if (status_ <= Status::NotConverged) status_ = loop_->run(duration);
+    if (is_usable(status_)) status_ = loop_->run(duration);
     return status_;
   }
-  /// Until shortly before the retreat. The schedule's clock decides: it jumps when contact is
+  /// Runs until shortly before the retreat, by the schedule's time, which jumps when contact is
   /// early.
   Status polish() {
     while (mpc_->schedule().time() < setting_.track_end - 0.02 &&
            now() < setting_.track_end + 0.5 && mpc_->fault().kind == FaultKind::None &&
-           run(plant_->dt()) <= Status::NotConverged) {
+           is_usable(run(plant_->dt()))) {
     }
     return status_;
   }
-  Status polish_and_retreat() { return polish() <= Status::NotConverged ? run(0.5) : status_; }
+  Status polish_and_retreat() { return is_usable(polish()) ? run(0.5) : status_; }
 
-  /// From 0.1 s after the ramp until shortly before the retreat.
+  /// Metrics from 0.1 s after the ramp until shortly before the retreat.
   Metrics metrics() const {
     const Trace::Column phase = loop_->trace().column("phase");
     const Trace::Column time = loop_->trace().column("time");

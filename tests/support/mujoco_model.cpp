@@ -71,7 +71,7 @@ void MujocoModel::set_state(const Eigen::VectorXd& q, const Eigen::VectorXd& v) 
   mj_fwdVelocity(m_.get(), d_.get());
 }
 
-/// Moves the anchors of all ties to where the frames are.
+/// Moves the anchors of all ties to the current positions of their frames.
 void MujocoModel::place_ties() {
   for (std::size_t i = 0; i < ties_.size(); ++i) {
     const Tie& tie = ties_[i];
@@ -85,7 +85,7 @@ void MujocoModel::place_ties() {
       store(in_base, data + 3);
       continue;
     }
-    // Anchor in the base, pose of the base in the tool with the anchor taken off, torque scale.
+    // Anchor in the base; pose of the base in the tool without the anchor; torque scale.
     store(in_base, data);
     store(in_tool, data + 3);
     store(Eigen::Matrix3d(tool_pose.linear().transpose() * base_pose.linear()), data + 6);
@@ -145,7 +145,7 @@ Eigen::MatrixXd MujocoModel::jacobian(const std::string& frame) const {
   return both * coordinates_.T().transpose();
 }
 
-/// Acceleration of the frame's origin and of its axes at qacc = 0, world axes.
+/// Acceleration of the frame's origin and of its axes at qacc = 0, in world axes.
 Vector6 MujocoModel::drift(const std::string& frame) {
   mju_zero(d_->qacc, m_->nv);
   mj_rnePostConstraint(m_.get(), d_.get());
@@ -157,7 +157,7 @@ Vector6 MujocoModel::drift(const std::string& frame) {
   return result;
 }
 
-/// Velocity of the tool against the base's material point under it: 6 x nv.
+/// Velocity of the tool relative to the base's material point at the tool: 6 x nv.
 Eigen::MatrixXd MujocoModel::relative_jacobian(const Tie& tie) const {
   Eigen::MatrixXd J = jacobian(tie.tool);
   const int base = body_of(model_, tie.base);
@@ -171,7 +171,7 @@ Eigen::MatrixXd MujocoModel::relative_jacobian(const Tie& tie) const {
   return J - both * coordinates_.T().transpose();
 }
 
-/// Acceleration of the tool against the base's material point under it, at qacc = 0.
+/// Acceleration of the tool relative to the base's material point at the tool, at qacc = 0.
 Vector6 MujocoModel::relative_drift(std::size_t tie) {
   const Tie& tied = ties_[tie];
   const Vector6 tool = drift(tied.tool);
@@ -187,8 +187,8 @@ Vector6 MujocoModel::relative_drift(std::size_t tie) {
 }
 
 TiedMotion MujocoModel::forward_tied(const Eigen::VectorXd& tau, double mu) {
-  // MuJoCo's rows are S times ours, whatever axes and scale it writes a weld's rotation in.
-  const RowMajor theirs =
+  // MuJoCo's rows are S times our rows, for any axes and scale of a weld's rotation.
+  const RowMajor mujoco_rows =
       Eigen::Map<const RowMajor>(d_->efc_J, d_->nefc, m_->nv) * coordinates_.T().transpose();
   Eigen::VectorXd aref(d_->nefc);
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(d_->nefc, d_->nefc);
@@ -197,10 +197,10 @@ TiedMotion MujocoModel::forward_tied(const Eigen::VectorXd& tau, double mu) {
     const int n = ties_[i].kind == Tie::Kind::Weld ? 6 : 3;
     const Eigen::MatrixXd J = relative_jacobian(ties_[i]).topRows(n);
     const Eigen::MatrixXd fit =
-        J.transpose().colPivHouseholderQr().solve(theirs.middleRows(row, n).transpose());
+        J.transpose().colPivHouseholderQr().solve(mujoco_rows.middleRows(row, n).transpose());
     S.block(row, row, n, n) = fit.transpose();
-    if ((fit.transpose() * J - theirs.middleRows(row, n)).norm() > 1e-9)
-      throw Error("MuJoCo ties other directions of " + ties_[i].tool);
+    if ((fit.transpose() * J - mujoco_rows.middleRows(row, n)).norm() > 1e-9)
+      throw Error("MuJoCo constrains other directions of " + ties_[i].tool);
     aref.segment(row, n) = -S.block(row, row, n, n) * relative_drift(i).head(n);
     row += n;
   }

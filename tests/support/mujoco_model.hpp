@@ -1,4 +1,4 @@
-// A burnish model handed to MuJoCo, and MuJoCo's answers in burnish's conventions: the same order
+// burnish model compiled by MuJoCo, with MuJoCo's results in burnish's conventions: the same order
 // of v, twists of floating bodies in body axes, linear part first.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace burnish::test {
 
-/// Two frames that MuJoCo holds together: at the tool's origin, or in all six directions.
+/// Constraint between two frames in MuJoCo: at the tool's origin, or in all six directions.
 struct Tie {
   enum class Kind { Connect, Weld };
   Kind kind = Kind::Connect;
@@ -20,20 +20,20 @@ struct Tie {
   std::string base = "world";
 };
 
-/// What MuJoCo's constraint solver finds.
+/// Result of MuJoCo's constraint solver.
 struct TiedMotion {
   Eigen::VectorXd a;       ///< nv
   Eigen::VectorXd lambda;  ///< per tie in world axes at the tool's origin: 3, or 6 for a weld
 };
 
-/// Followers move by themselves in MuJoCo; what comes out of its tree is reduced: with
-/// q_full = S q + s, S^T M S and S^T b.
+/// Follower joints are independent in MuJoCo. Its results are reduced by q_full = S q + s: S^T M S
+/// and S^T b.
 class MujocoModel {
  public:
   /// Throws Error with MuJoCo's sentence if it refuses the model.
   explicit MujocoModel(const Model& model, const std::vector<Tie>& ties = {});
 
-  /// Loads a state; the others answer at it. Ties hold the frames where they are at that state.
+  /// Loads a state for the other functions. Ties hold their frames at the positions of that state.
   void set_state(const Eigen::VectorXd& q, const Eigen::VectorXd& v);
 
   Eigen::MatrixXd mass_matrix();
@@ -45,9 +45,9 @@ class MujocoModel {
   /// World axes, at the frame's origin: 6 x nv, linear rows first.
   Eigen::MatrixXd jacobian(const std::string& frame) const;
 
-  /// Solves with compliance mu (in m/s^2 per N of lambda) in place of MuJoCo's softness, and with
-  /// the drift of the constraint, which MuJoCo leaves out. The velocity of every tie between two
-  /// moving bodies, and of every weld, must be zero.
+  /// Solves with compliance mu [m/s^2 per N of lambda] in place of MuJoCo's softness, and with the
+  /// drift of the constraint, which MuJoCo omits. The velocity of every tie between two moving
+  /// bodies, and of every weld, must be zero.
   TiedMotion forward_tied(const Eigen::VectorXd& tau, double mu);
 
  private:

@@ -29,10 +29,10 @@ const ocp::CompiledStage& stage_of(const ocp::CompiledProblem& problem, const Oc
 }
 
 void set_step(ocp::StageDynamics<Dual>& dynamics, const ocp::KnotTime<double>& when) {
-  dynamics.set_step(Dual(when.per_second), Dual(when.pace), Dual(when.passing));
+  dynamics.set_step(Dual(when.per_second), Dual(when.step_ratio), Dual(when.decaying));
 }
 
-/// Derivatives by all of z of what `evaluate` makes of (x, u).
+/// Derivatives of evaluate(x, u) with respect to all of z.
 Eigen::MatrixXd by_z(const ocp::CompiledProblem& problem, const OcpPoint& at,
                      const std::function<Duals(const Duals& x, const Duals& u)>& evaluate) {
   const StateLayout& l = problem.layout;
@@ -55,7 +55,7 @@ Duals moved(const ocp::CompiledProblem& problem, const Duals& x, const Duals& dx
   return result;
 }
 
-/// The torque state after a fraction of the step, everything else as in x.
+/// Torque state after a fraction of the step; all other entries as in x.
 Duals filtered(const ocp::CompiledProblem& problem, Duals x, const Duals& u, double decay) {
   const StateLayout& l = problem.layout;
   for (int i = 0; i < l.filtered; ++i) {
@@ -87,7 +87,7 @@ class Stepper {
       dx[static_cast<std::size_t>(k)] =
           Dual(when_.step * (x[static_cast<std::size_t>(l.nq + k)] + dv));
     }
-    return moved(problem_, filtered(problem_, remembering(x), u, when_.decay), dx);
+    return moved(problem_, filtered(problem_, with_last_forces(x), u, when_.decay), dx);
   }
 
   Duals runge_kutta(const Duals& x, const Duals& u) {
@@ -99,7 +99,7 @@ class Stepper {
       Duals dx(size, Dual(0.0));
       for (std::size_t k = 0; k < size; ++k) dx[k] = Dual(fraction[i] * when_.step * rate[k]);
       rate = rate_at(moved(problem_, filtered(problem_, x, u, decay[i]), dx), u);
-      if (i == 0) from = remembering(x);
+      if (i == 0) from = with_last_forces(x);
       for (const TangentBlock& block : problem_.blocks) {
         using namespace ocp::runge_kutta_detail;
         Dual* const entries = rate.data() + block.first;
@@ -112,11 +112,11 @@ class Stepper {
   }
 
  private:
-  /// x with the forces of the last evaluation, zero of contacts that do not hold.
-  Duals remembering(Duals x) const {
+  /// x with the contact forces of the last evaluation; zero for inactive contacts.
+  Duals with_last_forces(Duals x) const {
     const StateLayout& l = problem_.layout;
     const ConstrainedDynamics<Dual>& dynamics = dynamics_.contact_dynamics();
-    for (const ocp::RememberedForce& force : problem_.remembered) {
+    for (const ocp::ForceState& force : problem_.force_states) {
       const auto contact = static_cast<std::size_t>(force.contact);
       for (int i = 0; i < force.rows; ++i)
         x[static_cast<std::size_t>(l.nq + l.nv + l.filtered + force.first + i)] =

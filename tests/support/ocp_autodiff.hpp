@@ -1,12 +1,12 @@
-// Residuals and steps of a problem by automatic differentiation through the kernels of values.
+// Derivatives of residuals and steps of a problem by automatic differentiation through the kernels.
 #pragma once
 
 #include "ocp/compiled_problem.hpp"
 
 namespace burnish::test {
 
-/// A knot: its stage, state (nx), control (nu), the stage's targets as the kernels read them, and
-/// its own step in s, if it has one.
+/// Knot: its stage, state (nx), control (nu), the targets of the stage in the kernels' layout, and
+/// the step [s] (0: the stage's step).
 struct OcpPoint {
   int stage;
   Eigen::VectorXd x, u;
@@ -17,10 +17,10 @@ struct OcpPoint {
 /// Targets of a stage at a time.
 std::vector<double> targets_of(const ocp::CompiledProblem& problem, int stage, double time);
 
-/// d(residual of a term)/dz, rows x nz. Not for residuals of a user's own.
+/// d(residual of a term)/dz, rows x nz. Not for user-defined residuals.
 Eigen::MatrixXd residual_by_autodiff(const ocp::CompiledProblem& problem, const OcpPoint& at,
                                      int term);
-/// d(next state)/dz, ndx x nz, of a step written down once more, of either integrator.
+/// d(next state)/dz, ndx x nz, of an independent implementation of both integrators.
 Eigen::MatrixXd step_by_autodiff(const ocp::CompiledProblem& problem, const OcpPoint& at);
 
 }  // namespace burnish::test

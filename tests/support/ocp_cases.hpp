@@ -1,4 +1,4 @@
-// Robots, contacts and horizons that the laws of optimal control problems are tested on.
+// Robots, contacts and horizons for the laws of optimal control problems.
 #pragma once
 
 #include "burnish/ocp/problem.hpp"
@@ -11,16 +11,16 @@ namespace burnish::test {
 struct OcpCase {
   TestRobot robot;
   bool torque_model = false;
-  bool held = false;       ///< the torque model remembers the last torques, which do not act
-  bool remembers = false;  ///< the state has the last forces of "pad" and "brace"
-  bool rubs = false;       ///< "brace" does
-  bool acts_from_state() const { return torque_model && !held; }
+  bool zero_order_hold = false;   ///< the state has the torques of the previous step
+  bool has_force_states = false;  ///< the state has the last forces of "pad" and "brace"
+  bool has_friction = false;      ///< "brace" has friction
+  bool acts_from_state() const { return torque_model && !zero_order_hold; }
   std::string label() const {
     return robot.label() +
-           (held           ? "_held"
-            : torque_model ? "_filtered"
-                           : "") +
-           (remembers ? "_remembering" : "") + (rubs ? "_rubbing" : "");
+           (zero_order_hold ? "_zero_order_hold"
+            : torque_model  ? "_filtered"
+                            : "") +
+           (has_force_states ? "_force_states" : "") + (has_friction ? "_sliding" : "");
   }
 };
 
@@ -47,7 +47,7 @@ inline std::vector<OcpCase> ocp_cases() {
   return cases;
 }
 
-/// What residuals are made for.
+/// Context in which residuals are made.
 struct OcpSetup {
   const Model& model;
   std::string tool;
@@ -63,12 +63,12 @@ struct OcpSetup {
   Eigen::VectorXd state(const OcpCase& test) const {
     const RobotState s = test::random_state(model, generator);
     const int filtered = test.torque_model ? static_cast<int>(driven().size()) : 0;
-    const int remembered = test.remembers ? 7 : 0;  // six of the pad, one of the brace
-    Eigen::VectorXd x(model.nq + model.nv + filtered + remembered);
-    x << s.q, s.v, random(filtered), random(remembered);
+    const int force_states = test.has_force_states ? 7 : 0;  // six of the pad, one of the brace
+    Eigen::VectorXd x(model.nq + model.nv + filtered + force_states);
+    x << s.q, s.v, random(filtered), random(force_states);
     return x;
   }
-  /// A frame that other joints move.
+  /// Frame that other joints move.
   std::string other() const { return far_frame(model, {tool}); }
   /// Entries of v that are driven.
   std::vector<int> driven() const {
@@ -86,7 +86,8 @@ struct OcpSetup {
   }
 };
 
-/// A user's own: power, a force, height, acceleration and speed; differences by the library.
+/// User-defined residual: power, a force, height, acceleration and speed; differentiated by the
+/// library.
 struct WithoutJacobian {
   int rows = 5;
   std::string name = "without jacobian";
@@ -100,7 +101,8 @@ struct WithoutJacobian {
   }
 };
 
-/// The same with its own derivative: a place, a product of forces, work of the tool's speed.
+/// User-defined residual with its own derivative: a position, a product of forces, squared
+/// velocity.
 struct WithJacobian {
   int rows = 3;
   std::vector<std::string> frames, contacts;
@@ -122,7 +124,7 @@ struct WithJacobian {
   }
 };
 
-/// A rotation that turns by 2 rad/s, its quaternions now of one sign and now of the other.
+/// Rotation that turns by 2 rad/s; its quaternions alternate in sign.
 inline Eigen::Matrix3d turned_at(double time) {
   return Eigen::AngleAxisd(0.4 + 2.0 * time, Eigen::Vector3d(0.6, -0.48, 0.64)).toRotationMatrix();
 }
@@ -136,8 +138,8 @@ inline Reference turning_reference(const Anchor& origin, const Anchor& axes) {
   return {.origin = origin, .axes = axes, .rotation_over_time = turning()};
 }
 
-/// Frame on a body in the middle of the way to the tool.
-inline std::string frame_on_the_way(const Model& model, const std::string& tool) {
+/// Frame on a body half way between base and tool.
+inline std::string middle_frame(const Model& model, const std::string& tool) {
   std::vector<int> bodies;
   for (int j = model.frames[static_cast<std::size_t>(model.frame_index(tool))].body; j >= 0;
        j = model.joints[static_cast<std::size_t>(j)].parent)
@@ -145,19 +147,19 @@ inline std::string frame_on_the_way(const Model& model, const std::string& tool)
   const int middle = bodies[bodies.size() / 2];
   for (const Frame& frame : model.frames)
     if (frame.body == middle) return frame.name;
-  throw Error("no frame on the way to " + tool);
+  throw Error("no frame half way to " + tool);
 }
 
-/// "idle" never holds, "brace" holds one direction on the way to the tool, which turns, "pad" all
-/// six of it, in axes that follow a curved surface.
+/// "idle" is never active; "brace" constrains one turning direction half way to the tool; "pad"
+/// constrains all six directions of the tool, in axes that follow a curved surface.
 inline std::vector<ContactSpec> ocp_contacts(const Model& model, const std::string& tool) {
   ContactSpec idle = contact(tool);
   ContactSpec pad = contact(
       tool, "world",
       Reference::on(Quadric::osculating({0.3, 0.0, 0.2}, tilt(), 0.6, 0.2, -0.9), {0.3, 0.0, 0.2}));
-  ContactSpec brace = contact(frame_on_the_way(model, tool), "world",
-                              turning_reference(Anchor::Tool, Anchor::World), Directions::z(),
-                              Acceleration::Classical);
+  ContactSpec brace =
+      contact(middle_frame(model, tool), "world", turning_reference(Anchor::Tool, Anchor::World),
+              Directions::z(), Acceleration::Classical);
   idle.name = "idle";
   pad.name = "pad";
   pad.with_gains(0.0, 5.0);
@@ -165,29 +167,29 @@ inline std::vector<ContactSpec> ocp_contacts(const Model& model, const std::stri
   return {idle, brace, pad};
 }
 
-/// Robots on a fixed base cannot hold seven directions rigidly: their contacts give way.
+/// Robots on a fixed base cannot satisfy seven rigid directions: their contacts are compliant.
 inline ContactSolver ocp_solver(const TestRobot& robot) {
   return {.mu = robot.base == Base::Fixed ? 0.05 : 0.0};
 }
 
-/// Everything but costs and horizon.
+/// Problem without costs and horizon.
 inline ProblemSpec bare_problem(const OcpCase& test, const Model& model) {
   std::mt19937_64 generator(11);
   ProblemSpec spec{.model = model};
   spec.contacts = ocp_contacts(model, test.robot.tool);
-  if (test.rubs) spec.contacts[1].friction = {0.3, 0.3, 0.05};
+  if (test.has_friction) spec.contacts[1].friction = {0.3, 0.3, 0.05};
   spec.contact_solver = ocp_solver(test.robot);
   spec.actuation.passive_torques = true;
   spec.actuation.slip_velocity = 0.5;
   if (test.torque_model)
-    spec.torque_model = test.held ? TorqueModel::held() : TorqueModel{.cutoff = 30.0};
+    spec.torque_model = test.zero_order_hold ? TorqueModel::held() : TorqueModel{.cutoff = 30.0};
   spec.initial_state = OcpSetup{model, test.robot.tool, generator}.state(test);
-  if (test.remembers) spec.remembered_forces = {"pad", "brace"};
+  if (test.has_force_states) spec.force_states = {"pad", "brace"};
   spec.start_time = 0.7;
   return spec;
 }
 
-/// A state and a control at which rigid contacts are independent.
+/// State and control at which rigid contacts are independent.
 struct OcpState {
   Eigen::VectorXd x, u;
 };
@@ -200,11 +202,11 @@ inline OcpState random_ocp_state(const Problem& problem, std::mt19937_64& genera
                            ? random_state(model, generator)
                            : regular_state(model, dynamics, generator, 1e-2);
   OcpState state{Eigen::VectorXd(l.nx()), uniform(l.nu, 5.0, generator)};
-  state.x << s.q, s.v, uniform(l.filtered, 5.0, generator), uniform(l.remembered, 5.0, generator);
+  state.x << s.q, s.v, uniform(l.filtered, 5.0, generator), uniform(l.force_states, 5.0, generator);
   return state;
 }
 
-/// Trajectories of a whole horizon, and room for its expansion.
+/// Trajectories of a whole horizon, and memory for its expansion.
 struct OcpHorizon {
   OcpHorizon(Problem& problem, std::mt19937_64& generator) {
     const StateShape& shape = problem.state();
@@ -217,32 +219,32 @@ struct OcpHorizon {
     }
     next.resize(x.size());
     values.resize(knots);
-    int lead_size = 0;
-    for (const LeadBlock& block : shape.blocks) lead_size += 2 * block.size * block.size;
+    int tangent_size = 0;
+    for (const NonEuclideanBlock& block : shape.blocks) tangent_size += 2 * block.size * block.size;
     for (std::size_t k = 0; k < knots; ++k) {
       gradient.emplace_back(stride);
       hessian.emplace_back(stride, stride);
       dynamics.emplace_back(stride, stride);
-      lead.emplace_back(lead_size);
+      tangent_blocks.emplace_back(tangent_size);
       decay.emplace_back(shape.filtered);
       rows.emplace_back(problem.rows(static_cast<int>(k)), stride);
-      bends.emplace_back(problem.max_bends(), stride);
+      curvatures.emplace_back(problem.max_curvatures(), stride);
       row_values.emplace_back(problem.rows(static_cast<int>(k)));
     }
     out.resize(knots);
     for (std::size_t k = 0; k < knots; ++k) point_at(k);
   }
-  /// Of a copy: its expansion of knot k goes into its own room.
+  /// Lets the expansion of knot k point to the memory of this object; needed after a copy.
   void point_at(std::size_t k) {
     KnotExpansion& knot = out[k];
     knot.stride = stride;
     knot.gradient = gradient[k].data();
     knot.hessian = hessian[k].data();
     knot.dynamics = dynamics[k].data();
-    knot.lead = lead[k].data();
+    knot.tangent_blocks = tangent_blocks[k].data();
     knot.decay = decay[k].data();
     knot.rows = rows[k].data();
-    knot.bends = bends[k].data();
+    knot.curvatures = curvatures[k].data();
     knot.row_values = row_values[k].data();
   }
   TrajectoryView view() const { return {x.data(), u.data()}; }
@@ -270,8 +272,8 @@ struct OcpHorizon {
   int stride = 0;
   std::vector<double> x, u, next;
   std::vector<KnotValue> values;
-  std::vector<Eigen::VectorXd> gradient, lead, decay, row_values;
-  std::vector<RowMatrix> hessian, dynamics, rows, bends;
+  std::vector<Eigen::VectorXd> gradient, tangent_blocks, decay, row_values;
+  std::vector<RowMatrix> hessian, dynamics, rows, curvatures;
   std::vector<KnotExpansion> out;
 };
 

@@ -1,4 +1,4 @@
-// The baseline polishing with pressing_arm(): surfaces, cases of disturbances, a run.
+// Baseline polishing with pressing_arm(): surfaces, disturbances, and a run.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace burnish::test {
 
-/// A posture of the robot and the surface under its tool.
+/// Posture of the robot, and the normal of the surface under its tool.
 struct PolishingSurface {
   std::string posture;
   Eigen::Vector3d normal;
@@ -25,37 +25,38 @@ inline PolishingSurface board_y() { return {"board_y", {0.0, 1.0, 0.0}}; }
 
 struct PolishingCase;
 
-/// The impedance with the gains of what was published, whatever the shipped ones are.
-inline std::unique_ptr<Controller> published_impedance(const Model& model, const PressingPath& path,
-                                                       const PolishingCase& wanted);
+/// Impedance controller with the gains of the reference measurements, independent of the defaults.
+inline std::unique_ptr<Controller> reference_impedance(const Model& model, const PressingPath& path,
+                                                       const PolishingCase& test_case);
 
-/// What a run differs in.
+/// Settings of a run.
 struct PolishingCase {
   PolishingSurface surface = table();
   double friction = 0.0;
-  double ki = 0.0;              ///< 1/s, of the controller
-  double friction_known = 0.0;  ///< to the controller
-  double clearance = 1e-3;      ///< m at the start
+  double ki = 0.0;                ///< force integral gain of the controller [1/s]
+  double assumed_friction = 0.0;  ///< friction coefficient that the controller assumes
+  double clearance = 1e-3;        ///< distance of the tip from the surface at the start [m]
   Disturbances disturbances = {};
   std::function<std::unique_ptr<Controller>(const Model&, const PressingPath&,
                                             const PolishingCase&)>
-      make_controller = published_impedance;
+      make_controller = reference_impedance;
 };
 
-inline std::unique_ptr<Controller> published_impedance(const Model& model, const PressingPath& path,
-                                                       const PolishingCase& wanted) {
+inline std::unique_ptr<Controller> reference_impedance(const Model& model, const PressingPath& path,
+                                                       const PolishingCase& test_case) {
   ImpedanceGains gains;
   gains.kp = 900.0;
   gains.kd = 60.0;
   gains.ki_position = 0.0;
   gains.kd_normal = 30.0;
-  gains.ki = wanted.ki;
+  gains.ki = test_case.ki;
   gains.posture_kp = 20.0;
   gains.posture_kd = 6.0;
-  return make_impedance_controller(model, {path, gains, wanted.friction_known});
+  return make_impedance_controller(model, {path, gains, test_case.assumed_friction});
 }
 
-/// 17 bit encoders, differences and force filtered at 50 Hz, 0.3 N and 0.05 Nm of noise, 1 ms.
+/// 17 bit encoders, differentiated positions and force filtered at 50 Hz, noise of 0.3 N and 0.05
+/// Nm, delay of 1 ms.
 inline Disturbances sensor_noise(double mass_scale) {
   constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz, rad/s
   Disturbances result;
@@ -82,13 +83,13 @@ class PolishingRun {
  public:
   /// make_plant(model, scene) -> std::unique_ptr<Plant>
   template <class MakePlant>
-  PolishingRun(const PolishingCase& wanted, MakePlant&& make_plant)
-      : nominal_(right_arm(&q_, wanted.surface.posture)) {
+  PolishingRun(const PolishingCase& test_case, MakePlant&& make_plant)
+      : nominal_(right_arm(&q_, test_case.surface.posture)) {
     SceneSpec scene;
-    scene.surface.friction = wanted.friction;
-    scene = scene_under_tip(nominal_, q_, wanted.surface.normal, scene, wanted.clearance);
-    plant_ = make_plant(plant_model(nominal_, wanted.disturbances),
-                        plant_scene(scene, wanted.disturbances));
+    scene.surface.friction = test_case.friction;
+    scene = scene_under_tip(nominal_, q_, test_case.surface.normal, scene, test_case.clearance);
+    plant_ = make_plant(plant_model(nominal_, test_case.disturbances),
+                        plant_scene(scene, test_case.disturbances));
     CirclePath circle;
     circle.center_world = scene.surface.point + scene.tip.radius * scene.surface.normal;
     circle.normal_world = scene.surface.normal;
@@ -96,13 +97,13 @@ class PolishingRun {
     path.normal_world = scene.surface.normal;
     path.task = [circle](double t) { return circle.at(t); };
     path.posture = q_;
-    controller_ = wanted.make_controller(nominal_, path, wanted);
-    loop_ = std::make_unique<ClosedLoop>(*plant_, *controller_, wanted.disturbances);
+    controller_ = test_case.make_controller(nominal_, path, test_case);
+    loop_ = std::make_unique<ClosedLoop>(*plant_, *controller_, test_case.disturbances);
     status_ = loop_->reset(q_, Eigen::VectorXd::Zero(nominal_.nv));
   }
 
   Status run(double duration) {
-    if (status_ <= Status::NotConverged) status_ = loop_->run(duration);
+    if (is_usable(status_)) status_ = loop_->run(duration);
     return status_;
   }
   Metrics metrics(double start) const {

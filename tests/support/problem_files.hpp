@@ -1,4 +1,4 @@
-// A folder for problem files of a test, and a small problem to begin with.
+// Folder for problem files of a test, and a small problem as their base.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace burnish::testing {
 
 namespace fs = std::filesystem;
-/// A folder for the files of one test.
+/// Fixture with a folder for the files of one test.
 class ProblemFiles : public ::testing::Test {
  protected:
   fs::path write(const std::string& text, const std::string& name = "problem.yaml") const {
@@ -24,7 +24,8 @@ class ProblemFiles : public ::testing::Test {
 
 inline const std::string arm = "robot: " BURNISH_ROBOTS_DIR "/arm7\n";
 
-/// A small problem, with changes: lines of `more` at the end, `from` in the text replaced by `to`.
+/// Small problem with changes: `to` replaces `from` in the text; the lines `more` follow at the
+/// end.
 inline std::string small(const std::string& from = "", const std::string& to = "",
                          const std::string& more = "") {
   std::string text = arm +

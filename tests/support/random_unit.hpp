@@ -1,4 +1,4 @@
-// Directions at random.
+// Random directions.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +6,7 @@
 
 namespace burnish::test {
 
-/// A unit vector, every direction as likely as any other.
+/// Random unit vector, uniform over all directions.
 inline Eigen::Vector3d random_unit(std::mt19937_64& generator) {
   std::normal_distribution<double> draw;
   Eigen::Vector3d u(draw(generator), draw(generator), draw(generator));

@@ -1,4 +1,4 @@
-// What a call is refused with.
+// Sentences with which calls are refused.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace burnish::testing {
 
-/// The sentence of the Error that `call` throws, or "" if it throws none.
+/// Returns the sentence of the Error that `call` throws, or "" if it throws none.
 template <class Call>
 std::string refusal(Call&& call) {
   try {
@@ -21,9 +21,9 @@ std::string refusal(Call&& call) {
   return "";
 }
 
-/// Every word must appear, and the sentence must be one line.
+/// Expects every word in the sentence, and the sentence on one line.
 inline void expect_words(const std::string& sentence, const std::vector<std::string>& words) {
-  EXPECT_NE(sentence, "") << "nothing was refused";
+  EXPECT_NE(sentence, "") << "the call must be refused";
   EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
   for (const std::string& word : words) {
     EXPECT_NE(sentence.find(word), std::string::npos) << "'" << word << "' is not in: " << sentence;

@@ -1,12 +1,12 @@
-// Residuals that the laws of optimal control problems are tested on. A new one joins with one line
-// in residual_cases().
+// Residuals for the laws of optimal control problems. A new residual joins with one line in
+// residual_cases().
 #pragma once
 
 #include "support/ocp_cases.hpp"
 
 namespace burnish::test {
 
-/// Axes that follow a surface of the world, or of another frame, from where `origin` is.
+/// Reference whose axes follow a surface of the world, or of another frame, at `origin`.
 inline Reference following(const Quadric& surface, const Anchor& axes = Anchor::Base,
                            const Anchor& origin = Anchor::Tool) {
   Reference result{origin, axes, tilt()};
@@ -27,7 +27,7 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
   const bool at_the_end = test.acts_from_state();
   namespace R = residual;
   using Setup = const OcpSetup&;
-  const Penalty abs = Penalty::smooth_absolute(0.3), square;
+  const Penalty abs = Penalty::smooth_absolute(0.3), quadratic;
   const Penalty inside =
       Penalty::barrier(Eigen::VectorXd::Constant(1, -0.2), Eigen::VectorXd::Constant(1, 0.3));
   const Penalty logarithm = Penalty::log_barrier(Eigen::VectorXd::Constant(1, -0.5),
@@ -35,7 +35,7 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
   std::vector<ResidualCase> cases{
       {"state", [](Setup) { return R::State{}; }},
       {"state to target", [=](Setup s) { return R::State{s.state(test)}; }, abs},
-      {"control", [](Setup) { return R::Control{0.5}; }, square, false},
+      {"control", [](Setup) { return R::Control{0.5}; }, quadratic, false},
       {"joint position",
        [](Setup s) {
          return R::JointPosition{s.plain_joints(), 0.1};
@@ -132,7 +132,7 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
        inside},
       {"height above a surface of another frame",
        [](Setup s) {
-         return R::FrameHeight{s.tool, following(saddle(), frame_on_the_way(s.model, s.tool))};
+         return R::FrameHeight{s.tool, following(saddle(), middle_frame(s.model, s.tool))};
        }},
       {"position along a surface",
        [](Setup s) {
@@ -169,13 +169,13 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
        [](Setup) {
          return R::FrictionCone{"pad", 0.7, 2, following(saddle(), Anchor::Base, Anchor::World)};
        },
-       square, at_the_end},
-      {"brace", [](Setup) { return R::ContactForce{"brace"}; }, square, at_the_end},
+       quadratic, at_the_end},
+      {"brace", [](Setup) { return R::ContactForce{"brace"}; }, quadratic, at_the_end},
       {"local force",
        [](Setup) {
          return R::ContactForce{"pad", Reference::local(tilt())};
        },
-       square, at_the_end},
+       quadratic, at_the_end},
       {"centered force",
        [](Setup) {
          return R::ContactForce{"pad", Reference::centered(), 3.0};
@@ -185,12 +185,12 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
        [](Setup) {
          return R::ContactForce{"brace", Reference::world()};
        },
-       square, at_the_end},
+       quadratic, at_the_end},
       {"force about another frame in turning axes",
        [](Setup s) {
          return R::ContactForce{"pad", turning_reference(s.other(), Anchor::Tool), 1.0};
        },
-       square, at_the_end},
+       quadratic, at_the_end},
       {"cone",
        [](Setup) {
          return R::FrictionCone{"pad", 0.4};
@@ -200,13 +200,13 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
        [](Setup) {
          return R::FrictionCone{"pad", 0.7, 0, Reference::local()};
        },
-       square, at_the_end},
+       quadratic, at_the_end},
       {"pyramid",
        [](Setup) { return R::FrictionCone{.contact = "pad", .friction = 0.4, .sides = 5}; },
        Penalty::at_least(1.0), at_the_end},
-      {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, square, at_the_end},
+      {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, quadratic, at_the_end},
       {"pressure and turning",
-       [](Setup) { return R::CenterOfPressure{.contact = "pad", .friction = 0.3}; }, square,
+       [](Setup) { return R::CenterOfPressure{.contact = "pad", .friction = 0.3}; }, quadratic,
        at_the_end},
       {"centre of mass", [](Setup s) { return R::CenterOfMass{s.random(3)}; }},
       {"support",
@@ -222,9 +222,9 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
        [](Setup s) {
          return R::custom(WithJacobian{.frames = {s.tool}, .contacts = {"pad", "brace"}});
        },
-       square, at_the_end},
+       quadratic, at_the_end},
   };
-  if (test.remembers) {
+  if (test.has_force_states) {
     cases.push_back({"force rate",
                      [](Setup s) {
                        return R::ContactForceRate{"pad", s.random(6)};
@@ -242,29 +242,32 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
   return cases;
 }
 
-/// One stage of one term per residual, each on as many knots as a pack has lanes, whose steps grow;
-/// those that can stand at the end also there.
+/// Problem with one stage of one term per residual. Each stage has as many knots as a pack has
+/// lanes, with growing steps. Residuals that may be terminal are also terminal costs.
 inline ProblemSpec residual_problem(const OcpCase& test, const Model& model) {
   ProblemSpec spec = bare_problem(test, model);
   std::mt19937_64 generator(12);
   const OcpSetup setup{model, test.robot.tool, generator};
-  for (const ResidualCase& given : residual_cases(test)) {
-    CostTerm term{
-        .name = given.name, .residual = given.make(setup), .weight = 0.7, .penalty = given.penalty};
-    spec.stages.push_back({.name = given.name, .contacts = {"brace", "pad"}, .costs = {term}});
+  for (const ResidualCase& residual_case : residual_cases(test)) {
+    CostTerm term{.name = residual_case.name,
+                  .residual = residual_case.make(setup),
+                  .weight = 0.7,
+                  .penalty = residual_case.penalty};
+    spec.stages.push_back(
+        {.name = residual_case.name, .contacts = {"brace", "pad"}, .costs = {term}});
     spec.stages.back().step = 0.02;
-    spec.horizon.push_back({.stage = given.name,
+    spec.horizon.push_back({.stage = residual_case.name,
                             .knots = native_lanes,
                             .step = 0.03,
                             .duration = 0.04 * native_lanes});
-    if (given.at_the_end) spec.terminal.push_back(term);
+    if (residual_case.at_the_end) spec.terminal.push_back(term);
   }
   return spec;
 }
 
 /// Whether the values `r` of a residual are within 0.1 rad of the cut of a logarithm or an angle,
-/// over which differences jump.
-inline bool at_a_cut(const Residual& residual, const Eigen::VectorXd& r) {
+/// where differences jump.
+inline bool is_near_a_cut(const Residual& residual, const Eigen::VectorXd& r) {
   constexpr double largest = M_PI - 0.1;
   if (std::holds_alternative<residual::FrameRotation>(residual)) return r.norm() > largest;
   if (std::holds_alternative<residual::FramePlacement>(residual)) return r.tail(3).norm() > largest;
@@ -276,14 +279,14 @@ inline bool at_a_cut(const Residual& residual, const Eigen::VectorXd& r) {
   return false;
 }
 
-/// A random state at which a term is at no cut.
+/// Returns a random state that is not near the cut of a term.
 inline OcpState state_off_cuts(Problem& problem, int knot, int term, const Residual& residual,
                                std::mt19937_64& generator) {
   for (int attempt = 0; attempt < 100; ++attempt) {
     OcpState state = random_ocp_state(problem, generator);
-    if (!at_a_cut(residual, problem.residual(knot, term, state.x, state.u))) return state;
+    if (!is_near_a_cut(residual, problem.residual(knot, term, state.x, state.u))) return state;
   }
-  throw Error("every state is at the cut of an angle");
+  throw Error("every state is near the cut of an angle");
 }
 
 }  // namespace burnish::test

@@ -1,4 +1,4 @@
-// The robots that the kernels are tested on, and random states of them.
+// Robots for the tests of the kernels, and random states of them.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,8 @@
 
 namespace burnish::test {
 
-/// The one of built_robots() of that name, or nullptr. Its only variant is "name:floating".
+/// Returns the robot of built_robots() with that name, or nullptr. Its only variant is
+/// "name:floating".
 inline const BuiltRobot* built_robot(const std::string& name) {
   for (const BuiltRobot& robot : built_robots())
     if (name == robot.name || name == robot.name + ":floating") return &robot;
@@ -29,7 +30,7 @@ inline bool is_available(const std::string& name) {
   return has_robot_files || built_robot(name) != nullptr;
 }
 
-/// One of built_robots(), or one that comes with the repository; on its own base, or the given one.
+/// Returns a robot of built_robots() or of the repository, on its own or the given base.
 inline Model named_robot(const std::string& name, std::optional<Base> base = {}) {
   if (const BuiltRobot* const built = built_robot(name))
     return built->model(base.value_or(name == built->name ? built->usual : Base::FreeFlyer));
@@ -38,18 +39,18 @@ inline Model named_robot(const std::string& name, std::optional<Base> base = {})
   overrides.base = base;
   return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name, overrides).model;
 #else
-  throw Error("robot '" + name + "' is in files, which this build does not read");
+  throw Error("robot '" + name + "' needs robot files, which this build does not read");
 #endif
 }
 
-/// A robot by its name, bolted down or floating. `tool` is a frame at its end.
+/// Robot by its name, with a fixed or floating base. `tool` is a frame at its end.
 struct TestRobot {
   std::string name;
   Base base;
   std::string tool;
 
   Model model() const { return named_robot(name, base); }
-  /// A name that a test case may have.
+  /// Label that is valid as part of a test name.
   std::string label() const {
     std::string text = name + (base == Base::Fixed ? "_fixed" : "_floating");
     for (char& c : text)
@@ -58,10 +59,10 @@ struct TestRobot {
   }
 };
 
-/// How a test names it.
+/// Prints the label for test output.
 inline void PrintTo(const TestRobot& robot, std::ostream* out) { *out << robot.label(); }
 
-/// Those that this build can make, by what `name` gives of them.
+/// Returns the items whose robots this build can make; `name` returns the robot of an item.
 template <class Item, class Name>
 std::vector<Item> available(std::vector<Item> items, const Name& name) {
   std::erase_if(items, [&](const Item& item) { return !is_available(name(item)); });
@@ -71,7 +72,7 @@ inline std::vector<TestRobot> available(const std::vector<TestRobot>& robots) {
   return available(robots, [](const TestRobot& robot) { return robot.name; });
 }
 
-/// Talos where it is in a file.
+/// Talos, or the biped in builds that read no files.
 inline TestRobot humanoid(const std::string& tool = "right_sole_link") {
   return {has_robot_files ? "talos" : "biped", Base::FreeFlyer, tool};
 }
@@ -94,15 +95,15 @@ inline std::vector<TestRobot> test_robots() {
   return robots;
 }
 
-/// Those whose joints move each by an entry of v of its own.
+/// Robots without follower joints.
 inline std::vector<TestRobot> robots_without_followers() {
   std::vector<TestRobot> robots = test_robots();
   std::erase_if(robots, [](const TestRobot& robot) { return robot.name == "followers"; });
   return robots;
 }
 
-/// The frame whose body is moved by most joints that move none of these frames, the last of
-/// several; on a single chain a frame in the middle of it.
+/// Returns the frame whose body depends on most joints that move none of these frames (the last of
+/// several). On a single chain it is a frame in the middle.
 inline std::string far_frame(const Model& model, const std::vector<std::string>& frames) {
   std::set<int> near, bodies;
   for (const std::string& name : frames) {
@@ -112,17 +113,17 @@ inline std::string far_frame(const Model& model, const std::vector<std::string>&
     for (int j = body; j >= 0; j = model.joints[static_cast<std::size_t>(j)].parent) near.insert(j);
   }
   std::string result;
-  int most = -1;
+  int best = -1;
   for (const Frame& frame : model.frames) {
-    // Where a link and a joint share a name, the frame is the link's.
+    // If a link and a joint share a name, the frame is the link's.
     if (frame.body < 0 || bodies.contains(frame.body) || frame.kind != FrameKind::Link) continue;
     int others = 0, above = 0;
     for (int j = frame.body; j >= 0; j = model.joints[static_cast<std::size_t>(j)].parent) {
       others += near.contains(j) ? 0 : 100;
       ++above;
     }
-    if (others + std::min(above, 3) >= most) {
-      most = others + std::min(above, 3);
+    if (others + std::min(above, 3) >= best) {
+      best = others + std::min(above, 3);
       result = frame.name;
     }
   }

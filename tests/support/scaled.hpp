@@ -1,4 +1,4 @@
-// A robot of another size and mass: the shipped ones as a toy or a crane.
+// Robots of other sizes and masses, such as a toy or a crane.
 #pragma once
 
 #include "burnish/model/model.hpp"
@@ -6,9 +6,9 @@
 
 namespace burnish::test {
 
-/// All lengths times `length`, all masses times `mass`, angles and gravity as they are.
+/// Scales all lengths by `length` and all masses by `mass`; angles and gravity stay.
 inline Model scaled(Model model, double length, double mass) {
-  const double torque = mass * length;  // of weights
+  const double torque = mass * length;  // scale of torques of weights
   for (Joint& joint : model.joints) {
     joint.placement.translation() *= length;
     joint.mass *= mass;

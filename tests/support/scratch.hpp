@@ -1,4 +1,4 @@
-// Files that a test writes.
+// Temporary files of a test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ inline std::string contents(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// A folder of its own, gone at the end.
+/// Temporary folder that is deleted at the end.
 class Scratch {
  public:
   Scratch() {

@@ -1,16 +1,16 @@
-// An arm of six joints as common ones are, as the text of a URDF file.
+// Common six-joint arm as the text of a URDF file.
 #pragma once
 
 #include <string>
 
 namespace burnish::testing {
 
-/// What differs between wrists. Lengths along the last axis [m].
+/// Dimensions that differ between wrists. Lengths along the last axis [m].
 struct Wrist {
-  double joint_before = 0.1;  ///< from the joint before to the last joint
-  double mass_at = -0.02;     ///< from the last joint to the centre of mass of its link
-  double flange_at = 0.0;     ///< from the last joint to the flange
-  double inertia = 0.01;      ///< of the last link about its axes [kg m^2]
+  double joint_before = 0.1;  ///< distance from the joint before to the last joint
+  double mass_at = -0.02;     ///< distance from the last joint to the center of mass of its link
+  double flange_at = 0.0;     ///< distance from the last joint to the flange
+  double inertia = 0.01;      ///< inertia of the last link about its axes [kg m^2]
   std::string beyond = {};    ///< further links and joints; `flange` hangs on `l6`
 };
 
@@ -45,7 +45,7 @@ inline std::string six_joint_arm(const Wrist& wrist = {}) {
          text(wrist.flange_at) + "'/></joint>\n" + wrist.beyond + "</robot>";
 }
 
-/// A sliding finger on link `hand`.
+/// Sliding finger on link `hand`.
 inline std::string finger(const std::string& name, const std::string& hand, double y,
                           const std::string& mimic = "") {
   return "<joint name='" + name + "' type='prismatic'><parent link='" + hand + "'/><child link='" +
@@ -56,8 +56,8 @@ inline std::string finger(const std::string& name, const std::string& hand, doub
          "ixz='0' iyz='0'/></inertial></link>\n";
 }
 
-/// The arm with two fingers on its last link, of which the second follows the first, and a link
-/// `tcp` between their tips.
+/// Arm with two fingers on its last link, of which the second follows the first, and a link `tcp`
+/// between their tips.
 inline Wrist with_gripper() {
   return {.beyond = finger("left", "l6", 0.03) +
                     finger("right", "l6", -0.03, "<mimic joint='left' multiplier='-1'/>") +

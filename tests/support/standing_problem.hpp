@@ -1,5 +1,5 @@
-// The whole-body problem that solvers are compared on: two feet on the ground, the centre of mass
-// swings sideways.
+// Whole-body problem for comparisons of solvers: two feet on the ground, the center of mass swings
+// sideways.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,8 @@
 
 namespace burnish::test {
 
-/// Two 6D centred contacts of the frames `soles` where they are at q0, gains (0, 50).
+/// Two 6D contacts in Centered axes at the frames `soles`, at their positions at q0, with gains (0,
+/// 50).
 inline ProblemSpec standing_problem(const Model& model, const std::vector<std::string>& soles,
                                     const Eigen::VectorXd& q0, int knots) {
   const int nv = model.nv;
@@ -30,7 +31,8 @@ inline ProblemSpec standing_problem(const Model& model, const std::vector<std::s
   spec.initial_state = Eigen::VectorXd::Zero(model.nq + nv);
   spec.initial_state.head(model.nq) = q0;
   RigidBody body(model);
-  if (body.update(q0, Eigen::VectorXd::Zero(nv)) != Status::Ok) throw Error("q0 is no state");
+  if (body.update(q0, Eigen::VectorXd::Zero(nv)) != Status::Ok)
+    throw Error("q0 is not a valid configuration");
   const Eigen::Vector3d c0 = body.com();
   const auto sway = Signal::over_time(3, [c0](double t, Eigen::Ref<Eigen::VectorXd> c) {
     c = c0 + Eigen::Vector3d(0.0, 0.03 * std::sin(std::numbers::pi * t), 0.0);

@@ -1,4 +1,4 @@
-// A robot that stands on two feet in a made-up run: a floating base with a foot on either side.
+// Robot that stands on two feet in a synthetic run: a floating base with a foot on either side.
 #pragma once
 
 #include <cmath>
@@ -12,15 +12,15 @@
 
 namespace burnish::testing {
 
-/// 20 kg at half a metre; feet 15 cm to the left and right of it on the ground, each of which bears
-/// 100 N, in every row of a trace that rests.
+/// Base of 20 kg at 0.5 m, with feet on the ground 15 cm to its left and right. In every row of a
+/// trace at rest, each foot carries 100 N.
 class StandingTrace {
  public:
   using Set = std::function<void(const std::string& column, double value)>;
-  /// Called for every row after what rests is there.
+  /// Called for every row after the values at rest are set.
   using Change = std::function<void(int row, const Set& set)>;
 
-  /// radius: m, of feet that are balls; 0: soles of 20 by 10 cm.
+  /// `radius`: radius of point feet [m]; 0: planar feet of 20 by 10 cm.
   explicit StandingTrace(double radius = 0.0) {
     TreeSpec tree;
     tree.name = "biped";
@@ -50,7 +50,7 @@ class StandingTrace {
     }
   }
 
-  /// Its columns beside those of a tool.
+  /// Columns of the robot; columns of a tool are not included.
   std::vector<TraceColumn> columns() const {
     std::vector<TraceColumn> columns{{"time", "s"}};
     for (int k = 0; k < model.nq; ++k) columns.push_back({"q_" + model.q_name(k), "-"});

@@ -1,4 +1,4 @@
-// Two bodies that touch.
+// Contact between two bodies.
 #pragma once
 
 #include <ostream>
@@ -6,12 +6,12 @@
 
 namespace burnish::test {
 
-/// A frame of a robot, and another of it or the world.
+/// Frame of a robot, and another frame of the robot or the world.
 struct Touch {
   std::string robot, tool, base;
 };
 
-/// How a test names it.
+/// Prints the frames for test output.
 inline void PrintTo(const Touch& touch, std::ostream* out) {
   *out << touch.robot << ": " << touch.tool << " on " << touch.base;
 }

@@ -1,4 +1,4 @@
-// A task that is none: an arm in the air whose stages, events and quantities a test decides on.
+// Toy task: an arm in free motion; the test sets stages, events and quantities.
 #pragma once
 
 #include <memory>
@@ -8,13 +8,13 @@
 
 namespace burnish::test {
 
-/// What the toy says; the test and the controller's task look at the same.
+/// Outputs of the toy task, shared by the test and the controller's task.
 struct Toy {
   bool rings = false;             ///< the event "bell"
-  double heat = 0.0, sway = 0.0;  ///< watched, in this order; 1 is allowed
+  double heat = 0.0, sway = 0.0;  ///< watched quantities, in this order; the limit is 1
   std::function<void(double, Command&)> aim = nullptr;
   int resets = 0, senses = 0, watches = 0;
-  double dt = 0.0;  ///< s, as seen last
+  double dt = 0.0;  ///< last dt of the task's view [s]
 };
 
 class ToyTask final : public MpcTask {
@@ -43,7 +43,7 @@ class ToyTask final : public MpcTask {
   std::shared_ptr<Toy> toy_;
 };
 
-/// Rests for 20 ms, then until the bell rings, 30 ms later by plan, then waves; ticks of 1 ms.
+/// Rests for 20 ms, then until the event "bell" (30 ms by plan), then waves; ticks of 1 ms.
 inline MpcSpec toy_spec(const std::shared_ptr<Toy>& toy = nullptr) {
   MpcSpec spec;
   spec.problem.model = arm7::model(Base::Fixed);
@@ -73,7 +73,7 @@ inline MpcSpec toy_spec(const std::shared_ptr<Toy>& toy = nullptr) {
   return spec;
 }
 
-/// At rest in the toy's first state.
+/// Measurement at rest in the toy's first state.
 inline Measurement toy_measurement(const MpcSpec& spec) {
   Measurement m;
   m.q = spec.problem.initial_state.head(spec.problem.model.nq);

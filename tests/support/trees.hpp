@@ -1,4 +1,4 @@
-// Trees to test with, and where their links are, computed by the book.
+// Trees for tests, and textbook computation of their link placements.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ inline Eigen::Isometry3d random_placement(std::mt19937_64& generator) {
   return placement;
 }
 
-/// A solid of four random point masses: physical by construction.
+/// Solid of four random point masses: physical by construction.
 inline InertiaSpec random_inertia(std::mt19937_64& generator) {
   InertiaSpec result;
   const Eigen::Vector3d points[4] = {random_vector(generator), random_vector(generator),
@@ -73,7 +73,7 @@ inline JointSpec joint(const std::string& name, JointType type, const std::strin
   return result;
 }
 
-/// A tree named after its file, with two branches.
+/// Tree named after its file, with two branches:
 /// base -b-> b, base -a(fixed)-> a, a -d-> d, a -c-> c, b -e-> e
 inline TreeSpec branching_tree() {
   TreeSpec tree;
@@ -87,7 +87,7 @@ inline TreeSpec branching_tree() {
   return tree;
 }
 
-/// Two links of the same length in metres that turn about z; stretched along x at zero.
+/// Two links of equal length [m] that turn about z; stretched along x at zero.
 inline TreeSpec two_links(double length = 1.0) {
   TreeSpec tree;
   tree.name = "two links";
@@ -107,8 +107,8 @@ inline const std::vector<JointType>& all_joint_types() {
   return types;
 }
 
-/// `count` joints of all types in turn, each on a random earlier link, with random axes,
-/// placements and masses. Names are not in the order of the tree.
+/// `count` joints of all types in turn, each on a random earlier link, with random axes, placements
+/// and masses. Names are not in the order of the tree.
 inline TreeSpec random_tree(std::mt19937_64& generator, int count) {
   TreeSpec tree;
   tree.name = "random";
@@ -127,8 +127,8 @@ inline TreeSpec random_tree(std::mt19937_64& generator, int count) {
   return tree;
 }
 
-/// Lets about half of the joints of one coordinate follow another one that is anywhere in the tree,
-/// directly or through others.
+/// Lets about half of the one-coordinate joints follow another joint anywhere in the tree, directly
+/// or through others.
 inline TreeSpec with_random_followers(TreeSpec tree, std::mt19937_64& generator) {
   std::vector<JointSpec*> single;
   for (JointSpec& spec : tree.joints)
@@ -161,8 +161,8 @@ inline Posture random_posture(const TreeSpec& tree, std::mt19937_64& generator) 
   return posture;
 }
 
-/// Placement of every link in the world, joint by joint as the description format defines it,
-/// whatever the order of the joints.
+/// Placement of every link in the world, joint by joint as the description format defines it, for
+/// any order of the joints.
 inline std::map<std::string, Eigen::Isometry3d> link_placements(
     const TreeSpec& tree, const Posture& posture, const std::string& root,
     const Eigen::Isometry3d& base = Eigen::Isometry3d::Identity()) {

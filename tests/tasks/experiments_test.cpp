@@ -1,4 +1,4 @@
-// Experiments: their tables, their batches, and quick versions of each from start to end.
+// Experiments: tables, batches, and a quick version of each experiment from start to end.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -18,26 +18,26 @@
 namespace burnish::testing {
 namespace {
 
-TEST(ResultTable, IsMarkdownAndCsv) {
-  ResultTable table{.name = "t", .title = "T", .columns = {{"what"}, {"length", "mm", 1}}};
+TEST(ResultTable, Cells_AreWrittenAsMarkdownAndCsv) {
+  ResultTable table{.name = "t", .title = "T", .columns = {{"text"}, {"length", "mm", 1}}};
   table.add({std::string("a, b|c"), 1.0 / 3.0});
   table.add({std::string("say \"x\""), std::numeric_limits<double>::quiet_NaN()});
   table.add({std::monostate(), 12.0});
   EXPECT_EQ(markdown(table),
-            "| what    | length [mm] |\n"
+            "| text    | length [mm] |\n"
             "| ------- | ----------: |\n"
             "| a, b\\|c |         0.3 |\n"
             "| say \"x\" |           - |\n"
             "| -       |        12.0 |\n");
   EXPECT_EQ(csv(table),
-            "what,length [mm]\n"
+            "text,length [mm]\n"
             "\"a, b|c\",0.3333333333333333\n"
             "\"say \"\"x\"\"\",\n"
             ",12\n");
   expect_words(refusal([&] { table.add({1.0}); }), {"'t'", "has 1 cells; wanted 2"});
 }
 
-TEST(RunFigures, StatisticsPassOverWhatIsMissing) {
+TEST(RunFigures, MissingValues_AreSkippedInStatistics) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> values{3.0, none, 1.0, 2.0, 4.0};
   EXPECT_EQ(mean_of(values), 2.5);
@@ -48,7 +48,7 @@ TEST(RunFigures, StatisticsPassOverWhatIsMissing) {
   EXPECT_TRUE(std::isnan(largest_of({})));
 }
 
-TEST(Batch, EveryIndexIsVisitedOnceAndTheFirstErrorComesOut) {
+TEST(Batch, EveryIndex_RunsOnceAndTheFirstErrorIsThrown) {
   for (const int threads : {1, 3}) {
     std::vector<std::atomic<int>> visits(50);
     for_each_index(50, threads, [&](int index) { ++visits[static_cast<std::size_t>(index)]; });
@@ -62,7 +62,7 @@ TEST(Batch, EveryIndexIsVisitedOnceAndTheFirstErrorComesOut) {
   }
 }
 
-TEST(Batch, ThreadsChangeNothing) {
+TEST(Batch, OneOrThreeThreads_GiveTheSameFigures) {
   ExperimentSpec spec = quick();
   std::vector<BatchRun> runs;
   for (int seed = 0; seed < 4; ++seed) {
@@ -89,7 +89,7 @@ TEST(Batch, ThreadsChangeNothing) {
   EXPECT_NE(one[0]["force_rmse"], one[2]["force_rmse"]);
 }
 
-TEST(Batch, WhatARunIsRefusedWithIsItsOutcome) {
+TEST(Batch, RefusedRun_ReportsTheRefusalAsItsOutcome) {
   ExperimentSpec spec = quick();
   std::vector<BatchRun> runs(1);
   runs[0].name = "far";
@@ -103,7 +103,7 @@ TEST(Batch, WhatARunIsRefusedWithIsItsOutcome) {
   expect_words(report.failures[0], {"far: ", "out of reach"});
 }
 
-TEST(DisturbanceRanges, AreDrawnFromTheSeedAlone) {
+TEST(DisturbanceRanges, Draws_DependOnTheSeedAlone) {
   const auto drawn = [](int seed) {
     Task task;
     draw_disturbances({}, static_cast<std::uint64_t>(seed), task);
@@ -121,26 +121,26 @@ TEST(DisturbanceRanges, AreDrawnFromTheSeedAlone) {
   }
   EXPECT_EQ(task_text(drawn(3)), task_text(drawn(3)));
   EXPECT_NE(task_text(drawn(3)), task_text(drawn(4)));
-  // The range of one changes no other.
-  DisturbanceRanges calm;
-  calm.torque_scale = {0.0, 0.0};
+  // The range of one disturbance does not change the draws of the others.
+  DisturbanceRanges exact_torques;
+  exact_torques.torque_scale = {0.0, 0.0};
   Task task;
-  draw_disturbances(calm, 3, task);
+  draw_disturbances(exact_torques, 3, task);
   EXPECT_EQ(task.disturbances.torque_scale_range, 0.0);
   EXPECT_EQ(task.disturbances.mass_scale, drawn(3).disturbances.mass_scale);
 }
 
-TEST(Experiments, AreFoundByName) {
+TEST(Experiments, Names_AreFoundOrCorrected) {
   EXPECT_EQ(experiments().size(), 10U);
   EXPECT_EQ(experiment_named("tick").name, "tick");
   expect_words(refusal([] { experiment_named("papr"); }),
-               {"experiment 'papr' is not known", "did you mean 'paper'?"});
+               {"unknown experiment 'papr'", "did you mean 'paper'?"});
   expect_words(refusal([] { check_experiment_task({.overrides = {"froce=3"}}, "table"); }),
                {"did you mean 'force'?"});
   expect_words(refusal([] { check_experiment_task({}, "tabel"); }), {"did you mean 'table'?"});
 }
 
-TEST(Experiments, PaperHasALinePerCaseAndAVerdictPerAim) {
+TEST(Experiments, Paper_HasARowPerCaseAndAVerdictPerAim) {
   ExperimentSpec spec = quick();
   spec.seeds = 2;
   spec.surfaces = {"table"};
@@ -161,7 +161,7 @@ TEST(Experiments, PaperHasALinePerCaseAndAVerdictPerAim) {
   }
 }
 
-TEST(Experiments, OrientationSearchesAPosturePerNormal) {
+TEST(Experiments, Orientation_SearchesAPosturePerNormal) {
   const ExperimentReport report = experiment_named("orientation").perform(quick());
   expect_complete(report);
   const ResultTable& normals = table_named(report, "normals");
@@ -172,7 +172,7 @@ TEST(Experiments, OrientationSearchesAPosturePerNormal) {
   expect_words(report.findings.front(), {"3 of 3 directions"});
 }
 
-TEST(Experiments, OrientationSaysWhatIsOutOfReach) {
+TEST(Experiments, OrientationOutOfReach_IsReported) {
   ExperimentSpec spec = quick();
   spec.overrides = {"limits.force=9000", "force=3000"};
   const ExperimentReport report = experiment_named("orientation").perform(spec);
@@ -182,7 +182,7 @@ TEST(Experiments, OrientationSaysWhatIsOutOfReach) {
                {"no posture was found for the surface", "pressing with 3000 N"});
 }
 
-TEST(Experiments, FramesShowThatTheSurfacesAxesAreRightWhereTheToolTurns) {
+TEST(Experiments, FramesWithTurningTool_FavourSurfaceAxes) {
   ExperimentSpec spec = quick();
   spec.surfaces = {"board"};
   spec.overrides = {"path.radius=0.05"};
@@ -190,13 +190,13 @@ TEST(Experiments, FramesShowThatTheSurfacesAxesAreRightWhereTheToolTurns) {
   expect_complete(report);
   const ResultTable& axes = table_named(report, "axes");
   ASSERT_EQ(axes.rows.size(), 4U);
-  // Ideal, the wrist free: the last column of force errors is the tool's axes.
+  // Row 1 is the ideal plant with a free wrist; the last column of force errors uses the tool axes.
   const double surface = number_at(axes, 1, "force_rmse, surface"),
                local = number_at(axes, 1, "local");
   EXPECT_GT(local, 5.0 * surface);
 }
 
-TEST(Experiments, SeedsCountWhatFails) {
+TEST(Experiments, Seeds_CountFailedRuns) {
   ExperimentSpec spec = quick();
   spec.seeds = 3;
   spec.first_seed = 5;
@@ -207,7 +207,7 @@ TEST(Experiments, SeedsCountWhatFails) {
   ASSERT_EQ(report.tasks.size(), 1U);
   EXPECT_GE(report.tasks[0].task.disturbances.seed, 5U);
   EXPECT_LE(report.tasks[0].task.disturbances.seed, 7U);
-  // A limit that no run keeps.
+  // Every run violates this limit.
   spec.overrides = {"limits.tool_speed=0.005"};
   const ExperimentReport failed = experiment_named("seeds").perform(spec);
   EXPECT_EQ(failed.failures.size(), 3U);
@@ -217,7 +217,7 @@ TEST(Experiments, SeedsCountWhatFails) {
   expect_words(failed.findings.front(), {"3 of 3 runs diverged"});
 }
 
-TEST(Experiments, SurfacesAreHeldToTheirAims) {
+TEST(Experiments, Surfaces_AreComparedWithTheirAims) {
   const ExperimentReport report = experiment_named("surfaces").perform(quick());
   expect_complete(report);
   const ResultTable& aims = table_named(report, "aims");
@@ -226,10 +226,10 @@ TEST(Experiments, SurfacesAreHeldToTheirAims) {
     EXPECT_EQ(number_at(aims, row, "seeds"), 1.0);
     EXPECT_GT(number_at(aims, row, "force_rmse, worst"), 0.0);
   }
-  // A plane that is 6 degrees off is not what is believed, and is found.
+  // A plane tilted by 6 degrees has a normal error, which the estimate reduces.
   EXPECT_GT(number_at(aims, 1, "normal_error, worst"), 0.01);
   EXPECT_LT(number_at(aims, 1, "normal_error, worst"), 6.0);
-  // What lifts off polishes nothing.
+  // Runs that fault do not polish.
   ExperimentSpec lifted = quick();
   lifted.overrides = {"limits.tool_speed=0.005"};
   const ExperimentReport failed = experiment_named("surfaces").perform(lifted);
@@ -237,7 +237,7 @@ TEST(Experiments, SurfacesAreHeldToTheirAims) {
   expect_words(failed.findings.front(), {"0 of 4 aims are met"});
 }
 
-TEST(Experiments, RobotsPolishOrSayWhyNot) {
+TEST(Experiments, Robots_PolishOrReportWhyNot) {
   const ExperimentReport report = experiment_named("robots").perform(quick());
   for (const std::string& failure : report.failures) ADD_FAILURE() << failure;
   const ResultTable& summary = table_named(report, "summary");
@@ -251,7 +251,7 @@ TEST(Experiments, RobotsPolishOrSayWhyNot) {
   EXPECT_FALSE(std::get<std::string>(others.rows[0][3]).empty());
 }
 
-TEST(Experiments, RobotsThatAreAskedForMustPolish) {
+TEST(Experiments, RequestedRobotThatCannotPolish_IsAFailure) {
   ExperimentSpec spec = quick();
   spec.robots = {"pendulum"};
   spec.tools = {"tip"};
@@ -260,7 +260,7 @@ TEST(Experiments, RobotsThatAreAskedForMustPolish) {
   expect_words(report.failures[0], {"pendulum, table: "});
 }
 
-TEST(ScaledRobot, HasTheMassAskedForAndTheProportionsOfBefore) {
+TEST(ScaledRobot, GivenMass_KeepsTheProportions) {
   const Robot arm = load_robot("arm7");
   const double mass = 8.0 * arm.model.total_mass();  // twice as long
   const Robot large = scaled_robot(arm, mass);
@@ -277,16 +277,16 @@ TEST(ScaledRobot, HasTheMassAskedForAndTheProportionsOfBefore) {
   const Eigen::VectorXd weight = small_body.gravity_torque();
   EXPECT_LT((Eigen::VectorXd(large_body.gravity_torque()) - 16.0 * weight).norm(),
             1e-9 * weight.norm());
-  // What holds the arm takes the same share of its limits.
+  // Gravity torques take the same fraction of the effort limits.
   EXPECT_LT((large.model.effort_limit - 16.0 * arm.model.effort_limit).norm(), 1e-9);
   EXPECT_LT((large.model.armature - 32.0 * arm.model.armature).norm(), 1e-9);
   EXPECT_EQ(large.model.q_upper, arm.model.q_upper);
   EXPECT_EQ(large.model.velocity_limit, arm.model.velocity_limit);
   expect_words(refusal([&] { scaled_robot(arm, -1.0); }), {"wanted a positive mass"});
-  expect_words(refusal([] { scaled_robot(load_robot("crane"), 3.0); }), {"does not turn"});
+  expect_words(refusal([] { scaled_robot(load_robot("crane"), 3.0); }), {"is not revolute"});
 }
 
-TEST(Experiments, TheForceTestMeasuresEveryControllerOnAnyRobot) {
+TEST(Experiments, ForceTest_MeasuresEveryController) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   ExperimentSpec spec = quick();
   spec.robots = {"arm7"};
@@ -305,7 +305,7 @@ TEST(Experiments, TheForceTestMeasuresEveryControllerOnAnyRobot) {
     EXPECT_GT(number_at(summary, row_of("step up", "rise_time"), controller), 0.0);
     EXPECT_GT(number_at(summary, row_of("sine sweep", "bandwidth_3db"), controller), 0.0);
   }
-  // Foreseen or not is the only difference.
+  // Preview is the only difference between the two controllers.
   EXPECT_LT(std::abs(number_at(summary, row_of("sine 8 Hz", "phase"), "mpc")) + 1.0,
             std::abs(number_at(summary, row_of("sine 8 Hz", "phase"), "mpc without preview")));
   for (const char* test : {"impact at 30 mm/s", "push along the normal", "edge that falls",
@@ -314,26 +314,26 @@ TEST(Experiments, TheForceTestMeasuresEveryControllerOnAnyRobot) {
       const std::string figure = test[0] == 'i' ? "impact_peak" : "force_peak";
       EXPECT_GT(number_at(summary, row_of(test, figure), controller), 0.0) << test;
     }
-  // What others put theirs beside: a row has who, what and in which unit, then the runs.
+  // A row identifies robot, figure and unit, followed by the values of the runs.
   const ResultTable& figures = report.tables.front();
   EXPECT_EQ(figures.columns.size(), 6U + 1U + 3U);
   for (const auto& row : figures.rows) EXPECT_EQ(std::get<std::string>(row[0]), "arm7");
 }
 
-TEST(Experiments, TheForceTestShowsWhoFailsAndWhy) {
+TEST(Experiments, ForceTest_ReportsFailuresWithReasons) {
   ExperimentSpec spec = quick();
-  spec.plant = PlantKind::Ideal;                 // which has no edges and no surface that moves
-  spec.overrides = {"limits.tool_speed=0.005"};  // which no plan keeps
+  spec.plant = PlantKind::Ideal;                 // supports neither edges nor moving surfaces
+  spec.overrides = {"limits.tool_speed=0.005"};  // every plan violates it
   const ExperimentReport report = experiment_named("force_test").perform(spec);
   std::string all;
   for (const std::string& finding : report.findings) all += finding + " ";
-  expect_words(all, {"mpc, step: no figures, as seed 0: speed limit",
-                     "baseline, surface swings: no figures", "surfaces at rest alone",
-                     "baseline, edge that falls: no figures", "it knows planes alone"});
+  expect_words(
+      all, {"mpc, step: no figures; seed 0: speed limit", "baseline, surface swings: no figures",
+            "wanted a surface at rest", "baseline, edge that falls: no figures", "wanted a plane"});
   EXPECT_FALSE(report.failures.empty());
 }
 
-TEST(Experiments, TickTimesEveryRate) {
+TEST(Experiments, Tick_MeasuresEveryRate) {
   const ExperimentReport report = experiment_named("tick").perform(quick());
   expect_complete(report);
   const ResultTable& rates = report.tables.front();
@@ -343,7 +343,7 @@ TEST(Experiments, TickTimesEveryRate) {
   EXPECT_GE(number_at(rates, 1, "ticks.maximum"), number_at(rates, 1, "ticks.median"));
 }
 
-TEST(Experiments, WorkOnThePlantWithoutAnEngine) {
+TEST(Experiments, IdealPlant_RunsThePaperExperiment) {
   ExperimentSpec spec = quick();
   spec.plant = PlantKind::Ideal;
   spec.seeds = 1;
@@ -351,17 +351,17 @@ TEST(Experiments, WorkOnThePlantWithoutAnEngine) {
   expect_complete(experiment_named("paper").perform(spec));
 }
 
-TEST(Experiments, StopWhenTheyAreTold) {
+TEST(Experiments, StopRequest_InterruptsTheExperiment) {
   ExperimentSpec spec = quick();
   spec.surfaces = {"table"};
-  std::atomic<int> asked = 0;
-  spec.stopped = [&] { return ++asked > 6; };
-  double share = 0.0;
-  spec.progress = [&](double done, const std::string& what) {
+  std::atomic<int> calls = 0;
+  spec.stopped = [&] { return ++calls > 6; };
+  double last_progress = 0.0;
+  spec.progress = [&](double done, const std::string& task_name) {
     EXPECT_GE(done, 0.0);
     EXPECT_LE(done, 1.0 + 1e-12);
-    EXPECT_FALSE(what.empty());
-    share = done;
+    EXPECT_FALSE(task_name.empty());
+    last_progress = done;
   };
   const ExperimentReport report = experiment_named("paper").perform(spec);
   EXPECT_TRUE(report.interrupted);

@@ -1,4 +1,4 @@
-// The one table of figures: names that are one, files and docs that follow it.
+// Table of the figures of a run: unique names, values by name, and the copy in the docs.
 #include "polishing/figures.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace burnish::polishing;
 
-/// Calls see(full name, entry) for every row of the table.
+/// Calls `see` with the full name and the entry of every row of the table.
 template <class See>
 void each_figure(const See& see) {
   const auto under = [&](const std::string& group) {
@@ -37,7 +37,7 @@ void each_figure(const See& see) {
   stand::each_sway_figure(under("sway."));
 }
 
-/// As the docs have it.
+/// Returns the table in Markdown, as it appears in the docs.
 std::string table_of_figures() {
   std::string text = "| figure | unit | shown in | meaning |\n| --- | --- | --- | --- |\n";
   each_figure([&](const std::string& name, const FigureEntry& entry) {
@@ -50,29 +50,32 @@ std::string table_of_figures() {
   return text;
 }
 
-TEST(Figures, HaveOneNameEach) {
+TEST(Figures, Names_AreUnique) {
   std::set<std::string> names;
   each_figure([&](const std::string& name, const FigureEntry& entry) {
-    EXPECT_TRUE(names.insert(name).second) << name << " stands in the table twice";
+    EXPECT_TRUE(names.insert(name).second) << name << " appears in the table twice";
     EXPECT_NE(std::string(entry.meaning), "") << name;
     EXPECT_NE(entry.unit.factor, 0.0) << name;
   });
   EXPECT_TRUE(names.contains("force_rmse"));
 }
 
-TEST(Figures, AreAskedForByTheirNames) {
+TEST(Figures, Names_GiveTheirValues) {
   RunFigures run;
-  EXPECT_TRUE(std::isnan(run["force_rmse"])) << "the path was not reached";
+  EXPECT_TRUE(std::isnan(run["force_rmse"]))
+      << "a run that did not reach the path must not have figures";
   run.metrics = Metrics{};
   run.metrics->force_rmse = 0.25;
   run.metrics->position_rmse = 1e-3;
   run.largest_command = 0.5;
   run.ticks.p99 = 2e-4;
-  EXPECT_TRUE(std::isnan(run["standing.slip"])) << "the robot does not stand";
+  EXPECT_TRUE(std::isnan(run["standing.slip"]))
+      << "a run of a fixed robot must not have figures of standing";
   run.standing = StandingFigures();
   run.standing->slip = 3e-3;
   EXPECT_EQ(run["standing.slip"], 3e-3);
-  EXPECT_TRUE(std::isnan(run["standing.pressure_margin"])) << "no soles";
+  EXPECT_TRUE(std::isnan(run["standing.pressure_margin"]))
+      << "a run without soles must not have a pressure margin";
   EXPECT_EQ(run["force_rmse"], 0.25);
   EXPECT_EQ(run["largest_command"], 0.5);
   EXPECT_EQ(run["ticks.p99"], 2e-4);
@@ -81,11 +84,11 @@ TEST(Figures, AreAskedForByTheirNames) {
   EXPECT_EQ(figure_column("position_rmse").unit, "mm");
   EXPECT_EQ(figure_column("without_contact", "worst").name, "worst");
   expect_words(refusal([&] { run["force_rsme"]; }),
-               {"no figure 'force_rsme'", "did you mean 'force_rmse'?"});
+               {"unknown figure 'force_rsme'", "did you mean 'force_rmse'?"});
 }
 
-/// BURNISH_WRITE=1 in the environment writes the docs anew.
-TEST(Figures, StandInTheDocsAsInTheTable) {
+/// With BURNISH_WRITE=1 in the environment, the test rewrites the table in the docs.
+TEST(Figures, DocsTable_MatchesTheFigures) {
   const std::string file = BURNISH_DOCS_DIR "/polishing.md", begin = "<!-- figures -->\n",
                     end = "<!-- end of figures -->";
   std::ostringstream stream;
@@ -98,7 +101,7 @@ TEST(Figures, StandInTheDocsAsInTheTable) {
   if (std::getenv("BURNISH_WRITE") != nullptr)
     std::ofstream(file) << text.replace(first, to - first, wanted);
   EXPECT_EQ(text.substr(first, text.find(end) - first), wanted)
-      << "BURNISH_WRITE=1 tasks_test --gtest_filter='Figures*' writes it";
+      << "BURNISH_WRITE=1 tasks_test --gtest_filter='Figures*' updates the table";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Figures of force control against signals whose figures are known: lags of first and second order.
+// Figures of force control, compared with the exact figures of first- and second-order lags.
 #include "polishing/experiments/force_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 using namespace burnish::polishing;
 constexpr double pi = std::numbers::pi;
 
-/// Over 0 to `end` s, by 0.5 ms.
+/// Returns a signal from 0 to `end` [s], sampled every 0.5 ms.
 ForceSignal signal_of(
     double end, const std::function<double(double)>& force,
     const std::function<double(double)>& target = [](double) { return 0.0; }) {
@@ -28,7 +28,7 @@ ForceSignal signal_of(
   return signal;
 }
 
-/// The answer of a lag with a natural frequency and a damping ratio to a unit step at 0.
+/// Unit step response of a second-order lag with natural frequency `w` and damping ratio `zeta`.
 double second_order_step(double t, double w, double zeta) {
   if (t <= 0.0) return 0.0;
   const double damped = w * std::sqrt(1.0 - zeta * zeta);
@@ -36,7 +36,7 @@ double second_order_step(double t, double w, double zeta) {
                    (std::cos(damped * t) + zeta * w / damped * std::sin(damped * t));
 }
 
-TEST(ForceFigures, AStepOfFirstOrderHasTheTimesOfItsConstant) {
+TEST(ForceFigures, FirstOrderStep_HasTheTimesOfItsTimeConstant) {
   constexpr double tau = 0.04;
   for (const double to : {30.0, 10.0}) {  // from 20 N, up and down
     const ForceSignal signal = signal_of(3.0, [&](double t) {
@@ -51,7 +51,7 @@ TEST(ForceFigures, AStepOfFirstOrderHasTheTimesOfItsConstant) {
   }
 }
 
-TEST(ForceFigures, AStepOfSecondOrderOvershootsByItsDamping) {
+TEST(ForceFigures, SecondOrderStep_OvershootsByItsDamping) {
   constexpr double w = 40.0;
   for (const double zeta : {0.2, 0.5, 0.7}) {
     const ForceSignal signal =
@@ -59,7 +59,7 @@ TEST(ForceFigures, AStepOfSecondOrderOvershootsByItsDamping) {
     const StepFigures step = step_figures(signal, 15.0, 30.0, {.at = 1.0, .until = 2.5});
     const double root = std::sqrt(1.0 - zeta * zeta);
     EXPECT_NEAR(step.overshoot, std::exp(-pi * zeta / root), 1e-4);
-    // It is last beyond 5 % before the envelope is within, and not more than half a swing before.
+    // The response leaves the 5 % band for the last time at most half a swing before its envelope.
     const double envelope = -std::log(0.05 * root) / (zeta * w);
     EXPECT_LE(step.settling_time, envelope + 1e-3);
     EXPECT_GE(step.settling_time, envelope - pi / (w * root));
@@ -67,7 +67,7 @@ TEST(ForceFigures, AStepOfSecondOrderOvershootsByItsDamping) {
   }
 }
 
-TEST(ForceFigures, WhatIsForeseenIsEarlyAndWhatIsNotReachedIsNone) {
+TEST(ForceFigures, EarlyOrUnreachedStep_HasNegativeDelayOrNoRiseTime) {
   const ForceSignal early =
       signal_of(3.0, [](double t) { return 15.0 + 15.0 * std::clamp((t - 0.9) / 0.1, 0.0, 1.0); });
   const StepFigures step = step_figures(early, 15.0, 30.0, {.at = 1.0, .until = 2.5});
@@ -84,8 +84,8 @@ TEST(ForceFigures, WhatIsForeseenIsEarlyAndWhatIsNotReachedIsNone) {
   EXPECT_TRUE(std::isnan(without.overshoot));
 }
 
-TEST(ForceFigures, ErrorsOfAWindow) {
-  // A lag behind a ramp of 10 N/s by 30 ms is off by 0.3 N.
+TEST(ForceFigures, LaggingForce_GivesItsErrorsAndSettlingTime) {
+  // A lag of 30 ms behind a ramp of 10 N/s is an error of 0.3 N.
   const ForceSignal lag = signal_of(
       2.0, [](double t) { return 10.0 * (t - 0.03); }, [](double t) { return 10.0 * t; });
   EXPECT_NEAR(mean_error(lag, 0.5, 1.5), -0.3, 1e-12);
@@ -99,7 +99,7 @@ TEST(ForceFigures, ErrorsOfAWindow) {
   EXPECT_EQ(settling_time(pushed, 2.0, 3.0, 1.0), 0.0);
 }
 
-TEST(ForceFigures, LossesOfContactAreCounted) {
+TEST(ForceFigures, ContactLosses_AreCounted) {
   ForceSignal signal = signal_of(1.0, [](double) { return 5.0; });
   for (Eigen::Index i = 0; i < signal.time.size(); ++i)
     if ((i >= 200 && i < 220) || (i >= 400 && i < 410)) signal.touches[i] = 0.0;
@@ -109,7 +109,7 @@ TEST(ForceFigures, LossesOfContactAreCounted) {
   EXPECT_EQ(contact_losses(signal, 0.5, 1.0).count, 0);
 }
 
-TEST(ForceFigures, ASineIsFoundBesideOthers) {
+TEST(ForceFigures, SineAmongOthers_IsFitted) {
   for (const double frequency : {0.5, 7.0, 48.0}) {
     const ForceSignal signal = signal_of(4.0, [&](double t) {
       return 30.0 + 4.0 * std::sin(2.0 * pi * frequency * t - 1.2) +
@@ -123,32 +123,32 @@ TEST(ForceFigures, ASineIsFoundBesideOthers) {
   }
 }
 
-TEST(ForceFigures, BandwidthsAreThoseOfTheLag) {
+TEST(ForceFigures, SecondOrderLag_GivesItsBandwidths) {
   const std::vector<double> frequencies{0.5, 1.0, 2.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0};
   constexpr double w = 2.0 * pi * 7.0, zeta = 0.6;
   std::vector<double> gains, phases;
   for (const double frequency : frequencies) {
     const std::complex<double> s(0.0, 2.0 * pi * frequency);
-    const std::complex<double> answer = w * w / (s * s + 2.0 * zeta * w * s + w * w);
-    gains.push_back(20.0 * std::log10(std::abs(answer)));
-    phases.push_back(std::arg(answer));
+    const std::complex<double> response = w * w / (s * s + 2.0 * zeta * w * s + w * w);
+    gains.push_back(20.0 * std::log10(std::abs(response)));
+    phases.push_back(std::arg(response));
   }
   phases = unwrapped(phases);
   for (double& phase : phases) phase *= 180.0 / pi;
-  const double bent = 1.0 - 2.0 * zeta * zeta;
-  const double exact = 7.0 * std::sqrt(bent + std::sqrt(bent * bent + 1.0));
+  const double damping_term = 1.0 - 2.0 * zeta * zeta;
+  const double exact = 7.0 * std::sqrt(damping_term + std::sqrt(damping_term * damping_term + 1.0));
   const Bandwidth gain = falls_below(frequencies, gains, 20.0 * std::log10(std::sqrt(0.5)));
   EXPECT_EQ(gain.bound, Bandwidth::Bound::None);
   EXPECT_NEAR(gain.frequency, exact, 0.03 * exact);
   EXPECT_NEAR(falls_below(frequencies, phases, -90.0).frequency, 7.0, 0.1);
-  // Ends of the sweep are bounds.
+  // A bandwidth beyond the sweep is a bound: the first or last frequency.
   const Bandwidth above = falls_below(frequencies, gains, -100.0);
   EXPECT_EQ(above.bound, Bandwidth::Bound::Above);
   EXPECT_EQ(above.frequency, 32.0);
   EXPECT_EQ(falls_below(frequencies, gains, 1.0).bound, Bandwidth::Bound::Below);
 }
 
-TEST(ForceFigures, PhasesOfADelayGoOnFalling) {
+TEST(ForceFigures, UnwrappedPhasesOfADelay_KeepFalling) {
   std::vector<double> phases;
   for (int k = 1; k < 30; ++k) phases.push_back(std::remainder(-0.4 * k, 2.0 * pi));
   phases = unwrapped(phases);

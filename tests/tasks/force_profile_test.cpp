@@ -1,4 +1,4 @@
-// Forces that change along the path: what they are, what is refused, and that controllers follow.
+// Force profiles along the path: values, refusals, and runs of the controllers.
 #include "burnish/tasks/polishing/force_profile.hpp"
 
 #include <gtest/gtest.h>
@@ -20,15 +20,15 @@ Task task_with(const std::string& profile) {
 }
 double force_at(const Task& task, double t) { return task.force_profile.at(task.force, t); }
 
-TEST(ForceProfile, StepsHoldAndLinesLead) {
+TEST(ForceProfile, StepsLinesAndSine_GiveTheirForces) {
   const Task steps = task_with("{kind: steps, points: [[1, 30], [2, 10]]}");
   EXPECT_EQ(force_at(steps, -1.0), 20.0);
   EXPECT_EQ(force_at(steps, 0.999), 20.0);
   EXPECT_EQ(force_at(steps, 1.0), 30.0);
   EXPECT_EQ(force_at(steps, 2.0), 10.0);
   EXPECT_EQ(force_at(steps, 9.0), 10.0);
-  EXPECT_EQ(steps.force_profile.least(20.0), 10.0);
-  EXPECT_EQ(steps.force_profile.most(20.0), 30.0);
+  EXPECT_EQ(steps.force_profile.min_force(20.0), 10.0);
+  EXPECT_EQ(steps.force_profile.max_force(20.0), 30.0);
   const Task lines = task_with("{kind: lines, points: [[1, 30], [3, 10]]}");
   EXPECT_EQ(force_at(lines, -1.0), 20.0);
   EXPECT_NEAR(force_at(lines, 0.5), 25.0, 1e-12);
@@ -37,11 +37,11 @@ TEST(ForceProfile, StepsHoldAndLinesLead) {
   const Task sine = task_with("{kind: sine, amplitude: 5, frequency: 2, start: 1}");
   EXPECT_EQ(force_at(sine, 0.5), 20.0);
   EXPECT_NEAR(force_at(sine, 1.125), 25.0, 1e-12);
-  EXPECT_EQ(sine.force_profile.least(20.0), 15.0);
+  EXPECT_EQ(sine.force_profile.min_force(20.0), 15.0);
   EXPECT_EQ(force_at(task_with("constant"), 3.0), 20.0);
 }
 
-TEST(ForceProfile, IsWrittenAsItIsReadAndSetByWords) {
+TEST(ForceProfile, WrittenProfile_ReadsBackAndTakesOverrides) {
   Task task = task_with("{kind: lines, points: [[0.5, 12.5], [1, 7]], preview: false}");
   const Task back = parse_task(task_text(task), "again");
   EXPECT_EQ(task_text(back), task_text(task));
@@ -52,20 +52,21 @@ TEST(ForceProfile, IsWrittenAsItIsReadAndSetByWords) {
   EXPECT_EQ(task.force_profile.amplitude, 3.0);
 }
 
-TEST(ForceProfile, RefusesInASentence) {
+TEST(ForceProfile, InvalidProfile_IsRefused) {
   const auto refused = [](const std::string& profile, const std::vector<std::string>& words) {
     expect_words(refusal([&] { task_with(profile); }), words);
   };
-  refused("{kind: steps}", {"force_profile", "steps without points"});
+  refused("{kind: steps}", {"force_profile", "kind steps has no points"});
   refused("{kind: steps, points: [[1, -5]]}", {"points[0]", "-5 N", "more than 0"});
-  refused("{kind: lines, points: [[1, 5], [1, 6]]}", {"points[1]", "more than the 1 s"});
-  refused("{kind: lines, points: [[-1, 5]]}", {"points[0]", "-1 s", "when the path begins"});
-  refused("{kind: sine, amplitude: 20}", {"amplitude of 20 N about 20 N", "pulls"});
-  refused("{kind: steps, points: [[1, 150]]}", {"force of 150 N", "limits.force"});
+  refused("{kind: lines, points: [[1, 5], [1, 6]]}", {"points[1]", "more than 1 s"});
+  refused("{kind: lines, points: [[-1, 5]]}", {"points[0]", "-1 s", "the start of the path"});
+  refused("{kind: sine, amplitude: 20}", {"amplitude of 20 N about 20 N", "zero or negative"});
+  refused("{kind: steps, points: [[1, 150]]}",
+          {"largest force of the task, 150 N", "limits.force"});
   refused("{kind: stairs}", {"stairs", "did you mean 'steps'"});
 }
 
-/// Presses at one place.
+/// Run that presses at one point.
 RunSpec pressing(const ForceProfile& profile, ControllerKind controller) {
   RunSpec spec;
   put_on(spec.task, "table");
@@ -82,7 +83,7 @@ RunSpec pressing(const ForceProfile& profile, ControllerKind controller) {
   return spec;
 }
 
-/// The true force at a time since the path began.
+/// Returns the true force `since` seconds after the start of the path [N].
 double true_force(const RunResult& result, double since) {
   const Trace& trace = result.trace;
   const Trace::Column time = trace.column("time"), phase = trace.column("phase");
@@ -93,7 +94,7 @@ double true_force(const RunResult& result, double since) {
   return trace.column("tool_force_z_world")[row];
 }
 
-TEST(ForceProfile, EveryControllerFollows) {
+TEST(ForceProfile, ForceStep_EveryControllerFollows) {
   const ForceProfile steps{.kind = Kind::Steps, .points = {{0.5, 30.0}}};
   for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
     const RunResult result = run_task(pressing(steps, controller));
@@ -105,17 +106,17 @@ TEST(ForceProfile, EveryControllerFollows) {
   }
 }
 
-TEST(ForceProfile, WithoutPreviewNothingMovesBeforeTheStep) {
+TEST(ForceProfile, NoPreview_ForceChangesOnlyAfterTheStep) {
   ForceProfile steps{.kind = Kind::Steps, .points = {{0.5, 30.0}}};
-  const RunResult foreseen = run_task(pressing(steps, ControllerKind::Mpc));
+  const RunResult with_preview = run_task(pressing(steps, ControllerKind::Mpc));
   steps.preview = false;
-  const RunResult blind = run_task(pressing(steps, ControllerKind::Mpc));
-  EXPECT_TRUE(blind.polished) << blind.outcome;
+  const RunResult without_preview = run_task(pressing(steps, ControllerKind::Mpc));
+  EXPECT_TRUE(without_preview.polished) << without_preview.outcome;
   const double before = 0.495;
-  EXPECT_NEAR(true_force(blind, before), 20.0, 0.05);
-  EXPECT_NEAR(true_force(blind, 1.4), 30.0, 0.5);
-  // A plan that knows the step is at the new force no later than one that learns of it.
-  EXPECT_GE(true_force(foreseen, 0.502), true_force(blind, 0.502) - 0.05);
+  EXPECT_NEAR(true_force(without_preview, before), 20.0, 0.05);
+  EXPECT_NEAR(true_force(without_preview, 1.4), 30.0, 0.5);
+  // With preview, the force rises no later than without.
+  EXPECT_GE(true_force(with_preview, 0.502), true_force(without_preview, 0.502) - 0.05);
 }
 
 }  // namespace

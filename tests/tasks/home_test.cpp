@@ -1,4 +1,4 @@
-// A run that begins away from its task's start: the move there, its limits, and what refuses it.
+// Runs that begin away from the start of their task: the move to the start, its limits, refusals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Arms, HomeMoves,
                          ::testing::Values(HomeCase{"arm7", "bent"},
                                            HomeCase{"talos:right_arm", "board_y"}));
 
-TEST_P(HomeMoves, Found_KeepsSpeedAndTorqueLimits) {
+TEST_P(HomeMoves, SearchedMove_KeepsSpeedAndTorqueLimits) {
   ASSERT_TRUE(setting.home.has_value());
   const HomeMove& move = *setting.home;
   const Model& model = setting.robot.model;
@@ -50,27 +50,30 @@ TEST_P(HomeMoves, Found_KeepsSpeedAndTorqueLimits) {
   EXPECT_LT(move.duration(), 15.0);
   ContactDynamics dynamics(model);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
-  double fastest = 0.0;
+  double max_speed_ratio = 0.0;
   for (std::size_t leg = 0; leg < move.durations.size(); ++leg) {
-    const Eigen::VectorXd way = difference(model, move.corners[leg], move.corners[leg + 1]);
+    const Eigen::VectorXd displacement =
+        difference(model, move.corners[leg], move.corners[leg + 1]);
     const double T = move.durations[leg];
     for (double x = 0.0; x <= 1.0; x += 0.01) {
       const double s = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
       const double ds = 30.0 * x * x * (1.0 - x) * (1.0 - x) / T;
       const double ds2 = 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x) / (T * T);
-      ASSERT_EQ(dynamics.forward(integrate(model, move.corners[leg], s * way), ds * way, zero),
+      ASSERT_EQ(dynamics.forward(integrate(model, move.corners[leg], s * displacement),
+                                 ds * displacement, zero),
                 Status::Ok);
-      const Eigen::VectorXd tau = dynamics.mass_matrix() * (ds2 * way) + dynamics.bias();
+      const Eigen::VectorXd tau = dynamics.mass_matrix() * (ds2 * displacement) + dynamics.bias();
       for (int k = 0; k < model.nv; ++k) {
-        fastest = std::max(fastest, std::abs(ds * way[k]) / model.velocity_limit[k]);
+        max_speed_ratio =
+            std::max(max_speed_ratio, std::abs(ds * displacement[k]) / model.velocity_limit[k]);
         EXPECT_LT(std::abs(tau[k]), 0.81 * model.effort_limit[k]) << model.v_name(k);
       }
     }
   }
-  EXPECT_LT(fastest, 0.301);
+  EXPECT_LT(max_speed_ratio, 0.301);
 }
 
-TEST_P(HomeMoves, Run_PolishesAsFromTheStart) {
+TEST_P(HomeMoves, RunFromHome_PolishesLikeARunFromTheStart) {
   RunSpec spec{.task = task, .plant = PlantKind::Ideal, .plan_rate = 0.0};
   spec.task.update_rate = 200.0;
   const RunResult from_home = run_task(spec);
@@ -103,7 +106,7 @@ TEST_P(HomeMoves, Run_PolishesAsFromTheStart) {
               0.31 * model.velocity_limit[k]);
 }
 
-TEST(Home, ControllersWithoutAPlan_MoveToTheStartToo) {
+TEST(Home, ControllersWithoutPlans_MoveToTheStart) {
   RunSpec spec{.task = task_from("arm7", "home"), .plant = PlantKind::Ideal};
   for (const ControllerKind kind : {ControllerKind::Baseline, ControllerKind::Admittance}) {
     spec.controller = kind;
@@ -121,7 +124,7 @@ TEST(Home, StatedDuration_IsKept) {
   expect_words(refusal([&] { make_setting(task); }), {"home.duration", "0.1 s", "joint_", "auto"});
 }
 
-TEST(Home, StraightWayThroughTheSurface_GoesOverALiftedStart) {
+TEST(Home, StraightPathThroughTheSurface_GoesOverALiftedStart) {
   Task task = task_from("arm7", "ready");
   task.home.joints = {
       {"joint_3", -0.67}, {"joint_4", -2.35}, {"joint_5", -0.28}, {"joint_7", -0.08}};
@@ -135,20 +138,20 @@ TEST(Home, StraightWayThroughTheSurface_GoesOverALiftedStart) {
   EXPECT_TRUE(check_home(task, setting).ok()) << check_home(task, setting).text;
 }
 
-TEST(Home, WithinTheSurface_IsRefusedWithARemedy) {
+TEST(Home, HomeInsideTheSurface_IsRefusedWithARemedy) {
   Task task = task_from("arm7", "");
   Setting setting = make_setting(task);
   task.home.joints = {{"joint_2", 0.9}};
   setting = make_setting(task, setting.robot, setting.q_start);
   const ReachReport report = check_home(task, setting);
   EXPECT_EQ(report.problem, ReachProblem::Collision);
-  expect_words(report.text,
-               {"at home", "m inside the surface", "from the posture '", "' the way is free"});
+  expect_words(report.text, {"at home", "m inside the surface", "from the posture '",
+                             "' is free of collisions"});
   RunSpec spec{.task = task, .robot = setting.robot, .plant = PlantKind::Ideal};
   expect_words(refusal([&] { run_task(spec); }), {"at home", "inside the surface", "another home"});
 }
 
-TEST(Home, OfAnotherRobot_IsRefused) {
+TEST(Home, HomeOfAnotherRobot_IsRefused) {
   Task task = task_from("arm7", "hom");
   expect_words(refusal([&] { make_setting(task); }), {"home", "'hom'", "'home'"});
   task.home = {.joints = {{"joint_9", 0.0}}};
@@ -157,7 +160,7 @@ TEST(Home, OfAnotherRobot_IsRefused) {
   expect_words(refusal([&] { make_setting(task); }), {"home", "'joint_4'", "-2.4", "0.6"});
 }
 
-TEST(Home, FreeHomes_NameThePosturesThatTheWayIsFreeFrom) {
+TEST(Home, FreeHomes_ListPosturesWithACollisionFreePath) {
   const Task task = task_from("arm7", "");
   const std::vector<FreeHome> homes = free_homes(task, make_setting(task));
   ASSERT_FALSE(homes.empty());
@@ -168,7 +171,7 @@ TEST(Home, FreeHomes_NameThePosturesThatTheWayIsFreeFrom) {
   }
 }
 
-TEST(Home, TaskFile_HasItInOneWordOrInKeys) {
+TEST(Home, TaskFile_AcceptsAWordOrKeys) {
   const Task word = parse_task("home: ready", "text");
   EXPECT_EQ(word.home.posture, "ready");
   const Task keys = parse_task("home: {joints: {a: 0.5}, duration: 3, speed_ratio: 0.1}", "text");

@@ -1,4 +1,4 @@
-// Paths on a surface: where they start, how smooth they are, what they reach, what is refused.
+// Paths on a surface: start, smoothness, extent, and refusals.
 #include "burnish/tasks/polishing/path.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ PathSpec spec_of(PathKind kind) {
 
 class EveryPath : public ::testing::TestWithParam<PathKind> {};
 
-TEST_P(EveryPath, starts_at_rest_in_the_centre) {
+TEST_P(EveryPath, Start_IsAtRestInTheCentre) {
   const Path path(spec_of(GetParam()));
   for (const double t : {-1.0, 0.0}) {
     EXPECT_EQ(path.at(t).p, Eigen::Vector2d(0.0, 0.0));
@@ -32,13 +32,13 @@ TEST_P(EveryPath, starts_at_rest_in_the_centre) {
   EXPECT_LT(path.at(1e-6).a.norm(), 1e-4);
 }
 
-TEST_P(EveryPath, has_the_derivatives_that_it_says) {
+TEST_P(EveryPath, Derivatives_MatchFiniteDifferences) {
   const Path path(spec_of(GetParam()));
   const double end = std::min(path.duration(), 60.0) + 1.0, h = 1e-4;
   double fastest = 0.0;
   for (double t = -0.01; t < end; t += 3.7e-3) {
     const PlanarPoint before = path.at(t - h), at = path.at(t), after = path.at(t + h);
-    // Central differences: their error is that of the third derivative, which may jump.
+    // Central differences; their error depends on the third derivative, which may jump.
     EXPECT_LT(((after.p - before.p) / (2.0 * h) - at.v).norm(), 1e-4) << t;
     EXPECT_LT(((after.v - before.v) / (2.0 * h) - at.a).norm(), 1e-2) << t;
     EXPECT_LT((after.a - before.a).norm(), 2e-2) << "acceleration jumps at " << t;
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Paths, EveryPath,
                                            PathKind::Points),
                          [](const auto& test) { return name_of(test.param); });
 
-TEST(Path, is_a_circle_after_its_start_up) {
+TEST(Path, CircleAfterStartUp_HasConstantRadiusAndSpeed) {
   PathSpec spec = spec_of(PathKind::Circle);
   spec.rate = 2.0;
   const Path path(spec);
@@ -64,12 +64,12 @@ TEST(Path, is_a_circle_after_its_start_up) {
     EXPECT_NEAR(at.p.dot(at.v), 0.0, 1e-12);
     EXPECT_LT((at.a + spec.rate * spec.rate * at.p).norm(), 1e-12);
   }
-  // Backwards as well.
+  // A negative rate runs the circle backwards.
   spec.rate = -2.0;
   EXPECT_NEAR(Path(spec).at(5.0).p.y(), -path.at(5.0).p.y(), 1e-12);
 }
 
-TEST(Path, spirals_out_and_back_with_its_pitch) {
+TEST(Path, Spiral_GoesOutAndBackWithItsPitch) {
   PathSpec spec = spec_of(PathKind::Spiral);
   spec.start_up = 1.0;
   const Path path(spec);
@@ -78,17 +78,17 @@ TEST(Path, spirals_out_and_back_with_its_pitch) {
   const double out = turns * turn + 0.5 * spec.start_up;
   EXPECT_NEAR(path.at(out).p.norm(), spec.radius, 1e-9);
   EXPECT_LT(path.at(2.0 * turns * turn + 0.5 * spec.start_up).p.norm(), 1e-9);
-  double largest = 0.0, widest = 0.0;
+  double largest = 0.0, max_pitch = 0.0;
   for (double t = 0.0; t < out - turn; t += 0.05) {
     largest = std::max(largest, path.at(t).p.norm());
-    widest = std::max(widest, path.at(t + turn).p.norm() - path.at(t).p.norm());
+    max_pitch = std::max(max_pitch, path.at(t + turn).p.norm() - path.at(t).p.norm());
   }
   EXPECT_LE(largest, spec.radius);
-  EXPECT_LT(widest, 0.5 * std::numbers::pi * spec.pitch * 1.01);
-  EXPECT_GT(widest, spec.pitch);
+  EXPECT_LT(max_pitch, 0.5 * std::numbers::pi * spec.pitch * 1.01);
+  EXPECT_GT(max_pitch, spec.pitch);
 }
 
-TEST(Path, goes_through_the_corners_of_a_zigzag) {
+TEST(Path, ZigZag_PassesThroughItsCorners) {
   PathSpec spec = spec_of(PathKind::ZigZag);
   spec.rows = 3;
   const Path path(spec);
@@ -116,7 +116,7 @@ TEST(Path, goes_through_the_corners_of_a_zigzag) {
   EXPECT_EQ(path.at(1e6).v, Eigen::Vector2d(0.0, 0.0));
 }
 
-TEST(Path, reaches_every_point_and_stays_at_the_last) {
+TEST(Path, Points_AreReachedAndTheLastIsKept) {
   const PathSpec spec = spec_of(PathKind::Points);
   const Path path(spec);
   for (const Eigen::Vector2d& point : spec.points) {
@@ -129,14 +129,14 @@ TEST(Path, reaches_every_point_and_stays_at_the_last) {
   EXPECT_EQ(path.at(path.duration() + 1.0).a, Eigen::Vector2d(0.0, 0.0));
 }
 
-TEST(Path, has_names) {
+TEST(Path, Kinds_AreFoundByName) {
   for (const PathKind kind :
        {PathKind::Circle, PathKind::Spiral, PathKind::ZigZag, PathKind::Points})
     EXPECT_EQ(parse_path(name_of(kind)), kind);
   expect_words(refusal([] { parse_path("zigzig"); }), {"zigzig", "zigzag"});
 }
 
-TEST(Path, refuses_numbers_that_make_no_path) {
+TEST(Path, InvalidSpec_IsRefused) {
   const auto with = [](PathKind kind, auto&& change) {
     return refusal([&] {
       PathSpec spec = spec_of(kind);
@@ -155,7 +155,7 @@ TEST(Path, refuses_numbers_that_make_no_path) {
   expect_words(with(PathKind::ZigZag, [](S& s) { s.rows = 1; }), {"1 rows", "at least 2"});
   expect_words(with(PathKind::ZigZag, [&](S& s) { s.width = nan; }), {"width", "positive"});
   expect_words(with(PathKind::ZigZag, [](S& s) { s.speed = 0.0; }), {"speed", "positive"});
-  expect_words(with(PathKind::Points, [](S& s) { s.points.clear(); }), {"no points"});
+  expect_words(with(PathKind::Points, [](S& s) { s.points.clear(); }), {"points is empty"});
   expect_words(with(PathKind::Points, [&](S& s) { s.points[1].x() = nan; }), {"not finite"});
 }
 

@@ -1,4 +1,4 @@
-// Plans that a run keeps, and that keeping them changes nothing.
+// Record of the plans of a run: contents, and no influence on the run.
 #include "burnish/report/plan_record.hpp"
 
 #include <gtest/gtest.h>
@@ -24,13 +24,13 @@ RunSpec short_run(double plan_rate) {
   return spec;
 }
 
-TEST(PlanRecord, KeepingPlansDoesNotChangeTheRunByABit) {
+TEST(PlanRecord, Recording_LeavesTheRunUnchanged) {
   const RunResult with = run_task(short_run(100.0)), without = run_task(short_run(0.0));
   EXPECT_GT(with.plans.time.size(), 100U);
   EXPECT_TRUE(without.plans.time.empty());
   ASSERT_EQ(with.trace.rows(), without.trace.rows());
   for (const TraceColumn& column : with.trace.columns()) {
-    if (column.name == "solve_time") continue;  // of the wall clock
+    if (column.name == "solve_time") continue;  // measured by the wall clock
     EXPECT_EQ(Eigen::VectorXd(with.trace.column(column.name)),
               Eigen::VectorXd(without.trace.column(column.name)))
         << column.name;
@@ -38,7 +38,7 @@ TEST(PlanRecord, KeepingPlansDoesNotChangeTheRunByABit) {
   EXPECT_EQ(with.outcome.substr(0, 12), without.outcome.substr(0, 12));
 }
 
-TEST(PlanRecord, PlansStartWhereTheRobotIsAndCostsAreNamed) {
+TEST(PlanRecord, Plans_StartAtTheRobotAndNameTheirCosts) {
   RunSpec spec = short_run(20.0);
   spec.task.disturbances = {};
   const RunResult result = run_task(spec);
@@ -69,14 +69,14 @@ TEST(PlanRecord, PlansStartWhereTheRobotIsAndCostsAreNamed) {
     ASSERT_EQ(costs.size(), count);
     for (const double cost : costs) EXPECT_GE(cost, 0.0);
   }
-  // The last plans retreat: nothing is pressed against.
+  // The last plans retreat, so their force cost is zero.
   const std::vector<double> force = costs_of("force");
   EXPECT_EQ(force.back(), 0.0);
   EXPECT_GT(*std::max_element(force.begin(), force.end()), 0.0);
   EXPECT_GT(costs_of("position").front(), 0.0);
 }
 
-TEST(PlanRecord, StartsHaveThePolicyAndTheValueOfTheirFirstKnot) {
+TEST(PlanRecord, PlanStarts_HavePolicyAndValueFunction) {
   const RunResult result = run_task(short_run(20.0));
   const PlanStart& start = result.plans.start;
   const std::size_t count = result.plans.time.size();
@@ -89,7 +89,7 @@ TEST(PlanRecord, StartsHaveThePolicyAndTheValueOfTheirFirstKnot) {
   ASSERT_EQ(start.Vx.size(), count * 12);
   ASSERT_EQ(start.Vxx.size(), count * 12 * 12);
   for (std::size_t i = 0; i < count; ++i) {
-    // The plan's posture, of which the record keeps single precision.
+    // The posture of the plan, which the record stores in single precision.
     for (std::size_t k = 0; k < 6; ++k)
       EXPECT_NEAR(start.x[12 * i + k], result.plans.q[i * 66 + k], 1e-6);
     const Eigen::MatrixXd Vxx =
@@ -99,17 +99,17 @@ TEST(PlanRecord, StartsHaveThePolicyAndTheValueOfTheirFirstKnot) {
   }
 }
 
-TEST(PlanRecord, ABaselineHasNone) {
+TEST(PlanRecord, BaselineRun_RecordsNoPlans) {
   RunSpec spec = short_run(20.0);
   spec.controller = ControllerKind::Baseline;
   EXPECT_TRUE(run_task(spec).plans.time.empty());
 }
 
-/// What is kept of a plan lies evenly in time, whatever its knots.
-TEST(PlanRecord, PlansOfKnotsOfDifferentLengthsAreKeptEvenly) {
+/// Recorded postures are evenly spaced in time, also with knots of growing length.
+TEST(PlanRecord, UnevenKnots_AreRecordedEvenly) {
   RunSpec even = short_run(20.0);
   even.task.disturbances = {};
-  even.task.approach_speed *= 2.0;  // so that there is a way to keep
+  even.task.approach_speed *= 2.0;  // so that the postures of a plan differ
   RunSpec growing = even;
   growing.task.knots = 25;
   const RunResult wanted = run_task(even), got = run_task(growing);
@@ -117,10 +117,10 @@ TEST(PlanRecord, PlansOfKnotsOfDifferentLengthsAreKeptEvenly) {
   ASSERT_EQ(got.plans.knots, wanted.plans.knots);
   EXPECT_EQ(got.plans.step, wanted.plans.step);
   ASSERT_GE(got.plans.time.size(), 3U);
-  // The first plan, in the air: joints are where those of even knots would be.
-  const auto of_plan = static_cast<std::size_t>(got.plans.knots * got.plans.nq);
+  // The first plan, before contact, has nearly the same postures as with even knots.
+  const auto values_per_plan = static_cast<std::size_t>(got.plans.knots * got.plans.nq);
   double moved = 0.0;
-  for (std::size_t i = 0; i < of_plan; ++i) {
+  for (std::size_t i = 0; i < values_per_plan; ++i) {
     EXPECT_NEAR(got.plans.q[i], wanted.plans.q[i], 5e-3) << i;
     moved = std::max(moved, std::abs(static_cast<double>(got.plans.q[i]) -
                                      static_cast<double>(got.plans.q[i % 6])));

@@ -1,5 +1,4 @@
-// A posture for any surface: it suits the surface, it is always the same, and where there is none
-// a sentence says why.
+// Search for a posture on a surface: fitting, repeatable, and refused with a reason if none exists.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +22,7 @@ const Robot& arm() {
 
 Task task_on(const Eigen::Vector3d& normal) {
   Task task;
-  task.normal_world = normal;
+  task.normal_base = normal;
   task.posture = searched_posture;
   return task;
 }
@@ -31,7 +30,7 @@ Task task_on(const Eigen::Vector3d& normal) {
 const Eigen::Vector3d up(0.0, 0.0, 1.0), facing(-1.0, 0.0, 0.0), left(0.0, 1.0, 0.0),
     slanted(-0.5, 0.3, 0.8);
 
-TEST(Posture, SuitsSurfacesOfAnyOrientation) {
+TEST(Posture, SurfaceOfAnyOrientation_GetsAFittingPosture) {
   for (const Eigen::Vector3d& normal : {up, facing, left, slanted}) {
     const Task task = task_on(normal);
     const FoundPosture found = find_posture(task, arm());
@@ -49,7 +48,7 @@ TEST(Posture, SuitsSurfacesOfAnyOrientation) {
   }
 }
 
-TEST(Posture, PressingAxisOfNamedPosturesPointsIntoTheirSurfaces) {
+TEST(Posture, NamedPostures_PressIntoTheirSurfaces) {
   for (const NamedSurface& surface : named_surfaces()) {
     const Eigen::Vector3d axis =
         pressing_axis(frame_placement(arm().model, arm().posture(surface.posture), "tool"));
@@ -57,28 +56,28 @@ TEST(Posture, PressingAxisOfNamedPosturesPointsIntoTheirSurfaces) {
   }
 }
 
-TEST(Posture, IsTheSameEveryTime) {
+TEST(Posture, RepeatedSearch_GivesTheSamePosture) {
   const Task task = task_on(slanted);
   EXPECT_EQ(find_posture(task, arm()).q, find_posture(task, arm()).q);
 }
 
-TEST(Posture, DoesNotDependOnTheNormalsLength) {
+TEST(Posture, LengthOfTheNormal_ChangesNothing) {
   const FoundPosture one = find_posture(task_on(slanted), arm());
   const FoundPosture two = find_posture(task_on(2.0 * slanted), arm());
   EXPECT_LT((one.q - two.q).norm(), 1e-6);
 }
 
-TEST(Posture, PutsTheToolAboveAPointThatTheSurfaceHas) {
+TEST(Posture, SurfacePoint_StartsAboveIt) {
   Task task = task_on(facing);
-  task.point_world = Eigen::Vector3d(0.55, -0.2, 1.2);
+  task.point_base = Eigen::Vector3d(0.55, -0.2, 1.2);
   const FoundPosture found = find_posture(task, arm());
-  const Eigen::Vector3d above = *task.point_world + (task.tip_radius + task.clearance) * facing;
+  const Eigen::Vector3d above = *task.point_base + (task.tip_radius + task.clearance) * facing;
   EXPECT_LT((frame_placement(arm().model, found.q, task.tool).translation() - above).norm(), 1e-4);
   const Setting setting = make_setting(task);
-  EXPECT_LT((setting.p_center - (*task.point_world + task.tip_radius * facing)).norm(), 2e-4);
+  EXPECT_LT((setting.p_center - (*task.point_base + task.tip_radius * facing)).norm(), 2e-4);
 }
 
-TEST(Posture, IsTheStartOfATaskThatAsksForIt) {
+TEST(Posture, PostureSearch_GivesTheStartOfTheTask) {
   const Task task = task_on(slanted);
   EXPECT_EQ(make_setting(task).q_start, find_posture(task, arm()).q);
   Task read = task_on(up);
@@ -88,21 +87,21 @@ TEST(Posture, IsTheStartOfATaskThatAsksForIt) {
   EXPECT_NE(task_text(read).find("posture: search"), std::string::npos);
 }
 
-TEST(Posture, TightLimitsAreRefusedWithTheOneThatFails) {
+TEST(Posture, TightLimits_AreRefusedNamingTheFailedLimit) {
   const Task task = task_on(up);
   const auto refused = [&](const PostureOptions& options, const std::string& words) {
     expect_words(refusal([&] { find_posture(task, arm(), options); }),
                  {"no posture was found for the surface: ", words});
   };
   refused({.body_distance = 3.0}, "m of the robot's body; wanted at least 3 m");
-  refused({.tilt_limit = -0.1}, "degrees off the normal");
+  refused({.tilt_limit = -0.1}, "degrees off the surface's normal");
   refused({.joint_margin = 2.0}, "rad of its limit; wanted at least 2");
   PostureOptions strict;
   strict.reach.torque_share = 0.01;
-  refused(strict, "none leads along the path; from the best one, ");
+  refused(strict, "permits the path; the best of them fails: ");
 }
 
-/// A task for an arm with a compact wrist.
+/// Task for arm7, whose wrist is compact.
 Task task_for_arm7(const std::string& tool) {
   Task task;
   task.robot = "arm7";
@@ -111,11 +110,11 @@ Task task_for_arm7(const std::string& tool) {
   return task;
 }
 
-TEST(Posture, IsFoundForAnArmWithACompactWrist) {
+TEST(Posture, CompactWrist_GetsAPosture) {
   for (const char* tool : {"tool", "flange"})
     for (const Eigen::Vector3d& normal : {up, facing, slanted}) {
       Task task = task_for_arm7(tool);
-      task.normal_world = normal;
+      task.normal_base = normal;
       const Setting setting = make_setting(task);
       const Model& model = setting.robot.model;
       const Eigen::Vector3d axis =
@@ -125,7 +124,7 @@ TEST(Posture, IsFoundForAnArmWithACompactWrist) {
     }
 }
 
-TEST(Posture, BodyDistanceIsAKeyOfTheTask) {
+TEST(Posture, BodyDistanceKey_ConstrainsTheSearch) {
   Task task = task_for_arm7("tool");
   override_task(task, {"search.body_distance=2"});
   expect_words(refusal([&] { make_setting(task); }),
@@ -135,8 +134,8 @@ TEST(Posture, BodyDistanceIsAKeyOfTheTask) {
   expect_words(refusal([&] { make_setting(task); }), {"rad of its limit; wanted at least 2"});
 }
 
-TEST(Posture, AFingerMayPressBesideAnother) {
-  // Two fingers of a gripper, one follows the other: they are near each other wherever the arm is.
+TEST(Posture, FingerBesideAnother_MayPress) {
+  // Two coupled fingers of a gripper are near each other in every posture of the arm.
   std::string text = contents(std::filesystem::path(BURNISH_ROBOTS_DIR) / "arm7/arm7.urdf");
   const auto finger = [](const std::string& side, const std::string& y, const std::string& mimic) {
     return "<joint name='" + side +
@@ -153,7 +152,7 @@ TEST(Posture, AFingerMayPressBesideAnother) {
   const Scratch scratch;
   Task task;
   scratch.write("gripper.urdf", text);
-  // Settings leave fingers free, where a file alone holds them.
+  // With a settings file the fingers can move; without one they are locked.
   task.robot = scratch.write("robot.yaml", "urdf: gripper.urdf\n").string();
   task.posture = searched_posture;
   task.tool = "finger";
@@ -162,18 +161,19 @@ TEST(Posture, AFingerMayPressBesideAnother) {
   EXPECT_TRUE(find_posture(task, robot).reach.ok());
 }
 
-TEST(Posture, AToolOfTheDescriptionPressesAlongTheAxisThatCarriesIt) {
+TEST(Posture, ToolOfTheDescription_PressesAlongItsLastJointAxis) {
   const Robot arm = load_robot("arm7");
   Task task = task_for_arm7("flange");
-  // The flange's z is the axis of joint_7 and points away from the arm.
+  // The z axis of the flange is the axis of joint_7 and points away from the arm.
   EXPECT_LT((pressing_direction(task, arm.model) - Eigen::Vector3d::UnitZ()).norm(), 1e-9);
-  task.tool = "tool";  // of the settings
+  task.tool = "tool";  // from the settings file
   EXPECT_EQ(pressing_direction(task, arm.model), Eigen::Vector3d::UnitZ());
   EXPECT_EQ(pressing_direction({}, ::burnish::testing::arm().model),
             Eigen::Vector3d(-Eigen::Vector3d::UnitZ()));
   override_task(task, {"tool.axis=[0, 2, 0]"});
   EXPECT_EQ(pressing_direction(task, arm.model), Eigen::Vector3d::UnitY());
-  // An elbow turns across the line to the tool: then that line counts.
+  // If the last joint axis is perpendicular to the line to the tool, the tool presses along that
+  // line.
   task = {};
   task.tool = "wrist_right_ft_tool_link";
   const Model& talos = ::burnish::testing::arm().model;
@@ -186,7 +186,7 @@ TEST(Posture, AToolOfTheDescriptionPressesAlongTheAxisThatCarriesIt) {
       1e-9);
 }
 
-TEST(Posture, IsSearchedWhereTheRobotHasNone) {
+TEST(Posture, RobotWithoutThePosture_SearchesOne) {
   Task task = task_for_arm7("flange");
   const Robot arm = load_robot("arm7");
   EXPECT_TRUE(searches_posture(task, arm));
@@ -196,12 +196,12 @@ TEST(Posture, IsSearchedWhereTheRobotHasNone) {
   EXPECT_TRUE(searches_posture(task, arm));
   task.posture = "bent";
   EXPECT_FALSE(searches_posture(task, arm));
-  task.posture = "bend";
+  task.posture = "bentt";
   EXPECT_FALSE(searches_posture(task, arm));
   expect_words(refusal([&] { make_setting(task); }), {"did you mean 'bent'?"});
 }
 
-TEST(Posture, JointsWithTwoTurns_AreFoundWithinHalfATurnOfTheMiddle) {
+TEST(Posture, JointsWithTwoTurns_StayWithinHalfATurnOfTheMiddle) {
   Robot arm = load_robot("arm7");
   arm.postures.clear();
   arm.model.q_lower.setConstant(-2.0 * std::numbers::pi);
@@ -215,20 +215,20 @@ TEST(Posture, JointsWithTwoTurns_AreFoundWithinHalfATurnOfTheMiddle) {
   }
 }
 
-TEST(Posture, OfADescriptionOnlyTheJointsThatCarryTheToolMove) {
+TEST(Posture, BareDescription_MovesOnlyJointsThatCarryTheTool) {
   Task task;
   task.robot = std::string(BURNISH_ROBOTS_DIR) + "/quadruped/quadruped.urdf";
   task.tool = "fl_shank_link";
   EXPECT_EQ(load_task_robot(task).model.nv, 3);
   task.tool = "fl_shank_lik";
   expect_words(refusal([&] { load_task_robot(task); }),
-               {"the tool's frame 'fl_shank_lik' is none of robot", "'fl_shank_link'"});
+               {"the tool's frame 'fl_shank_lik' does not exist on robot", "'fl_shank_link'"});
   task.tool = "nothing_like_it_at_all";
   expect_words(refusal([&] { load_task_robot(task); }),
-               {"links at its ends are ", "fl_shank_link", "tool.frame or --tool FRAME"});
+               {"end links: ", "fl_shank_link", "tool.frame or --tool FRAME"});
 }
 
-TEST(Posture, AToolThatIsMissingIsSoughtAmongSitesToo) {
+TEST(Posture, MissingTool_ListsSitesAndEndLinks) {
   const Scratch scratch;
   const auto hinge = [](const std::string& name, const std::string& inside) {
     return "<body name='" + name + "' pos='0 0 0.3'><joint name='j" + name + "' axis='0 1 0'/>" +
@@ -240,23 +240,23 @@ TEST(Posture, AToolThatIsMissingIsSoughtAmongSitesToo) {
                                          hinge("a", hinge("b", "")) + "</worldbody></mujoco>")
                    .string();
   task.tool = "nothing_like_it_at_all";
-  const std::string said = refusal([&] { load_task_robot(task); });
-  expect_words(said, {"its own frames are on_b, on_a; links at its ends are b"});
-  EXPECT_EQ(said.find("floor"), std::string::npos);
+  const std::string message = refusal([&] { load_task_robot(task); });
+  expect_words(message, {"frames: on_b, on_a; end links: b"});
+  EXPECT_EQ(message.find("floor"), std::string::npos);
 }
 
-TEST(Posture, ABaseThatFloatsFreeIsRefused) {
+TEST(Posture, FloatingBase_IsRefused) {
   Task task = task_for_arm7("tool");
   task.robot = "arm7:floating";
   expect_words(refusal([&] { make_setting(task); }),
                {"the base of robot 'arm7' floats free", "a fixed base"});
 }
 
-TEST(Posture, APointOutOfReachIsRefusedAsSuch) {
+TEST(Posture, PointOutOfReach_IsRefused) {
   Task task = task_on(facing);
-  task.point_world = Eigen::Vector3d(2.0, 0.0, 1.0);
+  task.point_base = Eigen::Vector3d(2.0, 0.0, 1.0);
   expect_words(refusal([&] { find_posture(task, arm()); }),
-               {"m away from its start above the surface's point"});
+               {"m away from its start position above the surface"});
   expect_words(refusal([&] { make_setting(task); }), {"no posture was found"});
 }
 

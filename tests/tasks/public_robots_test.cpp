@@ -1,5 +1,4 @@
-// Public robots of a folder: the list, where descriptions lie, and what an experiment makes of
-// them.
+// Public robots: the shipped list, descriptions in a folder, and the experiment on them.
 #include "polishing/experiments/public_robots.hpp"
 
 #include <cstdlib>
@@ -20,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(PublicRobots, ShippedListSaysWhereEachComesFrom) {
+TEST(PublicRobots, ShippedList_NamesEverySource) {
   std::map<std::string, int> kinds;
   std::set<std::string> names;
   for (const PublicRobot& robot : shipped_public_robots()) {
@@ -35,8 +34,8 @@ TEST(PublicRobots, ShippedListSaysWhereEachComesFrom) {
   EXPECT_GE(kinds["legged"], 12);
 }
 
-/// BURNISH_WRITE=1 in the environment writes the docs anew.
-TEST(PublicRobots, StandInTheDocsAsInTheList) {
+/// With BURNISH_WRITE=1 in the environment, the test rewrites the table in the docs.
+TEST(PublicRobots, DocsTable_MatchesTheList) {
   const std::string file = BURNISH_DOCS_DIR "/public_robots.md", begin = "<!-- robots -->\n",
                     end = "<!-- end of robots -->";
   std::string text = contents(file);
@@ -47,10 +46,10 @@ TEST(PublicRobots, StandInTheDocsAsInTheList) {
   if (std::getenv("BURNISH_WRITE") != nullptr)
     std::ofstream(file) << text.replace(first, to - first, wanted);
   EXPECT_EQ(text.substr(first, text.find(end) - first), wanted)
-      << "BURNISH_WRITE=1 tasks_test --gtest_filter='PublicRobots*' writes it";
+      << "BURNISH_WRITE=1 tasks_test --gtest_filter='PublicRobots*' updates the table";
 }
 
-TEST(PublicRobots, DescriptionsAreFoundInAnyLayout) {
+TEST(PublicRobots, Descriptions_AreFoundInAnyLayout) {
   const Scratch scratch;
   const PublicRobot robot{.name = "r", .repository = "who/what", .file = "a/b.urdf"};
   EXPECT_FALSE(find_description(scratch.folder, robot));
@@ -64,7 +63,7 @@ TEST(PublicRobots, DescriptionsAreFoundInAnyLayout) {
   EXPECT_EQ(own.url(), "o.urdf");
 }
 
-TEST(PublicRobots, BadListsAreRefused) {
+TEST(PublicRobots, InvalidLists_AreRefused) {
   const auto refused = [](const std::string& text) {
     return refusal([&] { parse_public_robots(text, "list.yaml"); });
   };
@@ -73,29 +72,29 @@ TEST(PublicRobots, BadListsAreRefused) {
   expect_words(refused("arms: {a: {repository: who/what, file: a.urdf, tool: t}}"),
                {"arms.a.repository", "'who/what' has no commit under the key 'repositories'"});
   expect_words(refused("arms: {a: {file: a.urdf, tool: t, set: [force=3]}}"),
-               {"wanted the keys 'set' and 'because' together"});
+               {"only one of the keys 'set' and 'because' is given"});
   expect_words(refused("legged: {a: {file: a.urdf, feet: [f], task: stand}}"),
                {"legged.a.task", "quadruped"});
   expect_words(refused("repositories: {who/what: 1}"), {"under the keys 'arms' and 'legged'"});
   const Scratch scratch;
   expect_words(refusal([&] { public_robots_in(scratch.folder / "none"); }),
-               {"none' is not there; wanted a folder of robot descriptions"});
+               {"none' does not exist; wanted a folder of robot descriptions"});
   scratch.write("robots.yaml", "arms: {a: {file: a.urdf, tool: t}}");
   expect_words(refusal([&] { public_robots_in(scratch.folder); }),
                {"has none of the 1 descriptions", "'a.urdf'"});
 }
 
-TEST(PublicArms, PressWithTheLargestForceThatMotorsHold) {
+TEST(PublicArms, WeakMotors_PressWithTheLargestPossibleForce) {
   ArmBench bench;
   put_on(bench.task, "table");
   bench.task.robot = "arm7";
   bench.task.posture = "ready";
-  bench.task.force = 200.0;  // takes more than the arm's weight
+  bench.task.force = 200.0;  // takes more torque than the weight of the arm
   bench.robot = load_robot("arm7");
   bench.search();
   EXPECT_EQ(bench.force, 200.0);
   EXPECT_EQ(bench.reason, "");
-  // Motors that do not quite hold that.
+  // Motors slightly too weak for that force.
   const ReachReport reach = check_reach(bench.task, make_setting(bench.task, bench.robot));
   bench.robot.model.effort_limit *= 0.9 * reach.torque_share / ReachOptions().torque_share;
   bench.search();
@@ -110,7 +109,7 @@ TEST(PublicArms, PressWithTheLargestForceThatMotorsHold) {
   expect_words(bench.reason, {"out of reach", "Nm"});
 }
 
-TEST(PublicArms, AreWorseByWhatIsBeyondTheTolerance) {
+TEST(PublicArms, ErrorsBeyondTheTolerance_AreListed) {
   ArmBench bench;
   bench.arm.name = "a";
   bench.surface = "table";
@@ -118,7 +117,7 @@ TEST(PublicArms, AreWorseByWhatIsBeyondTheTolerance) {
   std::vector<ArmTrial> trials;
   const auto add = [&](const char* preset, ControllerKind controller, double force, double path) {
     ArmTrial trial{.bench = &bench, .preset = preset, .controller = controller};
-    for (const double times : {0.5, 1.0, 3.0}) {  // the median counts
+    for (const double times : {0.5, 1.0, 3.0}) {  // the table shows the median
       trial.runs.push_back(figures.size());
       RunFigures run{.made = true, .polished = true, .metrics = Metrics{}};
       run.metrics->force_rmse = times * force;
@@ -138,23 +137,23 @@ TEST(PublicArms, AreWorseByWhatIsBeyondTheTolerance) {
             "joint_friction: force +0.030 N and path +0.010 mm");
   EXPECT_NEAR(number_at(table, 0, "mismatch: mpc"), 0.109, 1e-12);
   EXPECT_NEAR(number_at(table, 0, "worst"), 0.327, 1e-12);
-  figures[1].made = false;  // of runs that were stopped nothing is said
+  figures[1].made = false;  // runs that were not made are left out
   PublicReport none;
   EXPECT_TRUE(arms_table(trials, figures, none).rows.empty());
   figures[1].made = true;
-  figures[0].polished = false;  // one that does not polish is worse than any
+  figures[0].polished = false;  // a run that does not polish counts as the worst
   EXPECT_EQ(std::get<std::string>(arms_table(trials, figures, common).rows[0].back()),
             "mismatch: polishes 2, baseline 3; joint_friction: force +0.030 N and path +0.010 mm");
   ExperimentReport report;
   common.write(report);
   const ResultTable& aims = table_named(report, "aims");
   ASSERT_EQ(aims.rows.size(), 6U);
-  EXPECT_EQ(number_at(aims, 0, "met"), 1.0) << "all polish";
-  EXPECT_EQ(number_at(aims, 1, "met"), 0.0) << "0.327 N";
+  EXPECT_EQ(number_at(aims, 0, "met"), 1.0) << "all runs polish";
+  EXPECT_EQ(number_at(aims, 1, "met"), 0.0) << "the worst force error is 0.327 N";
   EXPECT_EQ(number_at(aims, 3, "met"), 0.0);
 }
 
-TEST(FoundPosture, HasTheAnglesOfJointsWithoutEnd) {
+TEST(FoundPosture, ContinuousJoint_KeepsItsAngle) {
   Robot crane = load_robot("crane");
   Eigen::VectorXd q = crane.reference_configuration();
   const Joint& wrist = crane.model.joints.back();
@@ -165,7 +164,7 @@ TEST(FoundPosture, HasTheAnglesOfJointsWithoutEnd) {
   EXPECT_LT((crane.posture(task.posture) - q).norm(), 1e-12);
 }
 
-/// Somebody's checkouts: an arm, one that reaches nothing, and a robot with legs.
+/// Writes checkouts: an arm, a pendulum that reaches nothing, and a robot with legs.
 void write_checkouts(const Scratch& scratch) {
   const fs::path robots = BURNISH_ROBOTS_DIR;
   scratch.write("who+arms/arm7.urdf", contents(robots / "arm7/arm7.urdf"));
@@ -183,19 +182,19 @@ void write_checkouts(const Scratch& scratch) {
                 "        feet: [fl_foot, fr_foot, rl_foot, rr_foot]}\n");
 }
 
-TEST(Experiments, PublicRobotsOfAFolderAreTried) {
+TEST(Experiments, PublicRobotsInAFolder_AreRun) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   const Scratch scratch;
   write_checkouts(scratch);
   ExperimentSpec spec = quick();
   spec.folder = scratch.folder.string();
-  spec.overrides = {"limits.joint_speed_ratio=2"};  // short and hasty runs
+  spec.overrides = {"limits.joint_speed_ratio=2"};  // short, fast runs
   const ExperimentReport report = experiment_named("robots").perform(spec);
   ASSERT_EQ(report.failures.size(), 1U) << report.failures.back();
   expect_words(report.failures[0], {"Rod, table: "});
-  expect_words(report.findings[0], {"3 of 4 descriptions are there"});
+  expect_words(report.findings[0], {"3 of 4 descriptions are in the folder"});
   expect_words(report.findings[1],
-               {"Not there: Lost, https://github.com/who/legs/blob/def/lost.urdf"});
+               {"Missing: Lost, https://github.com/who/legs/blob/def/lost.urdf"});
   EXPECT_EQ(report.tables.front().name, "runs");
   EXPECT_EQ(report.tables.front().rows.size(), 13U);
   const ResultTable& arms = table_named(report, "arms");

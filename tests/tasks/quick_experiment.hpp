@@ -1,4 +1,4 @@
-// Quick versions of experiments, and what all of their reports hold.
+// Quick versions of experiments, and checks that apply to every report.
 #pragma once
 
 #include <gtest/gtest.h>

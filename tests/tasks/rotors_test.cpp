@@ -1,4 +1,4 @@
-// Joints whose rotors are missing: named before a run, or given one.
+// Joints without a rotor inertia: reported before a run, or given an assumed one.
 #include "polishing/rotors.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace burnish::polishing;
 
-/// An arm whose last link has this inertia, on a table under the preset `mismatch`.
+/// Task of an arm on a table under the preset `mismatch`, with a given inertia of the last link.
 struct Arm {
   explicit Arm(double inertia, const std::vector<std::string>& overrides = {}) {
     task.robot =
@@ -37,18 +37,18 @@ TEST(Rotors, LightWrist_IsNamedWithALineToPaste) {
   EXPECT_NEAR(light[0].inertia, 3e-5, 1e-6);
   EXPECT_GT(light[0].speed, light[0].limit);
   EXPECT_NEAR(light[0].armature, 2e-3 * 28.0 / 3.0, 1e-12);
-  expect_words(light_joints_text(light), {"joint 'j6' (", "torque noise alone", "allowed 3.6",
+  expect_words(light_joints_text(light), {"joint 'j6' (", "torque noise alone", "limit 3.6",
                                           "joints: {j6: {armature: 0.0186667}} in robot.yaml"});
 }
 
-TEST(Rotors, UsualWrist_AndAWorldWithoutNoise_HaveNone) {
+TEST(Rotors, UsualWristOrNoNoise_NamesNoJoint) {
   const Arm usual(1e-3);
   EXPECT_TRUE(light_joints(usual.task, make_setting(usual.task)).empty());
   const Arm ideal(3e-5, {"disturbances=none"});
   EXPECT_TRUE(light_joints(ideal.task, make_setting(ideal.task)).empty());
 }
 
-TEST(Rotors, LightWrist_FaultsWithoutARotor_AndPressesWithAnAssumedOne) {
+TEST(Rotors, LightWrist_PressesOnlyWithAnAssumedRotor) {
   Arm arm(3e-5);
   const RunResult bare = run_task({.task = arm.task});
   EXPECT_EQ(bare.fault.kind, FaultKind::SpeedLimit);
@@ -61,12 +61,12 @@ TEST(Rotors, LightWrist_FaultsWithoutARotor_AndPressesWithAnAssumedOne) {
   EXPECT_TRUE(light_joints(arm.task, result.setting).empty());
 }
 
-TEST(Rotors, WristThatIsLightForTheLoop_IsNamed) {
+TEST(Rotors, WristTooLightForTheControlLoop_IsNamed) {
   const Arm arm(1.2e-4);
   EXPECT_EQ(light_joints(arm.task, make_setting(arm.task)).size(), 1U);
 }
 
-TEST(Rotors, AssumedOnes_LeaveUsualRobotsAlone) {
+TEST(Rotors, UsualWrist_GetsNoAssumedRotor) {
   Arm arm(1e-3);
   arm.task.assume_rotors = true;
   const Setting setting = make_setting(arm.task);

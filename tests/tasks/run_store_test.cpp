@@ -1,5 +1,4 @@
-// Results of runs in files: read back as they were, named by all that they depend on, not made
-// twice.
+// Results of runs in files: read back unchanged, named by every input, and never computed twice.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,13 +16,14 @@ namespace {
 using namespace burnish::polishing;
 namespace fs = std::filesystem;
 
-/// Two short runs without an engine, of which the first one's curves are kept.
+/// Experiment of short runs on the ideal plant.
 ExperimentSpec short_spec() {
   ExperimentSpec spec;
   spec.quick = true;
   spec.plant = PlantKind::Ideal;
   return spec;
 }
+/// Returns two short runs; the first one records its curves.
 std::vector<BatchRun> two_runs() {
   std::vector<BatchRun> runs(2);
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -37,8 +37,8 @@ std::vector<BatchRun> two_runs() {
   return runs;
 }
 
-void expect_same(double a, double b, const std::string& what) {
-  EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << what << ": " << a << " and " << b;
+void expect_same(double a, double b, const std::string& name) {
+  EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << name << ": " << a << " and " << b;
 }
 
 void expect_same(const RunFigures& a, const RunFigures& b) {
@@ -90,7 +90,7 @@ void expect_same(const RunFigures& a, const RunFigures& b) {
   EXPECT_EQ(a.curves->path.name, b.curves->path.name);
 }
 
-TEST(RunStore, ReadsBackWhatWasKept) {
+TEST(RunStore, StoredResult_ReadsBackUnchanged) {
   const Scratch scratch;
   const RunStore store("e", "1", {scratch.folder / "new" / "runs"});
   RunFigures run{.name = "a \"b\"\n", .outcome = "it: {failed}, 100 %", .made = true};
@@ -121,13 +121,13 @@ TEST(RunStore, ReadsBackWhatWasKept) {
   RunFigures same = *found;
   same.curves->force.y[1] = 0.0;
   expect_same(run, same);
-  // One that came to nothing.
+  // A refused run.
   const RunFigures refused{.name = "b", .outcome = "no", .made = true, .refused = true};
   store.keep("y", refused);
   expect_same(refused, *store.find("y"));
 }
 
-TEST(RunStore, NamesAResultByAllThatItDependsOn) {
+TEST(RunStore, ResultName_DependsOnEveryInput) {
   const RunStore store("e", "1", {"."});
   const RunSpec spec = two_runs()[0].spec;
   std::vector<std::string> names{store.name_of("a", spec), store.name_of("b", spec),
@@ -144,7 +144,7 @@ TEST(RunStore, NamesAResultByAllThatItDependsOn) {
   changed([](RunSpec& s) { s.task.disturbances.seed = 7; });
   changed([](RunSpec& s) { s.task.force += 1e-12; });
   changed([](RunSpec& s) { s.task.robot = "no such robot"; });
-  // A file of the same name that says something else.
+  // The same robot name with a different model.
   changed([](RunSpec& s) {
     s.robot = load_task_robot(s.task);
     s.robot->model.joints[2].mass += 1e-9;
@@ -154,13 +154,13 @@ TEST(RunStore, NamesAResultByAllThatItDependsOn) {
     for (std::size_t k = 0; k < i; ++k) EXPECT_NE(names[i], names[k]) << i << " " << k;
   }
   EXPECT_EQ(store.name_of("a", spec), names[0]);
-  // The robot by itself or by its name.
+  // A robot given as an object has the same name as one given by name.
   RunSpec given = spec;
   given.robot = load_task_robot(spec.task);
   EXPECT_EQ(store.name_of("a", given), names[0]);
 }
 
-TEST(Batch, MakesNoRunTwiceAndShardsMakeThemAll) {
+TEST(Batch, StoreAndShards_MakeEveryRunOnce) {
   const Scratch scratch;
   const RunStore store("e", "1", {scratch.folder});
   ExperimentSpec spec = short_spec();
@@ -176,7 +176,7 @@ TEST(Batch, MakesNoRunTwiceAndShardsMakeThemAll) {
   spec.only_found = true;
   spec.shard = {};
   expect_words(refusal([&] { run_batch(spec, two_runs()); }),
-               {"1 of 2 runs are not there, the first of them 'seed 0' (number 1)"});
+               {"1 of 2 runs are missing, the first is 'seed 0' (number 1)"});
   spec.only_found = false;
   run_batch(spec, two_runs());
   EXPECT_EQ(counts.found, 1);
@@ -194,7 +194,7 @@ TEST(Batch, MakesNoRunTwiceAndShardsMakeThemAll) {
   }
 }
 
-TEST(Batch, ARunOfAnotherTaskIsKeptAndFoundByWhatItDependsOn) {
+TEST(Batch, CustomRun_IsStoredByItsDependsOnText) {
   const Scratch scratch;
   const RunStore store("e", "1", {scratch.folder});
   ExperimentSpec spec = short_spec();
@@ -223,7 +223,7 @@ TEST(Batch, ARunOfAnotherTaskIsKeptAndFoundByWhatItDependsOn) {
   EXPECT_EQ(refused.outcome, "out of reach");
 }
 
-TEST(Batch, ResultsOfOtherKernelsAreTakenOnlyWhereItIsSaid) {
+TEST(Batch, ResultsOfOtherKernels_NeedTheMixedOption) {
   const Scratch scratch;
   const RunStore store("e", "1", {scratch.folder});
   ExperimentSpec spec = short_spec();
@@ -243,7 +243,7 @@ TEST(Batch, ResultsOfOtherKernelsAreTakenOnlyWhereItIsSaid) {
   expect_words(report.findings[0], {"1 with " + instruction_set(), "1 with MMX"});
 }
 
-TEST(Batch, ARunBeyondItsTimeLimitIsEndedReportedAndTriedAgain) {
+TEST(Batch, TimeLimit_EndsTheRunAndAllowsARetry) {
   const Scratch scratch;
   const RunStore store("e", "1", {scratch.folder});
   ExperimentSpec spec = short_spec();
@@ -258,7 +258,7 @@ TEST(Batch, ARunBeyondItsTimeLimitIsEndedReportedAndTriedAgain) {
   note_failures(spec, late, report);
   EXPECT_EQ(report.failures.size(), 2U);
   EXPECT_FALSE(report.interrupted);
-  // What has only that can be merged, and is made anew where there is time.
+  // A merge accepts such a result, and a run without the limit replaces it.
   spec.only_found = true;
   EXPECT_TRUE(run_batch(spec, two_runs())[1].late);
   spec.only_found = false;
@@ -267,7 +267,7 @@ TEST(Batch, ARunBeyondItsTimeLimitIsEndedReportedAndTriedAgain) {
   EXPECT_EQ(counts.made, 2);
 }
 
-TEST(Batch, AResultThatCannotBeReadOrKeptIsOneSentence) {
+TEST(Batch, UnreadableResultOrFolder_IsRefused) {
   const Scratch scratch;
   const RunStore store("e", "1", {scratch.folder});
   ExperimentSpec spec = short_spec();
@@ -283,7 +283,7 @@ TEST(Batch, AResultThatCannotBeReadOrKeptIsOneSentence) {
   spec.threads = 1;
   RunCounts counts;
   spec.counts = &counts;
-  expect_words(refusal([&] { run_batch(spec, runs); }), {"cannot make the folder"});
+  expect_words(refusal([&] { run_batch(spec, runs); }), {"cannot create the folder"});
 }
 
 }  // namespace

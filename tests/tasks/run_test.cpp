@@ -1,4 +1,4 @@
-// Runs from start to end: what comes out of them, on either plant.
+// Complete runs on both plants, and their results.
 #include "burnish/tasks/polishing/run.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace burnish::polishing;
 
-/// Short, with a plan per 10 ms.
+/// Short run with a plan every 10 ms.
 RunSpec short_run(PlantKind plant, ControllerKind controller) {
   RunSpec spec;
   put_on(spec.task, "table");
@@ -42,7 +42,7 @@ void expect_polished(const RunResult& result) {
   EXPECT_GT(result.reach.points, 10);
 }
 
-TEST(PolishingRun, MpcOnTheIdealPlant) {
+TEST(PolishingRun, IdealPlantWithMpc_Polishes) {
   const RunResult result = run_task(short_run(PlantKind::Ideal, ControllerKind::Mpc));
   expect_polished(result);
   EXPECT_TRUE(result.metrics->solver.has_value());
@@ -53,7 +53,7 @@ TEST(PolishingRun, MpcOnTheIdealPlant) {
   EXPECT_NEAR(time[time.size() - 1], result.setting.track_end + 0.5, 0.1);
 }
 
-TEST(PolishingRun, ControllersWithoutAPlanOnTheIdealPlant) {
+TEST(PolishingRun, IdealPlantWithoutPlans_Polishes) {
   for (const ControllerKind controller : {ControllerKind::Baseline, ControllerKind::Admittance}) {
     const RunResult result = run_task(short_run(PlantKind::Ideal, controller));
     expect_polished(result);
@@ -61,7 +61,7 @@ TEST(PolishingRun, ControllersWithoutAPlanOnTheIdealPlant) {
   }
 }
 
-TEST(PolishingRun, GainsOfATaskReachItsController) {
+TEST(PolishingRun, TaskGains_ReachTheController) {
   Task task;
   override_task(task, {"baseline.kp=123", "admittance.damping=456", "phases.touch_force=7",
                        "controller.tick_rate=1000"});
@@ -73,8 +73,8 @@ TEST(PolishingRun, GainsOfATaskReachItsController) {
   EXPECT_EQ(make_admittance(task, setting).gains.damping, 456.0);
 }
 
-TEST(PolishingRun, FrictionDoesNotMakeAnArmWithALightWristRing) {
-  // Without rotors and joint friction pressing harder and sliding hang together closely.
+TEST(PolishingRun, FrictionWithALightWrist_CausesNoRinging) {
+  // Without rotors and joint friction, pressing force and sliding are strongly coupled.
   RunSpec spec =
       short_run(has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal, ControllerKind::Mpc);
   spec.task.robot = "arm7";
@@ -91,11 +91,12 @@ TEST(PolishingRun, FrictionDoesNotMakeAnArmWithALightWristRing) {
   const RunResult result = run_task(spec);
   EXPECT_TRUE(result.polished) << result.outcome;
   ASSERT_TRUE(result.metrics.has_value());
-  EXPECT_LT(result.metrics->force_rmse, 1.0);  // 10 N and a tenth of the time without contact
+  // A ringing arm has 10 N, and no contact for a tenth of the time.
+  EXPECT_LT(result.metrics->force_rmse, 1.0);
   EXPECT_EQ(result.metrics->without_contact, 0.0);
 }
 
-TEST(PolishingRun, OnMujoco) {
+TEST(PolishingRun, MujocoPlant_PolishesOrIsRefusedIfAbsent) {
   if (!has_mujoco()) {
     const RunSpec spec = short_run(PlantKind::Mujoco, ControllerKind::Mpc);
     expect_words(refusal([&] { run_task(spec); }), {"no MuJoCo", "'ideal'"});
@@ -109,7 +110,7 @@ TEST(PolishingRun, OnMujoco) {
   }
 }
 
-TEST(PolishingRun, TheSameSeedGivesTheSameBits) {
+TEST(PolishingRun, SameSeed_GivesTheSameBits) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Baseline);
   spec.task.disturbances = disturbance_preset("mismatch");
   const auto force = [&](std::uint64_t seed) {
@@ -121,7 +122,7 @@ TEST(PolishingRun, TheSameSeedGivesTheSameBits) {
   EXPECT_TRUE(once.size() != other.size() || (once - other).norm() > 0.0);
 }
 
-TEST(PolishingRun, AFaultEndsItWithItsReport) {
+TEST(PolishingRun, Fault_EndsTheRunWithItsReport) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
   spec.task.disturbances.pushes = {{0.2, 1.0, {0.0, 0.0, 1000.0}}};
   const RunResult result = run_task(spec);
@@ -133,7 +134,7 @@ TEST(PolishingRun, AFaultEndsItWithItsReport) {
   EXPECT_GT(result.trace.rows(), 400);
 }
 
-TEST(PolishingRun, ASurfaceThatIsNotThereIsGivenUp) {
+TEST(PolishingRun, MissingSurface_EndsTheBaselineRun) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Baseline);
   spec.task.disturbances.surface_height = -0.5;
   const RunResult result = run_task(spec);
@@ -142,15 +143,15 @@ TEST(PolishingRun, ASurfaceThatIsNotThereIsGivenUp) {
   expect_words(result.outcome, {"no contact was made", "in phase approach"});
 }
 
-TEST(PolishingRun, ASurfaceThatIsNotThereIsAFaultOfTheController) {
+TEST(PolishingRun, MissingSurface_IsAFaultOfTheController) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
   spec.task.disturbances.surface_height = -0.1;
   const RunResult result = run_task(spec);
   EXPECT_FALSE(result.polished);
   EXPECT_EQ(result.fault.kind, FaultKind::NoContact);
   EXPECT_EQ(result.outcome, result.fault.text());
-  expect_words(result.outcome, {"no contact at 2.", "went on 0.03", "m without contact"});
-  // As long as the controller waits, so does the run.
+  expect_words(result.outcome, {"no contact at 2.", "moved 0.03", "m without contact"});
+  // The run lasts as long as the controller waits for contact.
   spec.task.tool_limits.late_contact_travel = std::numeric_limits<double>::infinity();
   spec.task.tool_limits.late_contact_time = 5.0;
   spec.task.disturbances.surface_height = -0.3;
@@ -159,7 +160,7 @@ TEST(PolishingRun, ASurfaceThatIsNotThereIsAFaultOfTheController) {
   EXPECT_NEAR(late.fault.time, late.setting.touch - 0.05 + 5.0, 0.01);
 }
 
-TEST(PolishingRun, ASurfaceThatIsOffByACentimetreIsPolished) {
+TEST(PolishingRun, SurfaceOffByACentimetre_IsPolished) {
   for (const double height : {-0.01, 0.01}) {
     RunSpec spec =
         short_run(has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal, ControllerKind::Mpc);
@@ -169,8 +170,8 @@ TEST(PolishingRun, ASurfaceThatIsOffByACentimetreIsPolished) {
   }
 }
 
-/// An arm that comes slowly rests on the surface with less than what counts as contact.
-TEST(PolishingRun, ASlowTouchIsPressedUntilItIsFelt) {
+/// An arm that approaches slowly rests on the surface with a force below the contact threshold.
+TEST(PolishingRun, SlowTouch_IsPressedUntilDetected) {
   if (!has_mujoco()) GTEST_SKIP() << "built without MuJoCo";
   RunSpec spec = short_run(PlantKind::Mujoco, ControllerKind::Mpc);
   override_task(spec.task, {"phases.approach_speed=0.004", "phases.clearance=0.004",
@@ -182,7 +183,7 @@ TEST(PolishingRun, ASlowTouchIsPressedUntilItIsFelt) {
   EXPECT_NEAR(result.metrics->force_mean, 30.0, 1.0);
 }
 
-TEST(PolishingRun, ANoisyForceIsNoTouch) {
+TEST(PolishingRun, NoisyForce_IsNotTakenForATouch) {
   for (const ControllerKind controller :
        {ControllerKind::Mpc, ControllerKind::Baseline, ControllerKind::Admittance}) {
     RunSpec spec = short_run(PlantKind::Ideal, controller);
@@ -195,12 +196,12 @@ TEST(PolishingRun, ANoisyForceIsNoTouch) {
     while (contact[touch] == 0.0) ++touch;
     while (phase[ramp] < static_cast<double>(Phase::Ramp)) ++ramp;
     EXPECT_GE(ramp, touch);
-    EXPECT_LE(ramp - touch, 40) << "20 ms";
+    EXPECT_LE(ramp - touch, 40) << "more than 20 ms late";
   }
 }
 
-/// arm7 whose last joint turns without end.
-class TurningArm : public ::testing::Test {
+/// arm7 with a continuous last joint.
+class ContinuousWristArm : public ::testing::Test {
  protected:
   void SetUp() override {
     namespace fs = std::filesystem;
@@ -216,7 +217,7 @@ class TurningArm : public ::testing::Test {
   const std::filesystem::path& folder_ = scratch_.folder;
 };
 
-TEST_F(TurningArm, Polishes) {
+TEST_F(ContinuousWristArm, EveryController_Polishes) {
   for (const ControllerKind controller :
        {ControllerKind::Mpc, ControllerKind::Baseline, ControllerKind::Admittance}) {
     RunSpec spec = short_run(PlantKind::Ideal, controller);
@@ -231,7 +232,7 @@ TEST_F(TurningArm, Polishes) {
   }
 }
 
-TEST(PolishingRun, ProgressStopsIt) {
+TEST(PolishingRun, ProgressReturnsFalse_InterruptsTheRun) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
   double seen = 0.0;
   spec.progress = [&](double time, double end) {
@@ -247,10 +248,11 @@ TEST(PolishingRun, ProgressStopsIt) {
   EXPECT_EQ(result.trace.rows(), static_cast<int>(std::lround(seen / 5e-4)));
 }
 
-TEST(PolishingRun, OutOfReachIsRefusedBeforeAnythingMoves) {
+TEST(PolishingRun, ForceOutOfReach_IsRefusedBeforeTheRun) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
   spec.task.force = 300.0;
-  expect_words(refusal([&] { run_task(spec); }), {"force of 300 N reaches limits.force"});
+  expect_words(refusal([&] { run_task(spec); }),
+               {"more than the largest force of the task, 300 N"});
   spec.task.tool_limits.force = 1000.0;
   spec.task.force = 500.0;
   expect_words(refusal([&] { run_task(spec); }), {"out of reach", "pressing with 500 N"});

@@ -1,4 +1,4 @@
-// The experiments of robots on their feet, and of a plate in the other hand.
+// Experiments with robots on their feet, and with a plate in the other hand.
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/pushes.hpp"
 #include "polishing/experiments/shipped_tasks.hpp"
@@ -8,7 +8,7 @@
 namespace burnish::testing {
 namespace {
 
-TEST(Experiments, FramesShowThatAPlateThatTurnsWantsItsOwnAxes) {
+TEST(Experiments, FramesWithTurningPlate_FavourSurfaceAxes) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   const ExperimentReport report = experiment_named("frames").perform(quick());
   expect_complete(report);
@@ -18,38 +18,38 @@ TEST(Experiments, FramesShowThatAPlateThatTurnsWantsItsOwnAxes) {
   const double own = number_at(plate, 0, "force_rmse, surface");
   EXPECT_LT(3.0 * own, number_at(plate, 0, "force_rmse, world"));
   EXPECT_LT(3.0 * own, number_at(plate, 0, "force_rmse, local"));
-  // The runs stand in the first table, beside those of surfaces that stand still.
+  // The first table contains these runs and those on fixed surfaces.
   EXPECT_EQ(report.tables.front().rows.size(), 2U * 2 * 2 * 2 + 3);
 }
 
-TEST(Experiments, TasksThatComeAlongAreTheirFiles) {
+TEST(Experiments, ShippedTasks_MatchTheirFiles) {
   ASSERT_FALSE(shipped_task_texts().empty());
   for (const auto& [name, text] : shipped_task_texts())
     EXPECT_EQ(task_text(shipped_task(std::string(name))),
               task_text(read_task(BURNISH_TASKS_DIR "/polishing/" + std::string(name) + ".yaml")))
         << name;
-  expect_words(refusal([] { shipped_task("sitting"); }), {"no task 'sitting'"});
+  expect_words(refusal([] { shipped_task("sitting"); }), {"no bundled task 'sitting'"});
 }
 
-/// What a robot that bears up to `bears` N is pushed with, in order.
-std::vector<double> searched(double bears, double step) {
+/// Returns the pushes of the search, in order, for a robot that survives `max_survived` [N].
+std::vector<double> searched(double max_survived, double step) {
   PushDirection direction;
   std::vector<double> forces;
   while (const auto force = next_push(direction, step)) {
     forces.push_back(*force);
-    note_push(*force, {.made = true, .polished = *force <= bears}, direction);
+    note_push(*force, {.made = true, .polished = *force <= max_survived}, direction);
   }
-  EXPECT_LE(direction.largest_survived(), bears);
-  EXPECT_GT(direction.largest_survived() + step, std::min(bears, largest_push));
+  EXPECT_LE(direction.largest_survived(), max_survived);
+  EXPECT_GT(direction.largest_survived() + step, std::min(max_survived, largest_push));
   return forces;
 }
 
-TEST(Pushes, TheLargestThatIsSurvivedIsFoundByHalves) {
+TEST(Pushes, LargestSurvivedPush_IsFoundByBisection) {
   EXPECT_EQ(searched(155.0, 10.0), (std::vector<double>{120, 240, 180, 150, 160}));
   EXPECT_EQ(searched(5.0, 10.0), (std::vector<double>{120, 60, 30, 10}));
   EXPECT_EQ(searched(1e3, 10.0), (std::vector<double>{120, 240, 480}));
   EXPECT_EQ(searched(300.0, 10.0).size(), 7U);
-  // One that was not made ends its search, and one who falls has not survived.
+  // A missing run ends the search, and a robot that falls has not survived.
   PushDirection direction;
   note_push(120.0, {.made = false}, direction);
   EXPECT_FALSE(next_push(direction, 10.0).has_value());
@@ -60,21 +60,22 @@ TEST(Pushes, TheLargestThatIsSurvivedIsFoundByHalves) {
   EXPECT_EQ(direction.smallest_lost(), 120.0);
 }
 
-TEST(Experiments, StandingCountsFallsAndFindsTheLargestPush) {
+TEST(Experiments, Standing_CountsFallsAndFindsTheLargestPush) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   ExperimentSpec spec = quick();
-  double told = 0.0;
-  spec.progress = [&](double share, const std::string&) {
-    EXPECT_GE(share, told - 0.01);  // a run's end is known once its path has begun
-    EXPECT_LE(share, 1.0 + 1e-12);
-    told = share;
+  double last_progress = 0.0;
+  spec.progress = [&](double progress, const std::string&) {
+    // The end of a run is estimated until its path begins, so progress may drop slightly.
+    EXPECT_GE(progress, last_progress - 0.01);
+    EXPECT_LE(progress, 1.0 + 1e-12);
+    last_progress = progress;
   };
   RunCounts counts;
   spec.counts = &counts;
   const ExperimentReport report = experiment_named("standing").perform(spec);
   expect_complete(report);
   const ResultTable& summary = table_named(report, "summary");
-  ASSERT_EQ(summary.rows.size(), 2U);  // the board under none and mismatch
+  ASSERT_EQ(summary.rows.size(), 2U);  // the board without disturbances and with `mismatch`
   for (std::size_t row = 0; row < 2; ++row) {
     EXPECT_EQ(number_at(summary, row, "seeds"), 1.0);
     EXPECT_EQ(number_at(summary, row, "falls"), 0.0);
@@ -86,16 +87,17 @@ TEST(Experiments, StandingCountsFallsAndFindsTheLargestPush) {
     EXPECT_EQ(std::get<std::string>(pushes.rows[row][2]), "survived");
     EXPECT_GE(number_at(pushes, row, "largest survived"), 120.0);
   }
-  // All runs stand in the first table, those of later rounds too, and are counted.
+  // The first table contains all runs, including later rounds, and the counts match.
   EXPECT_GT(report.tables.front().rows.size(), 2U + 2U);
   EXPECT_EQ(static_cast<int>(report.tables.front().rows.size()), counts.made);
   EXPECT_EQ(counts.wanted, counts.made);
 }
 
-TEST(Experiments, StandingIsRefusedWhereNothingCanStand) {
+TEST(Experiments, StandingOnTheWrongPlantOrSurface_IsRefused) {
   ExperimentSpec spec = quick();
   spec.plant = PlantKind::Ideal;
-  expect_words(refusal([&] { experiment_named("standing").perform(spec); }), {"needs MuJoCo"});
+  expect_words(refusal([&] { experiment_named("standing").perform(spec); }),
+               {"wanted the plant mujoco"});
   if (!has_mujoco()) return;
   spec.plant = PlantKind::Mujoco;
   spec.surfaces = {"board_y"};

@@ -1,4 +1,4 @@
-// Faults on the legs of whole Talos in MuJoCo: what it does about them.
+// Faults of whole Talos on its feet in MuJoCo, and its reactions.
 #include <gtest/gtest.h>
 
 #include "burnish/report/standing_figures.hpp"
@@ -15,7 +15,8 @@ class StandingFault : public ::testing::Test {
     task = standing_case().task;
     task.standing.after_fault = 1.0;
   }
-  /// As a user runs it: the base estimated.
+  /// Runs the task with an estimated base, as a user does, and checks the torques against the
+  /// limits.
   polishing::RunResult run() const {
     const polishing::RunResult result = polishing::run_task({.task = task, .plan_rate = 0.0});
     EXPECT_LE(result.plant_status, Status::NotConverged);
@@ -42,32 +43,33 @@ class StandingFault : public ::testing::Test {
   polishing::Task task;
 };
 
-TEST_F(StandingFault, stands_with_a_foot_on_slippery_ground) {
+TEST_F(StandingFault, OneFootOnSlipperyGround_Stands) {
   task.disturbances.slippery_ground = {{.start = 1.6, .frame = "left_sole_link"}};
   const polishing::RunResult result = run();
   EXPECT_EQ(result.fault.kind, FaultKind::None) << result.outcome;
-  EXPECT_GT(result.standing->slip, 2e-3) << "else nothing slipped";
+  EXPECT_GT(result.standing->slip, 2e-3) << "the foot did not slip";
   EXPECT_FALSE(fell(*result.standing));
 }
 
-TEST_F(StandingFault, polishes_on_with_both_feet_on_ground_that_bears_a_little) {
+TEST_F(StandingFault, BothFeetOnLowFriction_Polishes) {
   task.disturbances.slippery_ground = {{.start = 1.6, .friction = 0.15}};
   const polishing::RunResult result = run();
   EXPECT_TRUE(result.polished) << result.outcome;
 }
 
-TEST_F(StandingFault, stands_without_a_motor_of_its_leg_its_trunk_or_its_arm) {
+TEST_F(StandingFault, MotorLost_ReportsAFaultAndStands) {
   for (const char* joint :
        {"leg_right_3_joint", "leg_left_5_joint", "torso_1_joint", "arm_right_4_joint"}) {
     task.disturbances.motor_losses = {{.start = 1.6, .joint = joint}};
     const polishing::RunResult result = run();
     EXPECT_NE(result.fault.kind, FaultKind::None) << joint << ": " << result.outcome;
     EXPECT_LT(result.fault.time, 2.0) << joint;
-    EXPECT_NE(result.outcome.find("it stands"), std::string::npos) << joint << result.outcome;
+    EXPECT_NE(result.outcome.find("the robot stands"), std::string::npos)
+        << joint << result.outcome;
   }
 }
 
-TEST_F(StandingFault, is_watched_for_a_while_after_which_no_figure_has_changed) {
+TEST_F(StandingFault, TimeAfterFault_ExtendsTheRunNotTheFigures) {
   task.disturbances.surface_motion = {.drift = -10.0, .start = 2.0};
   task.standing.after_fault = 0.0;
   const polishing::RunResult ended = run();
@@ -76,23 +78,23 @@ TEST_F(StandingFault, is_watched_for_a_while_after_which_no_figure_has_changed) 
   EXPECT_EQ(ended.fault.kind, FaultKind::ContactLost) << ended.outcome;
   ASSERT_TRUE(watched.metrics && ended.metrics);
   EXPECT_EQ(watched.metrics->force_rmse, ended.metrics->force_rmse);
-  const auto last = [](const polishing::RunResult& of) {
-    const auto time = of.trace.column("time");
+  const auto last = [](const polishing::RunResult& result) {
+    const auto time = result.trace.column("time");
     return time[time.size() - 1];
   };
   EXPECT_NEAR(last(watched), last(ended) + 0.5, 2e-3);
 }
 
-TEST_F(StandingFault, says_that_it_fell_of_a_push_that_no_sole_can_hold) {
+TEST_F(StandingFault, HardPush_ReportsAFall) {
   task.disturbances.pushes = {{1.6, 0.3, Eigen::Vector3d(-400.0, 0.0, 0.0), "torso_2_link"}};
   const polishing::RunResult result = run();
   EXPECT_NE(result.fault.kind, FaultKind::None);
   EXPECT_TRUE(fell(*result.standing));
-  EXPECT_NE(result.outcome.find("it fell"), std::string::npos) << result.outcome;
+  EXPECT_NE(result.outcome.find("the robot fell"), std::string::npos) << result.outcome;
 }
 
-TEST_F(StandingFault, gives_up_on_plans_that_come_too_late) {
-  task.limits.deadline = 1e-9;  // no plan is made in that
+TEST_F(StandingFault, PlansTooLate_ReportSolverLateAndStand) {
+  task.limits.deadline = 1e-9;  // shorter than any solve
   const polishing::RunResult result = run();
   EXPECT_EQ(result.fault.kind, FaultKind::SolverLate) << result.outcome;
   EXPECT_FALSE(fell(*result.standing)) << result.outcome;

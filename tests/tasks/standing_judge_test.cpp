@@ -1,5 +1,5 @@
-// Whole Talos on its feet, judged by MuJoCo's own tree: what its momentum and energy do is what
-// torques, contacts and gravity say, and feet stand within what they bear.
+// Whole Talos on its feet, checked with the kinematic tree of MuJoCo: momentum and energy balance
+// torques, contacts and gravity, and plans keep the constraints of the feet.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -15,13 +15,13 @@
 namespace burnish::test {
 namespace {
 
-/// Momentum about the world's origin and energy of a state, by MuJoCo's tree.
-class Judge {
+/// Momentum about the origin of the world and energy of a state, computed by MuJoCo.
+class ReferenceTree {
  public:
-  Judge(const Model& model, const SceneSpec& scene) : engine_(model, scene, {}) {
+  ReferenceTree(const Model& model, const SceneSpec& scene) : engine_(model, scene, {}) {
     engine_.m->opt.enableflags |= mjENBL_ENERGY;
   }
-  void look(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  void evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
     using Vector3 = Eigen::Map<const Eigen::Vector3d>;
     mjData* const d = engine_.d.get();
     engine_.coordinates.store(q, v, *d);
@@ -37,34 +37,36 @@ class Judge {
     energy = d->energy[0] + d->energy[1];
   }
 
-  double mass = 0.0, energy = 0.0;  ///< kg, J
-  Eigen::Vector3d com;              ///< m
-  Vector6 momentum;                 ///< kg m/s, kg m^2/s
+  double mass = 0.0, energy = 0.0;  ///< Mass [kg] and energy [J]
+  Eigen::Vector3d com;              ///< Centre of mass [m]
+  Vector6 momentum;                 ///< Linear [kg m/s] and angular [kg m^2/s]
 
  private:
   mujoco::Engine engine_;
 };
 
-/// Root of the mean of squares, and the largest.
+/// Root mean square and largest magnitude of a value.
 struct Deviation {
-  double square = 0.0, most = 0.0;
+  double sum_of_squares = 0.0, max = 0.0;
   long count = 0;
   void add(double value) {
-    square += value * value;
-    most = std::max(most, std::abs(value));
+    sum_of_squares += value * value;
+    max = std::max(max, std::abs(value));
     ++count;
   }
-  double rms() const { return std::sqrt(square / static_cast<double>(std::max(count, 1L))); }
+  double rms() const {
+    return std::sqrt(sum_of_squares / static_cast<double>(std::max(count, 1L)));
+  }
 };
 
-/// What acts on the robot from outside, and what all of it does, during steps of a run.
+/// Balance of momentum and energy over the steps of a run, with all external forces.
 class Balance {
  public:
   explicit Balance(MpcRun& run, const std::vector<Push>& pushes)
       : run_(run),
         pushes_(pushes),
         body_(run.plant().model()),
-        judge_(run.plant().model(), run.plant().scene()) {}
+        tree_(run.plant().model(), run.plant().scene()) {}
 
   void step() {
     const Plant& plant = run_.plant();
@@ -72,53 +74,54 @@ class Balance {
     const Eigen::VectorXd q = plant.q(), v = plant.v();
     const double now = plant.time();
     const Vector6 turning = momentum_rate_at_constant_speed(q, v);
-    judge_.look(q, v);
-    const Vector6 momentum = judge_.momentum;
-    const double energy = judge_.energy, mass = judge_.mass;
-    const Eigen::Vector3d com = judge_.com;
+    tree_.evaluate(q, v);
+    const Vector6 momentum = tree_.momentum;
+    const double energy = tree_.energy, mass = tree_.mass;
+    const Eigen::Vector3d com = tree_.com;
     ASSERT_LE(run_.run(dt), Status::NotConverged);
-    judge_.look(q, plant.v());  // a step changes speeds where it begins
-    const Vector6 rate = (judge_.momentum - momentum) / dt + turning;
-    judge_.look(plant.q(), plant.v());
-    if (now < settling) return;
+    tree_.evaluate(q, plant.v());  // a step applies its impulse at the old configuration
+    const Vector6 rate = (tree_.momentum - momentum) / dt + turning;
+    tree_.evaluate(plant.q(), plant.v());
+    if (now < settle_time) return;
     const Eigen::VectorXd v_mid = 0.5 * (v + plant.v());
     ASSERT_EQ(body_.update(q, v_mid), Status::Ok);
-    add_outside(now);
+    add_external_forces(now);
     const Eigen::Vector3d weight = mass * plant.model().gravity;
     total_.head<3>() += weight;
     total_.tail<3>() += com.cross(weight);
-    const Vector6 off = rate - total_;
-    force.add(off.head<3>().norm());
-    moment.add(off.tail<3>().norm());
-    // MuJoCo's step takes damping at its end.
+    const Vector6 deviation = rate - total_;
+    force.add(deviation.head<3>().norm());
+    moment.add(deviation.tail<3>().norm());
+    // MuJoCo applies joint damping at the end of a step.
     const Eigen::VectorXd joints =
         plant.friction_torque() - plant.model().damping.cwiseProduct(plant.v() - v);
     motors += dt * run_.loop().actuation().step().applied.dot(v_mid);
     friction += dt * joints.dot(v_mid);
     contacts += dt * power_;
-    change += judge_.energy - energy;
+    change += tree_.energy - energy;
     flow += dt * (std::abs(run_.loop().actuation().step().applied.dot(v_mid)) + std::abs(power_));
   }
 
-  Deviation force, moment;  ///< N, Nm about the world's origin
-  /// J: of the torques, of joints' friction, of contacts and pushes; of the robot's energy; what
-  /// went in and out
+  Deviation force, moment;  ///< Error of force [N] and of moment about the origin of the world [Nm]
+  /// Work of the motors, of joint friction, of contacts and pushes; change of energy; absolute work
+  /// of motors and contacts [J]
   double motors = 0.0, friction = 0.0, contacts = 0.0, change = 0.0, flow = 0.0;
 
  private:
-  static constexpr double settling = 0.05;  ///< s, in which the ground takes the robot
+  /// Time in which the robot settles on the ground [s].
+  static constexpr double settle_time = 0.05;
 
-  /// The part of d(momentum)/dt that comes of where the robot goes, by central differences.
+  /// Part of d(momentum)/dt due to the change of configuration, by central differences.
   Vector6 momentum_rate_at_constant_speed(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
-    constexpr double ahead = 1e-5;  // s
+    constexpr double half_step = 1e-5;  // [s]
     const Model& model = run_.plant().model();
-    judge_.look(integrate(model, q, ahead * v), v);
-    const Vector6 after = judge_.momentum;
-    judge_.look(integrate(model, q, -ahead * v), v);
-    return (after - judge_.momentum) / (2.0 * ahead);
+    tree_.evaluate(integrate(model, q, half_step * v), v);
+    const Vector6 after = tree_.momentum;
+    tree_.evaluate(integrate(model, q, -half_step * v), v);
+    return (after - tree_.momentum) / (2.0 * half_step);
   }
 
-  /// A wrench at the origin of a frame, in the axes of that frame.
+  /// Adds a wrench at the origin of a frame, in the axes of the frame.
   void add(int frame, const Vector6& wrench) {
     const Eigen::Isometry3d at = body_.placement(frame);
     const Eigen::Vector3d f_world = at.linear() * wrench.head<3>();
@@ -133,7 +136,7 @@ class Balance {
     wrench.tail<3>() = at.linear().transpose() * (p_world - at.translation()).cross(f_world);
     add(frame, wrench);
   }
-  void add_outside(double now) {
+  void add_external_forces(double now) {
     const Plant& plant = run_.plant();
     const SceneSpec& scene = plant.scene();
     total_.setZero();
@@ -153,73 +156,74 @@ class Balance {
   MpcRun& run_;
   const std::vector<Push>& pushes_;
   RigidBody body_;
-  Judge judge_;
+  ReferenceTree tree_;
   Vector6 total_ = Vector6::Zero();
-  double power_ = 0.0;  ///< W
+  double power_ = 0.0;  ///< Power of the external forces [W]
 };
 
-/// Of the rows of plans that keep what the feet bear.
-struct FootRowsOfPlans {
-  long plans = 0, broken = 0;
-  double most = 0.0;  ///< of the row's scale
+/// Violations of the constraints of the feet by plans.
+struct FootConstraints {
+  long plans = 0, violating = 0;
+  double max_violation = 0.0;  ///< As a fraction of the scale of the constraint
 
-  void look(const DdpSolver& solver) {
+  void add(const DdpSolver& solver) {
     ++plans;
-    bool any = false;
+    bool is_violated = false;
     for (const CostReport::Row& row : solver.cost_report().rows) {
-      const bool of_feet = row.name.find("sole_link") != std::string::npos;
-      if (!of_feet) continue;
-      most = std::max(most, row.outside / row.scale);
-      any = any || row.outside > 0.01 * row.scale;
+      const bool is_of_foot = row.name.find("sole_link") != std::string::npos;
+      if (!is_of_foot) continue;
+      max_violation = std::max(max_violation, row.violation / row.scale);
+      is_violated = is_violated || row.violation > 0.01 * row.scale;
     }
-    broken += any ? 1 : 0;
+    violating += is_violated ? 1 : 0;
   }
 };
 
-/// Every step of a run is judged.
-void judge(const MpcCase& wanted) {
+/// Checks the balance over every step of a run.
+void expect_balance(const MpcCase& wanted) {
   MpcRun run(wanted);
   Balance balance(run, wanted.task.disturbances.pushes);
-  FootRowsOfPlans rows;
+  FootConstraints rows;
   double solved = 0.0;
   while (run.now() < 2.6) {
     ASSERT_NO_FATAL_FAILURE(balance.step());
     const double took = run.loop().command().solve_time;
-    if (took > 0.0 && took != solved && run.now() > 0.3) rows.look(run.mpc().solver());
+    if (took > 0.0 && took != solved && run.now() > 0.3) rows.add(run.mpc().solver());
     solved = took;
   }
   ASSERT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
-  const StandingFigures stood =
+  const StandingFigures figures =
       measure_standing(run.loop().trace(), run.plant().model(), run.plant().scene().supports);
-  const double left = balance.change - balance.motors - balance.friction - balance.contacts;
+  const double residual = balance.change - balance.motors - balance.friction - balance.contacts;
   std::printf(
-      "rate of momentum less wrenches: %.3f N rms, %.3f N at most; %.3f Nm rms, %.3f Nm at most\n"
-      "energy: change %.3f J; motors %.3f J, joints' friction %.3f J, contacts and pushes %.3f J; "
-      "left %.4f J, of %.1f J that went in and out\n"
-      "plans: %ld, %ld of them break a foot's limit by 1 %% of its scale, the largest %.2f %%\n"
-      "feet: moved %.2f mm, used %.0f %% of their friction, bore %.0f N or more\n",
-      balance.force.rms(), balance.force.most, balance.moment.rms(), balance.moment.most,
-      balance.change, balance.motors, balance.friction, balance.contacts, left, balance.flow,
-      rows.plans, rows.broken, 100.0 * rows.most, 1e3 * stood.slip, 100.0 * stood.friction_used,
-      stood.least_load);
-  EXPECT_LT(balance.force.rms(), 0.02);  // of a weight of 900 N
-  EXPECT_LT(balance.force.most, 0.2);
+      "rate of momentum minus wrenches: %.3f N rms, %.3f N at most; %.3f Nm rms, %.3f Nm at most\n"
+      "energy: change %.3f J; motors %.3f J, joint friction %.3f J, contacts and pushes %.3f J; "
+      "residual %.4f J, absolute work %.1f J\n"
+      "plans: %ld, %ld of them violate a constraint of a foot by 1 %% of its scale, at most %.2f "
+      "%%\n"
+      "feet: moved %.2f mm, used %.0f %% of their friction, carried at least %.0f N\n",
+      balance.force.rms(), balance.force.max, balance.moment.rms(), balance.moment.max,
+      balance.change, balance.motors, balance.friction, balance.contacts, residual, balance.flow,
+      rows.plans, rows.violating, 100.0 * rows.max_violation, 1e3 * figures.slip,
+      100.0 * figures.friction_used, figures.min_load);
+  EXPECT_LT(balance.force.rms(), 0.02);  // the weight is 900 N
+  EXPECT_LT(balance.force.max, 0.2);
   EXPECT_LT(balance.moment.rms(), 0.02);
-  EXPECT_LT(balance.moment.most, 0.2);
-  EXPECT_LT(std::abs(left), 3e-3 * balance.flow);
+  EXPECT_LT(balance.moment.max, 0.2);
+  EXPECT_LT(std::abs(residual), 3e-3 * balance.flow);
   EXPECT_GT(rows.plans, 300);
-  EXPECT_EQ(rows.broken, 0);
-  EXPECT_LT(stood.friction_used, 1.0);
+  EXPECT_EQ(rows.violating, 0);
+  EXPECT_LT(figures.friction_used, 1.0);
 }
 
-TEST(StandingJudged, momentum_and_energy_are_what_torques_and_contacts_make_of_them) {
+TEST(StandingBalance, UndisturbedRun_MomentumAndEnergyBalance) {
   if (!has_mujoco()) GTEST_SKIP() << "this build has no MuJoCo";
-  judge(standing_case());
+  expect_balance(standing_case());
 }
 
-TEST(StandingJudged, so_they_are_while_the_torso_is_pushed) {
+TEST(StandingBalance, PushAtTheTorso_MomentumAndEnergyBalance) {
   if (!has_mujoco()) GTEST_SKIP() << "this build has no MuJoCo";
-  judge(standing_case({{2.0, 0.1, Eigen::Vector3d(-60.0, 100.0, 0.0), "torso_2_link"}}));
+  expect_balance(standing_case({{2.0, 0.1, Eigen::Vector3d(-60.0, 100.0, 0.0), "torso_2_link"}}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Whole Talos on its two feet in MuJoCo: it polishes, bears pushes, slow plans and faults.
+// Whole Talos on its two feet in MuJoCo: polishing, pushes, sensor faults, and refusals.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/rigid_body.hpp"
@@ -26,7 +26,7 @@ class Standing : public ::testing::Test {
   }
 };
 
-TEST_F(Standing, polishes_a_board_with_what_its_controller_does_not_know) {
+TEST_F(Standing, MismatchedModel_PolishesABoard) {
   MpcRun run(standing_case());
   ASSERT_LE(run.polish(), Status::NotConverged);
   EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
@@ -37,7 +37,7 @@ TEST_F(Standing, polishes_a_board_with_what_its_controller_does_not_know) {
   EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
 }
 
-TEST_F(Standing, keeps_pressing_while_its_torso_is_pushed) {
+TEST_F(Standing, PushAtTheTorso_KeepsPressing) {
   for (const Eigen::Vector3d& force :
        {Eigen::Vector3d(0.0, 120.0, 0.0), Eigen::Vector3d(-104.0, -60.0, 0.0)}) {
     MpcRun run(standing_case({{2.0, 0.3, force, "torso_2_link"}}));
@@ -48,7 +48,7 @@ TEST_F(Standing, keeps_pressing_while_its_torso_is_pushed) {
   }
 }
 
-TEST_F(Standing, keeps_polishing_while_its_inertial_unit_is_wrong_or_silent) {
+TEST_F(Standing, ImuWrongOrSilent_KeepsPolishing) {
   for (const ImuFault& fault :
        std::vector<ImuFault>{{.start = 3.0, .gyro_offset = {0.0, 0.3, 0.0}},
                              {.start = 3.0, .duration = 0.3, .gyro_offset = {1.0, 0.0, 0.0}},
@@ -56,7 +56,8 @@ TEST_F(Standing, keeps_polishing_while_its_inertial_unit_is_wrong_or_silent) {
                              {.start = 3.0, .frozen = true},
                              {.start = 3.0, .silent = true}}) {
     MpcCase wanted = standing_case();
-    wanted.task.standing.settle = 1.0;  // as shipped: the unit's biases are known by then
+    // Time to estimate the biases of the IMU, as in the shipped task.
+    wanted.task.standing.settle = 1.0;
     wanted.task.disturbances.imu_faults = {fault};
     MpcRun run(wanted, pressing::base_estimator(wanted.task.standing));
     ASSERT_LE(run.polish(), Status::NotConverged);
@@ -67,15 +68,15 @@ TEST_F(Standing, keeps_polishing_while_its_inertial_unit_is_wrong_or_silent) {
     EXPECT_TRUE(run.watched().finite);
     EXPECT_EQ(run.watched().allocations, 0);
     EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
-    // Where it is told to be is where it is.
-    const Eigen::VectorXd apart =
+    // The estimated base is close to the true one.
+    const Eigen::VectorXd estimate_error =
         difference(run.setting().robot.model, run.plant().q(), run.loop().measurement().q);
-    EXPECT_LT(apart.head<3>().norm(), 5e-3);
-    EXPECT_LT(apart.segment<3>(3).norm(), 0.01);
+    EXPECT_LT(estimate_error.head<3>().norm(), 5e-3);
+    EXPECT_LT(estimate_error.segment<3>(3).norm(), 0.01);
   }
 }
 
-TEST_F(Standing, freezes_when_nothing_tells_where_its_base_is) {
+TEST_F(Standing, BaseEstimateLost_StopsOnItsFeet) {
   MpcCase wanted = standing_case();
   wanted.spoil = [](Measurement& m) {
     if (m.time > 1.6) m.base_lost_for = m.time - 1.6;
@@ -87,7 +88,7 @@ TEST_F(Standing, freezes_when_nothing_tells_where_its_base_is) {
   EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
 }
 
-TEST_F(Standing, stays_on_its_feet_after_a_fault) {
+TEST_F(Standing, BadMeasurement_StaysOnItsFeet) {
   MpcCase wanted = standing_case();
   wanted.spoil = [](Measurement& m) {
     if (m.time > 1.6) m.tool_force_world.x() = std::nan("");
@@ -100,7 +101,7 @@ TEST_F(Standing, stays_on_its_feet_after_a_fault) {
   EXPECT_LT(run.plant().v().cwiseAbs().maxCoeff(), 0.1);
 }
 
-TEST_F(Standing, gives_up_upright_when_the_surface_is_gone) {
+TEST_F(Standing, SurfaceGone_ReportsContactLostAndStands) {
   MpcCase wanted = standing_case();
   wanted.task.disturbances.surface_motion = {.drift = -10.0, .start = 1.8};
   MpcRun run(wanted);
@@ -113,19 +114,19 @@ polishing::Task wide_task() {
   return polishing::read_task(std::string(BURNISH_TASKS_DIR) + "/polishing/standing_wide.yaml");
 }
 
-TEST(StandingWide, needs_the_legs_for_a_line_of_a_metre) {
+TEST(StandingWide, LineOfAMetre_NeedsTheLegs) {
   polishing::Task task = wide_task();
   const ReachReport standing = polishing::check_reach(task, polishing::make_setting(task));
   EXPECT_TRUE(standing.ok()) << standing.text;
-  EXPECT_NEAR(standing.path_length, 1.5, 1e-3);  // half of it twice
-  // Trunk and arm before the same board, the pelvis held.
+  EXPECT_NEAR(standing.path_length, 1.5, 1e-3);  // half of the line twice
+  // Trunk and arm at the same board, with a fixed pelvis.
   polishing::override_task(task, {"robot=talos:right_arm", "posture=board_x", "standing.feet=[]"});
-  const ReachReport held = polishing::check_reach(task, polishing::make_setting(task));
-  EXPECT_EQ(held.problem, ReachProblem::Joint);
-  EXPECT_EQ(held.joint, "torso_2_joint");
+  const ReachReport fixed_pelvis = polishing::check_reach(task, polishing::make_setting(task));
+  EXPECT_EQ(fixed_pelvis.problem, ReachProblem::Joint);
+  EXPECT_EQ(fixed_pelvis.joint, "torso_2_joint");
 }
 
-TEST_F(Standing, polishes_up_and_down_a_wide_board) {
+TEST_F(Standing, WideBoard_PolishesUpAndDown) {
   MpcCase wanted = standing_case();
   const polishing::Task wide = wide_task();
   wanted.task.surface_estimate = wide.surface_estimate;
@@ -142,7 +143,7 @@ TEST_F(Standing, polishes_up_and_down_a_wide_board) {
   EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
 }
 
-TEST_F(Standing, is_refused_without_feet_and_on_feet_that_there_are_not) {
+TEST_F(Standing, MissingOrUnknownFeet_AreRefused) {
   polishing::Task task = standing_case().task;
   task.standing.feet = {};
   expect_words(testing::refusal([&] { (void)polishing::make_setting(task); }),
@@ -154,7 +155,8 @@ TEST_F(Standing, is_refused_without_feet_and_on_feet_that_there_are_not) {
                {"right_sole_lnk", "right_sole_link"});
   task.standing.feet = {"left_sole_link", "right_sole_link"};
   task.standing.half_y = 0.0;
-  expect_words(testing::refusal([&] { (void)polishing::make_setting(task); }), {"half sides"});
+  expect_words(testing::refusal([&] { (void)polishing::make_setting(task); }),
+               {"half_x and half_y are "});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Which way a tool looks, told from the joints that carry it.
+// Pressing direction of a tool, inferred from the joints that carry it.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using namespace burnish::polishing;
 
-/// A task of an arm with this wrist, and its robot.
+/// Task and robot of an arm with a given wrist.
 struct Loaded {
   explicit Loaded(const Wrist& wrist, const std::string& settings = "") {
     task.robot = scratch.write("arm.urdf", six_joint_arm(wrist)).string();
@@ -29,7 +29,7 @@ struct Loaded {
   Robot robot;
 };
 
-TEST(ToolDirection, ByTheFirstOffsetAlongTheLastAxisThatTells) {
+TEST(ToolDirection, OffsetAlongTheLastAxis_GivesTheDirection) {
   struct Case {
     Wrist wrist;
     double z;
@@ -47,26 +47,26 @@ TEST(ToolDirection, ByTheFirstOffsetAlongTheLastAxisThatTells) {
   }
 }
 
-TEST(ToolDirection, FrameOfSettings_WithoutAnOffset_LooksAwayFromTheArmToo) {
+TEST(ToolDirection, FrameFromSettings_PointsAwayFromTheArm) {
   const std::string settings = "urdf: arm.urdf\nframes: {tool: {parent: flange";
   EXPECT_EQ(Loaded({}, settings + "}}").z(), 1.0);
   EXPECT_EQ(Loaded({}, settings + ", rpy: [3.14159265, 0, 0]}}").z(), -1.0);
   EXPECT_EQ(Loaded({}, settings + ", xyz: [0, 0, -0.1]}}").z(), -1.0);
 }
 
-TEST(ToolDirection, WhereNothingTells_ANoteSaysWhatIsAssumed) {
-  const Loaded tie({.joint_before = 0.0, .mass_at = 0.0});
-  EXPECT_EQ(tie.z(), 1.0);
-  ASSERT_EQ(tie.robot.notes.size(), 1U);
-  expect_words(tie.robot.notes.front(),
-               {"which way the tool 'flange' looks", "tool.axis=[0, 0, 1] is assumed",
-                "tool.axis=[0, 0, -1] is the other way"});
-  Task stated = tie.task;
+TEST(ToolDirection, NoOffset_NoteNamesTheAssumedDirection) {
+  const Loaded ambiguous({.joint_before = 0.0, .mass_at = 0.0});
+  EXPECT_EQ(ambiguous.z(), 1.0);
+  ASSERT_EQ(ambiguous.robot.notes.size(), 1U);
+  expect_words(ambiguous.robot.notes.front(),
+               {"pressing axis of tool 'flange'", "tool.axis=[0, 0, 1] is assumed",
+                "set tool.axis=[0, 0, -1] if the tool presses in the opposite direction"});
+  Task stated = ambiguous.task;
   override_task(stated, {"tool.axis=[0, 0, -1]"});
   EXPECT_TRUE(load_task_robot(stated).notes.empty());
 }
 
-TEST(ToolDirection, SmallOffsetBesideTheAxis_IsNoDirection) {
+TEST(ToolDirection, SmallOffsetBesideTheAxis_IsIgnored) {
   const std::string tip =
       "<link name='tip'/><joint name='tip_joint' type='fixed'><parent link='l6'/><child "
       "link='tip'/><origin xyz='XX 0 0.002'/></joint>";
@@ -80,25 +80,25 @@ TEST(ToolDirection, SmallOffsetBesideTheAxis_IsNoDirection) {
   EXPECT_GT(at("0.1").x(), 0.99);
 }
 
-TEST(ToolDirection, FlangeAtTheLastJoint_HasAPostureForTheTable) {
+TEST(ToolDirection, FlangeAtTheLastJoint_FindsAPostureForTheTable) {
   const Loaded loaded({});
   const Setting setting = make_setting(loaded.task, loaded.robot);
-  // The last link stands on the table's side of the wrist.
+  // The last link is between the wrist and the table.
   const auto height = [&](const char* frame) {
     return frame_placement(loaded.robot.model, setting.q_start, frame).translation().z();
   };
   EXPECT_LT(height("flange"), height("l5") - 0.05);
 }
 
-TEST(ToolDirection, WithoutAPosture_TheSentenceNamesTheAxisAndItsOpposite) {
+TEST(ToolDirection, NoPosture_RefusalNamesTheAxisAndItsOpposite) {
   Loaded loaded({.joint_before = -0.1});
   override_task(loaded.task, {"tool.axis=[0, 0, 1]", "search.body_distance=2"});
   expect_words(refusal([&] { make_setting(loaded.task, loaded.robot); }),
                {"no posture was found", "'flange' presses along tool.axis=[0, 0, 1]"});
-  // The wrist's joints are near the wrong side of the flange.
+  // Without a stated axis, the tool is assumed to press away from the wrist joints.
   loaded.task.tool_axis.reset();
   expect_words(refusal([&] { make_setting(loaded.task, loaded.robot); }),
-               {"is taken to press along tool.axis=[0, 0, -1]",
+               {"is assumed to press along tool.axis=[0, 0, -1]",
                 "with tool.axis=[0, 0, 1] none is found either"});
 }
 

@@ -1,4 +1,4 @@
-// One hand holds and waves a plate, the other polishes it.
+// Two arms: one hand holds and moves a plate, the other polishes it.
 #include <gtest/gtest.h>
 
 #include "burnish/tasks/polishing/run.hpp"
@@ -23,7 +23,7 @@ double span(const Trace& trace, const char* column) {
   return x.maxCoeff() - x.minCoeff();
 }
 
-TEST(TwoArms, PolishAPlateThatIsWavedAbout) {
+TEST(TwoArms, MovingPlate_IsPolished) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   const RunResult result = run_task(plate_run());
   EXPECT_TRUE(result.polished) << result.outcome;
@@ -32,27 +32,27 @@ TEST(TwoArms, PolishAPlateThatIsWavedAbout) {
   EXPECT_LT(result.metrics->position_rmse, 1e-3);
   EXPECT_LT(result.metrics->normal_error, 1e-3);
   EXPECT_EQ(result.metrics->without_contact, 0.0);
-  // The plate was waved, by 10 cm and 20 degrees from side to side.
+  // The plate moved by 10 cm and turned by 20 degrees from side to side.
   EXPECT_GT(span(result.trace, "surface_y_world"), 0.08);
   EXPECT_GT(span(result.trace, "surface_normal_x_world"), 0.3);
 }
 
-TEST(TwoArms, FindOutThatThePlateLeansAndBendsOtherwiseThanBelieved) {
+TEST(TwoArms, PlateTiltAndHeightErrors_AreEstimated) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   RunSpec spec = plate_run();
   spec.task.shape = {.kind = SurfaceShape::Kind::Sphere, .radius = 0.3};
   spec.task.disturbances.surface_tilt_deg = {3.0, -2.0};
   spec.task.disturbances.surface_height = 3e-3;
-  const RunResult known = run_task(spec);
-  EXPECT_TRUE(known.polished) << known.outcome;
+  const RunResult estimated = run_task(spec);
+  EXPECT_TRUE(estimated.polished) << estimated.outcome;
   spec.task.surface_estimate.enabled = false;
-  const RunResult believed = run_task(spec);
-  ASSERT_TRUE(known.metrics && believed.metrics);
-  EXPECT_LT(known.metrics->force_rmse, 0.5);
-  EXPECT_LT(3.0 * known.metrics->normal_error, believed.metrics->normal_error);
+  const RunResult nominal = run_task(spec);
+  ASSERT_TRUE(estimated.metrics && nominal.metrics);
+  EXPECT_LT(estimated.metrics->force_rmse, 0.5);
+  EXPECT_LT(3.0 * estimated.metrics->normal_error, nominal.metrics->normal_error);
 }
 
-TEST(TwoArms, WhatDoesNotFitIsRefusedBeforeAnythingMoves) {
+TEST(TwoArms, InvalidTask_IsRefusedBeforeTheRun) {
   const auto refused = [](const std::vector<std::string>& words, const auto& change) {
     RunSpec spec = plate_run();
     change(spec);
@@ -60,7 +60,8 @@ TEST(TwoArms, WhatDoesNotFitIsRefusedBeforeAnythingMoves) {
   };
   refused({"surface.frame", "plait", "plate"},
           [](RunSpec& spec) { spec.task.surface_frame = "plait"; });
-  refused({"posture", "searched"}, [](RunSpec& spec) { spec.task.posture = "search"; });
+  refused({"posture", "the search does not support a surface that the robot carries"},
+          [](RunSpec& spec) { spec.task.posture = "search"; });
   refused({"surface.frame", "without a plan", "mpc"},
           [](RunSpec& spec) { spec.controller = ControllerKind::Baseline; });
   refused({"ideal plant", "carries"}, [](RunSpec& spec) { spec.plant = PlantKind::Ideal; });

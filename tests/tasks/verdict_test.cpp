@@ -1,4 +1,4 @@
-// What "polished" asks for: runs that end without a fault and have not polished all the same.
+// Criteria of the verdict "polished": runs without a fault that nevertheless fail.
 #include "polishing/verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using namespace burnish::polishing;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// A second and a half on the ideal plant, with the baseline, which knows no faults.
+/// Run of 1.5 s on the ideal plant with the baseline controller, which never faults.
 RunSpec faultless_run() {
   RunSpec spec;
   put_on(spec.task, "table");
@@ -25,7 +25,7 @@ RunSpec faultless_run() {
   return spec;
 }
 
-/// A run that came to its end and did not polish, for what `words` say.
+/// Expects a complete run that did not polish, with `words` in its outcome.
 void expect_failed(const RunResult& result, const std::vector<std::string>& words) {
   EXPECT_FALSE(result.polished);
   EXPECT_EQ(result.fault.kind, FaultKind::None);
@@ -34,7 +34,7 @@ void expect_failed(const RunResult& result, const std::vector<std::string>& word
   expect_words(result.outcome, words);
 }
 
-TEST(PolishingVerdict, IsBorneByAPlainRun) {
+TEST(PolishingVerdict, PlainRun_Passes) {
   const RunResult result = run_task(faultless_run());
   EXPECT_TRUE(result.polished) << result.outcome;
   ASSERT_TRUE(result.verdict.has_value());
@@ -43,13 +43,13 @@ TEST(PolishingVerdict, IsBorneByAPlainRun) {
   EXPECT_NEAR(result.verdict->path_share, 1.0, 2e-3);
 }
 
-TEST(PolishingVerdict, IsNotBorneWithoutContact) {
+TEST(PolishingVerdict, LostContact_Fails) {
   RunSpec spec = faultless_run();
   spec.task.disturbances.pushes = {{1.6, 1.0, {0.0, 0.0, 100.0}}};
   const RunResult result = run_task(spec);
-  expect_failed(result, {"not polished: in contact for ", "verdict.contact_share wants 99 %"});
+  expect_failed(result, {"not polished: in contact for ", "verdict.contact_share requires 99 %"});
   EXPECT_LT(result.verdict->contact_share, 0.9);
-  // What is not asked for is not missed.
+  // Without requirements on contact, force and path, joint limits decide.
   spec.task.verdict = {.contact_share = 0.0, .force_rmse = never, .path_share = 0.0};
   expect_words(run_task(spec).outcome, {"not polished: joint '", "beyond its limit"});
   spec.robot = load_task_robot(spec.task);
@@ -58,7 +58,7 @@ TEST(PolishingVerdict, IsNotBorneWithoutContact) {
   EXPECT_TRUE(run_task(spec).polished);
 }
 
-TEST(PolishingVerdict, IsNotBorneWithAnotherForce) {
+TEST(PolishingVerdict, ForceError_Fails) {
   RunSpec spec = faultless_run();
   spec.task.disturbances.pushes = {{1.5, 0.3, {0.0, 0.0, -12.0}}};
   spec.task.verdict.force_rmse = 1e-3;
@@ -68,24 +68,24 @@ TEST(PolishingVerdict, IsNotBorneWithAnotherForce) {
   EXPECT_GT(result.verdict->force_rmse, 0.03);
 }
 
-TEST(PolishingVerdict, IsNotBorneBesideThePath) {
+TEST(PolishingVerdict, PathMissed_Fails) {
   RunSpec spec = faultless_run();
   spec.task.disturbances.pushes = {{0.0, 100.0, {60.0, 0.0, 0.0}}};
-  spec.task.baseline.kp = 900.0;  // one that a push takes along
+  spec.task.baseline.kp = 900.0;  // low stiffness, so that the push displaces the tool
   spec.task.baseline.kd = 60.0;
   spec.task.baseline.ki_position = 0.0;
   spec.task.tip_radius = 0.005;
   spec.task.verdict = {.contact_share = 0.0, .force_rmse = never};
   const RunResult result = run_task(spec);
-  expect_failed(result, {"not polished: the tool was over ", "verdict.path_share wants 99 %"});
+  expect_failed(result, {"not polished: the tool followed ", "verdict.path_share requires 99 %"});
   EXPECT_LT(result.verdict->path_share, 0.5);
 }
 
-TEST(PolishingVerdict, IsNotBorneBeyondAJointsLimit) {
+TEST(PolishingVerdict, JointBeyondItsLimit_Fails) {
   RunSpec spec = faultless_run();
   Robot robot = load_task_robot(spec.task);
   const Setting setting = make_setting(spec.task, robot);
-  // The path needs more of the joint than this.
+  // The path needs a wider range of the joint.
   const int elbow = robot.model.joints[3].q_index;
   robot.model.q_upper[elbow] = setting.q_start[elbow] + 5e-3;
   robot.model.q_lower[elbow] = setting.q_start[elbow] - 5e-3;
@@ -96,7 +96,7 @@ TEST(PolishingVerdict, IsNotBorneBeyondAJointsLimit) {
                          " rad beyond its limit at "});
 }
 
-TEST(PolishingVerdict, OfAPathThatIsTooLongForItsTime_IsCutShortAndJudgedByWhatItDid) {
+TEST(PolishingVerdict, PathTooLongForItsTime_IsJudgedOnItsReachablePart) {
   RunSpec spec = faultless_run();
   spec.task.path.kind = PathKind::Points;
   spec.task.path.points = {{0.05, 0.0}, {0.05, 0.5}, {-0.05, 0.5}, {-0.05, 0.0}};
@@ -104,35 +104,35 @@ TEST(PolishingVerdict, OfAPathThatIsTooLongForItsTime_IsCutShortAndJudgedByWhatI
   EXPECT_NEAR(path_time(spec.task), (0.05 + 0.5 + 0.1 + 0.5) / 0.07 * 1.875, 1e-9);
   const RunResult result = run_task(spec);
   EXPECT_TRUE(result.polished) << result.outcome;
-  expect_words(result.outcome,
-               {"polished: ", "cut short: ", "of the path in 1.5 s", "all of it takes 30.8 s"});
+  expect_words(result.outcome, {"polished: ", "cut short: ", "of the path in 1.5 s",
+                                "the whole path takes 30.8 s"});
   EXPECT_NEAR(result.verdict->path_share, 0.05 / 1.15, 0.02);
   EXPECT_NEAR(result.verdict->path_allowed, result.verdict->path_share, 2e-3);
   VerdictFigures half = *result.verdict;
   half.path_share *= 0.5;
-  expect_words(verdict_failure(spec.task, half),
-               {"not polished: the tool was over ", "of which its time allows ", "cut short: "});
-  // It is said before, too.
+  expect_words(verdict_failure(spec.task, half), {"not polished: the tool followed ",
+                                                  "while its time is enough for ", "cut short: "});
+  // The notes of the task warn before the run.
   const std::vector<std::string> notes = task_notes(spec.task, true);
   ASSERT_EQ(notes.size(), 1U);
   expect_words(notes[0], {"the path takes 30.9 s", "phases.polish_duration is 1.5 s", "cut short"});
 }
 
-TEST(PolishingVerdict, NamesEveryFigureThatIsOff) {
+TEST(PolishingVerdict, SeveralFailures_AreAllNamed) {
   const Task task;
   EXPECT_EQ(verdict_failure(task, {.contact_share = 0.99, .force_rmse = 3.0, .path_share = 0.99}),
             "");
-  EXPECT_EQ(
-      verdict_failure(task, {.contact_share = 0.32, .force_rmse = 22.9, .path_share = 0.5}),
-      "not polished: in contact for 32 % of the time on the path (verdict.contact_share wants "
-      "99 %); the force was off by 22.9 N rms, 76.33 % of 30 N (verdict.force_rmse allows 10 "
-      "%); the tool was over 50 % of the path (verdict.path_share wants 99 %)");
+  EXPECT_EQ(verdict_failure(task, {.contact_share = 0.32, .force_rmse = 22.9, .path_share = 0.5}),
+            "not polished: in contact for 32 % of the time on the path (verdict.contact_share "
+            "requires 99 %); the force was off by 22.9 N rms, 76.33 % of 30 N (verdict.force_rmse "
+            "allows 10 "
+            "%); the tool followed 50 % of the path (verdict.path_share requires 99 %)");
   const double nan = std::nan("");
   expect_words(verdict_failure(task, {.contact_share = nan, .force_rmse = nan, .path_share = nan}),
                {"verdict.contact_share", "verdict.force_rmse", "verdict.path_share"});
 }
 
-TEST(PolishingVerdict, OfAPathThatStaysIsItsTime) {
+TEST(PolishingVerdict, StationaryPath_Passes) {
   RunSpec spec = faultless_run();
   spec.task.path.kind = PathKind::Points;
   spec.task.path.points = {{0.0, 0.0}};

@@ -1,4 +1,4 @@
-// Figures that compute but that no robot has, as wrong units make them.
+// Valid but implausible numbers in descriptions, as from wrong units, give warnings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ TreeSpec robot_of(const std::string& name) {
   return read_urdf(std::string(BURNISH_ROBOTS_DIR "/") + name + "/" + name + ".urdf");
 }
 
-TEST(GoodRobots, HaveNoWarnings) {
+TEST(PlausibleRobots, EveryFile_GivesNoWarning) {
   int seen = 0;
   for (const char* folder : {BURNISH_ROBOTS_DIR, BURNISH_SHARED_DIR "/robots"}) {
     if (!std::filesystem::is_directory(folder)) continue;
@@ -34,12 +34,12 @@ TEST(GoodRobots, HaveNoWarnings) {
   EXPECT_GE(seen, 8);
 }
 
-struct Spoiled {
+struct DefectCase {
   std::string name;
   std::function<void(TreeSpec&, ModelOptions&)> spoil;
   std::vector<std::string> words;
 };
-void PrintTo(const Spoiled& spoiled, std::ostream* out) { *out << spoiled.name; }
+void PrintTo(const DefectCase& defect, std::ostream* out) { *out << defect.name; }
 
 template <class Change>
 auto joints(Change change) {
@@ -59,15 +59,15 @@ void lengths_in_mm(TreeSpec& tree, ModelOptions& /*options*/) {
   for (LinkSpec& link : tree.links) link.inertia.com *= 1000.0;
 }
 
-/// Of every robot; each sentence names a joint or a link, the figure and a guess.
-const std::vector<Spoiled>& of_all() {
-  static const std::vector<Spoiled> all = {
+/// Defects of a whole robot. Each warning names a joint or a link, the value, and a likely cause.
+const std::vector<DefectCase>& defect_cases() {
+  static const std::vector<DefectCase> all = {
       {"LimitsInDegrees",
        joints([](JointSpec& j) { j.lower *= degrees, j.upper *= degrees; }),
        {"joint '", "limits of position", "degrees?"}},
       {"LimitsInRadiansReadAsDegrees",
        joints([](JointSpec& j) { j.lower /= degrees, j.upper /= degrees; }),
-       {"joint '", "limits of position", "rad read as degrees?"}},
+       {"joint '", "limits of position", "as if they were degrees?"}},
       {"VelocitiesInDegrees",
        joints([](JointSpec& j) { j.velocity_limit *= degrees; }),
        {"joint '", "velocity limit of", "degrees per second?"}},
@@ -85,7 +85,7 @@ const std::vector<Spoiled>& of_all() {
        {"link '", "radius of gyration", "reach"}},
       {"InertiasThousandTimesTooSmall",
        links([](InertiaSpec& i) { i.inertia_at_com *= 1e-3; }),
-       {"link '", "ball of", "too small?"}},
+       {"link '", "ball with a density of", "too small?"}},
       {"NoMasses",
        links([](InertiaSpec& i) { i.mass = 0.0; }),
        {"links '", "moments of inertia but no mass"}},
@@ -102,9 +102,9 @@ const std::vector<Spoiled>& of_all() {
   return all;
 }
 
-class SpoiledRobots : public ::testing::TestWithParam<Spoiled> {};
+class ImplausibleRobot : public ::testing::TestWithParam<DefectCase> {};
 
-TEST_P(SpoiledRobots, AreLoadedWithAWarningThatStrictRefuses) {
+TEST_P(ImplausibleRobot, WrongUnit_GivesAWarningThatStrictRefuses) {
   for (const char* name : {"arm7", "talos", "quadruped"}) {
     SCOPED_TRACE(name);
     TreeSpec tree = robot_of(name);
@@ -121,7 +121,7 @@ TEST_P(SpoiledRobots, AreLoadedWithAWarningThatStrictRefuses) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, SpoiledRobots, ::testing::ValuesIn(of_all()),
+INSTANTIATE_TEST_SUITE_P(Kinds, ImplausibleRobot, ::testing::ValuesIn(defect_cases()),
                          [](const auto& test) { return test.param.name; });
 
 LinkSpec& link_of(TreeSpec& tree, const std::string& name) {
@@ -142,7 +142,7 @@ std::string warning_after(const std::function<void(TreeSpec&)>& change) {
   return warnings.empty() ? "" : warnings[0];
 }
 
-TEST(SpoiledLink, IsNamedWithItsFigure) {
+TEST(ImplausibleLink, WrongNumber_IsNamedWithItsValue) {
   expect_words(warning_after([](TreeSpec& t) { link_of(t, "link_3").inertia.mass *= 1e3; }),
                {"line ", "link 'link_3'", "2600 kg", "in g"});
   expect_words(warning_after([](TreeSpec& t) { link_of(t, "link_2").inertia.mass *= 1e-3; }),
@@ -151,27 +151,27 @@ TEST(SpoiledLink, IsNamedWithItsFigure) {
                {"link 'link_2'", "centre of mass", "m from its origin", "in mm?"});
 }
 
-TEST(SpoiledJoint, IsNamedWithItsFigure) {
+TEST(ImplausibleJoint, WrongNumber_IsNamedWithItsValue) {
   expect_words(warning_after([](TreeSpec& t) { joint_of(t, "joint_2").armature *= 1e4; }),
                {"joint 'joint_2'", "armature of 4200 kg m^2", "kg cm^2?"});
   expect_words(warning_after([](TreeSpec& t) { joint_of(t, "joint_2").velocity_limit = 0.0; }),
                {"joint 'joint_2'", "velocity limit of 0", "cannot move"});
 }
 
-TEST(SpoiledJoint, AloneInDegreesMayBeAWinch) {
+TEST(ImplausibleJoint, OneWideRange_GivesNoWarning) {
   TreeSpec tree = robot_of("arm7");
   joint_of(tree, "joint_1").lower *= degrees;
   EXPECT_TRUE(build_model(tree).warnings.empty());
 }
 
-TEST(SpoiledMasses, AreNamedWhereArmaturesAloneMove) {
+TEST(ImplausibleMasses, ArmaturesWithoutAnyMass_GiveAWarning) {
   expect_words(warning_after([](TreeSpec& tree) {
                  for (LinkSpec& link : tree.links) link.inertia = {};
                }),
-               {"nothing that moves has a mass", "'link_1'", "kg"});
+               {"no moving link has a mass", "'link_1'", "kg"});
 }
 
-TEST(SimulationProblem, NamesJointsThatMoveNoMass) {
+TEST(SimulationProblem, MasslessJoints_AreNamed) {
   TreeSpec tree = robot_of("arm7");
   EXPECT_EQ(simulation_problem(build_model(tree)), "");
   TreeSpec weightless = tree;
@@ -186,7 +186,7 @@ TEST(SimulationProblem, NamesJointsThatMoveNoMass) {
                {"joint 'joint_7' moves no mass", "singular"});
 }
 
-TEST(SlideLimits, AreComparedWithTheReach) {
+TEST(SlideLimits, WideRange_IsComparedWithTheReach) {
   TreeSpec tree = robot_of("arm7");
   JointSpec& last = joint_of(tree, "joint_7");
   last.type = JointType::Prismatic;
@@ -198,7 +198,7 @@ TEST(SlideLimits, AreComparedWithTheReach) {
   expect_words(build_model(tree).warnings[0], {"joint 'joint_7'", "40 m", "in mm?"});
 }
 
-TEST(PlaceholderLimits, HaveNoUnit) {
+TEST(PlaceholderLimits, RoundNumbers_GiveNoWarning) {
   TreeSpec tree = robot_of("arm7");
   for (JointSpec& joint : tree.joints) joint.velocity_limit = 100.0, joint.effort_limit = 1e4;
   EXPECT_TRUE(build_model(tree).warnings.empty());

@@ -1,3 +1,4 @@
+// Tests of the URDF reader: values, defaults, warnings and refused files.
 #include "burnish/urdf/urdf.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 
 using test::infinity;
 
-/// Two links and a hinge, with everything that the format knows.
+/// Two links and a hinge, with every element of the format.
 const char* const full = R"(<?xml version="1.0"?>
 <!-- <link name="only_a_comment"/> -->
 <robot name="full" version="1.0">
@@ -55,7 +56,7 @@ const char* const full = R"(<?xml version="1.0"?>
   <gazebo reference="arm"/>
 </robot>)";
 
-TEST(Urdf, ReadsNamesInTheOrderOfTheFile) {
+TEST(Urdf, Names_AreReadInTheOrderOfTheFile) {
   const TreeSpec tree = parse_urdf(full, "full.urdf");
   EXPECT_EQ(tree.name, "full");
   EXPECT_EQ(tree.source, "full.urdf");
@@ -65,20 +66,20 @@ TEST(Urdf, ReadsNamesInTheOrderOfTheFile) {
   ASSERT_EQ(tree.joints.size(), 1u);
 }
 
-TEST(Urdf, ReadsInertias) {
+TEST(Urdf, Inertias_AreRead) {
   const TreeSpec tree = parse_urdf(full);
   EXPECT_EQ(tree.links[0].inertia.mass, 0.0);
   EXPECT_TRUE(tree.links[0].inertia.inertia_at_com.isZero());
   const InertiaSpec& inertia = tree.links[1].inertia;
   EXPECT_EQ(inertia.mass, 2.5);
   EXPECT_EQ(inertia.com, Eigen::Vector3d(0.1, 0.2, 0.3));
-  // Turned by a quarter about z: x and y change places, and so does the sign of their product.
+  // A quarter turn about z exchanges x and y, and changes the sign of their product.
   Eigen::Matrix3d turned;
   turned << 2.0, -0.1, 0.0, -0.1, 1.0, 0.0, 0.0, 0.0, 2.5;
   EXPECT_TRUE(inertia.inertia_at_com.isApprox(turned, 1e-14));
 }
 
-TEST(Urdf, ReadsJoints) {
+TEST(Urdf, Joints_AreRead) {
   const JointSpec joint = parse_urdf(full).joints[0];
   EXPECT_EQ(joint.name, "hinge");
   EXPECT_EQ(joint.type, JointType::Revolute);
@@ -103,7 +104,7 @@ TEST(Urdf, ReadsJoints) {
   EXPECT_FALSE(joint.mimic.has_value());
 }
 
-TEST(Urdf, ReadsVisuals) {
+TEST(Urdf, Visuals_AreRead) {
   const std::vector<VisualSpec> visuals = parse_urdf(full).links[0].visuals;
   ASSERT_EQ(visuals.size(), 4u);
   EXPECT_EQ(std::get<BoxShape>(visuals[0].shape).size, Eigen::Vector3d(1, 2, 3));
@@ -114,11 +115,11 @@ TEST(Urdf, ReadsVisuals) {
   EXPECT_EQ(std::get<CylinderShape>(visuals[1].shape).length, 0.2);
   EXPECT_EQ(visuals[1].rgba, Eigen::Vector4d(0, 1, 0, 1));
   EXPECT_EQ(std::get<SphereShape>(visuals[2].shape).radius, 0.3);
-  EXPECT_EQ(visuals[2].rgba, Eigen::Vector4d(0, 1, 0, 1));  // defined by the visual before
+  EXPECT_EQ(visuals[2].rgba, Eigen::Vector4d(0, 1, 0, 1));  // defined by the previous visual
   const auto& mesh = std::get<MeshShape>(visuals[3].shape);
   EXPECT_EQ(mesh.uri, "package://full/arm.dae");
   EXPECT_EQ(mesh.scale, Eigen::Vector3d(1, 2, 0.5));
-  EXPECT_EQ(visuals[3].rgba, VisualSpec().rgba);  // defined nowhere: the default grey
+  EXPECT_EQ(visuals[3].rgba, VisualSpec().rgba);  // undefined: the default grey
 }
 
 /// A robot of one joint between links a and b.
@@ -132,7 +133,7 @@ std::string robot_of_type(const std::string& type, const std::string& content = 
   return robot("name=\"j\" type=\"" + type + "\"", content);
 }
 
-TEST(Urdf, ReadsEveryJointType) {
+TEST(Urdf, EveryJointType_IsRead) {
   const std::string limit = "<limit lower=\"0\" upper=\"1\" velocity=\"1\" effort=\"1\"/>";
   const std::vector<std::pair<std::string, JointType>> types = {
       {"fixed", JointType::Fixed},           {"revolute", JointType::Revolute},
@@ -147,7 +148,7 @@ TEST(Urdf, ReadsEveryJointType) {
   }
 }
 
-TEST(Urdf, MissingFiguresAreInfiniteOrZero) {
+TEST(Urdf, MissingNumbers_AreInfiniteOrZero) {
   const JointSpec joint =
       parse_urdf(robot_of_type("revolute", "<limit upper=\"1\"/><dynamics armature=\"2\"/>"))
           .joints[0];
@@ -163,21 +164,21 @@ TEST(Urdf, MissingFiguresAreInfiniteOrZero) {
             -infinity);
 }
 
-TEST(Urdf, ContinuousJointWithARange_IsWarnedAbout) {
+TEST(Urdf, ContinuousJointWithARange_GivesAWarning) {
   const auto warnings = [](const std::string& limit) {
     return parse_urdf(robot_of_type("continuous", limit)).warnings;
   };
-  const auto said = warnings("<limit lower=\"-1.05\" upper=\"0.7\" velocity=\"1\" effort=\"1\"/>");
-  ASSERT_EQ(said.size(), 1U);
-  expect_words(said[0], {"joint 'j'", "continuous", "-1.05", "0.7", "revolute"});
-  // Ranges of a turn and more, and none at all, are what exporters write for such joints.
+  const auto texts = warnings("<limit lower=\"-1.05\" upper=\"0.7\" velocity=\"1\" effort=\"1\"/>");
+  ASSERT_EQ(texts.size(), 1U);
+  expect_words(texts[0], {"joint 'j'", "continuous", "-1.05", "0.7", "revolute"});
+  // Exporters write such ranges, of a full turn or more or zero, or none, for continuous joints.
   for (const char* range : {"lower=\"-3.1416\" upper=\"3.1416\"", "lower=\"0\" upper=\"0\"",
                             "lower=\"-6.28\" upper=\"6.28\"", ""})
     EXPECT_TRUE(warnings("<limit " + std::string(range) + " velocity=\"1\" effort=\"1\"/>").empty())
         << range;
 }
 
-TEST(Urdf, ReadsMimic) {
+TEST(Urdf, Mimic_IsRead) {
   const JointSpec joint = parse_urdf(robot_of_type("continuous", "<mimic joint=\"k\"/>")).joints[0];
   ASSERT_TRUE(joint.mimic.has_value());
   EXPECT_EQ(joint.mimic->leader, "k");
@@ -191,13 +192,13 @@ TEST(Urdf, ReadsMimic) {
   EXPECT_EQ(other.mimic->offset, 0.5);
 }
 
-TEST(Urdf, KeepsNamesWithSpecialCharacters) {
+TEST(Urdf, SpecialCharactersInNames_AreKept) {
   std::string xml = robot_of_type("fixed");
   xml.replace(xml.find("\"j\""), 3, "\"j &amp; &quot;k&quot; &lt;ü&gt;\"");
   EXPECT_EQ(parse_urdf(xml).joints[0].name, "j & \"k\" <ü>");
 }
 
-TEST(Urdf, DoesNotFollowTheLocale) {
+TEST(Urdf, Locale_IsIgnored) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"}) {
     if (std::setlocale(LC_NUMERIC, name) != nullptr) break;
@@ -208,7 +209,7 @@ TEST(Urdf, DoesNotFollowTheLocale) {
   EXPECT_EQ(tree.joints[0].damping, 0.5);
 }
 
-TEST(Urdf, WritesNothingToTheConsole) {
+TEST(Urdf, Parsing_WritesNothingToTheConsole) {
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
   EXPECT_NO_THROW(parse_urdf(full));
@@ -362,18 +363,18 @@ const std::vector<BadFile>& bad_files() {
   return files;
 }
 
-class BadFiles : public ::testing::TestWithParam<BadFile> {};
+class InvalidUrdf : public ::testing::TestWithParam<BadFile> {};
 
-TEST_P(BadFiles, AreRefusedByName) {
+TEST_P(InvalidUrdf, AnyDefect_IsRefusedByName) {
   std::vector<std::string> words = GetParam().words;
   words.push_back("bad.urdf: ");
   expect_words(refusal([&] { parse_urdf(GetParam().xml, "bad.urdf"); }), words);
 }
 
-INSTANTIATE_TEST_SUITE_P(Urdf, BadFiles, ::testing::ValuesIn(bad_files()),
+INSTANTIATE_TEST_SUITE_P(Urdf, InvalidUrdf, ::testing::ValuesIn(bad_files()),
                          [](const auto& test) { return test.param.name; });
 
-TEST(Urdf, ListsAllProblemsWithTheirLines) {
+TEST(Urdf, SeveralProblems_AreListedWithTheirLines) {
   const std::string xml =
       "<robot name='r'>\n<link name='a'/>\n"
       "<link name='b'>\n<inertial>\n<origin xyz='0 0'/>\n<mass value='heavy'/>\n"
@@ -398,7 +399,7 @@ TEST(Urdf, ListsAllProblemsWithTheirLines) {
       "line 12: joint 'k': effort limit is -4"};
   try {
     parse_urdf(xml, "r.urdf");
-    ADD_FAILURE() << "nothing was refused";
+    ADD_FAILURE() << "the file was accepted";
   } catch (const Error& error) {
     ASSERT_EQ(error.sentences().size(), expected.size()) << error.what();
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -409,8 +410,8 @@ TEST(Urdf, ListsAllProblemsWithTheirLines) {
   }
 }
 
-TEST(Urdf, WhatFollowsFromAProblemIsNotListed) {
-  // The link 'b' cannot be read, so that nobody can say whether it exists.
+TEST(Urdf, ConsequencesOfAProblem_AreNotListed) {
+  // A link without a name may be 'b', so a missing link 'b' is not reported.
   const std::string sentence = refusal([&] {
     parse_urdf(
         "<robot name='r'><link name='a'/><link/><joint name='j' type='fixed'>"
@@ -419,14 +420,14 @@ TEST(Urdf, WhatFollowsFromAProblemIsNotListed) {
   EXPECT_EQ(sentence, "<string>: line 1: <link> has no name; the attribute 'name' is needed");
 }
 
-TEST(Urdf, EveryTruncationIsRefused) {
+TEST(Urdf, AnyTruncation_IsRefused) {
   const std::string xml = full;
   for (std::size_t size = 0; size + 8 < xml.size(); size += 7) {
     EXPECT_NE(refusal([&] { parse_urdf(xml.substr(0, size)); }), "") << size;
   }
 }
 
-TEST(Urdf, RefusesAMillionLinksAtOnce) {
+TEST(Urdf, MillionLinks_AreRefusedWithinASecond) {
   std::string xml = "<robot name=\"r\">";
   xml.reserve(120u << 20);
   for (int i = 0; i < 1000000; ++i) {
@@ -453,20 +454,20 @@ std::string chain(int links) {
   return xml + "</robot>";
 }
 
-TEST(Urdf, ReadsTheDeepestAllowedChain) {
+TEST(Urdf, DeepestAllowedChain_IsRead) {
   EXPECT_EQ(parse_urdf(chain(500)).links.size(), 500u);
   expect_words(refusal([&] { parse_urdf(chain(501)); }), {"501", "500"});
   expect_words(refusal([&] { parse_urdf(chain(2000)); }), {"500"});
 }
 
-TEST(Urdf, CommentedLinksDoNotCount) {
+TEST(Urdf, LinksInComments_AreNotCounted) {
   std::string comment = "<!--";
   for (int i = 0; i < 3000; ++i) comment += "<link name=\"x\"/>";
   const std::string xml = "<robot name=\"r\">" + comment + "--><link name=\"a\"/></robot>";
   EXPECT_EQ(parse_urdf(xml).links.size(), 1u);
 }
 
-TEST(Urdf, ReadsFiles) {
+TEST(Urdf, File_IsReadAndAMissingFileIsRefused) {
   const Scratch scratch;
   const std::filesystem::path file = scratch.write("arm.urdf", full);
   EXPECT_EQ(read_urdf(file).source, file.string());

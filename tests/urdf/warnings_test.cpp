@@ -1,4 +1,4 @@
-// What is odd about a robot but computes: loaded with a warning, refused by strict reading.
+// Questionable descriptions load with a warning; strict reading refuses them.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,7 +23,7 @@ std::string joined(const std::vector<std::string>& warnings) {
   return text;
 }
 
-/// `count` warnings that hold the words; the same words where the model is to be strict.
+/// Expects `count` warnings that contain the words, and a strict refusal with the same words.
 void expect_warnings(const TreeSpec& tree, ModelOptions options, std::size_t count,
                      const std::vector<std::string>& words) {
   const Model model = build_model(tree, options);
@@ -34,30 +34,30 @@ void expect_warnings(const TreeSpec& tree, ModelOptions options, std::size_t cou
     return;
   }
   expect_words(joined(model.warnings), words);
-  std::vector<std::string> of_refusal = words;
-  of_refusal.push_back("strict");
-  expect_words(refusal([&] { build_model(tree, options); }), of_refusal);
+  std::vector<std::string> refusal_words = words;
+  refusal_words.push_back("strict");
+  expect_words(refusal([&] { build_model(tree, options); }), refusal_words);
 }
 
-struct OddTree {
+struct TreeCase {
   std::string name;
   std::function<void(TreeSpec&)> spoil;
   std::vector<std::string> words;
 };
-void PrintTo(const OddTree& tree, std::ostream* out) { *out << tree.name; }
+void PrintTo(const TreeCase& tree, std::ostream* out) { *out << tree.name; }
 
 void set_inertia(TreeSpec& tree, std::size_t link, double mass, const Eigen::Matrix3d& inertia) {
   tree.links[link].inertia.mass = mass;
   tree.links[link].inertia.inertia_at_com = inertia;
 }
 
-const std::vector<OddTree>& odd_trees() {
+const std::vector<TreeCase>& tree_cases() {
   using Tree = TreeSpec;
-  static const std::vector<OddTree> trees = {
+  static const std::vector<TreeCase> trees = {
       {"Triangle",
        [](Tree& t) { set_inertia(t, 1, 1.0, Eigen::Vector3d(1.0, 1.0, 2.2).asDiagonal()); },
        {"branches.urdf: ", "link 'a'", "2.2", "no solid"}},
-      {"Dummy",  // a link of a gram that states the same six numbers
+      {"Dummy",  // a placeholder: one number for all entries
        [](Tree& t) { set_inertia(t, 1, 1e-6, Eigen::Matrix3d::Constant(1e-6)); },
        {"link 'a'", "no solid"}},
       {"SlightlyNegative",
@@ -80,38 +80,38 @@ const std::vector<OddTree>& odd_trees() {
   return trees;
 }
 
-class OddTrees : public ::testing::TestWithParam<OddTree> {};
+class QuestionableTree : public ::testing::TestWithParam<TreeCase> {};
 
-TEST_P(OddTrees, AreLoadedWithAWarning) {
+TEST_P(QuestionableTree, AnyDefect_GivesOneWarning) {
   TreeSpec tree = branching_tree();
   ASSERT_TRUE(build_model(tree).warnings.empty());
   GetParam().spoil(tree);
   expect_warnings(tree, {}, 1, GetParam().words);
 }
 
-INSTANTIATE_TEST_SUITE_P(Warnings, OddTrees, ::testing::ValuesIn(odd_trees()),
+INSTANTIATE_TEST_SUITE_P(Warnings, QuestionableTree, ::testing::ValuesIn(tree_cases()),
                          [](const auto& test) { return test.param.name; });
 
-TEST(Warnings, RoundingHasNone) {
+TEST(Warnings, RoundingErrors_GiveNone) {
   TreeSpec tree = branching_tree();
   set_inertia(tree, 1, 1.0, Eigen::Vector3d(1.0, 1.0, 2.09).asDiagonal());
   expect_warnings(tree, {}, 0, {});
-  // A point mass: what is left of its inertia says nothing about a solid.
+  // The inertia of a point mass is only rounding errors, so it is not checked.
   set_inertia(tree, 1, 1.0, Eigen::Vector3d(-2.4e-35, 0.0, 1e-34).asDiagonal());
   expect_warnings(tree, {}, 0, {});
   set_inertia(tree, 1, 1e-3, Eigen::Vector3d(-1e-20, 1e-20, 5e-20).asDiagonal());
   expect_warnings(tree, {}, 0, {});
 }
 
-TEST(Warnings, ArmatureStandsForMass) {
+TEST(Warnings, ArmatureWithoutMass_GivesNone) {
   TreeSpec tree = branching_tree();
   tree.links[4].inertia = {};
   tree.joints[2].armature = 1e-3;
   expect_warnings(tree, {}, 0, {});
 }
 
-/// Two hinges with a massless link between: a universal joint if their axes differ, the same
-/// rotation twice if they are one line.
+/// Two hinges with a massless link between: a universal joint if their axes differ, one rotation
+/// twice if the axes are one line.
 TreeSpec two_hinges(const Eigen::Vector3d& second_axis) {
   TreeSpec tree;
   tree.links = {link("base"), link("cross", 0.0), link("tip")};
@@ -121,21 +121,21 @@ TreeSpec two_hinges(const Eigen::Vector3d& second_axis) {
   return tree;
 }
 
-TEST(Warnings, NameJointsThatMoveTheSameMass) {
+TEST(Warnings, JointsThatMoveTheSameMass_AreNamed) {
   expect_warnings(two_hinges(Eigen::Vector3d::UnitX()), {}, 0, {});
   expect_warnings(two_hinges(Eigen::Vector3d::UnitZ()), {}, 1,
                   {"joint 'first'", "no mass of its own"});
   TreeSpec parallel = two_hinges(Eigen::Vector3d::UnitZ());
   parallel.joints[1].placement.translation().x() = 0.5;
   expect_warnings(parallel, {}, 0, {});
-  // The whole mass on the axis at zero, but not elsewhere.
+  // The whole mass is on the axis in the zero posture only.
   TreeSpec folded = two_hinges(Eigen::Vector3d::UnitX());
   folded.links[2].inertia.inertia_at_com.setZero();
   folded.links[2].inertia.com = Eigen::Vector3d(0.0, 0.0, 1.0);
   expect_warnings(folded, {}, 0, {});
 }
 
-TEST(Warnings, OfARobotWithoutMassAreOne) {
+TEST(Warnings, RobotWithoutMass_GivesOne) {
   TreeSpec tree = branching_tree();
   for (LinkSpec& spec : tree.links) spec.inertia = {};
   const std::size_t joints = build_model(tree).joints.size();
@@ -146,23 +146,23 @@ TEST(Warnings, OfARobotWithoutMassAreOne) {
   EXPECT_EQ(build_model(tree, floating).joints.size(), joints + 1);
 }
 
-TEST(Warnings, AJointWithoutMassHidesNoOther) {
+TEST(Warnings, SeveralMasslessJoints_AreAllNamed) {
   TreeSpec tree = branching_tree();
   for (const std::size_t tip : {3u, 4u}) tree.links[tip].inertia = {};
   expect_warnings(tree, {}, 1, {"joints 'd' and 'c' move no mass"});
 }
 
-TEST(Warnings, OfANegativeInertiaNameTheJoint) {
+TEST(Warnings, NegativeInertia_NamesTheJoint) {
   TreeSpec tree = two_hinges(Eigen::Vector3d(1.0, -1.0, 0.0));
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
   inertia(0, 1) = inertia(1, 0) = 50.0;
   set_inertia(tree, 2, 0.0, inertia);
   expect_warnings(
       tree, {}, 2,
-      {"link 'tip'", "joint 'second' meets a negative inertia", "not positive definite"});
+      {"link 'tip'", "joint 'second' moves a negative inertia", "not positive definite"});
 }
 
-/// A robot of one joint, in which `link` and `joint` are put.
+/// A robot of one joint, with the given contents of link and joint.
 std::string file(const std::string& joint_type, const std::string& joint_content,
                  const std::string& link_content = "",
                  const std::string& start = "<robot name='r'>") {
@@ -174,22 +174,22 @@ std::string file(const std::string& joint_type, const std::string& joint_content
 }
 std::string visual(const std::string& content) { return "<visual>" + content + "</visual>"; }
 
-struct OddFile {
+struct FileCase {
   std::string name, xml;
-  std::vector<std::string> words;  ///< of the one warning; empty: nothing is odd
+  std::vector<std::string> words;  ///< words of the one warning; empty if none is expected
 };
-void PrintTo(const OddFile& odd, std::ostream* out) { *out << odd.name; }
+void PrintTo(const FileCase& file, std::ostream* out) { *out << file.name; }
 
-const std::vector<OddFile>& odd_files() {
+const std::vector<FileCase>& file_cases() {
   static const std::string ball = "<geometry><sphere radius='1'/></geometry>";
   static const std::string red = "<material name='m'><color rgba='1 0 0 1'/></material>";
   static const std::string box = "<geometry><box size='1 2'/></geometry>";
-  static const std::vector<OddFile> files = {
+  static const std::vector<FileCase> files = {
       {"NoName", file("fixed", "", "", "<robot>"), {"odd.urdf: line 1: ", "no name", "'odd'"}},
       {"EmptyName", file("fixed", "", "", "<robot name=''>"), {"no name", "'odd'"}},
       {"Property",
        file("fixed", "", "", "<robot name='r'>\n<xacro:property name='p' value='1'/>"),
-       {"line 2", "<xacro:property>", "passed over"}},
+       {"line 2", "<xacro:property>", "ignored"}},
       {"MacroInALink", file("fixed", "", "<xacro:solid m='1'/>"), {"link 'b'", "<xacro:solid>"}},
       {"MacroInAJoint", file("fixed", "<xacro:motor/>"), {"joint 'j'", "<xacro:motor>"}},
       {"MacroInWhatIsNotRead",
@@ -235,19 +235,19 @@ const std::vector<OddFile>& odd_files() {
   return files;
 }
 
-class OddFiles : public ::testing::TestWithParam<OddFile> {};
+class QuestionableFile : public ::testing::TestWithParam<FileCase> {};
 
-TEST_P(OddFiles, AreReadWithAWarningOrNone) {
+TEST_P(QuestionableFile, Content_GivesTheExpectedWarning) {
   const TreeSpec tree = parse_urdf(GetParam().xml, "folder/odd.urdf");
-  const bool odd = !GetParam().words.empty();
-  EXPECT_EQ(tree.warnings.size(), odd ? 1u : 0u) << joined(tree.warnings);
-  expect_warnings(tree, {}, odd ? 1 : 0, GetParam().words);
+  const bool has_warning = !GetParam().words.empty();
+  EXPECT_EQ(tree.warnings.size(), has_warning ? 1u : 0u) << joined(tree.warnings);
+  expect_warnings(tree, {}, has_warning ? 1 : 0, GetParam().words);
 }
 
-INSTANTIATE_TEST_SUITE_P(Warnings, OddFiles, ::testing::ValuesIn(odd_files()),
+INSTANTIATE_TEST_SUITE_P(Warnings, QuestionableFile, ::testing::ValuesIn(file_cases()),
                          [](const auto& test) { return test.param.name; });
 
-TEST(Warnings, MissingLimitsAreNone) {
+TEST(UrdfDefaults, MissingLimits_AreInfiniteOrZero) {
   const auto first_joint = [](const std::string& content) {
     return parse_urdf(file("revolute", content)).joints[0];
   };
@@ -261,7 +261,7 @@ TEST(Warnings, MissingLimitsAreNone) {
   EXPECT_EQ(first_joint("<limit lower='1'/>").upper, infinity);
 }
 
-TEST(Warnings, SpeedsAndTorquesOfZeroAreNotKnownToTheFile) {
+TEST(UrdfDefaults, ZeroSpeedAndTorque_AreUnlimitedWithWarnings) {
   const TreeSpec tree =
       parse_urdf(file("revolute", "<limit lower='-1' upper='1' velocity='0' effort='0'/>"));
   EXPECT_EQ(tree.joints[0].velocity_limit, infinity);
@@ -269,18 +269,18 @@ TEST(Warnings, SpeedsAndTorquesOfZeroAreNotKnownToTheFile) {
   EXPECT_EQ(tree.warnings.size(), 2U) << joined(tree.warnings);
 }
 
-TEST(Warnings, FollowersMayStateThatTheyHaveNoMotor) {
+TEST(UrdfDefaults, FollowerWithZeroEffort_KeepsIt) {
   const TreeSpec tree = parse_urdf(
       file("revolute", "<limit lower='-1' upper='1' velocity='1' effort='0'/><mimic joint='k'/>"));
   EXPECT_EQ(tree.joints[0].effort_limit, 0.0);
   EXPECT_TRUE(tree.warnings.empty()) << joined(tree.warnings);
 }
 
-TEST(Warnings, FixedJointsHaveNoLeader) {
+TEST(UrdfDefaults, FixedJoint_HasNoLeader) {
   EXPECT_FALSE(parse_urdf(file("fixed", "<mimic joint='k'/>")).joints[0].mimic.has_value());
 }
 
-TEST(Warnings, OfTwoMaterialsTheFirstColourCounts) {
+TEST(UrdfDefaults, TwoMaterials_UseTheFirstColour) {
   const std::string xml = file("fixed", "",
                                visual("<geometry><sphere radius='1'/></geometry><material/>"
                                       "<material><color rgba='0 1 0 1'/></material>"
@@ -288,7 +288,7 @@ TEST(Warnings, OfTwoMaterialsTheFirstColourCounts) {
   EXPECT_EQ(parse_urdf(xml).links[1].visuals[0].rgba, Eigen::Vector4d(0, 1, 0, 1));
 }
 
-TEST(Warnings, ARobotWithoutANameHasThatOfItsFile) {
+TEST(UrdfDefaults, RobotWithoutAName_IsNamedAfterItsFile) {
   const std::string xml = "<robot><link name='a'/></robot>";
   EXPECT_EQ(parse_urdf(xml, "some/ur3.urdf").name, "ur3");
   EXPECT_EQ(parse_urdf(xml, "/dev/fd/63").name, "robot");

@@ -1,4 +1,4 @@
-// The time cursor that everything follows, and the window of time that plots show.
+// Time cursor of the page, and the time window of the plots.
 
 export const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
@@ -50,7 +50,7 @@ export class Clock {
     else this.play();
   }
 
-  /** Advances while playing; a frame that took very long does not skip more than half a second. */
+  /** Advances the time while playing, by at most 0.5 s of real time per frame. */
   tick(now: number): void {
     if (!this.playing) return;
     const passed = Math.min(Math.max((now - this.last) / 1000, 0), 0.5);
@@ -64,7 +64,7 @@ export class Clock {
   }
 }
 
-/** The window of time that all plots show. */
+/** Time window that all plots show. */
 export class TimeWindow {
   min = 0;
   max: number;
@@ -95,7 +95,7 @@ export class TimeWindow {
     this.set(0, this.duration);
   }
 
-  /** Narrower (factor below 1) or wider about a time. */
+  /** Scales the window about a time; a factor below 1 narrows it. */
   zoom(factor: number, about: number): void {
     const centre = Math.min(Math.max(about, this.min), this.max);
     this.set(centre - (centre - this.min) * factor, centre + (this.max - centre) * factor);
@@ -105,7 +105,7 @@ export class TimeWindow {
     this.set(this.min + by, this.max + by);
   }
 
-  /** Turns the page when the cursor runs out of the window. */
+  /** Moves the window forward when the cursor leaves it. */
   follow(time: number): void {
     if (this.whole || (time >= this.min && time <= this.max)) return;
     const width = this.max - this.min;

@@ -1,4 +1,4 @@
-// The data of a page: types of "burnish-page/1", and decoding of its packed arrays.
+// Data of a page: types of the format "burnish-page/1", decoding of its packed arrays, look-up by time.
 
 export type Vec3 = [number, number, number];
 /** px, py, pz, qx, qy, qz, qw */
@@ -25,7 +25,7 @@ export interface Joint {
   upper: number | null;
   effort: number | null;
   velocity: number | null;
-  /** of a joint without numbers of its own: multiplier * value of the leader's joint + offset */
+  /** For a mimic joint: its value is multiplier * value of the leading joint + offset. */
   follows?: { leader: number; multiplier: number; offset: number } | null;
 }
 
@@ -36,7 +36,7 @@ export interface Body {
   placement: Placement;
   mass: number;
   com: Vec3;
-  /** ixx, iyy, izz, ixy, ixz, iyz about the centre of mass, axes of the joint */
+  /** ixx, iyy, izz, ixy, ixz, iyz about the centre of mass, in the axes of the joint [kg m^2] */
   inertia: [number, number, number, number, number, number];
 }
 
@@ -120,27 +120,27 @@ export interface Surface {
   true_point: Vec3;
   true_axes: number[];
   friction: number;
-  /** m, half its side; null without end, missing in pages of before. */
+  /** Half of the side length [m]; null: unbounded; missing in pages of older versions */
   extent?: number | null;
-  /** a piece of a curved one: side * side points, x, y and z of each; none of a plane */
+  /** Grid on a curved surface: side * side points with x, y, z [m]; missing for a plane */
   patch?: { side: number; points: Numbers } | null;
 }
 
-/** What a robot stands on, as the plant has it: a sole about a frame's origin, in its x and y, or a ball. */
+/** A foot of the plant: a planar foot (sole) in the x-y plane of a frame, or a point foot (ball). */
 export interface Support {
   frame: string;
-  /** m, half the sides of a sole; 0 of a ball */
+  /** Half of the side lengths of a sole [m]; 0 for a ball */
   half_x: number;
   half_y: number;
-  /** m, of a ball */
+  /** Radius of a ball [m] */
   radius: number;
-  /** of the ground: any point of it, and out of it, of length one */
+  /** A point of the ground [m], and its unit normal, out of the ground */
   point: Vec3;
   normal: Vec3;
   friction: number;
 }
 
-/** A force on the robot for a while, at a frame's origin, world axes. */
+/** A force on the robot at the origin of a frame, in world axes [N], with its start and duration [s]. */
 export interface Push {
   frame: string;
   start: number;
@@ -148,20 +148,20 @@ export interface Push {
   force: Vec3;
 }
 
-/** A constraint row along a planned motion: NaN where it is absent. */
+/** A constraint row along a planned motion: NaN at knots without the row. */
 export interface PlannedLimit {
   name: string;
-  /** distance to the nearest limit over the row's scale */
+  /** Distance to the nearest limit, divided by the scale of the row */
   margin: Numbers;
-  /** cost per scale of the row */
+  /** Multiplier: cost per scale of the row */
   multiplier: Numbers;
 }
 
-/** Of a motion that was planned and not run. */
+/** Data of a planned motion that was not simulated. */
 export interface Plan {
-  /** with a target position: columns NAME_x_world, NAME_x_world_target, NAME_distance_from_target */
+  /** Frames with a target: columns NAME_x_world, NAME_x_world_target, NAME_distance_from_target */
   frames: string[];
-  /** columns of contact forces, each with one of its target */
+  /** Columns of contact forces; each has a column NAME_target */
   forces: string[];
   limits: PlannedLimit[];
 }
@@ -181,7 +181,7 @@ export interface Run {
   robot: Robot;
   tool: { frame: string; tip_radius: number };
   surface: Surface;
-  /** h: of a curved surface over the tangents, m */
+  /** Target path along the tangents [m]; h: height of a curved surface over the tangent plane [m] */
   path: { u: Numbers; w: Numbers; h?: Numbers };
   path_origin: Vec3;
   time: Numbers;
@@ -193,10 +193,10 @@ export interface Run {
   costs: { time: Numbers; terms: { name: string; value: Numbers }[] } | null;
   horizon: Horizon | null;
   window: [number, number] | null;
-  /** none of a robot that is fixed, and in pages of before */
+  /** Missing for a robot with a fixed base, and in pages of older versions */
   supports?: Support[];
   pushes?: Push[];
-  /** none of what was run */
+  /** Missing for a simulated run */
   plan?: Plan;
 }
 
@@ -241,7 +241,7 @@ function unpackAll(value: unknown): unknown {
 
 type Loose = Record<string, unknown>;
 
-/** Pages of before call the solver's figures otherwise. */
+/** Current name of a solver figure; older pages use other names. */
 const figureName = (name: string): string =>
   name.replace(/^solve_/, 'solver.').replace(/^(mean_iterations|missed_deadlines)$/, 'solver.$1');
 
@@ -260,25 +260,26 @@ function decodeRun(raw: Loose): Run {
   };
 }
 
-/** Names of kinds come with a dash or an underscore. */
-function namedKinds(robot: Robot | null | undefined): void {
+/** Replaces dashes in the kinds of joints by underscores. */
+function normalizeKinds(robot: Robot | null | undefined): void {
   for (const { joint } of robot?.bodies ?? [])
     joint.kind = joint.kind.replace('-', '_') as JointKind;
 }
 
-/** Decodes the JSON of a page; null where the page holds none. Throws for another format. */
+/** Decodes the JSON of a page; null for an empty page. Throws an Error for another format. */
 export function decodePage(text: string): Page | null {
   const raw = JSON.parse(text) as Loose | null;
   if (raw === null) return null;
   if (raw.format !== 'burnish-page/1')
-    throw new Error(`format is ${String(raw.format)}; wanted burnish-page/1`);
+    throw new Error(`its format is '${String(raw.format)}'; wanted 'burnish-page/1'`);
   const page = unpackAll(raw) as Loose & { runs?: Loose[] };
   const decoded: Page = { ...(page as unknown as Page), runs: (page.runs ?? []).map(decodeRun) };
-  for (const robot of [decoded.robot, ...decoded.runs.map((run) => run.robot)]) namedKinds(robot);
+  for (const robot of [decoded.robot, ...decoded.runs.map((run) => run.robot)])
+    normalizeKinds(robot);
   return decoded;
 }
 
-/** Index of the last entry of `times` that is not after t; 0 if all are. */
+/** Index of the last entry of `times` that is at most t; 0 if all entries are later. */
 export function rowBefore(times: ArrayLike<number>, t: number): number {
   let low = 0;
   let high = times.length - 1;
@@ -290,7 +291,7 @@ export function rowBefore(times: ArrayLike<number>, t: number): number {
   return Math.max(low, 0);
 }
 
-/** Index of the entry of `times` next to t. */
+/** Index of the entry of `times` nearest to t. */
 export function rowAt(times: ArrayLike<number>, t: number): number {
   const row = rowBefore(times, t);
   if (row + 1 >= times.length) return row;
@@ -300,18 +301,18 @@ export function rowAt(times: ArrayLike<number>, t: number): number {
 export const column = (run: Run, name: string): Numbers | null =>
   run.columns.get(name)?.data ?? null;
 
-/** Whether a tool presses, or is to: what has feet may stand and do nothing else. */
+/** Whether the run presses a tool on a surface. A standing robot without a force target does not. */
 export const presses = (run: Run): boolean =>
   !run.plan &&
   ((run.supports ?? []).length === 0 ||
     ['force_target', 'in_contact'].some((name) => column(run, name)?.some((value) => value > 0)));
 
-/** Value of a column at a time: of the row next to it. NaN where there is none. */
+/** Value of a column in the row nearest to time t; NaN for an unknown column. */
 export function valueAt(run: Run, name: string, t: number): number {
   return column(run, name)?.[rowAt(run.time, t)] ?? NaN;
 }
 
-/** Two triangles between each four neighbours of a grid: places of their corners in it. */
+/** Indices of the corners of two triangles for each cell of a grid of side * side points. */
 export function gridTriangles(side: number): Uint32Array {
   const corners: number[] = [];
   for (let i = 0; i + 1 < side; ++i)
@@ -322,16 +323,16 @@ export function gridTriangles(side: number): Uint32Array {
   return new Uint32Array(corners);
 }
 
-/** The surface's normal in a row, as it is or as the controller believes: where it is not the same
- * all the time it has columns. */
-export function normalAt(run: Run, of: 'surface' | 'believed', row: number): Vec3 {
-  const axes = of === 'surface' ? run.surface.true_axes : run.surface.axes;
-  const [x, y, z] = ['x', 'y', 'z'].map((axis) => column(run, `${of}_normal_${axis}`)?.[row]);
+/** Normal of the surface in a row: the true one ('surface') or the controller's ('estimated'). Uses
+ * the columns of the normal, which exist only if it changes over time, or else the axes. */
+export function normalAt(run: Run, source: 'surface' | 'estimated', row: number): Vec3 {
+  const axes = source === 'surface' ? run.surface.true_axes : run.surface.axes;
+  const [x, y, z] = ['x', 'y', 'z'].map((axis) => column(run, `${source}_normal_${axis}`)?.[row]);
   if (x === undefined || y === undefined || z === undefined) return [axes[6]!, axes[7]!, axes[8]!];
   return [x, y, z];
 }
 
-/** Columns of the configuration, in the order of q; null if they do not make up a whole one. */
+/** Columns of the configuration, in the order of q; null if their number is not nq. */
 export function configurationColumns(run: Run): Numbers[] | null {
   const all = [...run.columns.values()].filter((c) => c.name.startsWith('q_')).map((c) => c.data);
   return all.length === run.robot.nq ? all : null;

@@ -1,4 +1,4 @@
-// Elements, numbers and small things of the page.
+// Helpers for HTML elements, formatted numbers and the clipboard.
 
 type Child = Node | string | null | undefined | false;
 interface Props {
@@ -9,7 +9,7 @@ interface Props {
   [attribute: string]: unknown;
 }
 
-/** An element with attributes, listeners (`on`) and children. */
+/** Makes an element with attributes, listeners (`on`) and children. */
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   props: Props = {},
@@ -28,7 +28,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** A number for reading, with a real minus sign; a dash where there is none. */
+/** Formats a number with `digits` significant digits; a dash for a missing or infinite value. */
 export function format(value: number | null | undefined, digits = 4): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
   if (value === 0) return '0';
@@ -39,14 +39,14 @@ export function format(value: number | null | undefined, digits = 4): string {
   return value.toFixed(Math.min(decimals, 6)).replace('-', '−');
 }
 
-/** A number with so many decimals, for values that change while they are read. */
+/** Formats a number with a fixed number of decimals, so that a changing value does not jump. */
 export function fixed(value: number, decimals: number): string {
   if (!Number.isFinite(value)) return '–';
   const text = value.toFixed(decimals);
   return /[1-9]/.test(text) ? text.replace('-', '−') : text.replace('-', '');
 }
 
-/** A unit for reading, and how many of it make one of the given; small lengths in mm, times in ms. */
+/** Display unit, and the factor from `unit` to it: mm and ms for lengths and times below 1. */
 export function readable(unit: string, largest: number): { factor: number; unit: string } {
   if (unit === 'm' && largest < 1) return { factor: 1e3, unit: 'mm' };
   if (unit === 's' && largest < 1) return { factor: 1e3, unit: 'ms' };
@@ -57,7 +57,7 @@ export function readable(unit: string, largest: number): { factor: number; unit:
 
 export const reducedMotion = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
-/** Copies text; false where the browser does not let us. */
+/** Copies text to the clipboard; false if the browser refuses. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -73,7 +73,7 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/** A button that copies a text and says so. */
+/** A button that copies a text and confirms it. */
 export function copyButton(label: string, text: () => string, title = ''): HTMLButtonElement {
   const button = h('button', { type: 'button', class: 'button', title }, label);
   button.addEventListener('click', async () => {

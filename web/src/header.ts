@@ -1,10 +1,10 @@
-// The head of the page: what ran, how well, with what, and how to run it again.
+// Head of the page: title, outcome, metrics, facts of the run, and the command that repeats it.
 
 import { copyButton, format, h, readable } from './dom';
 import { presses, type Metric, type Page, type Run } from './data';
 import { runColour, toggleTheme } from './theme';
 
-/** The first line: what this is, and what can be done with it. */
+/** First line of the page: title and buttons. */
 export function pageBar(
   title: (Node | string | false)[],
   actions: HTMLElement[],
@@ -89,8 +89,8 @@ function faultBanner(run: Run, seek: (time: number) => void): HTMLElement | null
   );
 }
 
-/** The figures that are looked at first; those that a run has of them, or else its first ones. */
-const first = [
+/** Metrics for the tiles at the top. A run with fewer than three of them shows its first metrics. */
+const preferred = [
   'force_rmse',
   'force_peak',
   'position_rmse',
@@ -99,7 +99,7 @@ const first = [
   'solver.p99',
 ];
 
-/** A metric of all runs, in the same unit. */
+/** Values of one metric for all runs, in a common unit. */
 function figures(runs: Run[], metric: Metric): { values: (number | null)[]; unit: string } {
   const values = runs.map((run) => run.metrics.find((m) => m.name === metric.name)?.value ?? null);
   const { factor, unit } = readable(metric.unit, Math.max(...values.map((v) => Math.abs(v ?? 0))));
@@ -108,8 +108,8 @@ function figures(runs: Run[], metric: Metric): { values: (number | null)[]; unit
 
 export function tiles(runs: Run[]): HTMLElement {
   const all = runs[0]!.metrics;
-  const known = first.flatMap((name) => all.filter((metric) => metric.name === name));
-  const chosen = (known.length >= 3 ? known : all).slice(0, 6);
+  const present = preferred.flatMap((name) => all.filter((metric) => metric.name === name));
+  const chosen = (present.length >= 3 ? present : all).slice(0, 6);
   const tile = (metric: Metric): HTMLElement => {
     const { values, unit } = figures(runs, metric);
     const lines = values.map((value, i) =>
@@ -222,7 +222,7 @@ function factsTable(runs: Run[]): HTMLElement {
   );
 }
 
-/** A button and what it opens below the head. */
+/** A button, and the panel that it opens below the head. */
 function drawer(label: string, content: HTMLElement, open = false): [HTMLElement, HTMLElement] {
   const id = `drawer-${label.toLowerCase().replace(/\W+/g, '-')}`;
   const body = h('div', { class: 'drawer', id, hidden: !open }, content);

@@ -1,4 +1,4 @@
-// The dialog that lists keys and gestures.
+// Dialog that lists keys and gestures, and the listener for keys.
 
 import { h } from './dom';
 
@@ -32,7 +32,8 @@ export function helpDialog(sections: { title: string; keys: Keys }[]): HTMLDialo
 
 const typing = 'input:not([type=checkbox]):not([type=range]), select, textarea, dialog';
 
-/** Calls what belongs to a key, unless somebody is typing or it belongs to what has the focus. */
+/** Runs the action of a pressed key, except while the user types in an input or the focused element
+ * uses the key itself. */
 export function onKeys(actions: (event: KeyboardEvent) => (() => void) | undefined): void {
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;

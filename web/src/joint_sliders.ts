@@ -1,4 +1,4 @@
-// Sliders for the numbers of a configuration.
+// Sliders for the entries of a configuration q.
 
 import type { Body } from './data';
 import { fixed, h } from './dom';
@@ -8,7 +8,7 @@ export interface Slider {
   show: () => void;
 }
 
-/** One number of the configuration. */
+/** Slider of one entry of the configuration. */
 function slider(
   label: string,
   unit: string,
@@ -40,7 +40,7 @@ function slider(
   return { element: h('label', { class: 'joint' }, shown, value, range), show };
 }
 
-/** The sliders of a joint; they write into q and call `changed`. */
+/** Sliders of a joint, which write into q and call `changed`. */
 export function slidersOf(body: Body, q: number[], changed: () => void): Slider[] {
   const { joint } = body;
   if (joint.follows) return [];
@@ -93,7 +93,7 @@ export function slidersOf(body: Body, q: number[], changed: () => void): Slider[
   }
 }
 
-/** Roll, pitch and yaw of a quaternion x y z w at an offset of q. */
+/** Sliders of roll, pitch and yaw for the quaternion (x, y, z, w) at an offset of q. */
 function eulerSliders(name: string, q: number[], o: number, changed: () => void): Slider[] {
   const read = (): number[] => {
     const [x, y, z, w] = [q[o]!, q[o + 1]!, q[o + 2]!, q[o + 3]!];

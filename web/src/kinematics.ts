@@ -4,7 +4,7 @@ import type { Body, Joint, Placement, Robot, Vec3 } from './data';
 
 export const identity = (): Placement => [0, 0, 0, 0, 0, 0, 1];
 
-/** v turned by the quaternion at p[3..6]. */
+/** Vector v rotated by the quaternion p[3..6]. */
 export function rotate(p: Placement, v: ArrayLike<number>): Vec3 {
   const [x, y, z, w] = [p[3], p[4], p[5], p[6]];
   const [a, b, c] = [v[0]!, v[1]!, v[2]!];
@@ -14,7 +14,7 @@ export function rotate(p: Placement, v: ArrayLike<number>): Vec3 {
   return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
 }
 
-/** a, then b in the frame of a. */
+/** Composition of the placements a and b, where b is given in the frame of a. */
 export function compose(a: Placement, b: Placement): Placement {
   const [px, py, pz] = rotate(a, b);
   const [ax, ay, az, aw] = [a[3], a[4], a[5], a[6]];
@@ -34,7 +34,7 @@ function aboutZ(angle: number, x = 0, y = 0, z = 0): Placement {
   return [x, y, z, 0, 0, Math.sin(angle / 2), Math.cos(angle / 2)];
 }
 
-/** Angle or displacement of a joint that has one. */
+/** Angle [rad] or displacement [m] of a joint with one degree of freedom. */
 export function jointValue(robot: Robot, joint: Joint, q: ArrayLike<number>): number {
   const { follows, q_index: o } = joint;
   if (follows) {
@@ -44,7 +44,7 @@ export function jointValue(robot: Robot, joint: Joint, q: ArrayLike<number>): nu
   return joint.kind === 'continuous' ? Math.atan2(q[o + 1] ?? 0, q[o] ?? 0) : (q[o] ?? 0);
 }
 
-/** Placement of a joint's moving side in its fixed side. */
+/** Placement of the moving side of a joint in its fixed side. */
 export function jointPlacement(robot: Robot, body: Body, q: ArrayLike<number>): Placement {
   const at = (k: number): number => q[body.joint.q_index + k] ?? 0;
   switch (body.joint.kind) {
@@ -76,7 +76,7 @@ export function forward(robot: Robot, q: ArrayLike<number>): Placement[] {
   return out;
 }
 
-/** World placement of a frame, bodies placed as by forward(). */
+/** World placement of a frame; `bodies`: placements as forward() returns them. */
 export function framePlacement(
   bodies: Placement[],
   frame: { body: number; placement: Placement },
@@ -84,7 +84,7 @@ export function framePlacement(
   return frame.body < 0 ? frame.placement : compose(bodies[frame.body]!, frame.placement);
 }
 
-/** Between two configurations, s from 0 to 1; directions and quaternions on the shorter way. */
+/** Interpolates between two configurations, s from 0 to 1; quaternions take the shorter path. */
 export function interpolate(robot: Robot, a: ArrayLike<number>, b: ArrayLike<number>, s: number) {
   const q = new Float64Array(robot.nq);
   for (let i = 0; i < robot.nq; ++i) q[i] = a[i]! + s * (b[i]! - a[i]!);

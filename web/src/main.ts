@@ -1,4 +1,4 @@
-// Reads the page's data and shows it.
+// Entry point: reads the data of the page and shows it.
 
 import 'uplot/dist/uPlot.min.css';
 import './style/base.css';
@@ -19,16 +19,16 @@ export interface BurnishApi {
   readonly time: number;
   readonly playing: boolean;
   readonly renderCount: number;
-  /** s, first and last time that the plots show */
+  /** First and last time of the plots [s] */
   readonly window: [number, number];
   runs: number;
   plots: string[];
   setTime(time: number): void;
   play(): void;
   pause(): void;
-  /** value of a column of a run at the cursor; on a robot's page of one of its joints */
+  /** Value of a column of a run at the time cursor; on the page of a robot, value of a joint */
   value(name: string, run?: number): number;
-  /** where the robot that is drawn has the frame of the tool, m, world; null where it has none */
+  /** Position of the tool frame of the drawn robot in the world [m]; null without a tool frame */
   drawnTool(): [number, number, number] | null;
 }
 
@@ -45,7 +45,7 @@ function show(host: HTMLElement): void {
       h(
         'p',
         { class: 'empty' },
-        'No run in this page yet: burnish fills it in and writes the copy to look at.',
+        'This page contains no run. burnish writes a copy of this page with the data of a run.',
       ),
     );
     return;
@@ -53,7 +53,7 @@ function show(host: HTMLElement): void {
   document.title = `${page.title} · burnish`;
   if (page.kind === 'robot' && page.robot) robotPage(page, page.robot, host);
   else if (page.runs.length > 0) runPage(page, host);
-  else throw new Error('there is neither a run nor a robot in it');
+  else throw new Error('it contains neither a run nor a robot');
 }
 
 const host = document.getElementById('app')!;

@@ -1,4 +1,4 @@
-// Arrows, axes, labels and lines that the replay draws.
+// Arrows, axes, labels and lines of the 3D view.
 
 import {
   CanvasTexture,
@@ -21,7 +21,7 @@ import { colour, onTheme } from './theme';
 
 const up = new Vector3(0, 1, 0);
 
-/** An arrow from a point; where the robot hides it, it shows through faintly. */
+/** An arrow. Where the robot hides the arrow, it is drawn with less opacity. */
 export class Arrow {
   readonly group = new Group();
   private readonly shafts: Mesh[] = [];
@@ -55,7 +55,7 @@ export class Arrow {
     onTheme(paint);
   }
 
-  /** From a point along a vector; nothing is drawn of one shorter than a millimetre. */
+  /** Draws the arrow from a point along a vector; hides an arrow shorter than 1 mm. */
   set(from: Vector3, along: Vector3): void {
     const length = along.length();
     this.group.visible = length > 1e-3;
@@ -73,7 +73,7 @@ export class Arrow {
   }
 }
 
-/** A short text that faces the camera, stays on top and is as large from near as from far. */
+/** A short text that faces the camera, is drawn on top, and has a constant size on the screen. */
 export class Label {
   readonly sprite: Sprite;
   private readonly canvas = document.createElement('canvas');
@@ -117,7 +117,7 @@ export class Label {
   }
 }
 
-/** Three thin arrows along the axes of a frame, with their names. */
+/** Three thin arrows along the axes of a frame, with the names of the axes. */
 export class Triad {
   readonly group = new Group();
 
@@ -134,7 +134,7 @@ export class Triad {
   }
 }
 
-/** A line of constant width in pixels; pieces can be left out and drawn up to a point. */
+/** A line of constant width in pixels, made of separate pieces. */
 export class Line {
   readonly object: LineSegments2;
   private readonly geometry = new LineSegmentsGeometry();
@@ -158,7 +158,7 @@ export class Line {
     onTheme(paint);
   }
 
-  /** Pairs of points, six numbers a piece. */
+  /** Sets the pieces: six numbers each, the two end points. */
   setPieces(positions: Float32Array): void {
     this.object.visible = positions.length > 0;
     if (positions.length === 0) return;
@@ -177,7 +177,7 @@ export class Line {
     this.setPieces(pieces);
   }
 
-  /** Draws the first pieces only. */
+  /** Draws only this many of the first pieces. */
   upTo(pieces: number): void {
     this.object.visible = pieces > 0;
     this.geometry.instanceCount = pieces;

@@ -1,4 +1,4 @@
-// What the parts of a run's page share: the time cursor, the window of the plots, the pointer.
+// Shared state of the page of a run: the time cursor, the time window of the plots, the pointer.
 
 import { Clock, TimeWindow } from './clock';
 import type { Phase, Run } from './data';
@@ -35,7 +35,7 @@ export class PageState {
     this.hoverListeners.push(listener);
   }
 
-  /** Written values change at most fifteen times a second: more cannot be read. */
+  /** Calls `listener` when displayed numbers must change, at most 15 times a second. */
   onReading(listener: () => void): void {
     this.readingListeners.push(listener);
   }

@@ -1,4 +1,4 @@
-// The path in the plane of the surface, with equal scales on both axes.
+// Plot of the path in the plane of the surface, with equal scales on both axes.
 
 import { column, rowAt, rowBefore, type Numbers, type Run } from './data';
 import { fixed, h } from './dom';
@@ -17,10 +17,10 @@ interface Drawn {
 
 const margin = { left: 50, right: 12, top: 10, bottom: 36 };
 
-/** Steps of 1, 2 or 5 times a power of ten, at most `most` of them in `span`. */
-export function niceStep(span: number, most: number): number {
-  const power = 10 ** Math.floor(Math.log10(span / most));
-  return power * [1, 2, 5, 10].find((k) => k * power * most >= span)!;
+/** Tick distance, 1, 2 or 5 times a power of ten, with at most `maxSteps` steps in `span`. */
+export function niceStep(span: number, maxSteps: number): number {
+  const power = 10 ** Math.floor(Math.log10(span / maxSteps));
+  return power * [1, 2, 5, 10].find((k) => k * power * maxSteps >= span)!;
 }
 
 export class PathPlot {
@@ -34,7 +34,7 @@ export class PathPlot {
   private readonly drawn: Drawn[];
   private enlarged = 1;
   private centre: [number, number] = [0, 0];
-  /** metres from the centre to the nearer edge */
+  /** Distance from the centre to the nearer edge [m] */
   private reach = 0.1;
   private visible = true;
   private dirty = true;
@@ -46,7 +46,7 @@ export class PathPlot {
       const [u, w] = [column(run, 'path_u'), column(run, 'path_w')];
       if (!u || !w) return [];
       return {
-        name: runs.length > 1 ? run.name : 'path drawn',
+        name: runs.length > 1 ? run.name : 'path of the tool',
         colour: runs.length > 1 ? runColour(i) : 'true',
         run,
         u,
@@ -77,7 +77,7 @@ export class PathPlot {
       'select',
       { 'aria-label': 'Enlarge the distance from the target' },
       ...[1, 10, 100].map((k) =>
-        h('option', { value: k }, k === 1 ? 'errors as they are' : `errors × ${k}`),
+        h('option', { value: k }, k === 1 ? 'errors not enlarged' : `errors × ${k}`),
       ),
     );
     choice.addEventListener('change', () => {
@@ -87,7 +87,7 @@ export class PathPlot {
     const reset = h('button', { type: 'button', class: 'chip' }, 'Fit');
     reset.addEventListener('click', () => this.reset());
     const about =
-      'Tip of the tool in the plane of the surface, seen along its normal; equal scales';
+      'Tip of the tool in the plane of the surface, seen along the normal; equal scales';
     return h(
       'section',
       { class: 'plot', 'aria-labelledby': 'plot-path', 'data-plot': 'path' },
@@ -140,7 +140,7 @@ export class PathPlot {
     };
   }
 
-  /** Where a row is drawn: its distance from the target enlarged. */
+  /** Drawn position of a row, with its distance from the target enlarged. */
   private point(d: Drawn, row: number): [number, number] {
     const [u, w] = [d.u[row]!, d.w[row]!];
     const [tu, tw] = [d.targetU?.[row] ?? NaN, d.targetW?.[row] ?? NaN];
@@ -329,14 +329,14 @@ export class PathPlot {
     );
   }
 
-  /** The time at which the path was nearest to the pointer. */
+  /** Moves the time cursor to the row whose drawn point is nearest to the pointer. */
   private seek(event: MouseEvent): void {
     const bounds = this.canvas.getBoundingClientRect();
     const [px, py] = [event.clientX - bounds.left, event.clientY - bounds.top];
     const { x, y } = this.scale;
     const d = this.drawn[0]!;
     const contact = column(d.run, 'in_contact');
-    // Where the path passes twice, the pass that is next in time is meant.
+    // Where the path passes twice, the pass nearer in time to the cursor wins.
     let best = { cost: Infinity, time: NaN };
     for (let row = 0; row < d.run.time.length; ++row) {
       if (contact?.[row] === 0) continue;

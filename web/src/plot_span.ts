@@ -1,7 +1,7 @@
-// What the vertical axis of a plot spans.
+// Range of the vertical axis of a plot.
 
-/** The vertical axis spans at least this, by the unit of the curves: less is rounding of numbers. */
-const leastSpan: Record<string, number> = {
+/** Smallest span of the vertical axis, by the unit of the curves. Smaller differences are rounding. */
+const minSpan: Record<string, number> = {
   N: 0.01,
   'N m': 0.01,
   mm: 0.001,
@@ -12,12 +12,12 @@ const leastSpan: Record<string, number> = {
   ms: 0.001,
 };
 
-/** What the vertical axis shows of values between min and max, in a unit. */
+/** Range of the vertical axis for values between min and max, with a margin of 8 %. */
 export function spanOf(min: number, max: number, unit: string): [number, number] {
   const pad = Math.max(
     0.08 * (max - min),
     1e-3 * Math.max(Math.abs(min), Math.abs(max)),
-    0.5 * ((leastSpan[unit] ?? 2e-9) - (max - min)),
+    0.5 * ((minSpan[unit] ?? 2e-9) - (max - min)),
   );
   return [min - pad, max + pad];
 }

@@ -1,4 +1,4 @@
-// Which plots a run, or several, have.
+// Specifications of the plots of one run, or of several runs that are compared.
 
 import { column, type Interval, type Numbers, type Run } from './data';
 import { categorical, runColour } from './theme';
@@ -63,8 +63,8 @@ function normalForce(runs: Run[]): PlotSpec {
     title: 'Normal force',
     about:
       runs.length === 1
-        ? 'By the surface on the tool, along the surface’s true normal n. Band: extremes of all samples'
-        : 'By the surface on the tool, along the surface’s true normal n; mean over 10 ms',
+        ? 'Force of the surface on the tool, along the true normal n. Band: range of all samples'
+        : 'Force of the surface on the tool, along the true normal n; mean over 10 ms',
     axis: 'force along n [N]',
     curves,
     height: 250,
@@ -85,8 +85,8 @@ function tangentialForce(runs: Run[]): PlotSpec {
   return {
     id: 'tangential',
     title: 'Tangential force',
-    about: 'By the surface on the tool, true, along the tangents t₁ and t₂ of the surface',
-    axis: 'force in the plane [N]',
+    about: 'Force of the surface on the tool (true), along the tangents t₁ and t₂ of the surface',
+    axis: 'tangential force [N]',
     curves,
     height: 160,
   };
@@ -95,13 +95,13 @@ function tangentialForce(runs: Run[]): PlotSpec {
 const pathError = (runs: Run[]): PlotSpec => ({
   id: 'path_error',
   title: 'Path error',
-  about: 'Distance of the tip from where it is asked to be, in the plane of the surface',
+  about: 'Distance of the tip from its target, in the plane of the surface',
   axis: 'distance [mm]',
   curves: perRun(runs, 'path_error', { label: 'error', factor: 1e3, unit: 'mm', decimals: 3 }),
   height: 160,
 });
 
-/** A column of angles in degrees. */
+/** Plot of one column of angles, in degrees. */
 const angle = (
   runs: Run[],
   id: string,
@@ -124,15 +124,15 @@ const normalError = (runs: Run[]): PlotSpec =>
   angle(runs, 'normal_error', {
     title: 'Normal error',
     about:
-      'Angle between the surface’s normal at the tip and what the controller believes it to be',
+      'Angle between the true surface normal at the tip and the normal that the controller uses',
     decimals: 3,
     height: 160,
   });
 
 const toolTurned = (runs: Run[]): PlotSpec =>
   angle(runs, 'tool_turned', {
-    title: 'Tool turned',
-    about: 'Angle between the tool’s frame and where it was at the start',
+    title: 'Tool rotation',
+    about: 'Rotation angle of the tool frame since the start of the run',
     decimals: 2,
     height: 150,
   });
@@ -140,7 +140,7 @@ const toolTurned = (runs: Run[]): PlotSpec =>
 const contact = (runs: Run[]): PlotSpec => ({
   id: 'contact',
   title: 'Contact',
-  about: '1 while the tool touches the surface, 0 while it does not',
+  about: '1: the tool touches the surface; 0: no contact',
   axis: 'contact [1]',
   curves: perRun(runs, 'in_contact', {
     label: 'contact',
@@ -165,11 +165,11 @@ function solverTime(runs: Run[]): PlotSpec {
     curves.push({ ...common, label, colour: tint, values: solver.solve_ms, width: 1 });
     if (solver.missed.some((m) => m > 0)) {
       const late = solver.solve_ms.map((v, k) => (solver.missed[k]! > 0 ? v : NaN));
-      const name = runs.length > 1 ? `${run.name}, late` : 'late';
+      const name = runs.length > 1 ? `${run.name}, deadline missed` : 'deadline missed';
       curves.push({ ...common, label: name, colour: 'alarm', values: late, points: true });
     }
     if (levels.length > 0) return;
-    levels.push({ value: solver.period_ms, label: 'between two updates', colour: 'muted' });
+    levels.push({ value: solver.period_ms, label: 'update period', colour: 'muted' });
     if (solver.deadline_ms !== null)
       levels.push({ value: solver.deadline_ms, label: 'deadline', colour: 'alarm' });
   });
@@ -177,7 +177,7 @@ function solverTime(runs: Run[]): PlotSpec {
   return {
     id: 'solver',
     title: 'Solver time',
-    about: 'Computing time of every plan, against the time that there is for it',
+    about: 'Computing time of each plan, with the update period and the deadline',
     axis: 'time per update [ms]',
     curves,
     levels,
@@ -199,32 +199,32 @@ function iterations(runs: Run[]): PlotSpec {
   return {
     id: 'iterations',
     title: 'Solver iterations',
-    about: 'Iterations of every plan',
+    about: 'Iterations of the solver for each plan',
     axis: 'iterations [1]',
     curves,
     height: 120,
   };
 }
 
-/** Limits that push, and in one run the plans that could not keep all and the torques that were cut. */
+/** Number of active constraints. For one run, also marks infeasible plans and clipped torques. */
 function limits(runs: Run[]): PlotSpec {
   const count = { unit: '', decimals: 0 };
-  const curves = perRun(runs, 'limits_pushing', { label: 'limits', stepped: true, ...count });
+  const curves = perRun(runs, 'active_constraints', { label: 'active', stepped: true, ...count });
   const [run] = runs;
-  const pushing = run && column(run, 'limits_pushing');
+  const active = run && column(run, 'active_constraints');
   const mark = (name: string, label: string, tint: string) => {
     const marked = run && column(run, name);
-    if (!run || !pushing || !marked || runs.length > 1 || !marked.some((m) => m > 0)) return;
-    const values = pushing.map((v, k) => (marked[k]! > 0 ? v : NaN));
+    if (!run || !active || !marked || runs.length > 1 || !marked.some((m) => m > 0)) return;
+    const values = active.map((v, k) => (marked[k]! > 0 ? v : NaN));
     curves.push({ label, colour: tint, time: run.time, values, points: true, ...count });
   };
-  mark('limits_infeasible', 'cannot all be kept', 'alarm');
-  mark('clipped_torques', 'torque cut', 'estimated');
+  mark('constraints_infeasible', 'infeasible plan', 'alarm');
+  mark('clipped_torques', 'torque clipped', 'estimated');
   return {
     id: 'limits',
-    title: 'Limits',
-    about: 'That push along each plan, over all its knots',
-    axis: 'limits [1]',
+    title: 'Active constraints',
+    about: 'Number of active inequality constraints of each plan, over all its knots',
+    axis: 'constraints [1]',
     curves,
     height: 130,
   };
@@ -248,7 +248,7 @@ function costs(runs: Run[]): PlotSpec {
   return {
     id: 'costs',
     title: runs.length > 1 ? 'Cost' : 'Cost by term',
-    about: 'Of each plan, summed over its horizon',
+    about: 'Cost of each plan, summed over its horizon',
     axis: 'cost [1], log scale',
     curves,
     log: true,
@@ -271,46 +271,51 @@ const jointQuantities: JointQuantity[] = [
     id: 'tau',
     title: 'Joint torques',
     noun: 'torque',
-    about: 'Applied by the motors about each joint’s axis',
+    about: 'Torques that the motors apply about the joint axes',
     unit: 'N m',
   },
   {
     id: 'q',
     title: 'Joint positions',
     noun: 'position',
-    about: 'Of each joint from its zero',
+    about: 'Positions of the joints, from their zero positions',
     unit: 'rad',
   },
   {
     id: 'v',
     title: 'Joint velocities',
     noun: 'velocity',
-    about: 'About each joint’s axis',
+    about: 'Velocities of the joints about their axes',
     unit: 'rad/s',
   },
 ];
 
-/** Where values lie between their limits: -100 % at the lower, 100 % at the upper. */
-function share(values: Numbers, limit: Interval | undefined): Float32Array | null {
+/** Values as a percentage of their range: -100 % at the lower limit, 100 % at the upper limit. */
+function percentOfRange(values: Numbers, limit: Interval | undefined): Float32Array | null {
   const [low, high] = limit ?? [null, null];
   if (low === null || high === null || !(high > low)) return null;
   return values.map((v) => (200 * (v - low)) / (high - low) - 100);
 }
 
-/** The names of joints are long and begin or end alike: what tells them apart. */
+/** Joint name without its ending "_joint", with spaces in place of underscores. */
 export const shortJoint = (name: string): string => name.replace(/_joint$/, '').replace(/_/g, ' ');
 
-function jointShares(run: Run, id: 'tau' | 'q' | 'v'): { name: string; values: Float32Array }[] {
+/** Values of all joints that have limits, as percentages of their ranges. */
+function jointPercentages(
+  run: Run,
+  id: 'tau' | 'q' | 'v',
+): { name: string; values: Float32Array }[] {
   return run.robot.moving.flatMap((name, i) => {
     const values = column(run, `${id}_${name}`);
-    const shares = values && share(values, run.limits[id]?.[i]);
-    return shares ? { name, values: shares } : [];
+    const percentages = values && percentOfRange(values, run.limits[id]?.[i]);
+    return percentages ? { name, values: percentages } : [];
   });
 }
 
-function largestShare(shares: Float32Array[]): Float32Array {
-  const largest = new Float32Array(shares[0]?.length ?? 0);
-  for (const values of shares)
+/** Largest absolute percentage over all joints, for each row. */
+function largestPercentage(percentages: Float32Array[]): Float32Array {
+  const largest = new Float32Array(percentages[0]?.length ?? 0);
+  for (const values of percentages)
     for (let i = 0; i < largest.length; ++i)
       largest[i] = Math.max(largest[i]!, Math.abs(values[i]!));
   return largest;
@@ -320,14 +325,14 @@ function allJointsSpec(runs: Run[], quantity: JointQuantity): PlotSpec {
   const percent = { unit: '%', decimals: 1 };
   const curves: Curve[] = [];
   runs.forEach((run, r) => {
-    const shares = jointShares(run, quantity.id);
-    if (shares.length === 0) return;
+    const joints = jointPercentages(run, quantity.id);
+    if (joints.length === 0) return;
     if (runs.length > 1) {
-      const values = largestShare(shares.map((s) => s.values));
+      const values = largestPercentage(joints.map((joint) => joint.values));
       curves.push({ label: run.name, colour: runColour(r), time: run.time, values, ...percent });
       return;
     }
-    for (const { name, values } of shares) {
+    for (const { name, values } of joints) {
       const style = categorical(run.robot.moving.indexOf(name));
       curves.push({ label: shortJoint(name), ...style, time: run.time, values, ...percent });
     }
@@ -338,8 +343,8 @@ function allJointsSpec(runs: Run[], quantity: JointQuantity): PlotSpec {
     id: quantity.id,
     title: quantity.title,
     about: many
-      ? `${quantity.about}; the joint nearest to a limit, 100 % at the limit`
-      : `${quantity.about}; −100 % and 100 % are the limits`,
+      ? `${quantity.about}; only the joint nearest to a limit. 100 %: at the limit`
+      : `${quantity.about}. −100 %: lower limit; 100 %: upper limit`,
     axis: `${quantity.noun} [% of limit]`,
     curves,
     levels: many ? [level(100, 'limit')] : [level(-100, 'lower limit'), level(100, 'upper limit')],
@@ -377,7 +382,7 @@ function oneJointSpec(runs: Run[], quantity: JointQuantity, joint: string): Plot
   };
 }
 
-/** Plots of torques, positions and velocities, of one joint or of all of them. */
+/** Plots of torques, positions and velocities of one joint or of all joints. */
 export const jointSpecs = (runs: Run[], joint: string): PlotSpec[] =>
   jointQuantities.map((quantity) =>
     joint === allJoints ? allJointsSpec(runs, quantity) : oneJointSpec(runs, quantity, joint),

@@ -1,4 +1,4 @@
-// What the 3D view of a run shows: robot, tool, surface, paths, forces, contact, horizon.
+// 3D scene of a run: robot, tool, surface, paths, forces, contact, horizon.
 
 import {
   Box3,
@@ -53,7 +53,7 @@ export const layers = [
 ] as const;
 export type Layer = (typeof layers)[number];
 
-/** Whether a run has anything to draw of a layer. Two normals say something where they may differ. */
+/** Whether a run has data for a layer. The layer of normals needs two normals that can differ. */
 export function hasLayer(run: Run, layer: Layer): boolean {
   if (layer === 'horizon') return run.horizon !== null;
   if (layer === 'feet' || layer === 'balance') return (run.supports ?? []).length > 0;
@@ -65,7 +65,7 @@ export function hasLayer(run: Run, layer: Layer): boolean {
   if (['forces', 'normals', 'triad', 'path'].includes(layer) && !presses(run)) return false;
   if (layer !== 'normals') return true;
   const { surface } = run;
-  const moves = ['surface_normal_x', 'believed_normal_x'].some((name) => column(run, name));
+  const moves = ['surface_normal_x', 'estimated_normal_x'].some((name) => column(run, name));
   return (
     moves || !!surface.patch || axisOf(surface.axes, 2).angleTo(axisOf(surface.true_axes, 2)) > 2e-3
   );
@@ -74,7 +74,7 @@ export function hasLayer(run: Run, layer: Layer): boolean {
 const vector = (v: ArrayLike<number>): Vector3 => new Vector3(v[0], v[1], v[2]);
 const axisOf = (axes: number[], i: number): Vector3 => vector(axes.slice(3 * i, 3 * i + 3));
 
-/** Newton per 10 cm of arrow: a round number near the force asked for. */
+/** Force per 10 cm of arrow [N]: a round number near the largest target force. */
 export function forceScale(runs: Run[]): number {
   let largest = 0;
   for (const run of runs)
@@ -84,28 +84,28 @@ export function forceScale(runs: Run[]): number {
   return power * [1, 2, 3, 5, 10].find((k) => k * power >= 0.85 * largest)!;
 }
 
-/** Where the tool is in a row of the trace. */
+/** Position of the tool in a row of the trace. */
 export function toolAt(run: Run, row: number): Vector3 {
   if (run.plan) return plannedPoint(run, run.tool.frame, '', row);
   const [x, y, z] = ['tool_x', 'tool_y', 'tool_z'].map((name) => column(run, name)?.[row] ?? NaN);
   return new Vector3(x, y, z);
 }
 
-/** Where a frame of a planned motion is in a row, or its target. */
-function plannedPoint(run: Run, frame: string, of: '' | '_target', row: number): Vector3 {
+/** Position of a frame of a planned motion in a row, or of its target (suffix '_target'). */
+function plannedPoint(run: Run, frame: string, suffix: '' | '_target', row: number): Vector3 {
   const [x, y, z] = ['x', 'y', 'z'].map(
-    (axis) => column(run, `${frame}_${axis}_world${of}`)?.[row] ?? NaN,
+    (axis) => column(run, `${frame}_${axis}_world${suffix}`)?.[row] ?? NaN,
   );
   return new Vector3(x, y, z);
 }
 
-/** Pieces of the paths of all frames of a planned motion, in the order of time, or of their targets. */
-function plannedPaths(run: Run, of: '' | '_target'): { pieces: Float32Array; times: number[] } {
+/** Pieces of the paths of all frames of a planned motion, or of their targets, in the order of time. */
+function plannedPaths(run: Run, suffix: '' | '_target'): { pieces: Float32Array; times: number[] } {
   const pieces: number[] = [];
   const times: number[] = [];
   for (let row = 0; row + 1 < run.time.length; ++row)
     for (const frame of run.plan?.frames ?? []) {
-      const piece = [row, row + 1].flatMap((at) => plannedPoint(run, frame, of, at).toArray());
+      const piece = [row, row + 1].flatMap((at) => plannedPoint(run, frame, suffix, at).toArray());
       if (!piece.every(Number.isFinite)) continue;
       pieces.push(...piece);
       times.push(run.time[row + 1]!);
@@ -115,11 +115,11 @@ function plannedPaths(run: Run, of: '' | '_target'): { pieces: Float32Array; tim
 
 interface Trail {
   line: Line;
-  /** time at which each piece is complete */
+  /** Time at which each piece is complete [s] */
   times: number[];
 }
 
-/** The tip on the surface while in contact, in at most 3000 pieces. */
+/** Path of the tip on the surface during contact, in at most 3000 pieces. */
 function trailOf(run: Run, width: number, colourName: string): Trail {
   if (run.plan) {
     const { pieces, times } = plannedPaths(run, '');
@@ -146,7 +146,7 @@ function trailOf(run: Run, width: number, colourName: string): Trail {
   return { line, times };
 }
 
-/** Everything of one run. */
+/** 3D scene of one run. */
 export class RunScene {
   readonly group = new Group();
   readonly contactPoint: Vector3;
@@ -169,7 +169,7 @@ export class RunScene {
   };
   private readonly normals = {
     true: new Arrow(0.003, 'true', 0.85),
-    believed: new Arrow(0.003, 'estimated', 0.85),
+    estimated: new Arrow(0.003, 'estimated', 0.85),
   };
   private readonly standing: StandingScene;
   private readonly ring = new Group();
@@ -249,7 +249,7 @@ export class RunScene {
     return [held, open];
   }
 
-  /** The piece of a curved surface, seen from both of its sides. */
+  /** Draws the patch of a curved surface, visible from both sides. */
   private drawPatch(patch: NonNullable<Run['surface']['patch']>): void {
     const shape = new BufferGeometry();
     shape.setAttribute('position', new BufferAttribute(patch.points, 3));
@@ -283,7 +283,8 @@ export class RunScene {
     this.parts.surface.add(this.plate);
   }
 
-  /** A plate as large as the surface, or as the path if that has no end; and the plane that the controller believes in where it differs. */
+  /** Draws the surface as a plate, as large as the path if the surface is unbounded. Adds the outline
+   * of the controller's nominal plane if the two differ. */
   private drawPlate(): void {
     const { surface } = this.run;
     if (surface.patch) return this.drawPatch(surface.patch);
@@ -308,8 +309,8 @@ export class RunScene {
     this.plate.applyMatrix4(frame(surface.true_axes, middle));
     this.parts.surface.add(this.plate);
 
-    const believed = axisOf(surface.axes, 2);
-    if (believed.angleTo(this.normal) < 2e-3 && Math.abs(level) < 5e-4) return;
+    const nominal = axisOf(surface.axes, 2);
+    if (nominal.angleTo(this.normal) < 2e-3 && Math.abs(level) < 5e-4) return;
     const [t1, t2] = [axisOf(surface.axes, 0), axisOf(surface.axes, 1)];
     const corners = [
       [-1, -1],
@@ -345,16 +346,16 @@ export class RunScene {
           .addScaledVector(t2, path.w[i]!)
           .addScaledVector(n, 0.002 + (path.h?.[i] ?? 0)),
       );
-    const asked = new Line('target', 2, [0.006, 0.004]);
-    if (this.run.plan) asked.setPieces(plannedPaths(this.run, '_target').pieces);
-    else asked.setPoints(points);
-    asked.object.renderOrder = 3;
-    this.parts.path.add(asked.object);
+    const target = new Line('target', 2, [0.006, 0.004]);
+    if (this.run.plan) target.setPieces(plannedPaths(this.run, '_target').pieces);
+    else target.setPoints(points);
+    target.object.renderOrder = 3;
+    this.parts.path.add(target.object);
     this.parts.trail.add(this.trail.line.object);
     this.parts.triad.add(this.triad.group);
     const { arrows } = this;
     this.parts.forces.add(arrows.true.group, arrows.estimated.group, arrows.target.group);
-    this.parts.normals.add(this.normals.true.group, this.normals.believed.group);
+    this.parts.normals.add(this.normals.true.group, this.normals.estimated.group);
     for (const name of ['forces', 'normals', 'triad', 'path', 'surface'] as const)
       this.parts[name].visible = this.has(name);
     this.ball.visible = this.ring.visible = !this.run.plan;
@@ -393,7 +394,7 @@ export class RunScene {
     this.updateHorizon(t);
   }
 
-  /** How far a point is from the surface along its normal there, m. */
+  /** Signed distance of a point from the surface along the normal [m]. */
   private above(point: Vector3, normal: Vector3): number {
     const { patch, true_point: origin } = this.run.surface;
     const nearest = vector(origin);
@@ -427,7 +428,7 @@ export class RunScene {
       const f = valueAt(run, name, t);
       return Number.isFinite(f) ? f * perNewton : 0;
     };
-    // Its parts are along the normal of now and along two tangents at the surface's point.
+    // The columns are components along the normal at this time and two fixed tangents of the surface.
     const [a1, a2] = [axisOf(run.surface.true_axes, 0), axisOf(run.surface.true_axes, 1)];
     const [b1, b2, b3] = [a2.clone().cross(normal), normal.clone().cross(a1), a1.clone().cross(a2)];
     const acting = b3
@@ -436,13 +437,13 @@ export class RunScene {
       .addScaledVector(b1, force('force_t1'))
       .addScaledVector(b2, force('force_t2'))
       .divideScalar(Math.max(normal.dot(b3), 0.1));
-    const believed = vector(normalAt(run, 'believed', row)).normalize();
+    const estimated = vector(normalAt(run, 'estimated', row)).normalize();
     const length = 0.16;
     this.normals.true.set(point, normal.clone().multiplyScalar(length));
-    this.normals.believed.set(point, believed.clone().multiplyScalar(length));
+    this.normals.estimated.set(point, estimated.clone().multiplyScalar(length));
     this.arrows.true.set(point, acting);
-    this.arrows.estimated.set(point, believed.clone().multiplyScalar(force('force_estimated')));
-    this.arrows.target.set(point, believed.clone().multiplyScalar(force('force_target')));
+    this.arrows.estimated.set(point, estimated.clone().multiplyScalar(force('force_estimated')));
+    this.arrows.target.set(point, estimated.clone().multiplyScalar(force('force_target')));
   }
 
   private updateHorizon(t: number): void {
@@ -468,7 +469,7 @@ export class RunScene {
     this.ghostLine.setPoints(points);
   }
 
-  /** Arrows side by side as seen from the camera; the plate clear where it would hide the tool. */
+  /** Shifts the arrows apart as seen from the camera; fades the plate if it would hide the tool. */
   faceCamera(view: View3D): void {
     const towards = view.camera.position.clone().sub(this.contactPoint);
     const side = new Vector3().crossVectors(this.normal, towards).normalize();
@@ -481,14 +482,14 @@ export class RunScene {
     this.arrows.target.group.position.copy(base).addScaledVector(side, -0.021);
   }
 
-  /** Where the robot that is drawn has the tool's frame. */
+  /** Position of the tool frame of the drawn robot [m]; null without a tool frame. */
   drawnTool(): Vec3 | null {
     if (!this.tool) return null;
     const p = framePlacement(this.robot.placements, this.tool);
     return [p[0], p[1], p[2]];
   }
 
-  /** Directions to look from, seen from the tool. */
+  /** Named viewpoints: point to look at, direction from it to the camera, radius that must be visible. */
   viewpoints(): { name: string; target: Vector3; from: Vector3; radius: number }[] {
     const p = this.contactPoint;
     const base = this.run.robot.bodies[0]?.placement ?? [0, 0, 0];
@@ -498,7 +499,7 @@ export class RunScene {
     const right = new Vector3(ahead.y, -ahead.x, 0);
     const level = new Vector3(this.normal.x, this.normal.y, 0);
     const upright = level.length() > 0.3;
-    // A board is seen from its side that is farther from the robot, a table from ahead.
+    // An upright surface is seen from its side that is farther from the robot, a level one from ahead.
     const along = new Vector3(-this.normal.y, this.normal.x, 0).normalize();
     if (along.dot(ahead) < 0) along.negate();
     const side = upright ? along : right;
@@ -534,7 +535,7 @@ export class RunScene {
     ];
   }
 
-  /** A ball around the joints that move and the point of contact, with room for their links. */
+  /** Sphere around all bodies and the point of contact, with a margin for the links. */
   private wholeRobot(): { middle: Vector3; radius: number } {
     const box = new Box3().setFromPoints([this.contactPoint]);
     for (const [x, y, z] of this.robot.placements) box.expandByPoint(new Vector3(x, y, z));
@@ -542,7 +543,7 @@ export class RunScene {
     return { middle: ball.center, radius: Math.max(1.15 * ball.radius + 0.12, 0.45) };
   }
 
-  /** Of a robot that stands all is seen, from head to feet; `from`, `above`: as without feet. */
+  /** Viewpoints of a standing robot; `from` and `above` are directions to the camera. */
   private standingViews(
     feet: Vector3[],
     from: Vector3,
@@ -556,10 +557,10 @@ export class RunScene {
     const height = Math.max(...this.robot.placements.map(([, , z]) => z), p.z) - middle.z;
     const body = middle.clone().add(new Vector3(0, 0, 0.52 * height));
     const ahead = new Vector3(p.x - middle.x, p.y - middle.y, 0);
-    if (ahead.length() < 0.1) ahead.set(1, 0, 0); // nothing that is pressed
+    if (ahead.length() < 0.1) ahead.set(1, 0, 0); // without a pressed surface
     ahead.normalize();
     const side = new Vector3(-ahead.y, ahead.x, 0.12);
-    // One that is wider than high is seen from side to side.
+    // The radius covers the height of the robot, or the spread of its feet if that is larger.
     const radius = Math.max(0.68 * height, 2.4 * spread);
     const tool = [
       {
@@ -587,7 +588,7 @@ export class RunScene {
   }
 }
 
-/** Another run's tool, beside the one that is drawn in full. */
+/** Tool tip and path of another run of the comparison. */
 export class OtherTool {
   readonly group = new Group();
   private readonly ball: Mesh;

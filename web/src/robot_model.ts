@@ -1,4 +1,4 @@
-// A robot in the scene: one group per body, placed by forward kinematics.
+// Robot in the 3D scene: one group per body, placed by forward kinematics.
 
 import {
   AlwaysStencilFunc,
@@ -21,7 +21,7 @@ export function place(object: Object3D, p: Placement): void {
   object.quaternion.set(p[3], p[4], p[5], p[6]);
 }
 
-/** A ghost is seen beside the robot, not on it: what the robot covers is marked. */
+/** Stencil settings of the solids of the robot. They mark its pixels, where the ghost is not drawn. */
 const marksPicture = {
   stencilWrite: true,
   stencilRef: 1,
@@ -40,12 +40,12 @@ export const ghostMaterial = (): MeshBasicMaterial =>
 
 export class RobotModel {
   readonly group = new Group();
-  /** groups of the bodies; the world's, at index 0, does not move */
+  /** Groups of the bodies; group 0 is the world and does not move */
   readonly bodies: Group[];
   placements: Placement[] = [];
   private readonly meshes: Mesh[] = [];
 
-  /** `ghost`: translucent, in one colour, and without what does not move. */
+  /** With `ghost`, the robot is translucent, in one colour, and without bodies that do not move. */
   constructor(
     readonly robot: Robot,
     solids: BodySolids[],
@@ -81,7 +81,7 @@ export class RobotModel {
     this.placements.forEach((p, i) => place(this.bodies[i + 1]!, p));
   }
 
-  /** 1: as it is; less: all of it lets light through. */
+  /** Sets the opacity of the whole robot; 1: as described. */
   setOpacity(opacity: number): void {
     for (const mesh of this.meshes) {
       const material = mesh.material as MeshStandardMaterial;

@@ -1,4 +1,4 @@
-// The page of a robot alone: its joints on sliders, its frames, its inertias.
+// Page of a robot without a run: sliders for its joints, its frames, its inertias.
 
 import { Vector3 } from 'three';
 import type { Body, Frame, Page, Robot } from './data';
@@ -15,18 +15,18 @@ const keys: { title: string; keys: Keys }[] = [
   {
     title: '3D view',
     keys: [
-      ['drag, wheel', 'turn, zoom; with the right button move'],
-      ['W A S D, Q E', 'turn, zoom, where the view has the focus'],
-      ['V', 'the whole robot'],
+      ['drag, wheel', 'rotate, zoom; right button: move'],
+      ['W A S D, Q E', 'rotate, zoom, while the view has the focus'],
+      ['V', 'show the whole robot'],
     ],
   },
   {
     title: 'Page',
     keys: [
-      ['Tab, ← →', 'next joint, move it'],
-      ['F, I', 'joint frames, inertias on and off'],
+      ['Tab, ← →', 'go to the next joint, move it'],
+      ['F, I', 'show or hide joint frames, inertias'],
       ['T', 'light or dark'],
-      ['?', 'this list'],
+      ['?', 'show this list'],
     ],
   },
 ];
@@ -53,10 +53,10 @@ function bodyTable(robot: Robot): HTMLElement {
     'kind',
     'q limits [rad, m]',
     'v limit [rad/s, m/s]',
-    'effort [N m, N]',
+    'effort limit [N m, N]',
     'mass [kg]',
   ];
-  heads.push('centre of mass, joint’s frame [m]', 'principal moments [kg m²]');
+  heads.push('centre of mass in the joint frame [m]', 'principal moments [kg m²]');
   return h(
     'div',
     { class: 'scroll-x' },
@@ -77,7 +77,7 @@ function bodyTable(robot: Robot): HTMLElement {
   );
 }
 
-/** The chooser of a frame, and where that frame is. */
+/** Selection of a frame, and the placement of the selected frame. */
 class FramePanel {
   readonly element: HTMLElement;
   private readonly where = h('p', { class: 'where' });
@@ -92,7 +92,7 @@ class FramePanel {
     for (const kind of ['user', 'link', 'joint'] as const) {
       const own = robot.frames.flatMap((frame, i) => (frame.kind === kind ? [{ frame, i }] : []));
       if (own.length === 0) continue;
-      const label = { user: 'own frames', link: 'links', joint: 'joints' }[kind];
+      const label = { user: 'user frames', link: 'links', joint: 'joints' }[kind];
       const options = own.map(({ frame, i }) => h('option', { value: i }, frame.name));
       choice.append(h('optgroup', { label }, ...options));
     }
@@ -114,11 +114,11 @@ class FramePanel {
     if (!this.chosen) return;
     const p = framePlacement(this.scene.model.placements, this.chosen);
     const text = (part: number[]): string => part.map((v) => fixed(v, 4)).join(', ');
-    this.where.textContent = `in the world: (${text(p.slice(0, 3))}) m; quaternion x y z w (${text(p.slice(3))})`;
+    this.where.textContent = `position in the world: (${text(p.slice(0, 3))}) m; quaternion x y z w (${text(p.slice(3))})`;
   }
 }
 
-/** What of the robot is drawn. */
+/** Check boxes for the parts of the robot that are drawn. */
 function showPanel(
   robot: Robot,
   scene: RobotScene,
@@ -138,15 +138,15 @@ function showPanel(
   const element = h(
     'div',
     { class: 'views' },
-    toggle('Own frames', true, (on) => (scene.users.visible = on)),
+    toggle('User frames', true, (on) => (scene.users.visible = on)),
     toggle('Joint frames', false, (on) => (scene.joints.visible = on)),
     toggle('Inertias', robot.visuals.length === 0, (on) => (scene.inertias.visible = on)),
-    toggle('See through', false, (on) => scene.model.setOpacity(on ? 0.3 : 1)),
+    toggle('Transparent', false, (on) => scene.model.setOpacity(on ? 0.3 : 1)),
   );
   return { element, press: (label) => boxes.get(label)?.click() };
 }
 
-/** Sliders, postures, and q to copy. */
+/** Panel with the sliders of the joints, a choice of postures, and buttons to reset and copy q. */
 function jointPanel(
   robot: Robot,
   q: number[],

@@ -1,4 +1,4 @@
-// A robot alone in the 3D view: its solids, frames and inertias.
+// 3D scene of a robot without a run: solids, frames, inertias.
 
 import {
   Group,
@@ -44,7 +44,7 @@ function inertiaOf(body: Body): Group | null {
   return group;
 }
 
-/** Robot, frames and inertias in the scene. */
+/** Scene with the robot, its frames and its inertias. */
 export class RobotScene {
   readonly group = new Group();
   readonly model: RobotModel;
@@ -110,7 +110,7 @@ export class RobotScene {
     place(this.chosen, framePlacement(this.model.placements, frame));
   }
 
-  /** A ball that holds all bodies and frames. */
+  /** Sphere that contains all bodies and frames. */
   extent(): { centre: Vector3; radius: number } {
     const points = [
       ...this.model.placements,

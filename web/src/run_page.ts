@@ -1,4 +1,4 @@
-// The page of one run, or of several side by side.
+// Page of one run, or of several runs that are compared.
 
 import { speeds } from './clock';
 import { presses, valueAt, type Page, type Run } from './data';
@@ -29,37 +29,37 @@ const keys: { title: string; keys: Keys }[] = [
     title: 'Time',
     keys: [
       ['Space', 'play, pause'],
-      ['← →', '10 ms back, on; with Shift 0.5 s'],
-      ['Home, End', 'to the start, to the end'],
+      ['← →', '10 ms back, forward; with Shift: 0.5 s'],
+      ['Home, End', 'go to the start, to the end'],
       ['1 … 6', `speed: ${speeds.map((s) => `${s}×`).join(', ')}`],
     ],
   },
   {
     title: 'Plots',
     keys: [
-      ['drag', 'zoom all plots to that time'],
-      ['click', 'move the time cursor there'],
-      ['+ −', 'zoom about the cursor'],
-      ['0, double click', 'the whole run'],
-      ['M', 'the time over which the metrics are taken'],
-      ['Ctrl + wheel', 'zoom about the pointer; Shift + wheel moves along'],
+      ['drag', 'zoom all plots to the selected time'],
+      ['click', 'move the time cursor'],
+      ['+ −', 'zoom about the time cursor'],
+      ['0, double click', 'show the whole run'],
+      ['M', 'zoom to the time window of the metrics'],
+      ['Ctrl + wheel', 'zoom about the pointer; Shift + wheel: scroll in time'],
     ],
   },
   {
     title: '3D view',
     keys: [
-      ['drag, wheel', 'turn, zoom; with the right button move'],
-      ['W A S D, Q E', 'turn, zoom, where the view has the focus'],
+      ['drag, wheel', 'rotate, zoom; right button: move'],
+      ['W A S D, Q E', 'rotate, zoom, while the view has the focus'],
       ['V', 'next viewpoint'],
-      ['F, N, H', 'forces, normals, predicted horizon on and off'],
-      ['G, B', 'feet on the ground and their forces, balance on and off'],
+      ['F, N, H', 'show or hide forces, normals, predicted horizon'],
+      ['G, B', 'show or hide feet with their forces, balance'],
     ],
   },
   {
     title: 'Page',
     keys: [
       ['T', 'light or dark'],
-      ['?', 'this list'],
+      ['?', 'show this list'],
     ],
   },
 ];
@@ -69,10 +69,10 @@ const layerNames: Record<Layer, string> = {
   feet: 'Feet, their forces and friction cones',
   balance: 'Centre of mass, support polygon',
   pushes: 'Pushes',
-  normals: 'Normals, true and believed',
+  normals: 'Normals, true and estimated',
   triad: 'Axes of the surface',
-  path: 'Path asked for',
-  trail: 'Path drawn',
+  path: 'Target path',
+  trail: 'Path of the tool',
   horizon: 'Predicted horizon',
   surface: 'Surface',
 };
@@ -137,7 +137,7 @@ class Stage {
       'div',
       {
         class: 'scale-key',
-        title: 'By the surface on the tool, in the axes t₁, t₂, n of the surface',
+        title: 'Force of the surface on the tool, in the axes t₁, t₂, n of the surface',
       },
       h('span', {}, `10 cm = ${this.newtons} N`),
       h('span', {}, 'surface on tool'),
@@ -163,7 +163,7 @@ class Stage {
     );
   }
 
-  /** What the marks of a robot that stands are. */
+  /** Legend of the marks of a standing robot. */
   private standingKey(run: Run): HTMLElement {
     const entry = (tint: string, text: string): HTMLElement => {
       const mark = h('span', { class: 'dot' });
@@ -175,7 +175,7 @@ class Stage {
       { class: 'standing-key' },
       h('span', {}, `10 cm = ${weightScale(run)} N, ground on feet`),
       entry('support', 'force and friction cone'),
-      entry('pressure', 'centre of pressure of all'),
+      entry('pressure', 'centre of pressure of all feet'),
       entry('mass', 'centre of mass'),
     );
   }
@@ -256,7 +256,7 @@ class Stage {
     const rows: [string, string, string][] = [
       ['true', 'true', 'force_normal'],
       ['estimated', 'estimated', 'force_estimated'],
-      ['target', 'asked for', 'force_target'],
+      ['target', 'target', 'force_target'],
     ];
     this.forces.replaceChildren(
       ...rows
@@ -269,12 +269,12 @@ class Stage {
         }),
     );
     const held = valueAt(run, 'in_contact', t) > 0.5;
-    this.contact.textContent = held ? '● contact held' : '○ no contact';
+    this.contact.textContent = held ? '● in contact' : '○ no contact';
     this.contact.classList.toggle('held', held);
   }
 }
 
-/** The plots, with one choice of joint for three of them. */
+/** All plots, with one choice of a joint for the three plots of joints. */
 function plots(state: PageState, path: PathPlot): { element: HTMLElement; names: string[] } {
   const { runs } = state;
   const element = h('div', { class: 'plots' });
@@ -302,7 +302,11 @@ function plots(state: PageState, path: PathPlot): { element: HTMLElement; names:
   const choice = h(
     'select',
     { 'aria-label': 'Joint' },
-    h('option', { value: allJoints }, runs.length > 1 ? 'nearest to its limit' : 'all joints'),
+    h(
+      'option',
+      { value: allJoints },
+      runs.length > 1 ? 'joint nearest to its limit' : 'all joints',
+    ),
     ...joints.map((name) => h('option', { value: name }, shortJoint(name))),
   );
   element.append(h('div', { class: 'divider' }, h('h2', {}, 'Joints'), choice));
@@ -329,11 +333,7 @@ function zoomBar(state: PageState): HTMLElement {
   const bar = h('div', { class: 'zoom-bar' }, h('h2', {}, 'Plots'), whole);
   const span = state.runs[0]!.window;
   if (span) {
-    const metrics = h(
-      'button',
-      { type: 'button', class: 'chip', title: 'M' },
-      'Where metrics are taken',
-    );
+    const metrics = h('button', { type: 'button', class: 'chip', title: 'M' }, 'Metrics window');
     metrics.addEventListener('click', () => state.window.set(...span));
     bar.append(metrics);
   }
@@ -384,7 +384,7 @@ function seek(state: PageState, time: number): void {
   state.clock.set(time);
 }
 
-/** What tests and the curious can ask the page for. */
+/** Sets window.burnish, the interface of the page for tests and scripts. */
 function expose(page: Page, state: PageState, stage: Stage, names: string[]): void {
   window.burnish = {
     ready: false,

@@ -1,4 +1,4 @@
-// Geometry of a robot's solids, all as triangles without an index and with a colour per vertex.
+// Geometry of the solids of a robot, as triangles without an index, with a colour per vertex.
 
 import {
   BufferAttribute,
@@ -25,7 +25,7 @@ export function matrixOf(p: Placement): Matrix4 {
   );
 }
 
-/** About z, with edges that catch the light. */
+/** Cylinder about z, with bevelled edges. */
 function cylinder(radius: number, length: number): BufferGeometry {
   const edge = Math.min(0.004, 0.25 * radius, 0.25 * length);
   const half = length / 2;
@@ -68,7 +68,7 @@ function geometryOf(shape: Shape): BufferGeometry | null {
   }
 }
 
-/** Positions, normals and one colour for all vertices, so that solids can be merged. */
+/** Geometry with positions, normals and one colour for all vertices, so that solids can be merged. */
 function plain(source: BufferGeometry, matrix: Matrix4, colour: Color): BufferGeometry {
   const flat = source.index ? source.toNonIndexed() : source;
   const geometry = new BufferGeometry();
@@ -92,12 +92,12 @@ function solidOf(visual: Visual): BufferGeometry | null {
 export interface BodySolids {
   body: number;
   opaque: BufferGeometry | null;
-  /** the solids whose colour lets light through, merged; the least of their opacities */
+  /** Translucent solids, merged, and the smallest of their opacities */
   clear: BufferGeometry | null;
   opacity: number;
 }
 
-/** All solids of a robot, merged by body. */
+/** Solids of a robot, merged by body. */
 export function solidsOf(robot: Robot): BodySolids[] {
   const out: BodySolids[] = [];
   for (let body = -1; body < robot.bodies.length; ++body) {
@@ -117,7 +117,7 @@ export function solidsOf(robot: Robot): BodySolids[] {
   return out.filter((solids) => solids.opaque ?? solids.clear);
 }
 
-/** For a robot without solids: capsules between the joints, a ball in each. */
+/** Shapes for a robot without solids: capsules between joints, and a sphere at each joint. */
 export function bonesOf(robot: Robot): BodySolids[] {
   const reach = Math.max(0.1, ...robot.bodies.map((b) => Math.hypot(...b.placement.slice(0, 3))));
   const radius = Math.min(0.03, 0.08 * reach);

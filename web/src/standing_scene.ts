@@ -1,4 +1,4 @@
-// A robot on its feet in the 3D view: soles, their forces and friction cones, balance, pushes.
+// Marks of a standing robot in the 3D view: feet, their forces and friction cones, balance, pushes.
 
 import {
   ConeGeometry,
@@ -28,7 +28,7 @@ import {
   hull,
   isLevel,
   isSole,
-  leastBearing,
+  minPressureLoad,
   pressureOfAll,
   pushesAt,
   weightScale,
@@ -38,7 +38,7 @@ import { colour, onTheme } from './theme';
 
 const vector = (v: ArrayLike<number>): Vector3 => new Vector3(v[0], v[1], v[2]);
 const up = new Vector3(0, 1, 0);
-const above = 0.002; // m over the ground, so that it does not hide what lies on it
+const above = 0.002; // height of marks over the ground, so that the ground does not hide them [m]
 
 function painted(opacity: number, colourName: string, onTop = false): MeshBasicMaterial {
   const material = new MeshBasicMaterial({
@@ -60,7 +60,7 @@ function dot(radius: number, colourName: string): Mesh {
   return mesh;
 }
 
-/** A ring of points about a ball's foot. */
+/** Ring of points around the contact point of a point foot. */
 function ringAbout(middle: Vec3, radius: number): Vector3[] {
   return Array.from({ length: 33 }, (_, k) => {
     const angle = (2 * Math.PI * k) / 32;
@@ -72,7 +72,7 @@ function ringAbout(middle: Vec3, radius: number): Vector3[] {
   });
 }
 
-/** One foot: its sole on the ground, the force, and the cone that it must stay in. */
+/** Marks of one foot: its outline on the ground, its force, and its friction cone. */
 class FootMarks {
   readonly group = new Group();
   private readonly outline = new Line('support', 3);
@@ -84,7 +84,7 @@ class FootMarks {
     private readonly support: Support,
     private readonly perNewton: number,
   ) {
-    // Its tip at the origin, opening along y; its height is one and so is the radius of its rim.
+    // Cone with its apex at the origin, opening along y; height 1, radius of the rim 1.
     const shape = new ConeGeometry(1, 1, 40, 1, true).rotateX(Math.PI).translate(0, 0.5, 0);
     this.cone = new Mesh(shape, painted(0.16, 'support'));
     this.cone.renderOrder = 2;
@@ -99,13 +99,13 @@ class FootMarks {
       ? [...rim, rim[0]!].map(vector)
       : ringAbout(rim[0]!, support.radius);
     this.outline.setPoints(points.map((p) => p.addScaledVector(normal, above)));
-    const bears = load.normal > 1;
-    this.arrow.group.visible = this.cone.visible = this.pressure.visible = bears;
-    if (!bears) return;
+    const loaded = load.normal > 1; // 1 N; chosen by hand
+    this.arrow.group.visible = this.cone.visible = this.pressure.visible = loaded;
+    if (!loaded) return;
     const point = vector(load.point);
     this.pressure.position.copy(point);
     this.arrow.set(point, vector(load.force).multiplyScalar(this.perNewton));
-    // The force's head is within the rim where the foot does not slide.
+    // While the foot sticks, the head of the force arrow is inside the rim of the cone.
     const height = load.normal * this.perNewton;
     this.cone.position.copy(point);
     this.cone.quaternion.copy(new Quaternion().setFromUnitVectors(up, normal));
@@ -113,7 +113,7 @@ class FootMarks {
   }
 }
 
-/** Centre of mass above its projection, the polygon of the feet that bear, the pressure of all. */
+/** Marks of the centre of mass, its projection, the support polygon, and the centre of pressure. */
 class BalanceMarks {
   readonly group = new Group();
   private readonly mass = dot(0.02, 'mass');
@@ -129,8 +129,8 @@ class BalanceMarks {
 
   update(com: Vec3, feet: { support: Support; foot: Placement; load: FootLoad }[]): void {
     const level = feet.filter(({ support }) => isLevel(support));
-    const bearing = level.filter(({ load }) => load.normal > leastBearing);
-    const ring = hull(bearing.flatMap(({ support, foot }) => corners(support, foot)));
+    const loaded = level.filter(({ load }) => load.normal > minPressureLoad);
+    const ring = hull(loaded.flatMap(({ support, foot }) => corners(support, foot)));
     this.polygon.setPoints(
       [...ring, ...ring.slice(0, 1)].map((p) => vector(p).add(new Vector3(0, 0, 2 * above))),
     );
@@ -147,7 +147,7 @@ class BalanceMarks {
   }
 }
 
-/** Forces that are not the tool's, each ending where it acts. */
+/** Arrows of pushes; each arrow ends at the point where its force acts. */
 class PushMarks {
   readonly group = new Group();
   private readonly marks: { push: Push; arrow: Arrow; label: Label }[];
@@ -171,7 +171,7 @@ class PushMarks {
       label.sprite.visible = arrow.group.visible = frame !== undefined && acting.includes(push);
       if (!frame || !arrow.group.visible) continue;
       const force = vector(push.force);
-      // Small ones are to be seen, too.
+      // At least 0.25 m long, so that small forces stay visible.
       const length = Math.max(this.perNewton * force.length(), 0.25);
       const along = force.normalize().multiplyScalar(length);
       const start = vector(framePlacement(bodies, frame)).sub(along);
@@ -181,7 +181,7 @@ class PushMarks {
   }
 }
 
-/** All of it, for a run with supports or pushes. */
+/** All marks of a run with supports or pushes. */
 export class StandingScene {
   readonly feet = new Group();
   readonly balance = new Group();
@@ -196,14 +196,14 @@ export class StandingScene {
       support,
       marks: new FootMarks(support, perNewton),
     }));
-    for (const { marks } of this.marks) this.feet.add(marks.group); // add() of nothing is an error
+    for (const { marks } of this.marks) this.feet.add(marks.group); // add() without arguments is an error
     this.balanceMarks = this.marks.length > 0 ? new BalanceMarks() : null;
     if (this.balanceMarks) this.balance.add(this.balanceMarks.group);
     this.pushMarks = new PushMarks(run, perNewton);
     this.pushes.add(this.pushMarks.group);
   }
 
-  /** At a time, bodies placed as by forward(). */
+  /** Updates all marks to time t; `bodies`: placements as forward() returns them. */
   update(t: number, bodies: Placement[]): void {
     const { run } = this;
     this.pushMarks.update(t, bodies);

@@ -1,4 +1,4 @@
-// Plots of a robot that stands: its feet, its centre of mass, its momentum.
+// Plots of a standing robot: feet, centre of mass, momentum.
 
 import { column, type Run, type Support } from './data';
 import { isLevel, shortFoot } from './supports';
@@ -11,12 +11,13 @@ interface Written {
   factor?: number;
 }
 
-/** A quantity of each support; of several runs that of the one that comes nearest to its limit. */
+/** Curves of one quantity of the supports. One run: a curve for each support. Several runs: a curve
+ * for each run, with the support that is nearest to its limit in each row. */
 function ofSupports(
   runs: Run[],
   which: (support: Support) => boolean,
   quantity: string,
-  worst: 'most' | 'least',
+  worst: 'largest' | 'smallest',
   written: Written,
 ): Curve[] {
   const { factor = 1, ...rest } = written;
@@ -34,19 +35,20 @@ function ofSupports(
         values,
         ...rest,
       }));
-    const of = worst === 'most' ? Math.max : Math.min;
+    const extreme = worst === 'largest' ? Math.max : Math.min;
     const values = run.time.map((_, k) => {
       const all = feet.map((foot) => foot.values[k]!).filter(Number.isFinite);
-      return all.length > 0 ? of(...all) : NaN;
+      return all.length > 0 ? extreme(...all) : NaN;
     });
     return [{ label: run.name, colour: runColour(i), time: run.time, values, ...rest }];
   });
 }
 
-const ofFeet = (runs: Run[], quantity: string, worst: 'most' | 'least', written: Written) =>
+const ofFeet = (runs: Run[], quantity: string, worst: 'largest' | 'smallest', written: Written) =>
   ofSupports(runs, isLevel, quantity, worst, written);
 
-/** A vector by its entries, less what it was at first where asked; of several runs its length. */
+/** Curves of a vector; `fromStart` subtracts its first value. One run: a curve for each component.
+ * Several runs: the length of the vector. */
 function ofVector(runs: Run[], name: string, fromStart: boolean, written: Written): Curve[] {
   const { factor = 1, ...rest } = written;
   return runs.flatMap((run, i): Curve[] => {
@@ -73,28 +75,28 @@ const each = (runs: Run[], one: string, many: string): string => (runs.length > 
 
 const loads = (runs: Run[]): PlotSpec => ({
   id: 'foot_load',
-  title: 'Load of the feet',
+  title: 'Normal forces on the feet',
   about: each(
     runs,
-    'By the ground on each foot, true, along its normal',
-    'By the ground on the foot that bears the least, true, along its normal',
+    'Normal force of the ground on each foot (true)',
+    'Normal force of the ground on the foot with the smallest load (true)',
   ),
   axis: 'force [N]',
-  curves: ofFeet(runs, 'load', 'least', { unit: 'N', decimals: 1 }),
+  curves: ofFeet(runs, 'load', 'smallest', { unit: 'N', decimals: 1 }),
   height: 180,
 });
 
-/** Hands are supports that do not lie level: on a wall, as the feet are on the ground. */
+/** Hands: supports on a surface that is not level, such as a wall. */
 const hands = (runs: Run[]): PlotSpec => ({
   id: 'hand_force',
-  title: 'Force of the hands',
+  title: 'Normal forces on the hands',
   about: each(
     runs,
-    'By the wall on each hand, true, along its normal',
-    'By the wall on the hand that presses the least, true, along its normal',
+    'Normal force of the wall on each hand (true)',
+    'Normal force of the wall on the hand with the smallest force (true)',
   ),
   axis: 'force [N]',
-  curves: ofSupports(runs, (support) => !isLevel(support), 'load', 'least', {
+  curves: ofSupports(runs, (support) => !isLevel(support), 'load', 'smallest', {
     unit: 'N',
     decimals: 1,
   }),
@@ -106,14 +108,14 @@ function friction(runs: Run[]): PlotSpec {
   const levels: Level[] = [{ value: 100, label: 'slides', colour: 'alarm' }];
   return {
     id: 'foot_friction',
-    title: 'Friction of the feet',
+    title: 'Used friction of the feet',
     about: each(
       runs,
-      'Of its friction cone what each foot uses, while it bears 20 N',
-      'Of its friction cone what the foot uses that uses the most, while it bears 20 N',
+      'Tangential force of each foot, as a fraction of its friction limit. Loads of at least 20 N only',
+      'Largest tangential force of a foot, as a fraction of its friction limit. Loads of at least 20 N only',
     ),
-    axis: 'of the cone [%]',
-    curves: ofFeet(runs, 'friction_used', 'most', percent),
+    axis: 'friction limit [%]',
+    curves: ofFeet(runs, 'friction_used', 'largest', percent),
     levels,
     range: [0, 112],
     height: 160,
@@ -125,11 +127,11 @@ const pressure = (runs: Run[]): PlotSpec => ({
   title: 'Centre of pressure',
   about: each(
     runs,
-    'How far it is from the edge of each sole, while that bears 20 N; the foot tips at 0',
-    'How far it is from the edge of the sole where it is the nearest; the foot tips at 0',
+    'Distance of the centre of pressure from the edge of each sole, at loads of at least 20 N. 0: the foot tips',
+    'Smallest distance of a centre of pressure from the edge of its sole. 0: the foot tips',
   ),
   axis: 'distance [mm]',
-  curves: ofFeet(runs, 'pressure_margin', 'least', { unit: 'mm', decimals: 1, factor: 1e3 }),
+  curves: ofFeet(runs, 'pressure_margin', 'smallest', { unit: 'mm', decimals: 1, factor: 1e3 }),
   levels: [{ value: 0, label: 'edge', colour: 'alarm' }],
   height: 160,
 });
@@ -139,8 +141,8 @@ const centre = (runs: Run[]): PlotSpec => ({
   title: 'Centre of mass',
   about: each(
     runs,
-    'From where it was at first, world axes',
-    'How far it is from where it was at first',
+    'Displacement of the centre of mass since the start, in world axes',
+    'Distance of the centre of mass from its position at the start',
   ),
   axis: 'distance [mm]',
   curves: ofVector(runs, 'com', true, { unit: 'mm', decimals: 2, factor: 1e3 }),
@@ -150,7 +152,11 @@ const centre = (runs: Run[]): PlotSpec => ({
 const linear = (runs: Run[]): PlotSpec => ({
   id: 'momentum',
   title: 'Linear momentum',
-  about: each(runs, 'Of the whole robot, world axes', 'Of the whole robot, its length'),
+  about: each(
+    runs,
+    'Linear momentum of the robot, in world axes',
+    'Magnitude of the linear momentum of the robot',
+  ),
   axis: 'momentum [kg m/s]',
   curves: ofVector(runs, 'momentum', false, { unit: 'kg m/s', decimals: 3 }),
   height: 160,
@@ -161,15 +167,15 @@ const angular = (runs: Run[]): PlotSpec => ({
   title: 'Angular momentum',
   about: each(
     runs,
-    'Of the whole robot about its centre of mass, world axes',
-    'Of the whole robot about its centre of mass, its length',
+    'Angular momentum of the robot about its centre of mass, in world axes',
+    'Magnitude of the angular momentum of the robot about its centre of mass',
   ),
   axis: 'momentum [kg m²/s]',
   curves: ofVector(runs, 'angular_momentum', false, { unit: 'kg m²/s', decimals: 3 }),
   height: 160,
 });
 
-/** None of robots that are fixed. */
+/** Plots of a standing robot; empty for a robot with a fixed base. */
 export const standingSpecs = (runs: Run[]): PlotSpec[] =>
   [hands, loads, friction, pressure, centre, linear, angular]
     .map((spec) => spec(runs))

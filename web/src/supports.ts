@@ -1,14 +1,14 @@
-// What a robot stands on: forces and centres of pressure of its feet, the polygon between them.
+// Supports of a standing robot: forces, centres of pressure, support polygon.
 
 import { column, type Placement, type Push, type Run, type Support, type Vec3 } from './data';
 import { framePlacement, rotate } from './kinematics';
 
 export interface FootLoad {
-  /** by the ground on the foot, N, world */
+  /** Force of the ground on the foot, in world axes [N] */
   force: Vec3;
-  /** where it acts in the plane of the sole, or at the point of a ball that is the lowest, m, world */
+  /** Centre of pressure of a sole, or lowest point of a ball, in the world [m] */
   point: Vec3;
-  /** N, along the normal of the ground */
+  /** Component of the force along the normal of the ground [N] */
   normal: number;
 }
 
@@ -19,18 +19,19 @@ const from = (p: Placement, v: Vec3): Vec3 => {
 };
 
 export const isSole = (support: Support): boolean => support.half_x > 0 && support.half_y > 0;
-/** Feet stand on it and hands do not: a polygon on the ground is theirs. */
+/** Whether the support is a foot on level ground; other supports are hands on a wall. */
 export const isLevel = (support: Support): boolean => support.normal[2] > 0.9;
-/** N, below which a foot is not one that the robot stands on. */
-export const leastBearing = 20;
+/** Smallest load of a foot that counts for the support polygon [N]. */
+export const minPressureLoad = 20;
 
-/** World placement of a support's frame, bodies placed as by forward(); null where it has none. */
+/** World placement of the frame of a support; null if the robot has no such frame. `bodies`:
+ * placements as forward() returns them. */
 export function footPlacement(run: Run, bodies: Placement[], support: Support): Placement | null {
   const frame = run.robot.frames.find(({ name }) => name === support.frame);
   return frame ? framePlacement(bodies, frame) : null;
 }
 
-/** The wrench of a row on a foot that is there; its numbers are NaN where the run has none. */
+/** Load of a foot with the placement `foot` in a row; NaN if the run has no columns for it. */
 export function footLoad(run: Run, support: Support, foot: Placement, row: number): FootLoad {
   const [fx, fy, fz, mx, my] = ['fx', 'fy', 'fz', 'mx', 'my'].map(
     (name) => column(run, `support_${support.frame}_${name}`)?.[row] ?? NaN,
@@ -46,7 +47,7 @@ export function footLoad(run: Run, support: Support, foot: Placement, row: numbe
   return { force, point: isSole(support) ? acts : lowest, normal: dot(force, normal) };
 }
 
-/** Corners of a sole in order, or of a ball the lowest point. */
+/** Corners of a sole, in order, or the lowest point of a ball. */
 export function corners(support: Support, foot: Placement): Vec3[] {
   const { half_x: x, half_y: y, radius, normal } = support;
   if (!isSole(support))
@@ -63,13 +64,13 @@ export function corners(support: Support, foot: Placement): Vec3[] {
   ).map((corner) => from(foot, corner));
 }
 
-/** Where the forces of all feet act together, weighed by what each bears; null of none. */
+/** Centre of pressure of all feet: mean of their points, weighted by load; null below 20 N. */
 export function pressureOfAll(loads: FootLoad[]): Vec3 | null {
-  const bearing = loads.filter(({ normal }) => normal > 0);
-  const whole = bearing.reduce((sum, { normal }) => sum + normal, 0);
-  if (!(whole > leastBearing)) return null;
+  const loaded = loads.filter(({ normal }) => normal > 0);
+  const whole = loaded.reduce((sum, { normal }) => sum + normal, 0);
+  if (!(whole > minPressureLoad)) return null;
   const mean = (k: 0 | 1 | 2): number =>
-    bearing.reduce((sum, { normal, point }) => sum + (normal * point[k]) / whole, 0);
+    loaded.reduce((sum, { normal, point }) => sum + (normal * point[k]) / whole, 0);
   return [mean(0), mean(1), mean(2)];
 }
 
@@ -90,21 +91,21 @@ export function hull(points: Vec3[]): Vec3[] {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-/** m, of the ground that a robot stands on; 0 where it stands on none. */
+/** Height of the lowest ground under the feet [m]; 0 without feet. */
 export function groundHeight(run: Run): number {
   const heights = (run.supports ?? []).filter(isLevel).map(({ point }) => point[2]);
   return heights.length > 0 ? Math.min(...heights) : 0;
 }
 
-/** Those that act at a time. */
+/** Pushes that act at time t. */
 export const pushesAt = (pushes: Push[], t: number): Push[] =>
   pushes.filter(({ start, duration }) => t >= start && t < start + duration);
 
-/** A frame's name without what all of them have. */
+/** Name of a frame without the ending "_link", "_frame" or "_joint". */
 export const shortFoot = (name: string): string =>
   name.replace(/_(link|frame|joint)$/, '').replace(/_/g, ' ');
 
-/** Newton per 10 cm of arrow, such that the whole weight is about half a metre. */
+/** Force per 10 cm of arrow [N]; an arrow of the robot's weight is about 0.5 m long. */
 export function weightScale(run: Run): number {
   const weight = run.robot.total_mass * Math.hypot(...run.robot.gravity);
   if (!(weight > 0)) return 100;

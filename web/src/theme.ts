@@ -1,4 +1,4 @@
-// Light and dark, and the colours of the page's style sheet for canvases.
+// Light and dark theme, and the colours of the style sheet for canvases.
 
 type Theme = 'light' | 'dark';
 const listeners = new Set<() => void>();
@@ -10,7 +10,7 @@ const system = matchMedia('(prefers-color-scheme: dark)');
 let chosen: Theme | null = null;
 export const theme = (): Theme => chosen ?? (system.matches ? 'dark' : 'light');
 
-/** A colour of the style sheet, by its name without the dashes. */
+/** Colour of the style sheet; `name` is the name of the CSS variable without "--". */
 export function colour(name: string): string {
   let value = cache.get(name);
   if (value === undefined) {
@@ -20,7 +20,7 @@ export function colour(name: string): string {
   return value;
 }
 
-/** #rrggbb with an opacity. */
+/** Colour with an opacity, 0 to 1, as #rrggbbaa. */
 export function faded(name: string, alpha: number): string {
   const byte = Math.round(alpha * 255);
   return `${colour(name)}${byte.toString(16).padStart(2, '0')}`;
@@ -45,10 +45,10 @@ system.addEventListener('change', changed);
 changed();
 
 const joints = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'c7'];
-/** Colour names of joints and cost terms: seven, then again with dashes. */
+/** Colour and dashes for the curve number `index`: seven colours, then the same with dashes. */
 export const categorical = (index: number): { colour: string; dash: number[] } => ({
   colour: joints[index % joints.length]!,
   dash: [[], [6, 3], [2, 2], [8, 3, 2, 3], [1, 4]][Math.floor(index / joints.length) % 5]!,
 });
-/** Colour name of a run of a comparison. */
+/** Colour name of run number `index` in a comparison. */
 export const runColour = (index: number): string => categorical(index).colour;

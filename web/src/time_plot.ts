@@ -1,4 +1,4 @@
-// A plot over time (uPlot) that follows the page's cursor and window, with values in its legend.
+// Plot over time (uPlot) that follows the time cursor and time window; its legend shows values.
 
 import uPlot from 'uplot';
 import { rowAt } from './data';
@@ -16,16 +16,16 @@ export interface Curve {
   values: Values;
   dash?: number[];
   width?: number;
-  /** smallest and largest of what lies between two rows, drawn as a band */
+  /** Smallest and largest sample between two rows, drawn as a band */
   band?: { min: Values; max: Values };
   hidden?: boolean;
   stepped?: boolean;
-  /** points instead of a line */
+  /** Draws points instead of a line */
   points?: boolean;
   fill?: boolean;
   decimals: number;
   unit: string;
-  /** place in the legend; curves of the same place stay in the order in which they are drawn */
+  /** Position in the legend; curves with equal ranks keep their drawing order */
   rank?: number;
 }
 
@@ -38,18 +38,18 @@ export interface Level {
 export interface PlotSpec {
   id: string;
   title: string;
-  /** what is drawn: of what, on what, in which frame */
+  /** Meaning of the plotted quantity: acting body, body acted on, frame */
   about: string;
   axis: string;
   curves: Curve[];
   levels?: Level[];
-  /** fixed range of the vertical axis, which the reader can leave for that of the curves */
+  /** Fixed range of the vertical axis; the button "Fit" switches to the range of the curves */
   range?: [number, number];
   log?: boolean;
   height: number;
 }
 
-/** Gaps are null to uPlot. */
+/** Replaces NaN, and nonpositive values on a log scale, by null, which uPlot draws as a gap. */
 function gapped(values: Values, log: boolean): ArrayLike<number | null> {
   for (let i = 0; i < values.length; ++i)
     if (Number.isNaN(values[i]) || (log && !(values[i]! > 0)))
@@ -59,7 +59,7 @@ function gapped(values: Values, log: boolean): ArrayLike<number | null> {
 
 interface Drawn {
   curve: Curve;
-  /** indices of its series in uPlot: the curve, and the edges of its band */
+  /** Indices of the series in uPlot: the curve, then the edges of its band */
   series: number[];
 }
 
@@ -120,7 +120,7 @@ export class TimePlot {
     ).observe(this.element);
   }
 
-  /** Other curves in the same place. */
+  /** Replaces the curves of the plot. */
   setSpec(spec: PlotSpec): void {
     this.spec = spec;
     this.element.querySelector('.about')!.textContent = spec.about;
@@ -376,7 +376,7 @@ export class TimePlot {
     });
   }
 
-  /** Values at the pointer, or at the cursor where there is no pointer. */
+  /** Shows values at the pointer, or at the time cursor without a pointer. */
   private read(): void {
     if (!this.visible) return;
     const t = this.state.hovered ?? this.state.clock.time;
@@ -389,7 +389,7 @@ export class TimePlot {
   }
 }
 
-/** All series over one time base; uPlot skips what a series does not have there. */
+/** Joins series with different times on one time base; uPlot skips missing values. */
 function joined(
   tables: { time: Values; columns: ArrayLike<number | null>[]; index: number[] }[],
   count: number,

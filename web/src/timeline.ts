@@ -1,4 +1,4 @@
-// Play, speed and the bar of time with its phases.
+// Play button, speed, and the time slider with the phases of the run.
 
 import { speeds } from './clock';
 import { fixed, h } from './dom';
@@ -31,7 +31,7 @@ function marks(state: PageState): HTMLElement[] {
   const out: HTMLElement[] = [];
   if (state.metricsWindow) {
     const [start, end] = state.metricsWindow;
-    const span = h('div', { class: 'span', title: 'The metrics are taken over this time' });
+    const span = h('div', { class: 'span', title: 'Time window of the metrics' });
     span.style.left = `${(100 * start) / duration}%`;
     span.style.width = `${(100 * (end - start)) / duration}%`;
     out.push(span);
@@ -46,7 +46,7 @@ function marks(state: PageState): HTMLElement[] {
   return out;
 }
 
-/** The bar itself: a slider over the time of the run. */
+/** Slider over the time of the run. */
 function slider(state: PageState): HTMLElement {
   const { clock } = state;
   const head = h('div', { class: 'thumb' });
@@ -69,14 +69,14 @@ function slider(state: PageState): HTMLElement {
   const show = (): void => {
     head.style.left = `${(100 * clock.time) / clock.duration}%`;
   };
-  const say = (): void => {
+  const updateAria = (): void => {
     bar.setAttribute('aria-valuenow', clock.time.toFixed(3));
     bar.setAttribute('aria-valuetext', `${clock.time.toFixed(3)} s, ${phaseAt(clock.time)}`);
   };
   clock.onTime(show);
-  state.onReading(say);
+  state.onReading(updateAria);
   show();
-  say();
+  updateAria();
   const seek = (event: PointerEvent): void => {
     const bounds = bar.getBoundingClientRect();
     clock.set(((event.clientX - bounds.left) / bounds.width) * clock.duration);

@@ -1,4 +1,4 @@
-// Camera, lights, floor and the loop that draws only what changed.
+// Camera, lights and floor of the 3D view, which is redrawn only after a change.
 
 import {
   Color,
@@ -18,7 +18,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { h, reducedMotion } from './dom';
 import { colour, onTheme, theme } from './theme';
 
-/** Lines every 10 cm and every metre, fading with the distance from the centre. */
+/** Grid with lines every 10 cm and every 1 m, which fade with the distance from the centre. */
 function floorGrid(): Mesh<PlaneGeometry, ShaderMaterial> {
   const material = new ShaderMaterial({
     transparent: true,
@@ -57,7 +57,7 @@ export class View3D {
   readonly canvas: HTMLCanvasElement;
   readonly controls: OrbitControls;
   renderCount = 0;
-  /** called before every picture */
+  /** Called before every redraw. */
   beforeRender: () => void = () => {};
   private readonly renderer: WebGLRenderer | null = null;
   private readonly key = new DirectionalLight(0xffffff, 2.1);
@@ -76,7 +76,7 @@ export class View3D {
     this.canvas = h('canvas', {
       tabindex: 0,
       role: 'img',
-      'aria-label': '3D view. W A S D turn it, Q and E zoom.',
+      'aria-label': '3D view. W, A, S, D rotate; Q and E zoom.',
     });
     host.append(this.canvas);
     this.camera.up.set(0, 0, 1);
@@ -92,7 +92,13 @@ export class View3D {
       stencil: true,
     });
     if (!context) {
-      host.append(h('p', { class: 'no-webgl' }, 'The 3D view needs WebGL 2, which is off here.'));
+      host.append(
+        h(
+          'p',
+          { class: 'no-webgl' },
+          'The 3D view needs WebGL 2, which this browser does not offer.',
+        ),
+      );
       return;
     }
     this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
@@ -142,7 +148,7 @@ export class View3D {
     this.invalidate();
   }
 
-  /** The height of the ground, m. */
+  /** Sets the height of the ground [m]. */
   setFloor(z: number): void {
     this.grid.position.z = z;
     this.shadow.position.z = z - 0.001;
@@ -163,7 +169,7 @@ export class View3D {
     this.invalidate();
   }
 
-  /** Looks at a point from a direction, from so far that a ball of this radius is all seen. */
+  /** Moves the camera in the direction `from` of `target` until a sphere of `radius` is visible. */
   look(target: Vector3, from: Vector3, radius: number, fly = true): void {
     const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect);
     const position = target.clone().addScaledVector(from.clone().normalize(), radius / half);
@@ -207,7 +213,7 @@ export class View3D {
     this.invalidate();
   }
 
-  /** Once per frame of the browser. */
+  /** Updates the view; must be called once per frame of the browser. */
   frame(now: number): void {
     if (!this.renderer || !this.visible) return;
     if (this.flight) {

@@ -1,4 +1,4 @@
-// A browser without a screen that opens pages from disk, and what it complained about.
+// Headless browser that opens pages from disk and collects its error messages.
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
 import { chromium } from 'playwright-core';
@@ -20,7 +20,7 @@ export const launch = () =>
     args: flags,
   });
 
-/** Opens a page from disk; `errors` collects what reaches the console, `requests` what is fetched. */
+/** Opens a page from disk; `errors` collects console errors, `requests` the fetched addresses. */
 export async function open(browser, file, options = {}) {
   const { script, ...contextOptions } = options;
   const context = await browser.newContext({
@@ -29,7 +29,7 @@ export async function open(browser, file, options = {}) {
     ...contextOptions,
   });
   const page = await context.newPage();
-  page.setDefaultTimeout(120_000); // a machine that is busy with other things is no failure
+  page.setDefaultTimeout(120_000); // ms; long, so that a busy machine does not fail a test
   if (script) await page.addInitScript(script);
   const errors = [];
   const requests = [];
@@ -45,7 +45,7 @@ export async function open(browser, file, options = {}) {
 export const ready = (page) =>
   page.waitForFunction(() => window.burnish?.ready === true, null, { timeout: 60_000 });
 
-/** Waits until the 3D view has been drawn after this. */
+/** Waits until the 3D view is drawn once more. */
 export async function drawn(page) {
   await page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),

@@ -1,6 +1,6 @@
 // node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html] [CURVED.html] [PLAN.html]
-// Opens pages from disk in a browser without a screen and uses them as a person would.
-// A page of a robot (burnish show ROBOT --html) is recognised and checked for what it has.
+// Opens pages from disk in a headless browser and operates them by mouse and keyboard.
+// Checks pages of runs and pages of robots (burnish show ROBOT --html).
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -17,16 +17,16 @@ if (!pageFile) {
 }
 
 let failures = 0;
-function check(what, good, detail = '') {
+function check(name, good, detail = '') {
   if (!good) failures += 1;
-  console.log(`${good ? 'ok    ' : 'FAILED'} ${what}${detail ? `: ${detail}` : ''}`);
+  console.log(`${good ? 'ok    ' : 'FAILED'} ${name}${detail ? `: ${detail}` : ''}`);
 }
 const close = (a, b, tolerance) => Math.abs(a - b) <= tolerance;
 const api = (page, body, argument) =>
   page.evaluate(new Function('x', `const b = window.burnish; ${body}`), argument);
 const time = (page) => api(page, 'return b.time');
 
-/** The 3D view alone, without what lies over it. */
+/** Picture of the 3D view, without the elements that cover it. */
 async function picture(page) {
   await drawn(page);
   const style = await page.addStyleTag({ content: '.stage .hud { visibility: hidden }' });
@@ -38,7 +38,7 @@ async function picture(page) {
   return pixels(page.context().browser(), png);
 }
 
-/** How much of a picture is not its background, and how many colours it has. */
+/** Fraction of a picture that is not its background, and its number of colours. */
 function content({ width, height, data }) {
   const colours = new Set();
   let drawnPixels = 0;
@@ -51,13 +51,13 @@ function content({ width, height, data }) {
       if (away) drawnPixels += 1;
     }
   }
-  return { share: drawnPixels / (width * height * 0.5), colours: colours.size };
+  return { fraction: drawnPixels / (width * height * 0.5), colours: colours.size };
 }
 
 async function checkView(page) {
-  const { share, colours } = content(await picture(page));
-  const detail = `${(100 * share).toFixed(0)} % drawn, ${colours} colours`;
-  check('the 3D view is not blank', share > 0.03 && colours > 25, detail);
+  const { fraction, colours } = content(await picture(page));
+  const detail = `${(100 * fraction).toFixed(0)} % drawn, ${colours} colours`;
+  check('the 3D view is not blank', fraction > 0.03 && colours > 25, detail);
 }
 
 async function checkPhone(browser, file) {
@@ -65,7 +65,7 @@ async function checkPhone(browser, file) {
   const { context, page, errors } = await open(browser, file, options);
   await ready(page);
   const width = await page.evaluate(() => document.documentElement.scrollWidth);
-  check('nothing sticks out of a phone', width <= 390, `${width} px wide`);
+  check('the page fits the width of a phone', width <= 390, `${width} px wide`);
   check('no error on a phone', errors.length === 0, errors.join('; '));
   await context.close();
 }
@@ -84,10 +84,10 @@ async function checkDark(browser, file) {
   const { context, page } = await open(browser, file, { colorScheme: 'dark' });
   await ready(page);
   const dark = await brightness(page);
-  check('dark where the system is dark', dark.back < 0.2 && dark.ink > 0.7);
+  check('the page is dark if the system is dark', dark.back < 0.2 && dark.ink > 0.7);
   await page.getByRole('button', { name: 'Light or dark' }).click();
   const light = await brightness(page);
-  check('the button turns it light', light.back > 0.8 && light.ink < 0.3);
+  check('the button makes the page light', light.back > 0.8 && light.ink < 0.3);
   await context.close();
 }
 
@@ -96,7 +96,7 @@ async function checkLoading(page, errors, requests) {
   const title = await page.title();
   check('the page opens from disk', title.endsWith('burnish'), title);
   const fetched = requests.filter((url) => !/^(data|blob):/.test(url));
-  check('it fetches nothing', fetched.length === 1, fetched.slice(1).join(' '));
+  check('the page fetches nothing', fetched.length === 1, fetched.slice(1).join(' '));
   check('no error on loading', errors.length === 0, errors.join('; '));
 }
 
@@ -107,7 +107,7 @@ async function checkTime(page) {
   const after = await api(page, 'b.pause(); return { count: b.renderCount, time: b.time }');
   check('playing moves time and draws', after.count > before, `1 s to ${after.time.toFixed(2)} s`);
   await drawn(page);
-  check('a pause stops it', (await time(page)) === after.time);
+  check('a pause stops the time', (await time(page)) === after.time);
 
   const bar = await page.getByRole('slider', { name: 'Time' }).boundingBox();
   const duration = Number(
@@ -160,7 +160,7 @@ async function checkZoom(page) {
   const names = await api(page, 'return b.plots');
   const wanted = ['force', 'path', 'tau', 'q', 'v', 'contact'];
   const missing = wanted.filter((name) => !names.includes(name));
-  check('the plots are there', missing.length === 0, names.join(' '));
+  check('the page has the expected plots', missing.length === 0, names.join(' '));
   const before = await plotPicture(page, 'v');
   const over = page.locator('[data-plot=force] .u-over');
   await over.scrollIntoViewIfNeeded();
@@ -195,7 +195,7 @@ function readTrace(file) {
   return { rows, at: (row, name) => row[index.get(name)], has: (name) => index.has(name) };
 }
 
-/** The page's values at its own rows, against the rows of the trace at the same times. */
+/** Compares the values of the page with the rows of the trace at the same times. */
 async function checkValues(page, file) {
   const trace = readTrace(file);
   const { times, normal, moving } = await page.evaluate(() => {
@@ -234,20 +234,20 @@ async function checkValues(page, file) {
       worst.joint = Math.max(worst.joint, Math.abs(shown.q[i] - trace.at(row, `q_${joint}`)));
     });
   }
-  check('the rows are of the trace', worst.time < 1e-5, `${worst.time} s apart at most`);
+  check('the times match the trace', worst.time < 1e-5, `${worst.time} s apart at most`);
   check(
-    'normal force as in the trace',
+    'the normal force matches the trace',
     worst.force < 1e-5,
     `error ${worst.force.toExponential(1)}`,
   );
   check(
-    'joint positions as in the trace',
+    'the joint positions match the trace',
     worst.joint < 1e-5,
     `${worst.joint.toExponential(1)} rad`,
   );
 }
 
-/** The tool of the robot that is drawn, against the recorded position of the tool. */
+/** Compares the tool position of the drawn robot with the recorded position. */
 async function checkKinematics(page) {
   let worst = 0;
   for (const t of [0, 0.7, 1.9, 3.1]) {
@@ -260,7 +260,7 @@ async function checkKinematics(page) {
     worst = Math.max(worst, Math.hypot(...drawnAt.map((v, i) => v - at[i])));
   }
   check(
-    'the drawn robot holds the tool where it was',
+    'the drawn tool is at its recorded position',
     worst < 1e-4,
     `${(1e3 * worst).toFixed(3)} mm`,
   );
@@ -289,7 +289,7 @@ async function checkRobot(page) {
   check('a slider moves the robot', differing(before, moved) > 0.002);
   await page.getByRole('button', { name: 'Reset' }).click();
   const back = await picture(page);
-  check('reset moves it back', differing(before, back) < 0.002);
+  check('reset moves the robot back', differing(before, back) < 0.002);
   await page.getByLabel('Inertias').click();
   await page.getByLabel('Joint frames').click();
   check('inertias and frames show', differing(back, await picture(page)) > 0.002);
@@ -302,7 +302,7 @@ async function checkComparison(browser, file) {
   const runs = await api(page, 'return b.runs');
   check('there are several runs', runs >= 2, String(runs));
   const curves = await page.locator('[data-plot=force] .legend .key').count();
-  check('their forces share a plot', curves >= runs, `${curves} curves`);
+  check('their forces are in one plot', curves >= runs, `${curves} curves`);
   await api(page, 'b.setTime(3)');
   const values = await api(page, `return [0, 1].map((run) => b.value('force_normal', run))`);
   check('each run has its own values', values.every(Number.isFinite) && values[0] !== values[1]);
@@ -320,7 +320,7 @@ async function checkComparison(browser, file) {
   await context.close();
 }
 
-/** A surface that bends is drawn, and so are the two normals: without them the picture is another. */
+/** Checks that a curved surface and two normals are drawn: hiding them changes the picture. */
 async function checkCurved(browser, file) {
   console.log(file);
   const { context, page, errors } = await open(browser, file);
@@ -339,7 +339,7 @@ async function checkCurved(browser, file) {
   await context.close();
 }
 
-/** A motion that was planned: it moves, its paths are drawn, its limits have plots, no contact is told. */
+/** Checks a planned motion: it moves, has paths and plots of constraints, and shows no contact. */
 async function checkPlan(browser, file) {
   console.log(file);
   const { context, page, errors, requests } = await open(browser, file);
@@ -350,9 +350,9 @@ async function checkPlan(browser, file) {
     (name) => !names.includes(name),
   );
   check('limits and multipliers have plots', missing.length === 0, missing.join(' '));
-  check('nothing is told of a contact', (await page.locator('.contact-key').count()) === 0);
+  check('no contact is shown', (await page.locator('.contact-key').count()) === 0);
   check(
-    'it says that it converged',
+    'the badge says that the plan converged',
     (await page.locator('.badge').textContent()).endsWith('converged'),
   );
   const first = await picture(page);
@@ -367,7 +367,7 @@ async function checkPlan(browser, file) {
   await checkPhone(browser, file);
 }
 
-/** A robot that stands: its feet, its balance and a push are drawn, and have their plots. */
+/** Checks a standing robot: its feet, its balance and a push are drawn, and have plots. */
 async function checkStanding(browser) {
   const folder = mkdtempSync(join(tmpdir(), 'burnish-page-'));
   const file = join(folder, 'standing.html');
@@ -378,21 +378,21 @@ async function checkStanding(browser) {
   const names = await api(page, 'return b.plots');
   const wanted = ['foot_load', 'foot_friction', 'foot_pressure', 'com', 'momentum'];
   const missing = [...wanted, 'angular_momentum'].filter((name) => !names.includes(name));
-  check('its plots are there', missing.length === 0, missing.join(' '));
+  check('the page has the plots of a standing robot', missing.length === 0, missing.join(' '));
   const feet = await page.locator('[data-plot=foot_load] .legend .key').count();
   check('each foot has a curve', feet === 2, `${feet} curves`);
   await api(page, 'b.setTime(0.2)');
   const whole = await picture(page);
-  for (const [key, what] of [
+  for (const [key, layer] of [
     ['g', 'feet and their forces'],
     ['b', 'balance'],
   ]) {
     await page.keyboard.press(key);
     const changed = differing(whole, await picture(page));
-    check(`${what} are drawn`, changed > 1e-5, `${(100 * changed).toFixed(3)} %`);
+    check(`${layer} are drawn`, changed > 1e-5, `${(100 * changed).toFixed(3)} %`);
     await page.keyboard.press(key);
   }
-  check('both come back', differing(whole, await picture(page)) < 1e-4);
+  check('feet and balance are drawn again', differing(whole, await picture(page)) < 1e-4);
   await api(page, 'b.setTime(0.7)');
   const pushed = await picture(page);
   await page.locator('.layers summary').click();
@@ -400,7 +400,7 @@ async function checkStanding(browser) {
   await page.locator('.layers summary').click();
   const push = differing(pushed, await picture(page));
   check('a push is drawn while it acts', push > 1e-5, `${(100 * push).toFixed(3)} %`);
-  check('no error on a page of a robot that stands', errors.length === 0, errors.join('; '));
+  check('no error on a page of a standing robot', errors.length === 0, errors.join('; '));
   await context.close();
   rmSync(folder, { recursive: true });
 }
@@ -419,7 +419,7 @@ async function checkPage(browser) {
     if (traceFile) await checkValues(page, traceFile);
     await checkHeader(page);
   }
-  check('no error while it is used', errors.length === 0, errors.join('; '));
+  check('no error while the page is used', errors.length === 0, errors.join('; '));
   const runs = await api(page, 'return b.runs');
   await context.close();
   if (runs === 1) await checkStanding(browser);

@@ -1,4 +1,4 @@
-// Pixels of a PNG, decoded by the browser, and how far two pictures differ.
+// Pixels of a PNG, decoded by the browser, and the difference between two pictures.
 
 export async function pixels(browser, png) {
   const page = await browser.newPage();
@@ -26,7 +26,7 @@ export async function pixels(browser, png) {
   }
 }
 
-/** Share of the pixels whose colours differ clearly. */
+/** Fraction of the pixels whose colours differ clearly. */
 export function differing(a, b) {
   if (a.width !== b.width || a.height !== b.height) return 1;
   let count = 0;

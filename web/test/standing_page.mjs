@@ -1,12 +1,12 @@
-// A page whose robot stands on two of its frames, made of that of a robot that is fixed: to stand takes
-// a long simulation, and to see what a page makes of it does not.
+// Makes the page of a standing robot from the page of a robot with a fixed base. The result replaces
+// a long simulation of a standing robot.
 
 const packed = (values) => ({
   n: values.length,
   f32: Buffer.from(new Float32Array(values).buffer).toString('base64'),
 });
 
-/** The text of the page with feet, a push and what goes with them in its first run. */
+/** Adds feet, a push and their columns to the first run of a page; returns the text of the page. */
 export function withFeet(html) {
   const place = /(id="burnish-data">)(.*?)(<\/script>)/s;
   const data = JSON.parse(place.exec(html)[2]);

@@ -1,4 +1,4 @@
-// Kinematics and decoding, in node: the sources are bundled on the fly.
+// Tests of kinematics, decoding and supports, in node; the sources are bundled when the tests start.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { build } from 'vite';
@@ -28,8 +28,8 @@ function body(parent, kind, q_index, placement) {
   return { parent, placement, joint: { name: `${kind}_${q_index}`, kind, q_index, nq } };
 }
 
-test('a chain of joints ends where its angles say', () => {
-  // A revolute joint about z at 1 m, then one about the first's x, then a slide along its z.
+test('forward kinematics of a chain of joints gives the expected placements', () => {
+  // A revolute joint about z at 1 m, one about the x axis of the first, and a prismatic joint along z.
   const robot = {
     nq: 3,
     bodies: [
@@ -54,17 +54,17 @@ test('joints with more than one number follow their conventions', () => {
   near(at('ball', [0, 2, 0, 2]), [0, 0, 0, 0, half, 0, half]);
 });
 
-test('followers are where their leaders put them', () => {
-  const own = (parent, kind, q_index, follows) => {
+test('mimic joints follow their leaders', () => {
+  const joint = (parent, kind, q_index, follows) => {
     const made = body(parent, kind, q_index, [0, 0, 0, 0, 0, 0, 1]);
     return { ...made, joint: { ...made.joint, nq: follows ? 0 : made.joint.nq, follows } };
   };
   const bodies = [
-    own(-1, 'revolute', 2, { leader: 2, multiplier: -2, offset: 0.1 }), // of one that comes later
-    own(-1, 'continuous', 0, null),
-    own(-1, 'prismatic', 2, null),
-    own(-1, 'continuous', 0, { leader: 1, multiplier: 2, offset: Math.PI / 2 }),
-    own(-1, 'prismatic', 2, { leader: 2, multiplier: 0.5, offset: 1 }),
+    joint(-1, 'revolute', 2, { leader: 2, multiplier: -2, offset: 0.1 }), // its leader comes later
+    joint(-1, 'continuous', 0, null),
+    joint(-1, 'prismatic', 2, null),
+    joint(-1, 'continuous', 0, { leader: 1, multiplier: 2, offset: Math.PI / 2 }),
+    joint(-1, 'prismatic', 2, { leader: 2, multiplier: 0.5, offset: 1 }),
   ];
   const placed = kinematics.forward({ nq: 3, bodies }, [0, 1, 0.3]);
   near(placed[0], [0, 0, 0, 0, 0, Math.sin(-0.25), Math.cos(-0.25)]);
@@ -72,19 +72,19 @@ test('followers are where their leaders put them', () => {
   near(placed[4], [0, 0, 1.15, 0, 0, 0, 1]);
 });
 
-test('composition of placements turns, then moves', () => {
+test('composition of placements rotates, then translates', () => {
   const a = [1, 0, 0, 0, 0, half, half];
   near(kinematics.compose(a, [1, 0, 0, 0, 0, 0, 1]), [1, 1, 0, 0, 0, half, half]);
   near(kinematics.rotate(a, [0, 1, 0]), [-1, 0, 0]);
 });
 
-test('between two quaternions of opposite sign there is no turn', () => {
+test('interpolation between two quaternions of opposite sign does not rotate', () => {
   const robot = { nq: 7, bodies: [body(-1, 'free_flyer', 0, [0, 0, 0, 0, 0, 0, 1])] };
   const q = kinematics.interpolate(robot, [0, 0, 0, 0, 0, 0, 1], [2, 0, 0, 0, 0, 0, -1], 0.5);
   near([...q], [1, 0, 0, 0, 0, 0, 1]);
 });
 
-test('principal moments are those of the matrix, and the ellipsoid has them', () => {
+test('principal moments diagonalize the inertia, and the ellipsoid has the same moments', () => {
   const inertia = [0.4, 0.5, 0.6, 0.05, -0.02, 0.03];
   const { moments, axes } = kinematics.principal(inertia);
   const full = [
@@ -111,14 +111,14 @@ const pack = (values) => ({
   f32: Buffer.from(new Float32Array(values).buffer).toString('base64'),
 });
 
-test('packed arrays come out as they went in, gaps included', () => {
+test('packed arrays are decoded without change, gaps included', () => {
   const out = data.unpackF32(pack([1.5, -2, NaN, 3e7]));
   assert.deepEqual([...out], [1.5, -2, NaN, 3e7]);
   const words = Buffer.from(new Uint32Array([7, 4294967295]).buffer).toString('base64');
   assert.deepEqual([...data.unpackU32({ n: 2, u32: words })], [7, 4294967295]);
 });
 
-test('a page is decoded, and one of another format refused', () => {
+test('a page is decoded; a page of another format is rejected', () => {
   const run = {
     name: 'a',
     robot: { nq: 1, bodies: [], moving: ['j'] },
@@ -142,10 +142,13 @@ test('a page is decoded, and one of another format refused', () => {
     ['solver.p99', 'solver.mean_iterations', 'force_rmse'],
   );
   assert.equal(data.decodePage('null'), null);
-  assert.throws(() => data.decodePage('{"format":"other/2"}'), /other\/2; wanted burnish-page\/1/);
+  assert.throws(
+    () => data.decodePage('{"format":"other/2"}'),
+    /'other\/2'; wanted 'burnish-page\/1'/,
+  );
 });
 
-test('rows are found by time, before and nearest', () => {
+test('rows are found by time: the row before, and the nearest row', () => {
   const times = [0, 1, 2, 3];
   assert.deepEqual(
     [-1, 0, 0.9, 1, 2.6, 9].map((t) => data.rowBefore(times, t)),
@@ -157,7 +160,7 @@ test('rows are found by time, before and nearest', () => {
   );
 });
 
-test('a grid has two triangles between each four neighbours, all turned alike', () => {
+test('a grid has two triangles per cell, all with the same orientation', () => {
   const triangles = data.gridTriangles(3);
   assert.equal(triangles.length, 3 * 2 * 4);
   const area = (a, b, c) => {
@@ -166,24 +169,24 @@ test('a grid has two triangles between each four neighbours, all turned alike', 
   };
   let whole = 0;
   for (let i = 0; i < triangles.length; i += 3) {
-    const part = area(...triangles.slice(i, i + 3));
-    assert.equal(part, 0.5);
-    whole += part;
+    const cell = area(...triangles.slice(i, i + 3));
+    assert.equal(cell, 0.5);
+    whole += cell;
   }
   assert.equal(whole, 4);
 });
 
-test('normals are those of the axes unless they have columns', () => {
+test('normals come from their columns, or else from the axes', () => {
   const axes = [1, 0, 0, 0, 1, 0, 0, 0, 1];
   const columns = new Map(
     ['x', 'y', 'z'].map((axis, k) => [
-      `believed_normal_${axis}`,
+      `estimated_normal_${axis}`,
       { data: [0, 0.6 * (k === 0) + 0.8 * (k === 2)] },
     ]),
   );
   const run = { surface: { axes, true_axes: [0, 1, 0, 0, 0, 1, 1, 0, 0] }, columns };
   near(data.normalAt(run, 'surface', 1), [1, 0, 0]);
-  near(data.normalAt(run, 'believed', 1), [0.6, 0, 0.8]);
+  near(data.normalAt(run, 'estimated', 1), [0.6, 0, 0.8]);
 });
 
 const foot = { frame: 'foot', half_x: 0.1, half_y: 0.05, radius: 0.02, friction: 0.7 };
@@ -197,7 +200,7 @@ const wrench = (values) =>
   );
 
 test('the force of a sole acts at its centre of pressure, in the axes of the world', () => {
-  // Turned a quarter about the vertical: the sole's x is the world's y.
+  // The foot is rotated by 90 degrees about the vertical: its x axis is the y axis of the world.
   const placed = [1, 2, 0.3, 0, 0, half, half];
   const run = { columns: wrench([10, 0, 100, -2, -5, 0.1]) };
   const load = supports.footLoad(run, level, placed, 0);
@@ -207,7 +210,7 @@ test('the force of a sole acts at its centre of pressure, in the axes of the wor
   near(supports.corners(level, placed)[2], [1 - 0.05, 2 + 0.1, 0.3]);
 });
 
-test('a ball is pressed where it is the lowest', () => {
+test('the force on a point foot acts at its lowest point', () => {
   const ball = { ...level, half_x: 0, half_y: 0, normal: [0, 0.6, 0.8] };
   const placed = [1, 2, 0.3, 0, 0, 0, 1];
   const load = supports.footLoad({ columns: wrench([0, 6, 8, 0, 0, 0]) }, ball, placed, 0);
@@ -217,7 +220,7 @@ test('a ball is pressed where it is the lowest', () => {
   assert.ok(!supports.isLevel(ball) && supports.isLevel(level));
 });
 
-test('a run of before has no loads, and stands at the height of the floor', () => {
+test('a run of an older version has no loads, and its ground is at height 0', () => {
   const load = supports.footLoad({ columns: new Map() }, level, [0, 0, 0, 0, 0, 0, 1], 0);
   assert.ok(Number.isNaN(load.normal));
   assert.equal(supports.pressureOfAll([load]), null);
@@ -225,7 +228,7 @@ test('a run of before has no loads, and stands at the height of the floor', () =
   assert.equal(supports.groundHeight({ supports: [level] }), 0.3);
 });
 
-test('the pressure of all feet is weighed by what they bear', () => {
+test('the centre of pressure of all feet is weighted by their loads', () => {
   const loads = [
     { normal: 300, point: [0, 0.1, 0] },
     { normal: 100, point: [0.2, -0.1, 0] },
@@ -254,7 +257,7 @@ test('a hull goes around the outermost points, counterclockwise', () => {
   assert.equal(supports.hull([]).length, 0);
 });
 
-test('a push acts from its start on, and not at its end', () => {
+test('a push acts at its start, and no longer at its end', () => {
   const push = { frame: 'foot', start: 1, duration: 0.5, force: [0, 9, 0] };
   assert.deepEqual(
     [0.9, 1, 1.4, 1.5].map((t) => supports.pushesAt([push], t).length),
@@ -262,23 +265,26 @@ test('a push acts from its start on, and not at its end', () => {
   );
 });
 
-test('ten centimetres of arrow are a round part of the weight', () => {
-  const of = (total_mass) =>
+test('the force per 10 cm of arrow is a round fraction of the weight', () => {
+  const scaleOf = (total_mass) =>
     supports.weightScale({ robot: { total_mass, gravity: [0, 0, -9.81] } });
-  assert.deepEqual([90, 30, 12, 0].map(of), [200, 50, 20, 100]);
+  assert.deepEqual([90, 30, 12, 0].map(scaleOf), [200, 50, 20, 100]);
 });
 
-test('what has feet may stand and press nothing', () => {
+test('a robot with feet presses only with a force target or a contact', () => {
   const run = (supports, force) => ({
     supports,
     columns: new Map([['force_target', { unit: 'N', data: Float32Array.of(0, force) }]]),
   });
-  assert.ok(data.presses(run(undefined, 0)), 'an arm does, even if it did not come to it');
+  assert.ok(
+    data.presses(run(undefined, 0)),
+    'an arm presses, even if the run ended before contact',
+  );
   assert.ok(data.presses(run([{}], 30)));
   assert.ok(!data.presses(run([{}], 0)));
 });
 
-test('a planned motion presses nothing, whatever its columns say', () => {
+test('a planned motion presses nothing, even with a column of contact', () => {
   const columns = new Map([['in_contact', { data: new Float32Array([0, 1]) }]]);
   assert.equal(data.presses({ columns }), true);
   assert.equal(data.presses({ columns, plan: { frames: [], forces: [], limits: [] } }), false);

@@ -1,4 +1,4 @@
-// Errors for bad input: one sentence that names the object, the value found and the value required.
+// Error for bad input. Its messages name the object, the value found and the value required.
 #pragma once
 
 #include <memory>
@@ -10,21 +10,20 @@
 namespace burnish {
 
 /// Exception for a specification, a file or an argument that cannot be used. It is thrown during
-/// setup only. Functions that run inside a control tick return a Status instead.
+/// setup only. Functions for use inside a control loop return a Status instead.
 ///
-/// Each sentence of the message is one line of valid UTF-8, even if the sentence quotes a file.
-/// Control characters are replaced by blanks, and invalid bytes by question marks. Text beyond 4000
+/// Each sentence of the message is one line of valid UTF-8. In text that is quoted from a file,
+/// blanks replace control characters, and question marks replace invalid bytes. Text beyond 4000
 /// bytes is cut off.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& sentence);
-  /// Creates an Error that lists all problems of one object, at most 50. what() is "origin:
-  /// problem" for one problem and "origin: 3 problems: (1) problem (2) ..." for several. If
-  /// `origin` is empty, what() begins without "origin: ".
+  /// Creates an Error that lists problems of one object, at most 50. For one problem, what() is
+  /// "origin: problem". For several, what() is "origin: 3 problems: (1) problem (2) ...". If
+  /// `origin` is empty, "origin: " is left out.
   Error(const std::string& origin, const std::vector<std::string>& problems);
 
-  /// Returns one sentence per problem, to print one per line. For a single problem, the sentence is
-  /// what().
+  /// Returns the problems, one sentence each. If there is only one sentence, it equals what().
   const std::vector<std::string>& sentences() const noexcept { return *sentences_; }
 
  private:
@@ -36,8 +35,9 @@ class Error : public std::runtime_error {
 /// if no entry is within 1 + name.size() / 3 edits, or if `name` is longer than 200 bytes.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// Returns "; did you mean 'x'?", where x is the result of nearest_name(). Returns an empty string
-/// if that result is empty.
+/// Returns "; did you mean 'x'?" if nearest_name() finds a similar name x, else an empty string. If
+/// `name` was renamed after version 0.3 and the new name x is in `known`, returns "; 'name' is now
+/// called 'x'" instead.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace burnish

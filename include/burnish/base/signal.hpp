@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// A vector that is constant or a function of time. By default, a Signal is empty. Each use of a
-/// Signal documents what an empty Signal means.
+/// A vector that is constant or a function of time. By default, a Signal is empty. Functions and
+/// members that use a Signal document the meaning of an empty one.
 class Signal {
  public:
   using Function = std::function<void(double time, Eigen::Ref<Eigen::VectorXd> out)>;
@@ -22,17 +22,17 @@ class Signal {
   requires std::is_base_of_v<Eigen::MatrixBase<Vector>, Vector> Signal(const Vector& value) {
     hold(value);
   }
-  /// Returns a signal that is a function of time. `function` writes `size` entries for a time [s].
-  /// `function` is called when a knot of an optimal control problem is set to a time. If knots are
-  /// set in a control tick, `function` should not allocate memory. Throws Error if `size` is below
-  /// 1 or `function` is empty.
+  /// Returns a signal that is a function of time. `function` receives a time [s] and writes `size`
+  /// entries. An optimal control problem calls `function` each time that it sets the time of a
+  /// knot. If this happens in a control loop, `function` should not allocate memory. Throws Error
+  /// if `size` is below 1 or `function` is empty.
   static Signal over_time(int size, Function function);
 
   bool empty() const { return constant_.size() == 0 && !function_; }
   bool is_constant() const { return !function_; }
   int size() const { return function_ ? size_ : static_cast<int>(constant_.size()); }
-  /// Returns the function that was passed to over_time(). Returns an empty function if the signal
-  /// is constant.
+  /// Returns the function that was passed to over_time(), or an empty function for a constant
+  /// signal.
   const Function& function() const { return function_; }
   /// Writes the value at `time` [s] to `out`, which must have size() entries.
   void at(double time, Eigen::Ref<Eigen::VectorXd> out) const;

@@ -27,8 +27,8 @@ class Trace {
 
   Trace() = default;
   /// Creates an empty table with room for `capacity` rows. Throws Error if the capacity is
-  /// negative, or if the name of a column is empty, used twice, or contains a comma, a quote, a
-  /// bracket or a line break.
+  /// negative. Also throws Error if the name of a column is empty or used twice, or if it contains
+  /// a comma, a quote, a bracket or a line break.
   Trace(std::vector<TraceColumn> columns, int capacity);
 
   const std::vector<TraceColumn>& columns() const { return columns_; }
@@ -36,13 +36,13 @@ class Trace {
   int capacity() const { return capacity_; }
   long dropped() const { return dropped_; }
 
-  /// Returns the index of a column. Throws Error with the nearest known name if there is no
-  /// such column.
+  /// Returns the index of a column. Throws Error with the nearest known name if no column has this
+  /// name.
   int index(std::string_view name) const;
   bool has(std::string_view name) const;
 
-  /// Appends a row of zeros and returns a pointer to the row, one entry per column. Returns nullptr
-  /// if the table is full.
+  /// Appends a row of zeros. Returns a pointer to the first entry of the row, which has one entry
+  /// per column. Returns nullptr if the table is full.
   double* add_row() noexcept;
   void clear() noexcept;
 
@@ -51,8 +51,9 @@ class Trace {
   Column column(int index) const;
   Column column(std::string_view name) const { return column(index(name)); }
 
-  /// Writes CSV text: a header line `name [unit],...`, then one line per row. Numbers read back
-  /// exactly and have a decimal point in every locale. A NaN is written as an empty cell.
+  /// Writes CSV text: a header line `name [unit],...`, then one line per row. The text determines
+  /// each number exactly. The decimal separator is a point in every locale. A NaN is written as an
+  /// empty cell.
   void write_csv(std::ostream& out) const;
   /// Writes the CSV text to a file. Throws Error if the file cannot be written.
   void write_csv(const std::filesystem::path& file) const;

@@ -3,10 +3,10 @@
 
 #include <Eigen/Core>
 
-// Eigen types are passed across the library's boundary, so all targets must use the same alignment
-// and allocator for them. By default, both depend on -march. Memory from malloc must not be freed
-// by Eigen's aligned allocator, and memory from Eigen's aligned allocator must not be freed by
-// free().
+// The library and its users exchange Eigen objects. Both must be compiled with the same alignment
+// and the same allocator for Eigen. By default, these two settings depend on -march. With different
+// settings, memory from malloc could be freed by Eigen's aligned allocator, or the reverse, which
+// is an error.
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16 &&
                   EIGEN_MALLOC_ALREADY_ALIGNED == 0,
               "burnish is built with EIGEN_MAX_ALIGN_BYTES=16, EIGEN_MAX_STATIC_ALIGN_BYTES=16 and "

@@ -1,4 +1,5 @@
-// Contact as a user specifies it: a tool frame that is constrained relative to a base frame.
+// Contact as a user specifies it: a tool frame and a base frame whose relative motion is
+// constrained.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -45,7 +46,8 @@ PoseError parse_pose_error(const std::string& name);
 
 /// Smoothed Coulomb friction on a sliding tool. The friction force on the tool is -coefficient
 /// lambda v_t / sqrt(|v_t|^2 + speed^2). Here lambda is the normal force, and v_t is the tangential
-/// velocity of the tool relative to the base, at the point where friction acts.
+/// velocity of the tool relative to the base. The velocity is taken at the point where friction
+/// acts.
 /// @described contact
 /// The contact must constrain exactly one direction of translation: the normal. Impacts ignore
 /// friction.
@@ -55,7 +57,7 @@ struct SlidingFriction {
   double coefficient = 0.3;
   /// Speed below which friction fades out (none: chosen from a problem's time steps) [m/s], > 0
   /// @word none @more The fade-out makes friction differentiable at rest. The speed chosen from the
-  /// time steps is at least 0.01 m/s. Outside a problem, none stands for 0.01 m/s.
+  /// time steps is at least 0.01 m/s. For a contact without a problem, none means 0.01 m/s.
   std::optional<double> speed = {};
   /// Radius of a round tool tip [m], >= 0 @more Friction acts at the tool's origin shifted by this
   /// distance, opposite to the normal.
@@ -66,16 +68,16 @@ struct SlidingFriction {
 };
 
 /// Contact that constrains a tool frame relative to a base frame in some directions: alpha + kd nu
-/// + kp e = 0. The symbols e, nu and alpha are the pose error, velocity and acceleration of the
-/// tool relative to the base. They are written in the axes of the reference.
+/// + kp e = 0. Here e, nu and alpha are the pose error, velocity and acceleration of the tool
+/// relative to the base, written in the axes of the reference.
 /// @described contact
 struct ContactSpec {
   std::string name = {};       ///< Unique name (empty: the name of the tool frame)
   std::string tool = {};       ///< Name of the tool frame C2
   std::string base = "world";  ///< Name of the base frame C1; "world" always exists
   Reference reference = Reference::centered();
-  /// Constrained directions: "all", "linear", "angular", "pad_x", "pad_y", "pad_z" (a flat
-  /// pad with its normal along that axis), or a list ("z,rx,ry")
+  /// Constrained directions: "all", "linear", "angular", "pad_x", "pad_y", "pad_z" (a flat pad with
+  /// normal x, y or z), or a list ("z,rx,ry")
   Directions directions = Directions::all();
   Acceleration acceleration = Acceleration::TimeDerivative;
   PoseError error = PoseError::Split;
@@ -84,7 +86,8 @@ struct ContactSpec {
   Vector6 kp = Vector6::Zero();
   Vector6 kd = Vector6::Zero();  ///< Gains on the velocity, one per direction [1/s]
 
-  /// Desired pose of the tool frame C2 in the base frame C1 @more The pose error is zero there.
+  /// Desired pose of the tool frame C2 in the base frame C1 @more At this pose, the pose error is
+  /// zero.
   Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
   std::optional<SlidingFriction> friction = {};  ///< Friction on the tool (none: frictionless)
 

@@ -12,8 +12,8 @@ namespace burnish {
 
 /// Tolerance for the linear independence of contact rows (rows of the contact Jacobian). A row is
 /// independent if more than this fraction of it is orthogonal to all rows before it. The fraction
-/// is relative to the largest motion along the row that the joints could produce at any posture.
-/// The tolerance exceeds the rounding of robot files: angles with six decimals have errors of 5e-7.
+/// refers to the largest motion along the row that the joints could produce at any posture. The
+/// tolerance exceeds the rounding of robot files: angles with six decimals have errors of 5e-7.
 inline constexpr double independence_tolerance = 1e-6;
 
 /// Options for computing contact forces from the KKT system: compliance and proximal iterations.
@@ -25,11 +25,12 @@ struct ContactSolver {
   /// block of the KKT matrix is -mu times the identity.
   double mu = 0.0;
   /// Maximum number of proximal iterations (0: none), >= 0 @more Proximal iterations remove the
-  /// effect of the compliance mu on the solution. Each one computes lambda <- G^-1 (rho + mu
+  /// effect of the compliance mu on the solution. Each iteration computes lambda <- G^-1 (rho + mu
   /// lambda), where G lambda = rho is the compliant system.
   int max_proximal_iterations = 0;
-  /// Contact acceleration error at which proximal iterations stop [m/s^2], >= 0 @more They stop
-  /// once |mu (lambda - previous lambda)| is at most this number in every row.
+  /// Contact acceleration error at which proximal iterations stop [m/s^2], >= 0 @more The error of
+  /// a row is |mu (lambda - previous lambda)|. Proximal iterations stop once the errors of all rows
+  /// are at most this tolerance.
   double proximal_tolerance = 1e-9;
 
   /// Throws Error if an option is negative or not finite. The message names the option.
@@ -43,8 +44,8 @@ struct CompiledContact;
 /// and computing time with its cube.
 inline constexpr std::size_t max_contacts = 100;
 
-/// Immutable set of contacts, compiled for one model. Contacts keep the order in which they were
-/// given. If all are active, their rows are stacked in this order.
+/// Immutable set of contacts, compiled for one model. The order of contacts is the order in
+/// `specs`. The rows of all active contacts are stacked in this order.
 class ContactSet {
  public:
   ContactSet();  ///< Set without contacts

@@ -105,7 +105,7 @@ struct LoopProjection {
   Status status = Status::Ok;  ///< NotConverged if a loop is still open
 
   /// Returns a sentence about the loop with the largest error, such as "loop 'four_bar' cannot be
-  /// closed from there: 12 mm are left". Returns an empty text if all loops are closed.
+  /// closed from the given posture: 12 mm remain". Returns an empty text if all loops are closed.
   std::string explanation() const;
 };
 
@@ -117,8 +117,8 @@ struct LoopProjection {
 /// with the smallest dq^T W dq.
 ///
 /// If the steps no longer reduce the error, for example at a dead point, the search restarts from
-/// another posture near q. These postures are the same in every call. Throws Error for an invalid
-/// q, options out of range, and unknown joints in `options.keep`.
+/// another posture near q. The postures for restarts are the same in every call. Throws Error for
+/// an invalid q, options out of range, and unknown joints in `options.keep`.
 LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                                   const LoopProjectionOptions& options = {});
 
@@ -126,8 +126,7 @@ LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eig
 /// invalid q.
 std::vector<LoopMiss> loop_misses(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
-/// Norm that a projection of a velocity onto the loops minimizes. The symbol dv is the change of
-/// velocity.
+/// Norm of the change dv of a velocity. A projection onto the loops minimizes this norm.
 /// @described contact
 enum class LoopMetric {
   Plain,  ///< |dv|^2, with equal weights of rad/s and m/s
@@ -148,11 +147,10 @@ Eigen::VectorXd project_velocity_onto_loops(const Model& model,
 
 /// Returns the configuration of `posture`, corrected so that all loops of the model are closed.
 ///
-/// Joints named in `keep` stay at the posture's values if the other joints can close the loops.
-/// Otherwise all joints may move; rounded values in a posture often make this necessary. The
+/// Joints named in `keep` stay at the values of the posture if the other joints can close the
+/// loops. Otherwise all joints may move. Rounded values in a posture often make this necessary. The
 /// overload without `keep` keeps all joints that the posture names. Throws Error if configuration()
-/// rejects the posture, and if the loops cannot be closed. The message then names the remaining
-/// error.
+/// rejects the posture. Also throws Error, with the remaining error, if the loops cannot be closed.
 Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture);
 Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture,
                                      const std::vector<std::string>& keep);

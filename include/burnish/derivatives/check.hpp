@@ -21,42 +21,45 @@ struct CheckGains {
   PoseError error = PoseError::Split;
 };
 
-/// Returns "tool" if the model has a frame of this name and the frame moves. Otherwise returns the
-/// last frame that is on a body without children and is not part of a loop. Throws Error if there
-/// is no such frame.
+/// Returns "tool" if the model has a moving frame of this name. Otherwise returns the name of the
+/// last frame on a body without child bodies, frames of kinematic loops excluded. Throws Error if
+/// there is no such frame.
 std::string default_tool(const Model& model);
 
-/// Returns the default references of a check: local, centered, a tilted surface, and world.
+/// Returns the contact references that a check covers by default: local, centered, a tilted
+/// surface, and world.
 std::vector<Reference> default_check_references();
-/// Returns the default sets of directions of a check: x; y; z; x and y; linear; pad_z; all but rz;
-/// all.
+/// Returns the sets of constrained directions that a check covers by default: x; y; z; x and y;
+/// linear; pad_z; all but rz; all.
 std::vector<Directions> default_check_directions();
-/// Returns the default gains of a check: no gains; gains with PoseError::Split; gains with
-/// PoseError::Log6. The gains differ between directions.
+/// Returns the contact gains that a check covers by default: no gains; gains with PoseError::Split;
+/// gains with PoseError::Log6. The gains differ between directions.
 std::vector<CheckGains> default_check_gains();
-/// Returns the default surface shapes of a check: one saddle.
+/// Returns the shapes of curved surfaces that a check covers by default: one saddle.
 std::vector<SurfaceShape> default_check_surfaces();
 
-/// Options of check_derivatives(), which checks either a sweep of contacts of one tool or a list of
-/// contacts. The sweep combines each reference and surface with all directions, accelerations and
-/// gains.
+/// Options of check_derivatives(). If `contacts` has entries, only these contacts are checked.
+/// Otherwise a sweep over contacts of one tool is checked. The sweep combines each reference and
+/// each surface with all directions, accelerations and gains.
 struct CheckOptions {
-  /// Name of the tool frame C2. Empty: default_tool().
+  /// Name of the tool frame C2. Empty: the result of default_tool().
   std::string tool;
   /// Name of the base frame C1. The base may be on a moving body.
   std::string base = "world";
   std::vector<Reference> references = default_check_references();
-  /// Shapes of curved surfaces on the base. Each shape adds contacts to the sweep; their axes
-  /// follow the surface. At each state, a surface of this shape is placed at random near the tool:
-  /// at most 2 cm away in each direction if the robot is about 1 m long, and in proportion for
-  /// other robots. The surface is also tilted at random: a vector with entries of at most 0.6 is
-  /// added to the initial unit normal. The contact uses the quadric that osculates the surface.
+  /// Shapes of curved surfaces on the base. For each shape, the sweep has contacts whose axes
+  /// follow a surface of this shape. At each state, the surface is placed at random near the tool.
+  /// For a robot of 1 m, the surface is at most 2 cm away in each direction; the distance grows
+  /// with the size of the robot. The surface is also tilted at random: a vector with entries of at
+  /// most 0.6 is added to the initial unit normal. The contact uses the quadric that osculates the
+  /// surface.
   std::vector<SurfaceShape> surfaces = default_check_surfaces();
   std::vector<Directions> directions = default_check_directions();
   std::vector<Acceleration> accelerations{Acceleration::TimeDerivative};
   std::vector<CheckGains> gains = default_check_gains();
 
-  /// Contacts to check together in one row of the report. Empty: check the sweep.
+  /// Contacts to check together in one row of the report. Empty: the sweep over references,
+  /// surfaces, directions, accelerations and gains is checked.
   std::vector<ContactSpec> contacts;
 
   int states = 20;          ///< Number of random states per row of the report, at least 1
@@ -78,8 +81,8 @@ struct CheckEntry {
   int state = -1;         ///< Index of the random state, from 0
 };
 
-/// Result of the check for one set of contacts, over all random states. If the contacts have
-/// different texts, the texts are joined by " + ".
+/// Result of the check for one set of contacts, over all random states. A text that differs between
+/// the contacts lists all values, joined by " + ".
 /// @described derivatives
 struct CheckRow {
   std::string reference;
@@ -95,8 +98,8 @@ struct CheckRow {
   /// contacts cannot be rigid in the majority of postures. In that case the robot has too few
   /// joints, or rows are redundant.
   double mu = 0.0;
-  /// Largest error, as a fraction of the largest entry of its block @more Infinite if a value is
-  /// NaN. The divisor is at least 1e6 times the rounding error of the finite differences.
+  /// Largest error, as a fraction of the largest entry of the derivative block @more Infinite if a
+  /// value is NaN. The divisor is at least 1e6 times the rounding error of the finite differences.
   double worst_error = 0.0;
   CheckEntry worst;
   bool pass = false;  ///< Whether worst_error <= tolerance
@@ -108,9 +111,9 @@ struct CheckReport {
   std::string robot;
   std::vector<CheckRow> rows;
   double tolerance = 0.0;
-  /// Sentence that names the joints that move no mass (empty: there are none) @more Such joints
-  /// make the mass matrix singular. The check then covers inverse dynamics and contact
-  /// accelerations only.
+  /// Sentence that names the joints that move no mass; empty: all joints move mass @more A joint
+  /// that moves no mass makes the mass matrix singular. The check then covers inverse dynamics and
+  /// contact accelerations only.
   std::string singular_mass = {};
   bool pass = false;  ///< True if all rows pass and the mass matrix is not singular
 
@@ -123,21 +126,21 @@ struct CheckReport {
 ///  - forward_derivatives(): derivatives of a and lambda with respect to q, v and tau,
 ///  - inverse_derivatives(): derivatives of tau with respect to q, v, a and lambda,
 ///  - acceleration_derivatives(): derivatives of alpha with respect to q, v and a.
-/// Differences with respect to q are taken in the tangent space, as central differences at three
-/// steps with Richardson extrapolation. If the three disagree, they are repeated at smaller steps.
-/// The values are quadratic in v and linear in tau, a and lambda. For these variables, one central
-/// difference is exact.
+/// Differences with respect to q are central differences in the tangent space. They are taken at
+/// three step lengths and extrapolated (Richardson). If the three results disagree, smaller steps
+/// follow. The differentiated quantities are quadratic in v and linear in tau, a and lambda. For
+/// these variables, one central difference is exact.
 ///
 /// Every row includes the loops of the robot as contacts.
 ///
-/// The check tolerates differences that the rounding of large sums explains. Such rounding occurs
-/// if large torques cancel, or if values are zero.
+/// Differences that rounding explains are accepted. Rounding is large if large torques cancel each
+/// other, or if values are zero.
 ///
 /// The check skips states
-///  - with nearly singular contacts: the condition number of J M^-1 J^T exceeds 1e5. Rows are
-///    scaled to unit length first; rows that the joints hardly move stay shorter.
-///  - within 0.1 rad of half a turn from the target if a proportional gain acts on rotations. The
-///    logarithm jumps there.
+///  - with nearly singular contacts: the condition number of J M^-1 J^T exceeds 1e5. The rows of J
+///    are scaled to unit length first. Rows that the joints hardly move stay shorter.
+///  - with a rotation error within 0.1 rad of half a turn, if a proportional gain acts on
+///    rotations. The logarithm of the rotation jumps at half a turn.
 ///  - where the surface of a given contact has no normal, or a normal nearly opposite to the
 ///    initial normal of the contact's axes.
 ///

@@ -16,8 +16,8 @@
 
 namespace burnish {
 
-/// Derivatives of a wrench that is written in a reference. Each matrix is 6 x nv, with the force
-/// rows first.
+/// Derivatives of a contact wrench, written in a chosen Reference. Each matrix is 6 x nv, with the
+/// force rows first.
 /// @described derivatives @result
 struct WrenchDerivatives {
   /// Derivative with respect to a right tangent increment of q @more Units are N/rad and Nm/rad for
@@ -30,7 +30,7 @@ struct WrenchDerivatives {
 };
 
 /// Derivatives with respect to the inertia parameters of selected bodies. Each matrix has ten
-/// columns per body. Bodies are in the order of the request, and parameters in the order of
+/// columns per body. Bodies are in the requested order, and parameters are in the order of
 /// inertia_parameter_names.
 struct InertiaDerivatives {
   RowMatrix a;       ///< Derivatives of the joint accelerations, nv rows
@@ -41,19 +41,19 @@ struct InertiaDerivatives {
 /// see docs/frames.md).
 ///
 /// Conventions: M a + b = tau + J^T lambda. Motions and forces have the linear part first. d/dq is
-/// the derivative with respect to a right increment dq with nv entries: q (+) dq. The rows of
-/// lambda, alpha and J belong to the active contacts, in the order of the set. Views are valid
-/// while the object exists and show the result of the last call that filled them.
+/// the derivative with respect to a right increment dq with nv entries: q (+) dq. lambda, alpha and
+/// J have a row per constrained direction of each active contact, in the order of contacts(). Views
+/// are valid while the object exists and show the result of the last call that filled them.
 ///
-/// The functions forward(), inverse() and acceleration() evaluate a state. Each of them fills some
-/// views only. The other views then show outdated results, perhaps of another state and with other
-/// rows. Examples of outdated results are lambda() after acceleration(), tau() and dtau_dq() after
-/// forward(), and derivatives until they are computed again. Functions reject outdated results:
-/// derivative functions return NotEvaluated, wrench_derivatives() throws Error, and forces are
-/// zero. Python rejects all outdated results.
+/// The functions forward(), inverse() and acceleration() evaluate a state, and each fills some of
+/// the views. The other views are then outdated: they may show another state, with other rows. For
+/// example, lambda() is outdated after acceleration(), and tau() and dtau_dq() are outdated after
+/// forward(). Derivatives are outdated until they are computed again. If outdated results are
+/// needed, derivative functions return NotEvaluated, wrench_derivatives() throws Error, and force()
+/// and wrench() return zero. Python rejects all outdated results.
 ///
 /// Evaluations return a Status and throw nothing. WrongSize and NotEvaluated leave all results
-/// unchanged. Any other status above NotConverged sets all results to zero.
+/// unchanged. If a state cannot be evaluated for another reason, all results are set to zero.
 class ContactDynamics {
  public:
   /// Compiles `contacts` for `model`. Throws Error for contacts that ContactSet rejects.
@@ -83,14 +83,14 @@ class ContactDynamics {
   /// Does not allocate. Returns Ok. If `coefficient` is negative or not finite, returns NotFinite
   /// and changes nothing. Throws Error for an unknown index and for a contact without friction.
   Status set_friction(int contact, double coefficient);
-  /// Sets the payload that the robot carries at a frame; later evaluations include the payload. It
-  /// is written in the axes of this frame. It is added to the body's mass distribution in the model
-  /// and replaces any earlier payload of the same body. A mass of 0 removes the payload. Does not
-  /// allocate.
+  /// Sets the payload that the robot carries at a frame; later evaluations include the payload.
+  /// `payload` is written in the axes of the frame. Its mass distribution is added to the body that
+  /// carries the frame, and replaces an earlier payload of the same body. A mass of 0 removes the
+  /// payload. Does not allocate.
   ///
-  /// Returns Ok. If check_inertia() finds the payload NotFinite or NotPhysical, returns this status
-  /// and changes nothing. Throws Error with the nearest known name for an unknown frame or a frame
-  /// fixed to the world.
+  /// Returns Ok. If check_inertia() returns NotFinite or NotPhysical for `payload`, returns this
+  /// status and changes nothing. Throws Error if the frame is fixed to the world, or with the
+  /// nearest known name if it is unknown.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// Returns the names of the active rows, such as "pad/z".
   std::vector<std::string> row_names() const;
@@ -98,23 +98,24 @@ class ContactDynamics {
   /// Computes joint accelerations and contact forces from `q` (nq), `v` (nv) and the joint torques
   /// `tau` (nv) [Nm or N]. Fills a(), lambda(), mass_matrix(), bias() and jacobian().
   Status forward(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau);
-  /// Computes the six derivatives of a and lambda with respect to q, v and tau, at the last
-  /// forward().
+  /// Computes the six derivatives of a and lambda with respect to q, v and tau, at the state of the
+  /// last forward().
   Status forward_derivatives();
 
   /// Computes the joint torques tau = M a + b - J^T lambda from joint accelerations `a` (nv) and
   /// contact forces `lambda` (rows()).
   Status inverse(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& a,
                  const ConstVectorRef& lambda);
-  /// Computes dtau_dq() and dtau_dv() at the last inverse(). The other two derivatives are dtau/da
-  /// = mass_matrix() and dtau/dlambda = -jacobian()^T (Proposition 4 of Kleff et al.).
+  /// Computes dtau_dq() and dtau_dv() at the state of the last inverse(). The other two derivatives
+  /// are dtau/da = mass_matrix() and dtau/dlambda = -jacobian()^T (Proposition 4 of Kleff et al.).
   Status inverse_derivatives();
 
   /// Computes alpha = J a + alpha_0 + kd nu + kp e at the joint accelerations `a` (nv). J a +
-  /// alpha_0 is the contact acceleration; kd nu + kp e is the stabilization.
+  /// alpha_0 is the contact acceleration; kd nu + kp e is the Baumgarte stabilization,
+  /// with the contact velocity nu and the pose error e.
   Status acceleration(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& a);
-  /// Computes dalpha_dq() and dalpha_dv() at the last acceleration(). The derivative dalpha/da is
-  /// jacobian() (Proposition 3 of Kleff et al.).
+  /// Computes dalpha_dq() and dalpha_dv() at the state of the last acceleration(). The derivative
+  /// dalpha/da is jacobian() (Proposition 3 of Kleff et al.).
   Status acceleration_derivatives();
 
   /// Computes columns of the regressor Y of inverse dynamics, at the last forward() or inverse():
@@ -125,8 +126,8 @@ class ContactDynamics {
   Status regressor(std::span<const int> bodies, RowMatrix& out);
   /// Computes the derivatives of a and lambda with respect to the inertia parameters theta of
   /// `bodies`: d(a, lambda)/dtheta = -d(a, lambda)/dtau Y, with the regressor Y. The joint torques
-  /// of the last forward() stay constant. Returns NotEvaluated unless forward_derivatives() was
-  /// called after that forward().
+  /// are constant, as in the last forward(). Returns NotEvaluated unless forward_derivatives() was
+  /// called after the last forward().
   Status inertia_derivatives(std::span<const int> bodies, InertiaDerivatives& out);
 
   VectorView a() const;            ///< Joint accelerations, nv [rad/s^2 or m/s^2]
@@ -152,8 +153,8 @@ class ContactDynamics {
   VectorView contact_velocity() const;
   VectorView contact_error() const;  ///< Pose error e, one entry per active row, at the last state
 
-  /// Returns a sentence about the status of the last evaluation. It names the cause, such as joints
-  /// that move no mass or contact rows that cannot be held. Allocates.
+  /// Returns a sentence about the status of the last evaluation and its cause. Possible causes are
+  /// joints that move no mass, and contact rows that cannot be satisfied independently. Allocates.
   std::string explanation() const;
 
   int proximal_iterations() const;  ///< Number of proximal iterations of the last forward()
@@ -161,16 +162,16 @@ class ContactDynamics {
   /// Contact acceleration error after proximal iterations [m/s^2]
   double proximal_residual() const;
 
-  /// Part of the contact acceleration that no contact force can cancel, per active row, at the last
-  /// forward() [m/s^2 or rad/s^2]. It is not zero if redundant rows contradict each other; only
-  /// proximal iterations detect this. In that case the status is NotConverged, and lambda() is the
-  /// least-squares solution of smallest norm. All derivatives are derivatives of this solution.
+  /// Contact acceleration that no contact force can cancel, one entry per active row, at the last
+  /// forward() [m/s^2 or rad/s^2]. It is not zero if redundant contact rows contradict each other.
+  /// Only proximal iterations detect such rows. The status is then NotConverged, and lambda() is
+  /// the least-squares solution of smallest norm. All derivatives are derivatives of this solution.
   VectorView unmet() const;
 
   /// Returns the force of an active contact, written in the contact's own reference. The force is
   /// the result of the last forward(), or the lambda that was passed to the last inverse(). After
-  /// any other evaluation, the force is zero, and Python rejects the call. Allocates strings; in
-  /// control loops, use wrench().
+  /// any other evaluation, the force is zero, and Python rejects the call. Allocates strings. In
+  /// control loops, use wrench() instead.
   ContactForce force(int contact) const;
   ContactForce force(const std::string& contact) const;
   /// Returns the force of an active contact, written in `reference`. Throws Error with the nearest

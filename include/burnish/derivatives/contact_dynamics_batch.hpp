@@ -13,20 +13,20 @@ namespace burnish {
 /// was built for.
 int pack_width();
 
-/// Evaluates the contact dynamics of a batch of states with the same contacts. Up to rounding,
-/// results equal the results of ContactDynamics. They do not depend on the number of threads or on
+/// Evaluates the contact dynamics of a batch of states with the same contacts. Results equal the
+/// results of ContactDynamics up to rounding. They do not depend on the number of threads, or on
 /// how states are split into batches. Only one call may run at a time. Allocates nothing after
 /// construction.
 class ContactDynamicsBatch {
  public:
   /// Prepares batches of up to `capacity` states, computed by `threads` threads including the
-  /// calling thread. If `pin_threads` is true, each additional thread is bound to its own core.
-  /// These are cores on which the calling thread may run; the first of them is left to the calling
-  /// thread.
+  /// calling thread. If `pin_threads` is true, each additional thread runs on its own core. The
+  /// cores are taken from the cores on which the calling thread may run. The first core stays free
+  /// for the calling thread.
   ///
   /// Throws Error for contacts that ContactDynamics rejects, and if `capacity` or `threads` is
-  /// below 1. With pinning, also throws Error on systems other than Linux and for more threads than
-  /// cores.
+  /// below 1. With pinned threads, also throws Error on systems other than Linux, and if there are
+  /// more threads than cores.
   ContactDynamicsBatch(const Model& model, const std::vector<ContactSpec>& contacts, int capacity,
                        const ContactSolver& solver = {}, int threads = 1, bool pin_threads = false);
   ~ContactDynamicsBatch();
@@ -51,9 +51,9 @@ class ContactDynamicsBatch {
                                   const ConstMatrixRef& tau);
 
   /// Returns the status of one state of the last call. Returns NotEvaluated if the last call had
-  /// fewer states, or if set_active() or set_payload() was called since. The views a() to
-  /// dlambda_dtau() then hold no valid result of this state. Derivatives come from the last
-  /// forward_with_derivatives().
+  /// fewer states, or if set_active() or set_payload() was called since. After NotEvaluated, the
+  /// views a() to dlambda_dtau() have no valid result for this state. Derivatives are the results
+  /// of the last forward_with_derivatives().
   Status status(int state) const;
   /// Returns a sentence about the status of one state that names the cause; see
   /// ContactDynamics::explanation().

@@ -1,4 +1,4 @@
-// Diagnosis of contacts: names the rows that cannot be held independently of other rows.
+// Diagnosis of contacts: finds contact constraints that depend on other contact constraints.
 #pragma once
 
 #include <string>
@@ -19,12 +19,13 @@ struct RedundantRow {
   /// Rows that already imply this row, as "contact/direction"
   std::vector<std::string> implied_by;
 
-  /// Returns a sentence such as "contact 'pad_b', direction z: already held by pad_a/z". For an
-  /// immovable row, the sentence says that no joint moves it.
+  /// Returns a sentence such as "contact 'pad_b', direction z: already held by pad_a/z". If the row
+  /// is immovable, the sentence says that no joint moves the contact in this direction.
   std::string text() const;
 };
 
-/// Result of diagnose(). The contacts are independent if no row is redundant.
+/// Contact rows that diagnose() found to depend on other rows. Without such rows, the contacts are
+/// independent.
 /// @described derivatives @result
 struct ContactDiagnosis {
   std::vector<RedundantRow> redundant;
@@ -36,12 +37,12 @@ struct ContactDiagnosis {
 /// Finds redundant contact rows at the configuration `q` (nq). `active` holds the indices of
 /// contacts of `set` to examine; empty: all contacts.
 ///
-/// A row is redundant if at most the fraction `tolerance` of it is independent of the rows before
-/// it. Lengths are measured in the metric M^-1. The fraction is relative to the row's own length
-/// and to the largest motion that the joints could produce along the row at any posture
-/// (src/contact/row_size.hpp). With the default tolerance, the result agrees with ContactDynamics:
-/// rows are redundant exactly if rigid contacts (mu = 0) give Status::SingularContacts. Throws
-/// Error for an invalid q or a singular mass matrix.
+/// A row is redundant if its part orthogonal to the rows before it is too short. Lengths are
+/// measured in the metric M^-1. The limit is `tolerance` times a combination of two lengths: the
+/// row's own length, and the largest motion that the joints could produce along the row at any
+/// posture (src/contact/row_size.hpp). With the default tolerance, a row is redundant exactly if
+/// ContactDynamics with rigid contacts (mu = 0) returns Status::SingularContacts. Throws Error for
+/// an invalid q or a singular mass matrix.
 ContactDiagnosis diagnose(const Model& model, const ContactSet& set,
                           const Eigen::Ref<const Eigen::VectorXd>& q,
                           const std::vector<int>& active = {},

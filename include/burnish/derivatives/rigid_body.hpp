@@ -3,7 +3,7 @@
 // a time, with Eigen types. Evaluations allocate nothing after construction.
 //
 // Relations between torques and accelerations (mass matrix, bias, forward and inverse dynamics) are
-// in contact_dynamics.hpp. There, ContactDynamics without contacts is the free robot.
+// in contact_dynamics.hpp. For a free robot, use ContactDynamics without contacts.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -34,12 +34,13 @@ struct FrameDerivatives {
 struct PlacementDerivatives {
   RowMatrix position;  ///< Derivative of the position in world axes: 3 x nv, m/rad (m/m)
 
-  /// Derivative of the rotation R in the frame's own axes: 3 x nv @more Column k is the vector w
+  /// Derivative of the rotation R, in the frame's own axes: 3 x nv @more Column k is the vector w
   /// with R^T dR/dq_k = [w x].
   RowMatrix rotation;
-  RowMatrix rotation_error;  ///< Derivative of log(R_target^T R): 3 x nv
+  RowMatrix rotation_error;  ///< Derivative of log(R_target^T R) for the rotation R: 3 x nv
 
-  /// Derivative of the SE(3) logarithm of the frame's placement in the target: 6 x nv
+  /// Derivative of the pose error relative to a target: 6 x nv @more The pose error is the SE(3)
+  /// logarithm of the frame's placement, written in the target.
   RowMatrix placement_error;
 };
 
@@ -50,9 +51,9 @@ struct PlacementDerivatives {
 /// to a right increment dq with nv entries: q (+) dq. Views are valid while the object exists and
 /// show the result of the last call that filled them.
 ///
-/// If update() rejects a state, all results still belong to the last accepted state. Before the
-/// first accepted state, results belong to the neutral configuration at rest. Functions that fill a
-/// FrameDerivatives or PlacementDerivatives resize it on first use.
+/// A state that update() rejects changes no result. Before the first accepted state, results belong
+/// to the neutral configuration at rest. Functions that fill a FrameDerivatives or
+/// PlacementDerivatives resize it on first use.
 class RigidBody {
  public:
   /// Prepares computations for `model`. Smoothed Coulomb friction of a joint reaches 76 % of its
@@ -65,17 +66,18 @@ class RigidBody {
 
   int nq() const;
   int nv() const;
-  /// Returns the index of a frame of the model. Other functions take this index as `frame`. The
+  /// Returns the index of a frame of the model, for the argument `frame` of other functions. The
   /// name "world" always exists. For an unknown name, throws Error with the nearest known name.
   int frame(const std::string& name) const;
 
-  /// Sets the payload that the robot carries at a frame of the model, written in the axes of this
-  /// frame. It replaces any earlier payload of the same body. Results are recomputed at the last
-  /// accepted state, except derivatives; call update_derivatives() for these. Allocates nothing.
+  /// Sets the payload that the robot carries at a frame of the model. `payload` is written in the
+  /// axes of the frame and replaces any earlier payload of the same body. Results are recomputed at
+  /// the last accepted state. Derivatives are not recomputed; call update_derivatives(). Allocates
+  /// nothing.
   ///
-  /// Returns Ok. If check_inertia() finds the payload NotFinite or NotPhysical, returns this status
-  /// and changes nothing. Throws Error with the nearest known name for an unknown frame or a frame
-  /// fixed to the world.
+  /// Returns Ok. If check_inertia() returns NotFinite or NotPhysical for `payload`, returns this
+  /// status and changes nothing. Throws Error if the frame is fixed to the world, or with the
+  /// nearest known name if it is unknown.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
   /// Evaluates a state: `q` with nq entries, `v` [rad/s, m/s] and `a` [rad/s^2, m/s^2] with nv
@@ -87,16 +89,16 @@ class RigidBody {
 
   /// Returns the placement of a frame in the world. `frame` is an index from frame().
   Eigen::Isometry3d placement(int frame) const;
-  /// Returns the velocity of a frame relative to the world [m/s, rad/s], linear part first. The
-  /// result is written in `reference`, where the tool is this frame and the base is the world.
-  /// `reference` may be Reference::local(), centered(), world(), or have the axes of any frame.
-  /// Throws Error with the nearest known name if `reference` names a frame that the robot does not
-  /// have.
+  /// Returns the velocity of a frame relative to the world [m/s, rad/s], linear part first, written
+  /// in `reference`. The tool of the reference is the frame, and the base is the world. `reference`
+  /// may be Reference::local(), centered(), world(), or have the axes of any frame. Throws Error
+  /// with the nearest known name if `reference` names a frame that the robot does not have.
   Vector6 velocity(int frame, const Reference& reference) const;
   /// Returns the time derivative of velocity() [m/s^2, rad/s^2].
   Vector6 acceleration(int frame, const Reference& reference) const;
   void frame_derivatives(int frame, const Reference& reference, FrameDerivatives& out) const;
-  /// Returns the SE(3) logarithm of the frame's placement in `target` [m, rad], in target axes.
+  /// Returns the pose error of a frame relative to the pose `target`: the SE(3) logarithm of the
+  /// frame's pose, written in `target` [m, rad].
   Vector6 placement_error(int frame, const Eigen::Isometry3d& target) const;
   void placement_derivatives(int frame, const Eigen::Isometry3d& target,
                              PlacementDerivatives& out) const;

@@ -13,7 +13,7 @@ namespace burnish {
 /// @described contact
 /// Planes, spheres, cylinders and cones are represented exactly. Every other smooth surface can be
 /// approximated to second order near a point. A Reference uses the normal n = grad phi / |grad phi|
-/// at the tool's point and the derivatives of n, but not the value of phi.
+/// at the tool's point, and the derivatives of n. It does not use the value of phi.
 ///
 /// For a round tip, the tool's point is the centre of the tip. While the tip touches the surface,
 /// the centre moves on a parallel surface, one radius outside the material. For planes, spheres and
@@ -55,17 +55,17 @@ struct Quadric {
   static Quadric osculating(const Eigen::Vector3d& point, const Eigen::Matrix3d& axes, double k_xx,
                             double k_xy, double k_yy);
 
-  /// Returns phi(x). For results of plane(), sphere(), cylinder() and osculating(), phi(x) is the
-  /// distance of x from the surface to first order [m]. For results of cone() and ellipsoid(), it
-  /// is not a distance.
+  /// Returns phi(x). If the quadric is a result of plane(), sphere(), cylinder() or osculating(),
+  /// phi(x) is the distance of x from the surface to first order [m]. If it is a result of cone()
+  /// or ellipsoid(), phi(x) is not a distance.
   double value(const Eigen::Vector3d& x) const;
   Eigen::Vector3d gradient(const Eigen::Vector3d& x) const { return Q * x + b; }
   /// Returns the unit normal at x. Throws Error if the gradient is zero, for example on the axis of
   /// a cylinder.
   Eigen::Vector3d normal(const Eigen::Vector3d& x) const;
   bool is_finite() const;
-  /// Throws Error("<who>: ...") if an entry is not finite, if Q is not symmetric, or if both Q and
-  /// b are zero.
+  /// Throws Error if an entry is not finite, if Q is not symmetric, or if both Q and b are zero.
+  /// The message begins with `who`.
   void check(const std::string& who) const;
 };
 

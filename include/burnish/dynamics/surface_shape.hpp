@@ -17,11 +17,12 @@ struct SurfaceDistance {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Gradient of the distance, a unit vector
 
   /// Second derivative of the distance [1/m]; symmetric, zero along the normal
-  Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 
-  /// Returns the parallel surface at a distance of `offset` [m] outside, exact to second order at
-  /// x. x must be the point for which this SurfaceDistance was computed. If a round tip of radius
-  /// `offset` touches the surface, the centre of the tip lies on the parallel surface.
+  /// Returns the parallel surface at a distance of `offset` [m] outside the material, exact to
+  /// second order at x. x must be the point for which this SurfaceDistance was computed. Example:
+  /// while a round tip of radius `offset` touches the surface, the centre of the tip is on the
+  /// parallel surface.
   Quadric quadric(const Eigen::Vector3d& x, double offset) const;
 };
 
@@ -29,7 +30,7 @@ struct SurfaceDistance {
 /// plane at this point are called first and second tangent.
 /// @described contact
 struct SurfaceShape {
-  /// Kinds of surface shapes. The tangents are the two axes of the tangent plane at a given point.
+  /// Kinds of surface shapes. Tangents below are the two axes of the tangent plane at `point`.
   /// @described contact.SurfaceKind
   enum class Kind {
     Plane,
@@ -54,16 +55,17 @@ struct SurfaceShape {
   /// Curvatures of a saddle along the tangents [1/m] @more The height of the saddle is (k_0 x^2 +
   /// k_1 y^2) / 2, with the curvatures k_0 and k_1 and distances x and y along the tangents.
   Eigen::Vector2d curvature = {1.0, -1.0};
-  /// Distance from the point to the edge of a ridge, along the first tangent [m]
+  /// Distance from the given point to the edge of a ridge, along the first tangent [m]
   double edge = 0.03;
   /// Downward slope of a ridge's second plane, behind the edge [rad]
   double slope = 0.1;
-  /// Whether the material is outside the shape, so that the tool works inside, as in a bowl
+  /// Whether the material is outside the shape: the tool works inside, as in a bowl
   bool hollow = false;
   double turn_deg = 0.0;  ///< Rotation of the shape about the normal [degrees]
 
   bool is_flat() const { return kind == Kind::Plane; }
-  /// Throws Error("<who>: ...") if a length or an angle is invalid for this kind of shape.
+  /// Throws Error if a length or an angle is invalid for this kind of shape. The message begins
+  /// with `who`.
   void check(const std::string& who) const;
   /// Returns a text such as "sphere of radius 0.3 m".
   std::string text() const;
@@ -75,8 +77,8 @@ struct SurfaceShape {
   ///  - ellipsoid: three semi-axes;
   ///  - saddle: two curvatures;
   ///  - ridge: edge, slope.
-  /// Throws Error for an unknown kind, with the nearest known kind, and for numbers that check()
-  /// rejects.
+  /// Throws Error if check() rejects the numbers, or with the nearest known kind if the kind is
+  /// unknown.
   static SurfaceShape parse(const std::string& text);
 };
 
@@ -109,14 +111,14 @@ class Surface {
   /// saddle, the nearest point of the surface is computed by Newton's method. Newton's method
   /// converges if x is closer to the surface than about the smallest radius of curvature.
   SurfaceDistance at(const Eigen::Vector3d& x) const noexcept;
-  /// Returns the intersection of the surface with the line through x along the normal that was
-  /// passed to the constructor. If there are several intersections, returns the one nearest to the
-  /// tangent plane.
+  /// Returns the intersection of the surface with a line through x. The line is parallel to the
+  /// normal that was passed to the constructor. If there are several intersections, returns the one
+  /// nearest to the tangent plane.
   Eigen::Vector3d along_normal(const Eigen::Vector3d& x) const noexcept;
-  /// Returns the largest concave curvature of the surface, as seen from the tip [1/m]. Returns 0 if
-  /// the surface is nowhere concave. The radius of a round tip must not exceed the inverse of this
-  /// curvature. For a solid torus, the inner side around the hole does not count.
-  double most_concave() const;
+  /// Returns the largest concave curvature of the surface [1/m], or 0 if the surface is nowhere
+  /// concave. The radius of a round tip that touches the surface must not exceed the inverse of
+  /// this curvature. For a solid torus, the inner side around the hole does not count.
+  double max_concavity() const;
 
  private:
   SurfaceShape shape_;

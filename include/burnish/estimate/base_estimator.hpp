@@ -15,14 +15,14 @@
 
 namespace burnish {
 
-/// Kind of foot. It defines which motion is zero while the foot stands.
+/// Kind of a robot's foot: which of its motions are zero while the foot stands.
 /// @described estimate
 enum class FootKind {
   Ball,  ///< Point foot: the origin of its frame does not move
   Sole,  ///< Planar foot: its frame neither moves nor rotates
 };
 
-/// Foot that may stand on the ground.
+/// Foot of a robot. The estimator uses the foot while it stands on the ground.
 /// @described estimate
 struct FootSpec {
   /// Name of the foot's frame @more For a ball, the frame is at the centre of the ball, and the
@@ -44,10 +44,10 @@ struct UnitWatchOptions {
   double window = 0.1;
 
   /// Largest accepted difference in rotation between IMU and feet in the window [rad], > 0 @more
-  /// Expected effects of noise and biases are added to this threshold.
+  /// The threshold is increased by the expected effects of noise and biases.
   double turn = 2e-3;
   /// Largest accepted difference in displacement between IMU and feet in the window [m], > 0 @more
-  /// Expected effects of noise and biases are added to this threshold.
+  /// The threshold is increased by the expected effects of noise and biases.
   double place = 2e-3;
   /// Largest accepted difference in angular velocity between IMU and feet [rad/s], > 0 @more
   /// Readings beyond this threshold are withheld from the filter until it is clear whether the IMU
@@ -61,9 +61,9 @@ struct UnitWatchOptions {
   double silent_after = 3e-3;
   /// Time of agreement with the feet after which a faulty IMU is used again [s], > 0
   double back_after = 0.5;
-  /// Decay time of the jump that occurs when the feet take over [s], > 0 @more The jump is the
+  /// Decay time of the jump when the feet replace a faulty IMU [s], > 0 @more The jump is the
   /// difference between the last estimate and the estimate from the feet.
-  double fading = 0.03;
+  double decay_time = 0.03;
 };
 
 /// Options for estimating the floating base. Noise densities describe white noise: with one reading
@@ -73,7 +73,7 @@ struct BaseEstimatorOptions {
   /// Frame of the inertial measurement unit (empty: the floating base's body) @more Readings are in
   /// the axes of this frame.
   std::string imu_frame = {};
-  std::vector<FootSpec> feet = {};  ///< Feet that may stand, 1 to 32 of them
+  std::vector<FootSpec> feet = {};  ///< Feet of the robot, 1 to 32 of them
 
   // @group Noise.
   double gyro_noise = 1e-3;           ///< Noise density of the gyroscope [rad/s/sqrt(Hz)], >= 0
@@ -95,7 +95,7 @@ struct BaseEstimatorOptions {
   double sole_turn_noise = 1e-3;
 
   // @group Feet that slip.
-  /// Fraction of the readings of a resting foot that pass the outlier gate, between 0 and 1
+  /// Fraction of the readings of a resting foot that the outlier test accepts, between 0 and 1
   double gate = 0.99999;
   /// Rest time after which a foot that slipped is used again [s], >= 0
   double rejoin_after = 0.05;
@@ -103,7 +103,7 @@ struct BaseEstimatorOptions {
   double rejoin_speed = 0.03;
 
   /// Longest time in which all standing feet may seem to slip [s], >= 0 @more After this time, the
-  /// filter assumes that its velocity is wrong instead.
+  /// filter assumes that its own velocity is wrong.
   double lost_after = 0.15;
 
   // @group Standard deviations of the initial state.
@@ -138,8 +138,8 @@ struct EstimatorInnovation {
 /// values at reset(), since no sensor measures them.
 ///
 /// The filter uses a foot while the foot stands. If a reading of a standing foot fails the outlier
-/// gate, the filter assumes that the foot slips and ignores it. Once the foot has rested, the
-/// filter uses it again, at its new position.
+/// test, the filter assumes that the foot slips. It then ignores the foot until the foot has rested
+/// for a while, and uses it again at its new position.
 ///
 /// Updates allocate nothing and throw nothing. A call that returns a Status other than Ok changes
 /// nothing.
@@ -166,11 +166,11 @@ class BaseEstimator {
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v,
                const Eigen::Ref<const Eigen::MatrixXd>& covariance) noexcept;
 
-  /// Restarts the filter at `q` (nq) and `v` (nv) of the whole robot, after another source
-  /// estimated the base for a while. The new covariance is the sum of the old covariance and the
-  /// initial covariance of the options. Biases are set to `gyro_bias` [rad/s] and
-  /// `accelerometer_bias` [m/s^2]. No foot counts as standing until the next update(). Returns Ok.
-  /// If the call returns WrongSize, NotFinite or NotNormalized, nothing has changed.
+  /// Restarts the filter at `q` (nq) and `v` (nv) of the whole robot, after a time in which the
+  /// filter was not used. The initial covariance of the options is added to the old covariance.
+  /// Biases are set to `gyro_bias` [rad/s] and `accelerometer_bias` [m/s^2]. No foot counts as
+  /// standing until the next update(). Returns Ok. If the call returns WrongSize, NotFinite or
+  /// NotNormalized, nothing has changed.
   Status resume(const ConstVectorRef& q, const ConstVectorRef& v, const Eigen::Vector3d& gyro_bias,
                 const Eigen::Vector3d& accelerometer_bias) noexcept;
 
@@ -191,11 +191,11 @@ class BaseEstimator {
 
   /// Estimated bias of the accelerometer [m/s^2].
   const Eigen::Vector3d& accelerometer_bias() const;
-  /// Returns the filter's estimate of a foot's position, in world coordinates [m]. The foot must be
-  /// one that the filter uses (feet_that_count()).
+  /// Returns the filter's estimate of a foot's position, in world coordinates [m]. `foot` must be
+  /// in the set feet_that_count().
   Eigen::Vector3d foot_position(int foot) const;
-  /// Returns the rotation matrix from a foot's axes to world axes, at the last update. Any foot is
-  /// allowed.
+  /// Returns the rotation matrix from a foot's axes to world axes, at the last update. The foot
+  /// need not stand.
   Eigen::Matrix3d foot_rotation(int foot) const;
   Feet feet_that_count() const;
   Feet feet_that_slip() const;  ///< Standing feet that the filter ignores because they slip

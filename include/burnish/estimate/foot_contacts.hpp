@@ -36,8 +36,9 @@ class FootContacts {
  public:
   using Feet = std::uint32_t;  ///< Set of feet: bit k is foot k
 
-  /// Creates a detector for `feet` feet, 1 to 32. Throws Error for another number, for options out
-  /// of range, and if the force noise is too large for the gap between the thresholds.
+  /// Creates a detector for `feet` feet, 1 to 32. Throws Error for another number of feet, or for
+  /// options out of range. Also throws Error if the force noise is too large for the gap between
+  /// the two thresholds.
   FootContacts(const Model& model, int feet, const FootContactOptions& options = {});
 
   /// Discards all forces and sets the standing feet to `standing`.

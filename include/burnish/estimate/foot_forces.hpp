@@ -13,13 +13,13 @@
 namespace burnish {
 
 /// Observer that estimates the ground forces f on the feet from the joint torques tau. The motion
-/// needs the torques M dv/dt + b. The observer attributes the difference from tau to the feet:
+/// of the robot needs the torques M dv/dt + b. The difference from tau is attributed to the feet:
 ///   J^T f = M dv/dt + b - tau.
 /// A first-order low-pass filter of bandwidth w smooths the right-hand side. Its output is r:
 ///   dr/dt = w (M dv/dt + b - tau - r).
 /// This is a generalized-momentum observer (De Luca, Mattone, "Actuator failure detection and
 /// isolation using generalized momenta", 2003). It computes dv/dt from the velocities of two
-/// updates.
+/// consecutive updates.
 ///
 /// The estimate f minimizes |J^T f - r| and includes moments for planar feet (soles). The norm is
 /// over all entries of v, including the base and joints that move no foot.

@@ -18,16 +18,16 @@ enum class BaseSource {
 
 /// BaseEstimator with a monitor for faults of the inertial measurement unit (IMU).
 ///
-/// The monitor works while the standing feet overdetermine the pose of the IMU: with two planar
-/// feet (soles) or three point feet (balls). While these feet do not move relative to each other,
-/// their kinematics give the rotation and displacement of the IMU. The IMU is declared faulty if
-/// its readings differ from this motion by more than UnitWatchOptions allow. It is not declared
-/// faulty if gyroscope and accelerometer agree that the robot tips over its feet.
+/// The monitor works while the standing feet overdetermine the pose of the IMU. This needs two
+/// planar feet (soles) or three point feet (balls). While these feet do not move relative to each
+/// other, their kinematics give the rotation and displacement of the IMU. The IMU is declared
+/// faulty if its readings differ from this motion by more than UnitWatchOptions allow. The IMU is
+/// not declared faulty if gyroscope and accelerometer agree that the robot tips over its feet.
 ///
 /// After a fault, the feet alone determine the base. This needs one sole, or three balls that are
-/// not on a line. The feet are assumed to stand where they stood shortly before the fault (up to
-/// half a second). Once the IMU has agreed with the feet for `back_after`, it is used again. With
-/// too few feet, the base stays at its last estimate.
+/// not on a line. The estimate assumes that each foot stands where it stood up to half a second
+/// before the fault. Once the IMU has agreed with the feet for the time `back_after`, the IMU is
+/// used again. With too few feet, the base stays at its last estimate.
 ///
 /// Updates allocate nothing and throw nothing.
 class GuardedBase {
@@ -45,9 +45,9 @@ class GuardedBase {
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
 
   /// Updates the estimate; see BaseEstimator::update(). `imu` is null if there is no reading. A
-  /// reading that is not finite counts as missing. `loads` holds the load of each foot [N], or is
-  /// empty if loads are unknown. If two feet contradict each other, the foot with less load is
-  /// assumed to slip.
+  /// reading that is not finite counts as missing. `loads` holds the force on each foot [N]; it is
+  /// empty if the forces are unknown. If two feet contradict each other, the foot with less force
+  /// is assumed to slip.
   ///
   /// If readings are missing for at most `silent_after`, the call changes nothing. It returns
   /// WrongSize (no reading) or NotFinite (reading not finite). The `dt` of the next call must
@@ -64,7 +64,7 @@ class GuardedBase {
   double lost_for() const;  ///< Time since the source became None [s]; 0 with another source
   int takeovers() const;    ///< Number of times that the feet replaced a faulty IMU since reset()
 
-  /// Returns the underlying filter. It is updated only while it is the source.
+  /// Returns the underlying BaseEstimator. It is updated only while source() is Filter.
   const BaseEstimator& filter() const;
 
  private:

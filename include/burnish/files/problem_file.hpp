@@ -16,7 +16,8 @@ struct WarmStart {
   /// Kind of warm start.
   /// @described files.WarmStartKind
   enum class Kind {
-    /// Initial state at every knot; controls hold the robot still in the contacts of the stage
+    /// Initial state at every knot; the controls hold the robot at rest in the contacts of each
+    /// knot
     Hold,
     Still,  ///< Initial state at every knot, with zero controls
     File,   ///< Trajectory from a file trajectory.csv of an earlier solve
@@ -31,18 +32,20 @@ struct ProblemFile {
   std::string description = {};  ///< @required
   Robot robot;                   ///< @required
 
-  /// Name of the robot for load_robot(), followed by :variant if a variant is stated @undescribed
+  /// Name of the robot for load_robot(), followed by :variant if the file states a variant
+  /// @undescribed
   std::string robot_name = {};
 
-  /// Specification of the problem; read_problem_file() has checked that it compiles @required
+  /// Specification of the problem; read_problem_file() has checked that a Problem can be built
+  /// @required
   ProblemSpec spec;
   DdpOptions solver = {};
   WarmStart guess = {};
 };
 
-/// Reads a problem file. Relative paths in the file are relative to the folder of the file. Throws
-/// Error if the file is not valid. The message is one sentence that names the file, the line, the
-/// path of keys, and the requirement.
+/// Reads a problem file. Relative paths in the file start at the folder of the file. Throws Error
+/// if the file is not valid. The message is one sentence with the file, the line, the nested keys
+/// and the requirement.
 ProblemFile read_problem_file(const std::filesystem::path& file);
 
 /// Trajectory of states and controls that the solver starts from.

@@ -26,7 +26,8 @@ struct ExcitationSpec {
   double speed_share = 0.4;
   /// Largest speed of a joint, also if its velocity limit is higher [rad/s or m/s]
   double speed = 2.0;
-  /// Fraction of the effort limits that the motion may use. The payload's torque is not included.
+  /// Fraction of the effort limits that the motion may use. Torques are computed without the
+  /// payload.
   double effort_share = 0.8;
   std::vector<std::string> joints = {};  ///< Names of the joints that move; empty: all joints
   int candidates = 40;                   ///< Number of random motions; the best one is used
@@ -38,13 +39,14 @@ struct ExcitationSpec {
 /// "Optimal Robot Excitation and Identification", 1997).
 class Excitation {
  public:
-  /// Draws random motions and chooses the most informative one about a payload at `frame`: the
-  /// motion whose information matrix has the largest determinant. `q_start` has nq entries.
-  /// Obstacles and collisions between the robot's own links are not considered.
+  /// Draws random motions and keeps the motion that is most informative about a payload at `frame`.
+  /// This is the motion whose information matrix has the largest determinant. `q_start` is the
+  /// start configuration (nq entries). Obstacles and collisions between the robot's own links are
+  /// not considered.
   ///
   /// Throws Error, with a message of one sentence, for
   /// - unknown names and numbers out of range,
-  /// - joints of several entries, and kinematic loops,
+  /// - kinematic loops, and joints with more than one degree of freedom,
   /// - a start outside the joint limits or within `margin` of a limit,
   /// - a start that needs more than `effort_share` of an effort limit to hold,
   /// - limits that no random motion satisfies.
@@ -52,43 +54,44 @@ class Excitation {
              const ExcitationSpec& spec = {});
 
   double duration() const { return duration_; }
-  /// Returns a warning if an effort limit reduced the motion, which names the joint. Position
-  /// ranges and speed limits alone would permit a larger motion.
+  /// Returns a warning with the name of the joint if its effort limit reduced the motion. The list
+  /// is empty if only position ranges and speed limits restrict the motion.
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// Evaluates the motion at `time` [s]: q (nq), v (nv) and a (nv). Before the start and after the
   /// end, the joints are at rest.
   void at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::VectorXd& a) const;
-  /// Returns the motion as a trace, with a row every `period` [s] and the columns time, q_<joint>,
-  /// v_<joint>, a_<joint>. Positions are angles [rad], also for continuous joints, or displacements
-  /// [m].
+  /// Returns the motion as a trace, with one row every `period` [s]. The columns are time,
+  /// q_<joint>, v_<joint> and a_<joint>. Positions are angles [rad] or displacements [m],
+  /// one number per joint, also for continuous joints.
   Trace trace(double period) const;
 
  private:
-  struct Drawn {
+  struct Amplitudes {
     Eigen::MatrixXd sine, cosine;  ///< Amplitudes of the harmonics, nv x harmonics [rad or m]
-    /// Scale of the motion; 1 for the largest motion that range and speeds permit
+    /// Scale of the motion; 1 for the largest motion that position ranges and speed limits permit
     double size = 1.0;
-    int heaviest = 0;     ///< Entry of v with the largest torque relative to its limit, at size 1
-    double torque = 0.0;  ///< Torque of the entry `heaviest` at size 1 [Nm or N]
+    int heaviest = 0;  ///< Index in v with the largest ratio of torque to torque limit, at size 1
+    double torque = 0.0;  ///< Torque at index `heaviest` for size 1 [Nm or N]
   };
   bool limit(double effort_share);
-  std::string effort_text(const Drawn& drawn, double effort_share) const;
+  std::string effort_text(const Amplitudes& amplitudes, double effort_share) const;
   double information(const std::string& frame) const;
-  void way_at(double time, Eigen::VectorXd& way, Eigen::VectorXd& v, Eigen::VectorXd& a) const;
+  void displacement_at(double time, Eigen::VectorXd& displacement, Eigen::VectorXd& v,
+                       Eigen::VectorXd& a) const;
 
   Model model_;
   Eigen::VectorXd q_start_;
   double duration_;
-  Drawn drawn_;
+  Amplitudes amplitudes_;
   std::vector<std::string> warnings_;
 };
 
-/// Simulates a plant that follows a motion in free space, and returns the trace. The controller is
-/// a computed-torque controller with the model `known`, at 1 kHz. The plant's model may have
-/// another payload and other masses.
+/// Simulates a plant that follows a motion in free space, and returns the trace. A computed-torque
+/// controller tracks the motion at 1 kHz. The controller uses the model `known`, whose payload and
+/// masses may differ from the plant's.
 ///
-/// The motion starts after the plant has come to rest. Throws Error in the same cases as
-/// ClosedLoop, and if the simulation fails.
+/// The motion starts once the plant is at rest. Throws Error in the same cases as ClosedLoop, and
+/// if the simulation fails.
 Trace record_motion(Plant& plant, const Model& known, const Excitation& motion,
                     const Disturbances& disturbances);
 /// Simulates the ideal plant with `payload` while it follows a motion in free space, and returns
@@ -97,12 +100,11 @@ Trace record_motion(const Model& model, const Payload& payload, const Excitation
                     const Disturbances& disturbances);
 
 /// Compares a trace of record_motion() with the planned motion. Returns a warning for each joint
-/// that deviates by more than a quarter of a turn and by more than the extent of its planned
-/// motion. Light wrists can deviate by this much if the controller's model does not include the
-/// payload.
+/// that deviates by more than a quarter of a turn and by more than the range of its planned motion.
+/// Such deviations are possible for light wrists if the controller's model lacks the payload.
 ///
-/// Throws Error if the arm falls: a joint deviates by more than 0.1 rad (m) while its torque is at
-/// the effort limit. The message names joint, deviation and time.
+/// Throws Error if the arm falls. This means that a joint deviates by more than 0.1 rad (m) while
+/// its torque is at the effort limit. The message names joint, deviation and time.
 std::vector<std::string> check_followed(const Model& known, const Excitation& motion,
                                         const Trace& trace);
 

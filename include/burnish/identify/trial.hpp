@@ -31,11 +31,11 @@ struct TrialSummary {
   double mass_error = 0.0;
   /// Largest distance between estimated and true centre of mass [m]
   double centre_error = 0.0;
-  /// Root mean square of the errors, and of their estimated standard deviations, over all trials.
-  /// One value per entry of EstimatedInertia::values.
+  /// Root mean squares over all trials. rms_error: of the errors; rms_sigma: of the estimated
+  /// standard deviations. One value per entry of EstimatedInertia::values.
   Vector10 rms_error = Vector10::Zero(), rms_sigma = Vector10::Zero();
-  /// Fraction of all errors that are within two estimated standard deviations; largest ratio of an
-  /// error to its estimated standard deviation
+  /// within_two_sigma: fraction of all errors within two estimated standard deviations.
+  /// largest_in_sigma: largest ratio of an error to its estimated standard deviation.
   double within_two_sigma = 0.0, largest_in_sigma = 0.0;
 };
 TrialSummary summary_of(const std::vector<Trial>& trials);

@@ -33,7 +33,7 @@ struct Directions {
 
   /// Parses direction names separated by commas, in any order, such as "z,rx,ry". The names "all",
   /// "linear", "angular", "pad_x", "pad_y" and "pad_z" stand for several directions. Throws Error
-  /// for an unknown name, with the nearest known name, and for a text without any name.
+  /// if the text has no name, or with the nearest known name if a name is unknown.
   static Directions parse(std::string_view text);
   /// Returns the direction names separated by commas, in the order x, y, z, rx, ry, rz. Example:
   /// "z,rx,ry".

@@ -1,5 +1,5 @@
-// Mass distributions: change of axes, sum and checks. Inertial parameters: ten numbers per body, in
-// which inverse dynamics is linear.
+// Mass distributions: change of axes, sum and checks. Each body has ten inertial parameters;
+// inverse dynamics is linear in these parameters.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@ namespace burnish {
 using Vector10 = Eigen::Matrix<double, 10, 1>;
 
 /// Names of the ten inertial parameters of a body: mass [kg], mass times centre of mass [kg m], and
-/// moments of inertia [kg m^2]. The parameters are in the axes of the body's joint frame. Moments
-/// of inertia are about the origin of that frame.
+/// moments of inertia [kg m^2]. All are in the axes of the body's joint frame. The moments of
+/// inertia are about the origin of the joint frame.
 inline constexpr std::array<std::string_view, 10> inertia_parameter_names{
     "m", "mcx", "mcy", "mcz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz"};
 
 /// Returns the ten inertial parameters of a mass distribution, in the order of
 /// inertia_parameter_names.
 Vector10 inertia_parameters(const InertiaSpec& inertia);
-/// Returns the mass distribution with these ten inertial parameters. If the mass is zero, the
-/// centre of mass is set to the origin.
+/// Returns the mass distribution that has the ten inertial parameters `parameters`. If the mass is
+/// zero, the centre of mass is set to the origin.
 InertiaSpec inertia_of(const Vector10& parameters);
 
 /// Returns the pseudo-inertia matrix [S, h; h^T, m] of ten inertial parameters. m is the mass, h is
@@ -35,8 +35,8 @@ InertiaSpec inertia_of(const Vector10& parameters);
 Eigen::Matrix4d pseudo_inertia(const Vector10& parameters);
 /// Returns the ten inertial parameters of a pseudo-inertia matrix: the inverse of pseudo_inertia().
 Vector10 parameters_of_pseudo_inertia(const Eigen::Matrix4d& pseudo_inertia);
-/// Returns the matrix that maps the ten inertial parameters in a frame to the parameters in the
-/// parent frame. `placement` is the pose of the frame in the parent frame.
+/// Returns the matrix that converts the ten inertial parameters of a mass distribution from a frame
+/// to its parent frame. `placement` is the pose of the frame in the parent frame.
 Eigen::Matrix<double, 10, 10> inertia_transform(const Eigen::Isometry3d& placement);
 
 /// Converts a mass distribution from a frame to the parent frame. `inertia` is in the axes of the
@@ -69,9 +69,9 @@ struct Payload {
   InertiaSpec inertia;
 };
 
-/// Returns the frame with this name. Throws Error("<call>: ...") if the frame is fixed to the world
-/// and cannot carry a load, or if no frame has this name. The message for an unknown name suggests
-/// the nearest known name. Allocates no memory unless it throws.
+/// Returns the frame with the name `frame`. Throws Error if the frame does not exist (with the
+/// nearest known name), or if it is fixed to the world and cannot carry a load. The message begins
+/// with `call`, the name of the calling function. Allocates no memory unless it throws.
 const Frame& frame_on_body(std::string_view call, const Model& model, std::string_view frame);
 
 /// Returns the model with the payload added to the inertia of the body that carries the frame.

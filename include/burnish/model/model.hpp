@@ -16,7 +16,7 @@ namespace burnish {
 
 /// Kinds of moving joints.
 /// @described model
-/// The z axis of a joint frame is the joint axis. Floating and ball joints have no axis: their
+/// The z axis of a joint frame is the joint axis. Floating and ball joints have no axis. Their
 /// joint frame has the axes of the description file. A named Frame always has the axes of the file.
 enum class JointKind {
   Revolute,    ///< q = angle, v = rate @note nq = 1, nv = 1
@@ -53,12 +53,15 @@ struct Joint {
   std::string name;
   JointKind kind = JointKind::Revolute;
   int parent = -1;  ///< Index of the parent joint; -1: the world
-  int q_index = 0;  ///< Index of the first entry in q; a follower has the leader's index
-  int v_index = 0;  ///< Index of the first entry in v; a follower has the leader's index
-  int nq = 0;       ///< Number of entries in q; 0 for a follower
-  int nv = 0;       ///< Number of entries in v; 0 for a follower
+  int q_index =
+      0;  ///< Index of the first entry in q; for a coupled joint (follower), the leader's index
+  int v_index =
+      0;  ///< Index of the first entry in v; for a coupled joint (follower), the leader's index
+  int nq = 0;  ///< Number of entries in q; 0 for a coupled joint (follower)
+  int nv = 0;  ///< Number of entries in v; 0 for a coupled joint (follower)
 
-  /// Coupling to a leader, for followers only @after inertia_at_com
+  /// Coupling to another joint, the leader; only for coupled joints (followers) @after
+  /// inertia_at_com
   std::optional<Following> follows = {};
   /// Placement of the joint frame in the parent body's frame, at joint position zero
   Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
@@ -70,10 +73,10 @@ struct Joint {
   Eigen::Matrix3d inertia_at_com = Eigen::Matrix3d::Zero();
 };
 
-/// A joint that has a position in the description. In the model, the joint either moves or is held
-/// at a constant position.
+/// A joint that can move according to the robot's description. In the model, the joint either moves
+/// or is held at a constant position.
 /// @described model @result
-struct StatedJoint {
+struct FileJoint {
   std::string name;
   JointKind kind = JointKind::Revolute;
   int joint = -1;  ///< Index in the model's joints; -1: the joint is held
@@ -82,9 +85,9 @@ struct StatedJoint {
   std::vector<double> held;
 };
 
-/// A tendon of a Model: a spring, a damper or both act on a length, which is a weighted sum of
-/// joint positions. Contributions of locked joints are included in `rest`. Contributions of
-/// followers are included in the coefficients of their leaders.
+/// A tendon of a Model. Its length is a weighted sum of joint positions. A spring, a damper or both
+/// act on the length. Locked joints contribute to `rest`. A coupled joint (follower) contributes to
+/// the coefficient of its leader.
 /// @described model @result
 /// The length is the sum of coefficient * position over `parts`.
 struct Tendon {
@@ -136,8 +139,8 @@ struct Visual {
 /// A constraint between two frames of a Model that closes a kinematic chain. The constraint
 /// prevents relative motion of the frames along `directions`, in the axes of the first frame.
 /// @described model @result
-/// loop_contacts() in contact/loops.hpp converts loops to contacts. A LoopSpec is the loop of a
-/// description.
+/// loop_contacts() in contact/loops.hpp converts loops to contacts. A LoopSpec is a loop in a
+/// robot's description.
 struct Loop {
   std::string name;
   std::string first;   ///< Name of the first frame: name of the loop followed by "/first"
@@ -159,11 +162,12 @@ struct ModelOptions {
   /// Placement of the root link in the world @more For a free-flying base, the placement sets only
   /// the neutral configuration.
   Eigen::Isometry3d base_placement = Eigen::Isometry3d::Identity();
-  /// Joints to lock, together with their followers @more A joint is locked at its value in
-  /// `posture`, or at zero if `posture` has no value for the joint.
+  /// Joints to lock @more Joints that are coupled to a locked joint (followers) are locked too. A
+  /// joint is locked at its value in `posture`, or at zero if `posture` has no value for the joint.
   std::vector<std::string> locked;
   /// Joints that stay free; empty: all joints @more If the list is not empty, all other joints are
-  /// locked, except followers of listed joints and a free-flying base.
+  /// locked. Exceptions are joints that are coupled to a listed joint (followers) and a free-flying
+  /// base.
   std::vector<std::string> free;
   Posture posture;  ///< Positions of locked joints; values of moving joints are ignored
 
@@ -174,8 +178,8 @@ struct ModelOptions {
 };
 
 /// An immutable robot, prepared for computation. A Model is cheap to move and safe to share between
-/// threads. Vectors of position quantities have nq entries; vectors of velocity and torque
-/// quantities have nv. Limits that the description does not state are infinite.
+/// threads. Position vectors have nq entries. Velocity and torque vectors have nv entries. Limits
+/// that the robot's description does not state are infinite.
 struct Model {
   std::string name;
   /// Moving joints in depth-first order. TreeSpec::sibling_order states the order of joints with
@@ -201,9 +205,9 @@ struct Model {
 
   /// For each entry of v, the index of the joint that has this entry.
   std::vector<int> joint_of_v;
-  /// Parent of each entry of v: the previous entry on the path to the root; -1 at the root. Entries
-  /// of one joint form a chain. With followers, one entry can move bodies on several branches. The
-  /// paths are then chosen so that any two entries that move a common body lie on one path.
+  /// Parent of each entry of v in the tree of entries; -1 at the root. Entries of one joint form a
+  /// chain. If joints are coupled, one entry can move bodies on several branches. The tree is built
+  /// such that any two entries that move a common body are on one path to the root.
   std::vector<int> parent_of_v;
 
   /// Returns the indices of the entries of v that move body `body`, in ascending order. Returns an
@@ -230,9 +234,10 @@ struct Model {
   /// Names of the locked joints, which can move in the description but not in the model
   std::vector<std::string> locked_joints;
 
-  /// All joints that have a position in the description, in the order of `joints`. Followers and
-  /// held joints are included. JointOrder converts vectors that have entries for all these joints.
-  std::vector<StatedJoint> stated_joints;
+  /// All joints that can move according to the description, in the order of `joints`. Coupled
+  /// joints (followers) and held joints are included. JointOrder converts vectors with entries for
+  /// all of file_joints.
+  std::vector<FileJoint> file_joints;
   /// Warnings about odd but usable content of the description, one sentence each. Warnings of the
   /// TreeSpec come first. Further warnings report inertias that no solid has, joints that move no
   /// mass, and implausible values.
@@ -266,10 +271,10 @@ struct Model {
 ///  - position limits of ball joints, and springs in planar and floating joints; both are ignored.
 ///
 /// A loop NAME adds two frames, NAME/first and NAME/second. Each frame is fixed to a link or to the
-/// world. A loop is an error if it has no name, no directions or an unknown link, if another loop
-/// has the same name, or if both links are the same. If no joint between the two links moves, the
-/// links are one body. The loop is then removed if it is closed to 1 mm and 0.1 degrees along its
-/// directions; otherwise the loop is an error.
+/// world. A loop is an error if it has no name, no directions or an unknown link. It is also an
+/// error if another loop has the same name, or if both links are the same. If no joint between the
+/// two links moves, the links are one body. The loop is then removed if it is closed to 1 mm and
+/// 0.1 degrees along its directions. Otherwise the loop is an error.
 ///
 /// Position limits apply to revolute and prismatic joints only. The other limits, damping, friction
 /// and armature of a planar, floating or ball joint apply to each entry of v.
@@ -287,8 +292,8 @@ struct Model {
 /// are ignored if the follower or the leader is continuous.
 ///
 /// If the leader is locked or fixed, the follower is held at the position that the coupling
-/// requires. A follower that is itself listed as locked is held at its value in the posture. If the
-/// posture has no value for this follower, the leader must be locked too, and the coupling
+/// requires. A follower can also be listed as locked itself. It is then held at its value in the
+/// posture. If the posture has no value for it, the leader must be locked too, and the coupling
 /// determines the position.
 ///
 /// The dynamics exclude damping, friction, springs in joints, and springs and dampers of tendons.
@@ -298,9 +303,10 @@ struct Model {
 /// times multiplier^2. If this leader is continuous, the multiplier must be 1 or -1, and the
 /// springs in both joints must rest at the same angle. A spring in a locked joint has no effect.
 ///
-/// A held tendon couples two joints: the second joint becomes a follower of the first. If only the
-/// first joint can follow, it becomes a follower of the second. A held tendon is an error if it
-/// couples only one joint, or more than two joints that are not locked.
+/// A held tendon has a constant length, which couples two joints: the second joint becomes a
+/// follower of the first. If only the first joint can follow, it becomes a follower of the second.
+/// A held tendon is an error if it couples only one joint, or more than two joints that are not
+/// locked.
 ///
 /// A tendon is an error if one of its joints is unknown or has several coordinates. A tendon with a
 /// spring is also an error if one of its joints is continuous, since an angle on the circle has no
@@ -311,9 +317,10 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options = {});
 /// position. Values of locked joints, and of "root_joint" on a fixed base, are ignored. Throws
 /// Error for an unknown name or a wrong number of values.
 ///
-/// If a follower has a value but the leader has none, the leader's value is computed from the
-/// follower's value. A continuous leader stays at its neutral position instead. Throws Error if the
-/// values of follower and leader then disagree by more than 1e-3 (files are rounded).
+/// A coupled joint (follower) can have a value while its leader has none. The leader's value is
+/// then computed from the follower's value. Only a continuous leader stays at its neutral position.
+/// Throws Error if the values of follower and leader disagree by more than 1e-3 (files are
+/// rounded).
 Eigen::VectorXd configuration(const Model& model, const Posture& posture);
 
 }  // namespace burnish

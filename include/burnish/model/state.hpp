@@ -15,12 +15,13 @@ namespace burnish {
 Eigen::VectorXd integrate(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                           const Eigen::Ref<const Eigen::VectorXd>& dq);
 
-/// Returns the vector dq (nv entries) with q0 (+) dq = q1. Rotations take the shortest path. Throws
-/// Error for a wrong size.
+/// Returns dq (nv entries) for which q0 (+) dq = q1, where (+) is integrate(). Rotations take the
+/// shortest path. Throws Error for a wrong size.
 Eigen::VectorXd difference(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q0,
                            const Eigen::Ref<const Eigen::VectorXd>& q1);
 
-/// Returns the derivative of q (+) dq with respect to dq at dq = 0, an nq x nv matrix.
+/// Returns the derivative of integrate(model, q, dq) with respect to dq at dq = 0: an nq x nv
+/// matrix.
 Eigen::MatrixXd tangent_map(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
 /// Returns q with all quaternions and (cos, sin) pairs scaled to unit length. Throws Error if a
@@ -28,8 +29,8 @@ Eigen::MatrixXd tangent_map(const Model& model, const Eigen::Ref<const Eigen::Ve
 Eigen::VectorXd normalized(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
 /// Returns a random configuration. Rotations are uniform. Positions are uniform within their
-/// limits, or within +-pi rad or +-1 m if there are no limits. Limits beyond 1e4 rad or m count as
-/// none, since no joint reaches them.
+/// limits, or within +-pi rad or +-1 m without limits. A limit beyond 1e4 rad or m counts as no
+/// limit.
 Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& generator);
 
 /// Checks a configuration. Throws Error if
@@ -46,9 +47,10 @@ void check_tangent(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& 
                    std::string_view argument = "v");
 
 /// Returns a sentence about each implausible value of a state, such as an angle in degrees. q has
-/// nq entries, v and tau have nv. Implausible are
-///  - positions that exceed a limit by more than the range between both limits (rotations: by more
-///    than the larger of this range and one turn);
+/// nq entries, v and tau have nv. Implausible values are
+///  - displacements that exceed a limit by more than the range between both limits;
+///  - angles that exceed a limit by more than the range between both limits and by more than one
+///    turn;
 ///  - positions beyond 1e4 rad or m of joints without limits;
 ///  - positions beyond 1e6 m of floating and planar joints;
 ///  - velocities above ten times their limit, or above 1e4 rad/s or m/s without a limit;

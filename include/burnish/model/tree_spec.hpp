@@ -1,5 +1,5 @@
 // Contents of a robot's description file: links, joints and shapes as plain values. build_model()
-// in model.hpp compiles them to a Model. The base and locked joints are chosen there.
+// in model.hpp compiles them to a Model. ModelOptions select the base and the locked joints.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -113,13 +113,12 @@ struct JointSpec {
   double armature = 0.0;   ///< Inertia of the motor, reflected to the joint [kg m^2] or [kg]
   double stiffness = 0.0;  ///< Stiffness of a spring in the joint [Nm/rad] or [N/m]
 
-  /// Rest position of the joint's spring [rad] or [m] @more Ignored for a ball joint, whose spring
-  /// is at rest without rotation.
+  /// Rest position of the joint's spring [rad] or [m] @more Ignored for a ball joint. The spring of
+  /// a ball joint is at rest without rotation.
   double rest = 0.0;
   std::optional<MimicSpec> mimic;
-  /// Constant position of a joint that the description fixes [rad] or [m]; else empty @more An
-  /// equality constraint of MJCF can hold a hinge or slide joint. The type of a held joint is
-  /// Fixed.
+  /// Constant position of a held joint [rad] or [m]; empty for other joints @more An equality
+  /// constraint of MJCF can hold a hinge or slide joint. A held joint has the type Fixed.
   std::vector<double> held;
   int line = 0;  ///< Line in the description file, for messages about the joint; 0: unknown
 };

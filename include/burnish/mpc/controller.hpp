@@ -32,10 +32,10 @@ struct Measurement {
   /// that frame. Empty if wrenches are not measured
   Eigen::Matrix<double, 6, Eigen::Dynamic> support_wrenches = {};
   /// Time since the last position estimate of a floating base [s]
-  /// @more The value 0 means that the estimate is current. While the value is positive, the base's
-  /// entries of q and v are outdated
+  /// @more The value 0 means that the estimate is current. While the value is positive, the
+  /// floating base's entries of q and v are outdated
   double base_lost_for = 0.0;
-  /// True if the base's entries come from an EstimatedBase, which does not account for payloads
+  /// True if the floating base's entries of q and v were computed by an EstimatedBase
   /// @undescribed
   bool base_is_estimated = false;
 };
@@ -67,16 +67,16 @@ struct Command {
   int iterations = 0;
   /// True if the solve that finished at this tick took longer than its deadline
   bool missed_deadline = false;
-  /// Largest violation of a hard constraint along the last plan, as a fraction of the constraint's
+  /// Largest violation of a hard constraint in the last plan, as a fraction of the constraint's
   /// scale
-  double limits_outside = 0.0;
-  /// Constraint residual that remained when the last solve used up its budget, as a fraction of the
+  double constraint_violation = 0.0;
+  /// Constraint residual after the last iteration of the last solve, as a fraction of the
   /// constraint's scale
-  double limits_open = 0.0;
+  double constraint_residual = 0.0;
   /// Number of active constraints in the last plan, summed over all knots
-  int limits_pushing = 0;
+  int active_constraints = 0;
   /// True if the last solve found that the hard constraints cannot all be satisfied
-  bool limits_infeasible = false;
+  bool constraints_infeasible = false;
   int clipped_torques = 0;  ///< Number of joints whose torque was clipped to its limit at this tick
 };
 
@@ -89,12 +89,12 @@ class Controller {
   /// Forgets all previous ticks.
   virtual void reset() noexcept = 0;
   /// Returns the command for a measurement; the reference is valid until the next call. After a
-  /// numerical failure, Command::status is not Ok, and Command::tau can still be applied.
+  /// numerical failure, Command::status is not Ok, but Command::tau can still be applied.
   virtual const Command& tick(const Measurement& measurement) noexcept = 0;
 
-  /// Returns true if a payload was set that the controller's model does not contain.
+  /// Returns true if the controller has a payload that is not part of its model.
   virtual bool carries_payload() const noexcept { return false; }
-  /// Declares that an EstimatedBase makes the measurements. From then on the controller rejects
+  /// Declares that measurements come from an EstimatedBase. After this call, the controller rejects
   /// payloads.
   virtual void expect_estimated_base() noexcept {}
 

@@ -11,8 +11,8 @@
 
 namespace burnish {
 
-/// Estimates the floating base of a robot on its feet. The estimate replaces the base's entries in
-/// the measurements that the controller receives.
+/// Estimates the floating base of a robot on its feet. In the measurements that the controller
+/// receives, the estimate replaces the base's entries of q and v.
 ///
 /// Measurement::support_wrenches shows which feet are on the ground. If a measurement has no
 /// wrenches, FootForces computes the forces on the feet from the joint torques. The first columns
@@ -20,12 +20,12 @@ namespace burnish {
 /// of other supports may follow.
 ///
 /// GuardedBase estimates the base with a BaseEstimator. While the inertial measurement unit is
-/// silent or wrong, the base is estimated from the feet alone. update() does not throw. It
+/// silent or wrong, the base is estimated from the feet alone. update() does not throw, and
 /// allocates only when columns of other supports first appear.
 ///
-/// The foot forces computed here do not include a payload set with MpcController::set_payload(). A
-/// controller therefore accepts either such a payload or the measurements of this class, not both.
-/// Put the payload into the model instead, with with_payload().
+/// The computed foot forces do not account for a payload set with MpcController::set_payload(). A
+/// controller therefore accepts either a payload or measurements of an EstimatedBase, not both. To
+/// use both, put the payload into the model with with_payload().
 class EstimatedBase {
  public:
   /// Throws Error in the same cases as the constructors of BaseEstimator and FootContacts.
@@ -36,13 +36,14 @@ class EstimatedBase {
   EstimatedBase& operator=(EstimatedBase&&) noexcept;
 
   /// Restarts the estimate at the configuration q (nq entries) and velocity v (nv entries) of the
-  /// whole robot. `standing`: feet on the ground, by default all feet. If the state is invalid,
-  /// returns WrongSize, NotFinite or NotNormalized and changes nothing; otherwise returns Ok.
+  /// whole robot. `standing`: the feet that are on the ground, one bit per foot; by default all
+  /// feet. If the state is invalid, returns WrongSize, NotFinite or NotNormalized and changes
+  /// nothing; otherwise returns Ok.
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v,
                BaseEstimator::Feet standing = ~BaseEstimator::Feet{0}) noexcept;
 
   /// Returns the measurement with the base's entries of q and v replaced by estimates. The first
-  /// call after reset() only starts the clock. If a measurement cannot be used, the estimate of the
+  /// call after reset() only records the time. If a measurement cannot be used, the estimate of the
   /// base stays unchanged and status() returns the reason.
   const Measurement& update(const Measurement& measured) noexcept;
 
@@ -51,7 +52,8 @@ class EstimatedBase {
   /// NotFinite: an entry is not finite, or the time does not increase.
   Status status() const;
   const GuardedBase& base() const;
-  /// Returns the base filter. It is not updated while the base is estimated from the feet alone.
+  /// Returns the filter that uses the inertial measurement unit. The filter is not updated while
+  /// the base is estimated from the feet alone.
   const BaseEstimator& estimator() const;
   const FootContacts& contacts() const;
 

@@ -37,29 +37,31 @@ std::string_view name_of(FaultKind kind);
 struct FaultReport {
   FaultKind kind = FaultKind::None;
   /// Time of the measurement that shows the fault [s]
-  /// @more If a measurement is missing, the time at which it was due
+  /// @more For a missing measurement, this is the time at which the measurement was due
   double time = 0.0;
   /// Index in v of the joint with the fault; -1: the fault concerns no joint
   int joint = -1;
   /// Measured value that violates the limit
-  /// @more The unit depends on the kind of fault: s, number of updates, N, m or m/s. For a joint it
-  /// is rad, rad/s or Nm (prismatic joint: m, m/s or N)
+  /// @more The unit depends on the kind of fault: s, number of updates, N, m or m/s. If the fault
+  /// concerns a joint, the unit is rad, rad/s or Nm (prismatic joint: m, m/s or N)
   double value = 0.0;
   /// Limit that `value` violates, in the same unit
   double limit = 0.0;
   /// Subject of the fault: a monitored quantity, a support, or a part of the robot; empty if there
   /// is none
-  /// @more A quantity is given by name and unit (FaultKind::Watched), a support by name
-  /// (FaultKind::SupportSlipped), a part by words such as "hand 'left'"
+  /// @more With FaultKind::Watched, this is name and unit of the quantity. With
+  /// FaultKind::SupportSlipped, this is the name of the support. A part of the robot has words such
+  /// as "hand 'left'"
   std::string quantity = {};
   /// Name of the joint with the fault; empty: the fault concerns no joint
   std::string joint_name = {};
-  /// Unit of `value` and `limit` if the fault concerns a joint; empty: `kind` determines the unit
+  /// Unit of `value` and `limit` if the fault concerns a joint; empty: the kind of fault determines
+  /// the unit
   std::string unit = {};
-  /// Cause of the fault as far as measurements show it, such as "the force came to 1.4 N at most; 2
-  /// N count as contact"; empty if unknown
+  /// Probable cause of the fault, such as "the largest force was 1.4 N; 2 N count as contact";
+  /// empty if unknown
   std::string cause = {};
-  /// Record of all ticks in the second before the fault, oldest first; empty without a fault
+  /// Record of all ticks in the last second before the fault, oldest first; empty without a fault
   Trace last_second;
 
   /// Returns the fault as one sentence, such as "speed limit at 3.2140 s: joint 'wrist_3': 3.9

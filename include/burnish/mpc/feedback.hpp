@@ -1,5 +1,5 @@
-// Feedback policy over the horizon, copied from a solution. A controller applies it between two
-// solves.
+// Feedback policy over the horizon, copied from a solution. A controller applies the policy between
+// two solves.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ class DdpSolver;
 /// Linear feedback law u = feedforward + gain (x (-) state), where (-) is the difference of two
 /// states on their manifold.
 /// @described mpc @result
-/// Linear feedback controllers of ros2_control use the same three quantities.
+/// Linear feedback controllers of ros2_control also use a feedforward, a gain and a state.
 struct LinearFeedback {
   /// Feedforward torques, nu entries [Nm (N)]
   Eigen::VectorXd feedforward;
@@ -29,24 +29,25 @@ struct LinearFeedback {
 };
 
 /// Feedback policy over time, copied from the first knots of a solution. Only the constructors
-/// allocate. Not thread-safe: even const functions must not run in several threads at once.
+/// allocate. Two threads must not use one FeedbackPlan, because at() and control() write to its
+/// scratch memory.
 class FeedbackPlan {
  public:
   /// Allocates space for the first `knots` knots of the problem's horizon, or for the whole horizon
-  /// if it has fewer knots. `step`: time between knots [s]. The problem must outlive the plan.
-  /// Throws Error if `knots` is less than 1 or `step` is not positive.
+  /// if the horizon has fewer knots. `step`: time between knots [s]. The problem must outlive the
+  /// plan. Throws Error if `knots` is less than 1 or `step` is not positive.
   FeedbackPlan(const ShootingProblem& problem, int knots, double step);
   /// Allocates space for one knot per entry of `steps`. Each entry is the time from that knot to
-  /// the next one [s]. Entries beyond the problem's horizon are ignored. The problem must outlive
-  /// the plan. Throws Error if `steps` is empty or an entry is not positive.
+  /// the next one [s]. Entries beyond the end of the problem's horizon are ignored. The problem
+  /// must outlive the plan. Throws Error if `steps` is empty or an entry is not positive.
   FeedbackPlan(const ShootingProblem& problem, std::span<const double> steps);
 
   /// Copies the trajectory and gains of `solver`. The plan then starts at `time` [s]. `solver` must
-  /// solve the problem that was passed to the constructor. If a knot has fewer controls than
-  /// others, its missing controls and gain rows are set to zero.
+  /// solve the problem that was passed to the constructor. If a knot has fewer controls than other
+  /// knots, zeros replace its missing controls and gain rows.
   void load(const DdpSolver& solver, double time) noexcept;
   /// Copies the trajectory and gains of `solver`, and the knot times in `times`. The plan then
-  /// starts at `time` [s]. `times` must have at least knots() knots; further ones are ignored.
+  /// starts at `time` [s]. `times` must have at least knots() knots; further knots are ignored.
   void load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept;
   /// Shifts the loaded plan in time so that it starts at `time` [s].
   void begin_at(double time) noexcept { start_ = time; }
@@ -56,20 +57,20 @@ class FeedbackPlan {
   void clear() noexcept { loaded_ = false; }
   bool empty() const { return !loaded_; }
   int knots() const { return knots_; }
-  /// Returns the time of `knot` [s]. `knot` is 0 to knots(), where knots() means the end of the
-  /// plan.
+  /// Returns the time of `knot` [s]. `knot` is between 0 and knots(). The value knots() means the
+  /// end of the plan.
   double time_of(int knot) const { return start_ + times_.after(knot); }
   double start() const { return start_; }  ///< Time at which the plan starts [s]
 
   /// Writes the policy at `time` [s] into `out`. Controls and gains come from the knot whose step
   /// contains `time`. The state is interpolated between this knot and the next one. A time outside
-  /// the plan is replaced by the start or the end of the plan. `out` must have the sizes of
-  /// make_feedback(). An empty plan does not change `out`.
-  void at(double time, LinearFeedback& out) const noexcept;
+  /// the plan is replaced by the start or the end of the plan. `out` must have the sizes of the
+  /// result of make_feedback(). If the plan is empty, `out` stays unchanged.
+  void at(double time, LinearFeedback& out) noexcept;
   LinearFeedback make_feedback() const;
   /// Computes u = feedforward + gain (x (-) state). `x` has nx entries and `u` has nu entries.
   void control(const LinearFeedback& feedback, const Eigen::VectorXd& x,
-               Eigen::VectorXd& u) const noexcept;
+               Eigen::VectorXd& u) noexcept;
 
  private:
   const ShootingProblem* problem_;
@@ -79,7 +80,7 @@ class FeedbackPlan {
   bool loaded_ = false;
   RowMatrix x_, u_;
   std::vector<Eigen::MatrixXd> gain_;
-  mutable Eigen::VectorXd dx_;
+  Eigen::VectorXd dx_;  ///< Scratch: difference of two states
 };
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// Online estimate of the coefficient of friction between a tool and the surface that it slides on.
-// It is computed from the tangential force.
+// Online estimate of the coefficient of friction between a tool and the surface on which the tool
+// slides. The estimate uses the tangential force.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,24 +13,24 @@ struct FrictionEstimateOptions {
   /// Estimate the coefficient; if false, `coefficient` is used unchanged
   bool enabled = true;
   /// Initial coefficient of friction, >= 0
-  /// @more Plans include friction if this value is positive or `enabled` is true
+  /// @more Plans include friction if this initial value is positive or if `enabled` is true
   double coefficient = 0.0;
   /// Standard deviation of the initial coefficient, > 0
   double deviation = 0.3;
   /// Random-walk intensity of the coefficient over the sliding distance [1/sqrt(m)], >= 0
   double wander = 0.3;
   /// Standard deviation of the measured force along the surface [N], > 0
-  /// @more Forces measured more than `noise_time` apart have independent noise
+  /// @more The noise of two forces is independent if they are measured more than `noise_time` apart
   double force_noise = 0.3;
   /// Correlation time of the force noise [s], >= 0
   double noise_time = 0.01;
-  /// Sliding speed below which forces get little weight, since they may be stiction [m/s], > 0
+  /// Sliding speed below which forces get little weight, because they may be stiction [m/s], > 0
   double speed = 0.01;
 };
 
 /// Returns the smoothed sliding direction v_across / sqrt(|v_across|^2 + speed^2), as in
-/// SlidingFriction. `v_across`: velocity of the tool along the surface [m/s]. `speed`: width of the
-/// smoothing [m/s].
+/// SlidingFriction. `v_across`: velocity of the tool along the surface [m/s]. `speed`: speed below
+/// which the result is shorter than about 0.7 [m/s].
 Eigen::Vector3d sliding_direction(const Eigen::Vector3d& v_across, double speed) noexcept;
 
 /// Kalman filter of the friction coefficient mu, which varies with the sliding distance of the

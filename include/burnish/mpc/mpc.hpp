@@ -32,10 +32,10 @@ struct SafetyLimits {
   /// @more For prismatic joints the unit is m
   double joint_margin = 0.05;
   /// Longest time without a new measurement [s], > 0 or infinite
-  /// @more Must be longer than the tick period
+  /// @more The time must be longer than the tick period
   double stale = 0.02;
   /// Longest time with invalid measurements [s], > 0 or infinite
-  /// @more During that time the policy continues from the last valid measurement
+  /// @more During this time, the feedback policy continues from the last valid measurement
   double bad = 0.01;
   /// Number of failed solves in a row that raises a fault, >= 1
   /// @more A failed first solve raises a fault at once
@@ -49,41 +49,41 @@ struct SafetyLimits {
   /// Longest time without a position estimate of a floating base [s], > 0 or infinite
   double base_lost = 0.05;
   /// Largest sliding distance of a foot along the ground within about a second [m], > 0 or infinite
-  double support_way = 0.2;
-  /// Largest torque gap of a motor, as a fraction of the effort limit, > 0 or infinite
-  /// @more The gap is the difference between measured and commanded torque, as a mean over 30 ms.
-  /// Beyond the limit, the motor counts as failed. The limit is multiplied by 0.6 while a motor
-  /// delivers less than a fifth of its command. Torques must be measured
+  double support_slip = 0.2;
+  /// Largest torque error of a motor, as a fraction of its effort limit, > 0 or infinite
+  /// @more The torque error is the difference between measured and commanded torque, as a mean over
+  /// 30 ms. Beyond the limit, the motor counts as failed. While a motor delivers less than a fifth
+  /// of its command, the limit is multiplied by 0.6. A finite limit requires measured torques
   double torque_gap = std::numeric_limits<double>::infinity();
 };
 
-/// Reaction of plans to a support that slips, such as a foot: plans use a smaller coefficient of
-/// friction for that support. The coefficient is `share` times the measured ratio of tangential to
-/// normal force, or `least` if forces are not measured. A support counts as slipping if three
-/// values exceed their thresholds: its load (if measured), its sliding distance within about a
-/// second, and its speed.
+/// Reaction of plans to a slipping support, such as a foot: plans reduce the coefficient of
+/// friction of that support. The reduced coefficient is `friction_fraction` times the measured
+/// ratio of tangential to normal force. Without measured forces, the reduced coefficient is
+/// `min_friction`. A support counts as slipping if its load (if measured), its sliding speed and
+/// its sliding distance within about a second all exceed their thresholds.
 /// @described mpc
-/// The smaller coefficient applies to the residuals FrictionCone and CenterOfPressure of supports
+/// The reduced coefficient applies to the residuals FrictionCone and CenterOfPressure of supports
 /// that are in contact in every stage. Supports without a FrictionCone are not affected.
 struct SlipOptions {
   /// Reduce the friction coefficient of supports that slip
   bool enabled = true;
   /// Sliding distance above which a support can count as slipping [m], >= 0
-  double way = 2.5e-3;
+  double distance = 2.5e-3;
   /// Sliding speed (mean over 5 ms) above which a support can count as slipping [m/s], >= 0
   double speed = 0.02;
   /// Load above which a support can count as slipping [N], >= 0
   double load = 30.0;
-  /// Friction coefficient for a support that slips, as a fraction of the measured ratio of
-  /// tangential to normal force, 0 to 1
-  double share = 0.7;
+  /// Reduced friction coefficient, as a fraction of the measured ratio of tangential to normal
+  /// force of the slipping support, 0 to 1
+  double friction_fraction = 0.7;
   /// Lower limit of the reduced friction coefficient, > 0
-  double least = 0.02;
-  /// Time constant with which the coefficient is reduced [s], >= 0
-  /// @more The time constant is doubled if forces are not measured. After an abrupt change, the
-  /// solver would not find a good plan
+  double min_friction = 0.02;
+  /// Time constant of the reduction of the friction coefficient [s], >= 0
+  /// @more Without measured forces, the time constant is doubled. The reduction is gradual, because
+  /// the solver would not find a good plan after an abrupt change
   double easing = 0.05;
-  /// Rate at which the coefficient recovers while the support does not slip [1/s], >= 0
+  /// Rate at which the friction coefficient recovers while the support does not slip [1/s], >= 0
   double recovery = 0.1;
   /// Radius of spherical feet (0: feet are not spherical) [m], >= 0
   /// @more Rolling of a spherical foot does not count as slipping
@@ -93,36 +93,36 @@ struct SlipOptions {
 /// Spring and damper in the joints that stop the robot after a fault and hold it there. The torque
 /// of the actuated joints is tau = b(q, 0) - M (stiffness e + damping v), clipped to the effort
 /// limits. M is the mass matrix, b(q, 0) the gravity torque, v the joint velocity and e = q (-)
-/// q_hold the spring deflection. q_hold is the configuration at the fault. Where the spring torque
-/// would exceed the fraction `give` of a joint's effort limit, q_hold follows the robot.
+/// q_hold the spring deflection. q_hold is the configuration at the fault. If the spring torque of
+/// a joint would exceed `saturation_fraction` times its effort limit, q_hold follows the robot.
 /// @described mpc
-/// The index a stands for rows and columns of the actuated joints: tau_a = b_a(q, 0) - M_aa
-/// (stiffness e_a + damping v_a). This law requests no contact force. A motor that has failed
-/// (FaultKind::MotorLost) gets no torque. On a robot with loops or supports, the other motors then
-/// hold the robot as if that joint were free.
+/// With the index a for rows and columns of the actuated joints, the control law is tau_a = b_a(q,
+/// 0) - M_aa (stiffness e_a + damping v_a). The control law requests no contact force. A motor that
+/// has failed (FaultKind::MotorLost) gets no torque. On a robot with kinematic loops or supports,
+/// the other motors then hold the robot as if the joint of the failed motor were free.
 ///
 /// For a robot on supports (MpcSpec::supports), M and b are computed with the supports in contact.
-/// If the sensor of a support measures no load, the support is left out, and its leg is held like a
-/// hanging leg.
+/// If the sensor of a support measures no load, the support is left out, and the support's leg is
+/// held like a hanging leg.
 ///
-/// If the spring torque M_aa stiffness e_a exceeds `give` times the effort limit of a joint, q_hold
-/// moves towards q until no joint exceeds that torque. A fast robot is therefore braked and held
-/// where it stops, and a person can push it aside. A constant torque error d of the model moves the
-/// robot by (stiffness M_aa)^-1 d and no further. Joints without an effort limit do not move
+/// If the spring torque M_aa stiffness e_a exceeds `saturation_fraction` times the effort limit of
+/// a joint, q_hold moves towards q until no joint exceeds that torque. A fast robot is therefore
+/// braked and held where it stops, and a person can push it aside. A constant torque error d of the
+/// model moves the robot by only (stiffness M_aa)^-1 d. Joints without an effort limit do not move
 /// q_hold. A floating base is not held.
 ///
 /// Without a valid measurement, v in the damping term decays from the last measured value at the
-/// rate `damping`. The spring is switched off after 10 ms, or after SafetyLimits::bad if that is
-/// shorter. This bridges short gaps only: a robot that stays without measurements is not held and
-/// needs its brakes. When measurements return after the spring was off, q_hold is set to the
-/// configuration at that time.
+/// rate `damping`. The spring is switched off after 10 ms, or after SafetyLimits::bad if this time
+/// is shorter. The fallback bridges only short gaps between measurements: a robot that stays
+/// without measurements is not held and needs its brakes. When measurements return after the spring
+/// was switched off, q_hold is set to the measured configuration.
 struct Fallback {
-  /// Spring stiffness, multiplied by the mass matrix (0: braked, not held) [1/s^2], >= 0
+  /// Spring stiffness per inertia (0: a damper brakes the robot, no spring) [1/s^2], >= 0
   double stiffness = 900.0;
   /// Damping, multiplied by the mass matrix [1/s], >= 0
   double damping = 40.0;
   /// Largest spring torque, as a fraction of a joint's effort limit, 0 to 1
-  double give = 0.15;
+  double saturation_fraction = 0.15;
 };
 
 /// Time at which a newly computed plan replaces the previous one.
@@ -130,7 +130,7 @@ struct Fallback {
 enum class PlanTiming {
   /// A plan is used a fixed time, solver_delay, after the measurement from which it was computed
   Fixed,
-  /// A plan is used once its measured computing time has passed; for simulations
+  /// A plan is used when its measured computing time has passed in simulated time
   /// @note Until then the previous plan stays in use, and the next solve does not begin.
   Measured,
   /// A plan is used as soon as a background thread has computed it
@@ -147,9 +147,9 @@ struct MpcSpec {
   /// @more The schedule selects the stage of each knot. The segments of the horizon define only the
   /// number of knots and their steps
   /// @required
-  /// @note All stages must have the same step unless the horizon's segments state steps. A knot
+  /// @note Unless the horizon's segments state steps, all stages must have the same step. A knot
   /// belongs to the phase that contains the knot's time. If steps differ, the knot nearest to a
-  /// change of phase is moved to that change.
+  /// change of phase is moved to the time of the change.
   ProblemSpec problem;
   std::vector<SchedulePhase> schedule = {};
   /// Function that creates the task, which defines events and monitored quantities; none: no task
@@ -162,7 +162,7 @@ struct MpcSpec {
   /// Normal of the surface that the tool presses on, in the axes of `base` (world axes if `base` is
   /// empty)
   /// @more The normal points towards the robot. Friction acts perpendicular to the normal
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
   /// Normal force above which the tool counts as in contact [N]
   /// @after force_sensor
   double contact_threshold = 2.0;
@@ -171,56 +171,56 @@ struct MpcSpec {
   /// robot with a floating base needs at least one such support. Supports that are in contact only
   /// in some stages, such as hands on a wall, require support_sensors
   std::vector<std::string> supports = {};
-  /// Measurement.support_wrenches is measured, one column per entry of `supports`
+  /// Whether Measurement.support_wrenches is measured, with one column per entry of `supports`
   /// @more Torque errors are then estimated in all joints, including the joints of supporting legs
   bool support_sensors = false;
-  /// Measurement.tool_force_world is measured; if false, the force at the tool is estimated
-  /// @more The estimate is the force that explains how the torque error changes at contact. It uses
-  /// torques, positions and velocities and requires model_error.kind torque
+  /// Whether Measurement.tool_force_world is measured; if false, the force at the tool is estimated
+  /// @more The estimated force explains the change of the torque error at contact. The estimate
+  /// uses torques, positions and velocities, and requires model_error.kind torque
   bool force_sensor = true;
   /// Time between ticks [s]
   double tick_period = 5e-4;
   /// Time between solves, a multiple of the tick period [s]
   double update_period = 0.01;
   /// Time before the first plan during which the fallback holds the robot in place [s], >= 0
-  /// @more The estimators settle in that time. The schedule begins afterwards
+  /// @more The estimators settle during this time. The schedule begins afterwards
   double settle = 0.0;
   /// When a new plan comes into use: fixed, measured or thread
   PlanTiming timing = PlanTiming::Fixed;
   /// Time from a measurement to the use of the plan computed from that measurement [s]
-  /// @more With timing fixed, at most the update period. The plan begins at the state that the
-  /// current policy is predicted to reach after this time
+  /// @more With timing fixed, the delay is at most the update period. The new plan starts from the
+  /// state that is predicted for the end of the delay under the current policy
   double solver_delay = 0.0;
-  /// Assumed delay from a command to its torque, rounded to ticks [s]
-  /// @more Plans and feedback start from the state predicted from the torques already sent. The
-  /// model error is estimated from the torque that acted at the time of the measurement
+  /// Assumed delay from a torque command to the torque in the joint, rounded to ticks [s]
+  /// @more The state at the end of the delay is predicted from the torques already sent. Plans and
+  /// feedback start from the predicted state. The model error is estimated from the torque that
+  /// acted at the time of the measurement
   double command_delay = 0.0;
   /// Assumed delay from a measurement to the tick that receives it [s]
-  /// @more The controller predicts the state over this delay, as for command_delay.
-  /// Measurement.time must be the time of the receiving tick
+  /// @more The controller predicts the state over the sum of both delays, command_delay and
+  /// measurement_delay. Measurement.time must be the time of the receiving tick
   double measurement_delay = 0.0;
   /// Factor on measured computing times, to simulate a slower computer
-  /// @more Used with timing measured
+  /// @more The factor is used only if `timing` is `measured`
   double slowdown = 1.0;
   DdpOptions solver = {
       .update = StepUpdate::MultipleShooting, .max_iterations = 1, .limits = {.tolerance = 1e-6}};
   /// Maximum number of iterations of the first solve
   int first_iterations = 100;
-  /// Maximum number of iterations of a solve after a jump or pause of the schedule's clock
+  /// Maximum number of iterations of a solve right after the schedule's clock jumped or waited
   int jump_iterations = 3;
   /// Maximum number of Riccati recursions per iteration if the problem has constraints
-  /// @more Sweeps that reuse a factorization have the same maximum. The entries max_factors,
-  /// max_sweeps and largest_price of solver.limits are ignored
-  int max_factors = 8;
+  /// @more The number of sweeps that reuse a factorization has the same maximum. The entries
+  /// max_factorizations, max_sweeps and max_l1_weight of solver.limits are ignored
+  int max_factorizations = 8;
   /// Maximum number of Riccati recursions per iteration in the first solve
-  /// @more Also used in a solve after a jump or pause of the schedule's clock
-  int first_factors = 50;
+  /// @more This maximum is also used in a solve right after the schedule's clock jumped or waited
+  int first_max_factorizations = 50;
   /// Additional limits on the commanded torques, nv entries [Nm (N)]; empty: no additional limits
   /// @more The robot's effort limits always apply. The fallback uses only the effort limits
   Eigen::VectorXd torque_limit = {};
   ModelErrorOptions model_error = {};
-  /// Estimate of the friction coefficient for contacts of the tool that have friction
-  /// (ContactSpec.friction)
+  /// Estimation of the friction coefficient at the tool, for contacts with ContactSpec.friction
   FrictionEstimateOptions friction_estimate = {};
   SlipOptions slip = {};  ///< Reaction of plans to slipping supports
   SafetyLimits limits = {};
@@ -237,7 +237,7 @@ struct MpcSpec {
 /// reset() give bitwise the same torques. The first measurement may have any time. The schedule's
 /// clock starts at that time.
 ///
-/// The first solve runs until it converges or reaches `first_iterations`, which may take long. With
+/// The first solve may take long: it runs until it converges or reaches `first_iterations`. With
 /// PlanTiming::Thread, the fallback holds the robot during the first solve, and the schedule's
 /// clock stands still. With PlanTiming::Measured and PlanTiming::Thread, an update that is due
 /// waits until the previous plan is finished.
@@ -250,23 +250,23 @@ struct MpcSpec {
 ///  4. The limits of the controller are checked, then the limits of the task.
 ///  5. When an update is due, the stages and targets of the horizon are set, and the problem is
 ///     solved from the measured state, with the last solution as warm start. With a `solver_delay`,
-///     the problem is solved from the state predicted for the end of that delay.
+///     the problem is solved from the state predicted for the end of the delay.
 ///  6. The policy computes the torque, which is clipped to the torque limits.
-/// With delays of commands or measurements, steps 5 and 6 use the predicted state in which the
-/// torque will act.
+/// If commands or measurements have a delay, steps 5 and 6 use the state that is predicted for the
+/// time when the torque acts.
 ///
-/// Plans satisfy the constraints of the problem as far as `max_factors` recursions suffice.
-/// Command::limits_open is the remaining residual, and Command::limits_outside is the violation
-/// along the plan. Torques are clipped to `torque_limit` before they are sent. If the hard
-/// constraints cannot all be satisfied from the measured state on, their violation is penalized
-/// with the L1 penalty weight `solver.limits.price`. The controller follows the resulting
-/// plan and sets Command::limits_infeasible.
+/// Plans satisfy the constraints of the problem as far as `max_factorizations` recursions suffice.
+/// Command::constraint_residual is the remaining residual, and Command::constraint_violation is the
+/// violation along the plan. Torques are clipped to `torque_limit` before they are sent. If the
+/// hard constraints cannot all be satisfied from the measured state on, their violation is
+/// penalized with the L1 penalty weight `solver.limits.l1_weight`. The controller follows the
+/// resulting plan and sets Command::constraints_infeasible.
 ///
 /// After an invalid measurement (NaN, wrong size, or a time that does not increase), the policy
-/// continues from the last valid one until SafetyLimits::bad or SafetyLimits::stale has passed. If
-/// an update fails, the previous plan stays in use. The first fault activates the fallback until
-/// reset(). fault() then returns the fault with a record of the last second. The fallback also
-/// computes the torque before the first plan. The torque is always finite.
+/// continues from the last valid measurement until SafetyLimits::bad or SafetyLimits::stale has
+/// passed. If an update fails, the previous plan stays in use. The first fault activates the
+/// fallback until reset(). fault() then returns the fault with a record of the last second. The
+/// fallback also computes the torque before the first plan. The torque is always finite.
 ///
 /// Ticks do not throw. They allocate only if functions in the specification (targets, residuals,
 /// the solver's callback) allocate. Exceptions of targets and residuals are caught, in any thread
@@ -275,7 +275,7 @@ struct MpcSpec {
 /// actuators must have the same lag.
 class MpcController final : public Controller {
  public:
-  /// Throws Error with one sentence if the specification is inconsistent.
+  /// Creates the controller. Throws Error with one sentence if the specification is inconsistent.
   explicit MpcController(MpcSpec spec);
   ~MpcController() override;
 
@@ -285,17 +285,17 @@ class MpcController final : public Controller {
 
   /// Sets the payload that the robot carries from the next tick on. `payload`: inertia in the axes
   /// of `frame`. A previous payload of the same body is replaced. Plans, estimators and the
-  /// fallback use the payload, and reset() does not remove it. Call this function between ticks. It
-  /// does not allocate, and it waits for a plan that a thread is computing.
+  /// fallback use the payload, and reset() does not remove it. Call set_payload() between ticks.
+  /// The call does not allocate. If a thread is computing a plan, the call waits for the plan.
   ///
   /// If check_inertia() reports NotFinite or NotPhysical, returns that status and changes nothing;
   /// otherwise returns Ok. Throws Error for an unknown frame, with the nearest name, and for a
   /// frame that is fixed to the world.
   ///
   /// Also throws Error if measurements come from an EstimatedBase, which does not account for
-  /// payloads. Put the payload into the model with with_payload() instead. If such measurements
-  /// begin only after the payload was set, Command::status is NotPhysical and the fallback holds
-  /// the robot.
+  /// payloads. Put the payload into the model with with_payload() instead. If measurements of an
+  /// EstimatedBase begin after the payload was set, Command::status is NotPhysical and the fallback
+  /// holds the robot.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   bool carries_payload() const noexcept override;
   void expect_estimated_base() noexcept override;
@@ -303,29 +303,30 @@ class MpcController final : public Controller {
   /// Returns the first fault since reset(). FaultReport::kind is None if there was no fault.
   const FaultReport& fault() const;
   /// Returns and clears the first exception that a function of the specification threw since
-  /// reset() or the previous call; null if there was none.
+  /// reset() or since the previous call of take_exception(); null if there was none.
   std::exception_ptr take_exception() noexcept;
-  /// Returns the policy of the last tick: feedforward torque, gains, and the state at which the
-  /// policy is linearized.
+  /// Returns the feedback policy of the last tick: feedforward torque, gains, and the state at
+  /// which the policy is linearized.
   const LinearFeedback& feedback() const;
-  /// Returns the estimated torque error, nv entries [Nm, or N]. It is the observer's estimate plus
-  /// the joint torques of the estimated friction along the surface. The friction is scaled to the
-  /// target force.
+  /// Returns the estimated torque error, nv entries [Nm, or N]. The torque error is the sum of the
+  /// observer's estimate and the joint torques due to friction along the surface. The friction is
+  /// the estimated ratio of friction to normal force, times the target force.
   const Eigen::VectorXd& torque_error() const;
-  /// Returns the estimated force error [N], with ModelErrorKind::Force.
+  /// Returns the estimated error of the normal force [N]. It is estimated only with
+  /// ModelErrorKind::Force.
   double force_error() const;
   /// Returns the coefficients of friction that plans use for supports (see SlipOptions). Only
-  /// supports in contact in every stage have an entry, in the order of ProblemSpec::contacts. The
-  /// entry is infinite for a support without a friction cone.
+  /// supports in contact in every stage have an entry, in the order of ProblemSpec::contacts. If a
+  /// support has no friction cone, its entry is infinite.
   const Eigen::VectorXd& support_friction() const;
   const Schedule& schedule() const;
   /// Returns the time since the measurement from which the plan in use was computed [s]; infinite
   /// if there is no plan.
   double plan_age() const;
   const Problem& problem() const;
-  /// Returns the states of the most recent plan, (N + 1) x nx for N knots. With a solver delay,
-  /// this plan may not be in use yet. Do not call this function while a thread computes a plan
-  /// (PlanTiming::Thread).
+  /// Returns the states of the most recent plan, (N + 1) x nx for N knots. With a solver delay, the
+  /// most recent plan may not be in use yet. Do not call this function while a thread computes a
+  /// plan (PlanTiming::Thread).
   MatrixView plan() const;
   /// Returns the solver, which contains the trajectory, gains and value function of the most recent
   /// plan. Do not call this function while a thread computes a plan (PlanTiming::Thread).

@@ -19,13 +19,13 @@ struct SurfaceEstimateOptions {
   /// Standard deviation of the initial normal's angle about each tangent [rad], > 0
   double tilt = 0.1;
   /// Standard deviation of the initial curvatures [1/m], > 0
-  /// @more A quarter of the magnitude of the initial curvatures is added to this value
+  /// @more The filter adds a quarter of the magnitude of the initial curvatures to this value
   double curvature = 0.3;
   /// Random-walk intensity of the curvatures over the travelled distance [1/m/sqrt(m)], > 0
-  double bend_change = 0.5;
+  double curvature_change = 0.5;
   /// Standard deviation of position noise that is correlated along the path [m], > 0
-  /// @more The noise is along the surface normal. Noise that is independent from tick to tick is
-  /// estimated online and added to this noise
+  /// @more The noise is along the surface normal. The filter itself estimates the additional noise
+  /// that is uncorrelated from tick to tick
   double position_noise = 3e-5;
   /// Correlation length of position noise, such as the tip motion per encoder step [m], > 0
   double noise_length = 1e-4;
@@ -46,13 +46,14 @@ struct SurfaceEstimateOptions {
 ///   phi = h + s . t + t . K t / 2 - c f,
 /// where phi is the distance from the initial surface to the tip's centre minus `tip_radius`. t is
 /// the tip's displacement along the tangents and f the force along the normal. If the surface may
-/// move, h changes at the rate r. State and covariance change with the distance that the tip
-/// travels. Slope and curvature at the tip are extrapolated ahead of the tip.
+/// move, h changes at the rate r. While the tip travels, state and covariance are predicted over
+/// the travelled distance. Slope and curvature at the tip are extrapolated to the surface ahead of
+/// the tip.
 class SurfaceEstimator {
  public:
-  /// `believed`: initial surface. `tip_radius`: radius of the tip [m]. `tick_period`: time between
+  /// `nominal`: initial surface. `tip_radius`: radius of the tip [m]. `tick_period`: time between
   /// updates [s]. Throws Error if an option is out of range.
-  SurfaceEstimator(Surface believed, double tip_radius, const SurfaceEstimateOptions& options,
+  SurfaceEstimator(Surface nominal, double tip_radius, const SurfaceEstimateOptions& options,
                    double tick_period);
 
   void reset() noexcept;
@@ -67,8 +68,8 @@ class SurfaceEstimator {
   const Quadric& surface() const { return surface_; }
   /// Returns the estimated surface normal at the tip, a unit vector.
   const Eigen::Vector3d& normal() const { return normal_; }
-  /// Returns the standard deviation of the normal's angle [rad], about the tangent for which it is
-  /// largest.
+  /// Returns the standard deviation of the angle of the estimated normal [rad], as the largest
+  /// value about any tangent.
   double normal_deviation() const;
   /// Returns the estimated compliance [m/N].
   double compliance() const { return x_[c_]; }
@@ -83,16 +84,16 @@ class SurfaceEstimator {
 
   void learn() noexcept;
   void follow_noise(const Eigen::Vector3d& p) noexcept;
-  void start(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept;
+  void start(const Eigen::Vector3d& p, const SurfaceDistance& nominal) noexcept;
   void wait(double dt) noexcept;
   void move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& d,
-               const SurfaceDistance& believed) noexcept;
-  void measure(double distance, double force, double way) noexcept;
+               const SurfaceDistance& nominal) noexcept;
+  void measure(double distance, double force, double travel) noexcept;
   void begin_anew() noexcept;
-  void recover(double way) noexcept;
-  void tell(const Eigen::Vector3d& p) noexcept;
+  void recover(double travel) noexcept;
+  void update_estimate(const Eigen::Vector3d& p) noexcept;
 
-  Surface believed_;
+  Surface nominal_;
   double radius_;
   SurfaceEstimateOptions options_;
   /// Number of ticks averaged into one measurement
@@ -111,7 +112,7 @@ class SurfaceEstimator {
   int seen_ = 0;
   /// Tip positions at the last two ticks [m]
   Eigen::Vector3d before_, before_that_;
-  /// Columns: tangents t_u and t_w and the normal of the initial surface, at place_
+  /// Tangents t_u, t_w and normal of the initial surface at the position place_, as columns
   Eigen::Matrix3d tangents_;
   State x_;
   Covariance P_;
@@ -121,8 +122,9 @@ class SurfaceEstimator {
   double sum_f_ = 0.0;
   int ticks_ = 0;
   bool placed_ = false;
-  double trust_ = 1.0;  ///< Factor on the initial deviations of slope and curvature, at most 1
-  double bend_ = 0.0;   ///< Standard deviation of the curvatures at the first contact [1/m]
+  /// Factor on the initial standard deviations of slope and curvature, at most 1
+  double trust_ = 1.0;
+  double curvature_ = 0.0;  ///< Standard deviation of the curvatures at the first contact [1/m]
   Quadric surface_;
   Eigen::Vector3d normal_;
 };

@@ -1,6 +1,6 @@
-// Interface between an MpcController and its task. A task adds to the stages of the problem: phases
-// in time, events that end phases, monitored quantities, and recorded targets. The mpc layer
-// contains no task.
+// Interface between an MpcController and its task. The optimal control problem defines stages; the
+// task adds phases in time, events that end phases, monitored quantities, and recorded targets. The
+// layer mpc contains no task.
 #pragma once
 
 #include <functional>
@@ -29,11 +29,12 @@ struct SchedulePhase {
   /// @more Only the last phase may have an infinite duration
   double duration = std::numeric_limits<double>::infinity();
   /// Event that ends the phase, such as "contact"; empty: the phase ends after its duration
-  /// @more If the event is early, the clock jumps to the end of the phase. If the event is late,
-  /// the clock waits at the time `hold` before the end. Plans made while the clock waits contain
-  /// the rest of this phase and then the next phase. The event is ignored in the last phase
+  /// @more If the event is early, the schedule's clock jumps to the end of the phase. If the event
+  /// is late, the clock stops at the time `hold` before the end of the phase and waits. Plans made
+  /// while the clock waits contain the rest of this phase and then the next phase. The last phase
+  /// ignores its event
   std::string until = {};
-  /// Time before the end of the phase at which the clock waits for a late event [s]
+  /// Remaining time of the phase at which the schedule's clock waits for a late event [s]
   /// @more If `hold` is longer than the phase, the clock waits at the start of the phase
   double hold = 0.05;
 };
@@ -43,10 +44,12 @@ struct SchedulePhase {
 class Schedule {
  public:
   /// Throws Error if `phases` is empty, if there are more than 32 events, or if a phase waits for
-  /// an event that is not in `events`. Also throws if a duration is not positive, or is infinite
-  /// before the last phase. The hold of a phase with an event must be positive and finite.
+  /// an event that is not in `events`. Also throws if a duration is not positive, or if a phase
+  /// before the last one has an infinite duration. If a phase ends at an event, SchedulePhase::hold
+  /// must be positive and finite.
   Schedule(std::vector<SchedulePhase> phases, std::vector<std::string> events);
-  /// Uses the events that the phases name, in the order in which they first appear.
+  /// Creates a schedule whose events are the events named in `phases`, in order of first
+  /// appearance.
   explicit Schedule(std::vector<SchedulePhase> phases);
 
   const std::vector<SchedulePhase>& phases() const { return phases_; }
@@ -55,10 +58,10 @@ class Schedule {
   double start_of(int phase) const { return starts_[static_cast<std::size_t>(phase)]; }
 
   void reset() noexcept;
-  /// Advances the clock by `dt` [s]. Bit e of `happened` is set while event e of events() is
-  /// present. Only the event that ends the current phase matters. A phase that has ended does not
-  /// return when its event is no longer present. Returns true if the clock jumped or waited; times
-  /// in earlier plans are then wrong.
+  /// Advances the clock by `dt` [s]. Bit e of `happened` is 1 while event e of events() is present.
+  /// Only the event that ends the current phase matters. An ended phase stays ended when its event
+  /// disappears. Returns true if the clock jumped or waited. In this case, the times in earlier
+  /// plans are wrong.
   bool advance(double dt, unsigned happened) noexcept;
   /// Sets the clock to the start of `phase`. An index beyond the last phase means the last phase.
   void jump_to(int phase) noexcept;
@@ -69,9 +72,10 @@ class Schedule {
   bool waits() const { return waits_; }
   int phase() const { return phase_at(time_); }
   /// Returns the index of the phase at the clock time `time` [s]. After the end of the schedule,
-  /// this is the last phase.
+  /// returns the index of the last phase.
   int phase_at(double time) const noexcept;
-  /// Returns true after the end of the last phase; always false if that phase is infinite.
+  /// Returns true after the end of the last phase; always false if the last phase has infinite
+  /// duration.
   bool finished() const noexcept;
 
  private:
@@ -81,7 +85,8 @@ class Schedule {
   std::vector<double> starts_;
   double time_ = 0.0;
   bool waits_ = false;
-  int current_ = 0;  ///< Current phase; if it waits for an event, only that event ends it
+  /// Index of the current phase; a phase that waits for an event ends only at this event
+  int current_ = 0;
 };
 
 /// Inputs of a task at a tick with a valid measurement.
@@ -99,13 +104,13 @@ struct WatchedQuantity {
   std::string name = {};
   std::string unit = {};  ///< Unit, such as "m"
   FaultKind fault = FaultKind::Watched;
-  /// Part of the robot, such as "hand 'left'"; empty: the tool, or the whole robot. Used if `fault`
-  /// is not FaultKind::Watched
+  /// Part of the robot to name in a fault report, such as "hand 'left'"; empty: the tool, or the
+  /// whole robot. Used if `fault` is not FaultKind::Watched
   std::string part = {};
 };
 
-/// Current value of a monitored quantity and its upper limit. The value NaN or an infinite limit
-/// means that the quantity is not monitored at the moment.
+/// Current value of a monitored quantity, and upper limit of the quantity. If the value is NaN or
+/// the limit is infinite, the quantity is not monitored in this tick.
 struct Reading {
   double value = 0.0;
   double limit = std::numeric_limits<double>::infinity();
@@ -128,14 +133,14 @@ class MpcTask {
   /// Returns the events that are present now: bit e stands for entry e of events(). Called first in
   /// every tick, before the schedule's clock advances.
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
-  /// Returns the estimated surface that the tool touches or approaches; null: the surfaces of the
-  /// specification are used. Called after sense(). The quadric is a function of the tool's position
-  /// and is zero where the tool touches the surface. The position is relative to the frame
-  /// MpcSpec::base (world if empty).
+  /// Returns the estimated surface that the tool touches or approaches. If null, plans use the
+  /// surfaces of the specification. Called after sense(). The quadric is a function of the tool's
+  /// position in the frame MpcSpec::base (world if empty). The function is zero where the tool
+  /// touches the surface.
   ///
-  /// The surface replaces the specified surface (Reference::on) along the whole horizon, in
-  /// contacts between MpcSpec::tool and MpcSpec::base. The normal of the returned surface at the
-  /// tool becomes the controller's surface normal.
+  /// In contacts between MpcSpec::tool and MpcSpec::base, the returned surface replaces the surface
+  /// set with Reference::on, at all knots. The normal of the returned surface at the tool becomes
+  /// the controller's surface normal.
   virtual const Quadric* surface() const noexcept { return nullptr; }
   /// Returns the depth by which the surface yields under the tool [m], at least 0. Plans shift
   /// target positions of the tool into the surface by this depth, along the surface normal.
@@ -143,13 +148,13 @@ class MpcTask {
   /// Writes one reading for each quantity of watched(). Called after the schedule's clock has
   /// advanced.
   virtual void watch(const TaskView& /*view*/, std::span<Reading> /*readings*/) noexcept {}
-  /// Writes the cause of a fault into `clause`, as a zero-terminated text such as "the force came
-  /// to 1.4 N at most; 2 N count as contact". Called right after watch(), when entry `quantity` of
+  /// Writes the cause of a fault into `clause`, as a zero-terminated text such as "the largest
+  /// force was 1.4 N; 2 N count as contact". Called right after watch() if entry `quantity` of
   /// watched() exceeds its limit.
   virtual void explain(std::size_t /*quantity*/, std::span<char> /*clause*/) const noexcept {}
   /// Writes the current targets into Command::p_target_world and Command::target_force. `time` is
-  /// the schedule's time [s]. Both targets are recorded. The model-error estimate also uses the
-  /// target force, for friction and force feedback. If aim() throws,
+  /// the schedule's time [s]. Both targets are recorded in traces. The estimate of the model error
+  /// also uses the target force, to compute friction and force feedback. If aim() throws,
   /// MpcController::take_exception() returns the exception.
   virtual void aim(double /*time*/, Command& /*command*/) {}
 

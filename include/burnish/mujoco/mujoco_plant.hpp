@@ -3,16 +3,16 @@
 // delay.
 //
 // MujocoContact::Exact supports every shape. A spring K [N/m] and a damper D [Ns/m] act on the
-// depth of the tip in the exact surface. Coulomb friction acts along the surface. Both forces are
-// computed implicitly, from the state at the end of the step.
+// depth of the tool's tip below the exact surface. Coulomb friction acts along the surface. Both
+// forces are computed implicitly, from the state at the end of the step.
 //
-// MujocoContact::Engine is MuJoCo's own contact, for planes, spheres, cylinders and ellipsoids that
-// are not hollow. It acts as a spring and a damper in series with an apparent mass. The stiffness K
-// and the damping D are set by solref = (-K R d, -D R d) and R = (1 - d) / d * A. d is the
-// impedance, and A is the inverse inertia of the tip in MuJoCo.
+// MujocoContact::Engine is MuJoCo's own contact. It supports planes, spheres, cylinders and
+// ellipsoids, but no hollow shapes. The contact acts as a spring and a damper in series with an
+// apparent mass. The stiffness K and the damping D are set by solref = (-K R d, -D R d) with R = (1
+// - d) / d * A. Here, d is the impedance, and A is the inverse inertia of the tip in MuJoCo.
 //
-// MuJoCo's elliptic friction cones lift a sliding tip by a force of mu * D * speed, with the
-// friction coefficient mu. Contact is lost if this force exceeds the normal force.
+// MuJoCo's elliptic friction cones lift a sliding tip with the force mu * D * speed, where mu is
+// the friction coefficient. Contact is lost if the lifting force exceeds the normal force.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@
 
 namespace burnish {
 
-/// Contact model for the tip in the plant of make_mujoco_plant().
+/// Contact model of the tool's tip in a MuJoCo plant.
 /// @described sim
 enum class MujocoContact {
   Exact,   ///< Spring, damper and Coulomb friction on the exact surface
@@ -34,8 +34,8 @@ struct MujocoPlantOptions {
   MujocoContact contact = MujocoContact::Exact;  ///< Contact model: exact or engine
   double dt = 5e-4;                              ///< Time step [s], > 0
 
-  /// Impedance d of MuJoCo's own contact, between 0 and 1 @more The apparent mass at the contact is
-  /// d / (1 - d) times the apparent mass of the tip.
+  /// Impedance d of MuJoCo's own contact, between 0 and 1 @more The contact has an apparent mass.
+  /// This mass is d / (1 - d) times the apparent mass of the tip.
   double impedance = 0.1;
   /// Ratio of frictional to normal impedance (MuJoCo's impratio), > 0
   double friction_ratio = 10.0;

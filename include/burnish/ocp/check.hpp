@@ -1,5 +1,5 @@
-// Checks of an optimal control problem: its derivatives against finite differences of its values,
-// and sentences about conditions that no solver can cope with.
+// Checks of an optimal control problem. The derivatives are compared with finite differences.
+// Conditions that no solver can cope with are reported as sentences.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct ProblemCheckOptions {
 
   /// Seed of the random states; equal seeds give equal states on every machine
   std::uint64_t seed = 1;
-  /// Largest accepted error of a derivative, relative to the largest entry of its block
+  /// Largest accepted error of a derivative, relative to the largest entry of the derivative block
   /// @more The error is |derivative - finite difference|
   double tolerance = 1e-6;
 
@@ -27,7 +27,7 @@ struct ProblemCheckOptions {
   /// @more One state per knot: N + 1 vectors of nx entries
   std::vector<Eigen::VectorXd> x = {};
   /// Controls around which random controls are drawn; empty: controls that hold the robot at rest
-  /// @more N vectors of nu entries. Vectors of impacts are not read
+  /// @more N vectors of nu entries. Vectors for impacts are ignored
   std::vector<Eigen::VectorXd> u = {};
   /// Largest random change of a position, uniformly distributed [rad, m]
   /// @more The number in m is for a robot of 1 m, and grows with the size of the robot
@@ -51,7 +51,8 @@ struct ProblemCheckRow {
   std::string term;  ///< "next state", "all costs", or the name of a cost term or a constraint
   int states = 0;    ///< Number of states at which the derivatives were compared
 
-  /// Largest error, relative to the largest entry of its block; infinite if a NaN occurred
+  /// Largest error, relative to the largest entry of the derivative block; infinite if a NaN
+  /// occurred
   double worst_error = 0.0;
   /// Entry with the largest error; the block has a name such as "dnext_dq", "dr_du" or "dcost_dv"
   CheckEntry worst = {};
@@ -70,40 +71,41 @@ struct ProblemReport {
   std::string text() const;
 };
 
-/// Compares the derivatives of a problem with finite differences of its values. The states are
-/// random, in every stage of the specification and at the end. The check covers the derivatives by
-/// z = (du, dq, dv, dtau, dforce) of
+/// Compares the derivatives of a problem with finite differences of its values, at random states.
+/// The check covers every stage of the specification and the terminal knot. It covers the
+/// derivatives with respect to z = (du, dq, dv, dtau, dforce) of
 ///  - the next state, as expand() returns it,
 ///  - every residual of a cost or a constraint, and every constraint row as expand() returns it,
 ///  - every cost term, and the sum of the costs as expand() returns it.
-/// The values come from roll() and residual(). Differences are central, at three step lengths, and
-/// are extrapolated (Richardson). If the three lengths disagree, smaller ones follow.
+/// The values come from roll() and residual(). Differences are central differences at three step
+/// lengths, extrapolated (Richardson). If the three results disagree, smaller steps follow.
 ///
 /// The random states of a stage are distributed over the stage's knots, so that targets over time
 /// are checked, too. A stage that the horizon does not contain is checked at knot 0. Afterwards
-/// knot 0 has its own stage again, with the targets from its signals. A state is skipped if rigid
-/// contacts are close to singular (condition of J M^-1 J^T above 1e5). A state is also skipped if a
-/// rotation residual is within 0.1 rad of half a turn. Gradients of a cost are skipped near a
-/// breakpoint of a barrier: they are continuous there, but finite differences are not exact.
+/// knot 0 has its own stage again, with targets from the signals of the stage. A state is skipped
+/// if rigid contacts are close to singular (condition of J M^-1 J^T above 1e5). A state is also
+/// skipped if a rotation residual is within 0.1 rad of half a turn. Gradients of a cost are skipped
+/// near a breakpoint of a barrier. There they are continuous, but finite differences are not exact.
 ///
 /// Throws Error with one sentence if an option is invalid, or if no state of a stage can be
 /// evaluated.
 ProblemReport check_problem(Problem& problem, const ProblemCheckOptions& options = {});
 
-/// Returns sentences about obstacles to a good solution of the problem, for the targets of the
-/// current horizon; empty if there are none. Each sentence reports one of these obstacles:
+/// Returns sentences about obstacles to a good solution of the problem; empty if there are none.
+/// Targets are examined for the current horizon. Each sentence reports one of these obstacles:
 ///  - targets that are not finite, and quaternions over time that are not of unit length;
 ///  - target positions out of reach of a frame: further from the first joint than the sum of the
 ///    distances between the joints (not checked for robots that fly, drive or slide without limit);
 ///  - an initial state outside the joint limits of position, velocity or torque;
 ///  - control bounds that are too narrow to hold the initial posture at rest;
 ///  - springs and tendons of the robot that the actuation omits;
-///  - a contact of the first stage that follows a surface and starts more than 1 mm away from it;
+///  - a contact of the first stage that starts more than 1 mm away from the surface that its axes
+///    follow;
 ///  - joints that move no mass at the initial posture;
 ///  - contacts of a stage that are redundant at the initial posture, if mu of the contact solver is
 ///    zero;
 ///  - contacts of a stage that contradict each other at the initial state, if mu > 0;
-///  - explicit steps of a stage that are too long: see step_complaints().
+///  - explicit time steps of a stage that are too long: see step_complaints().
 std::vector<std::string> complaints(const Problem& problem);
 
 }  // namespace burnish

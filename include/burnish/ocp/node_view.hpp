@@ -18,19 +18,20 @@ struct StateLayout {
   int nv = 0;
   int filtered = 0;  ///< Number of torques in the state: nu with a torque model, else 0
 
-  /// True if the torques in the state are the previous control, and the current control acts on the
-  /// robot
+  /// True if the torques in the state are the control of the previous step; the current control
+  /// then acts on the robot
   bool holds_torque = false;
-  /// Number of contact forces in the state, from the previous step (N, Nm; see remembered_forces)
-  int remembered = 0;
+  /// Number of contact forces in the state; they are forces of the previous step (N, Nm)
+  int force_states = 0;
   int nu = 0;
   /// For each control, the index in v of the entry that the control drives
   std::vector<int> actuated;
 
-  /// Returns true if the torque in the state acts on the robot, and false if the control acts.
+  /// Returns true if the torques in the state act on the robot, and false if the current control
+  /// acts.
   bool acts_from_state() const { return filtered > 0 && !holds_torque; }
-  int nx() const { return nq + nv + filtered + remembered; }
-  int ndx() const { return 2 * nv + filtered + remembered; }
+  int nx() const { return nq + nv + filtered + force_states; }
+  int ndx() const { return 2 * nv + filtered + force_states; }
   int nz() const { return nu + ndx(); }
   int column_q() const { return nu; }
   int column_v() const { return nu + nv; }
@@ -52,12 +53,12 @@ class NodeView {
   /// Torques that the actuators apply, nv entries [Nm, N].
   virtual VectorView tau() const = 0;
   /// Joint accelerations, nv entries [rad/s^2, m/s^2]. Zero at impacts. Also zero at the end of the
-  /// horizon, unless a term there uses contact forces.
+  /// horizon, unless a cost or constraint at the end uses contact forces.
   virtual VectorView acceleration() const = 0;
 
   virtual Eigen::Isometry3d placement(int frame) const = 0;
   virtual Vector6 velocity(int frame, const Reference& reference) const = 0;
-  /// Returns the force of a contact along the contact's held directions, in the contact's own
+  /// Returns the force of a contact in its constrained directions, written in the contact's own
   /// reference [N, Nm].
   virtual VectorView force(int contact) const = 0;
 

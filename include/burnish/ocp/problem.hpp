@@ -20,8 +20,8 @@ struct ProblemInside;
 /// Optimal control problem of a robot in contact, compiled from a ProblemSpec. Consecutive knots of
 /// one stage are evaluated together in SIMD packs, one knot per lane.
 ///
-/// Only the constructor and prepare() allocate. Setters of targets, times and the initial state do
-/// not allocate, and may be called between the ticks of a controller.
+/// Only the constructor and prepare() allocate. Functions that set targets, times or the initial
+/// state do not allocate, so that a control loop may call them.
 class Problem final : public ShootingProblem {
  public:
   /// Compiles the specification. Throws Error if the specification is invalid, with one sentence
@@ -35,82 +35,88 @@ class Problem final : public ShootingProblem {
   const Model& model() const;
   const StateLayout& layout() const;
 
-  /// stage_names() returns the names of the stages; the last one is "terminal". stage_of() returns
-  /// the index of a knot's stage in this list.
+  /// stage_names() returns the names of the stages, the last of which is "terminal". stage_of()
+  /// returns the index of a knot's stage in stage_names().
   std::vector<std::string> stage_names() const;
   int stage_of(int knot) const;
   double time_of(int knot) const;  ///< Time at which a knot begins [s]
   double step_of(int knot) const;  ///< Duration of a knot's step [s]; 0 at impacts and at the end
 
-  /// Return the index of a stage by name, or of a term of a stage. In a stage, the costs come
-  /// first, then the constraints. For an unknown name, both functions throw Error with the nearest
-  /// known name.
+  /// stage_index() returns the index of a stage. term_index() returns the index of a cost or
+  /// constraint in a stage, where costs come before constraints. Both functions throw Error with
+  /// the nearest known name if the name is unknown.
   int stage_index(const std::string& name) const;
   int term_index(int stage, const std::string& name) const;
   int terms(int knot) const;  ///< Number of terms of a knot, costs and constraints together
 
-  /// Sets the initial state x, nx entries. Returns Ok, WrongSize, NotFinite or NotNormalized. If
-  /// the result is not Ok, nothing changes. Targets that default to the initial state of the
-  /// specification do not change.
+  /// Sets the initial state x, nx entries. Returns Ok, WrongSize, NotFinite or NotNormalized.
+  /// Unless Ok is returned, nothing changes. A target that defaults to the initial state of the
+  /// specification does not change.
   Status set_initial_state(const ConstVectorRef& x);
   /// Assigns a stage and a time [s] to a knot, and evaluates the stage's signals at that time. At
   /// the terminal knot, only the time is assigned. Throws Error if the knot or the stage does not
   /// exist.
   void set_knot(int knot, int stage, double time);
   /// Sets the duration of a knot's step [s]. This duration replaces the step of the knot's stage,
-  /// even if set_knot() changes the stage later. The times of the knots do not change; use
-  /// set_knot() to change them. Throws Error if the knot does not exist or is an impact. Throws
-  /// Error if the step is not positive, or too long for stable Euler steps of the torque model.
+  /// even if set_knot() changes the stage later. The times of knots stay the same; set_knot()
+  /// changes them. Throws Error if the knot does not exist or is an impact. Also throws Error if
+  /// the step is not positive, or too long for stable Euler steps of the torque model.
   void set_step(int knot, double step);
   /// Advances the horizon by one knot: drops knot 0, renumbers the others, and appends a knot of
   /// the given stage. If the previous last knot has its own step, the new knot gets the same step.
   /// The terminal knot moves to the new end. Throws Error if the stage does not exist.
   void advance(int stage);
-  /// Sets the target of one term at one knot, in the entries of the term's residual. The target is
-  /// valid until set_knot() is called for this knot. advance() shifts the target together with the
-  /// knot, and resets the target at the terminal knot. Returns Ok or WrongSize. Throws Error if the
-  /// knot or the term does not exist.
+  /// Sets the target of one cost or constraint at one knot. The size of `target` depends on the
+  /// kind of residual. The target is valid until the next set_knot() for this knot. advance()
+  /// shifts the target together with the knot, and resets the target at the terminal knot.
+  ///
+  /// Returns Ok or WrongSize. Throws Error if the knot or the term does not exist.
   Status set_target(int knot, int term, const ConstVectorRef& target);
-  /// Sets the surface for the reference of a contact (Reference::on), at one knot. The surface is
-  /// written in the axes of the contact's base. The surface is valid until set_knot() is called for
-  /// this knot. advance() shifts the surface together with the knot, and resets the surface at the
-  /// terminal knot. The call has no effect if the contact is not active in the knot's stage.
+  /// Sets the surface of a contact at one knot. The axes of the contact's reference must follow a
+  /// surface (Reference::on). `surface` is written in the axes of the contact's base. It is valid
+  /// until the next set_knot() for this knot. advance() shifts the surface together with the knot,
+  /// and resets the surface at the terminal knot. If the contact is not active in the knot's stage,
+  /// the surface has no effect.
+  ///
   /// Returns Ok. For a NaN or an infinity, returns NotFinite and changes nothing. Throws Error if
   /// the knot or the contact does not exist, or if the reference does not follow a surface.
   Status set_surface(int knot, int contact, const Quadric& surface);
-  /// Sets the friction coefficient of a contact at one knot. The coefficient is valid until
-  /// set_knot() is called for this knot. advance() shifts the coefficient together with the knot,
-  /// and resets the coefficient at the terminal knot. The call has no effect if the contact is not
-  /// active in the knot's stage. Returns Ok, or NotFinite if the coefficient is not a finite number
-  /// >= 0. Throws Error if the knot or the contact does not exist, or if the contact has no
-  /// friction.
+  /// Sets the friction coefficient of a contact at one knot. The coefficient is valid until the
+  /// next set_knot() for this knot. advance() shifts the coefficient together with the knot, and
+  /// resets the coefficient at the terminal knot. If the contact is not active in the knot's stage,
+  /// the coefficient has no effect.
+  ///
+  /// Returns Ok, or NotFinite if the coefficient is negative or not finite. Throws Error if the
+  /// knot or the contact does not exist, or if the contact has no friction.
   Status set_friction(int knot, int contact, double coefficient);
-  /// Sets the surface for the reference of one term (Reference::on), at one knot. The surface is
-  /// valid until set_knot() is called for this knot. advance() shifts the surface together with the
-  /// knot, and resets the surface at the terminal knot. Returns Ok. For a NaN or an infinity,
-  /// returns NotFinite and changes nothing. Throws Error if the knot or the term does not exist, or
-  /// if the term's reference does not follow a surface.
+  /// Sets the surface of one cost or constraint at one knot. The axes of the term's reference must
+  /// follow a surface (Reference::on). `surface` is valid until the next set_knot() for this knot.
+  /// advance() shifts the surface together with the knot, and resets the surface at the terminal
+  /// knot.
+  ///
+  /// Returns Ok. For a NaN or an infinity, returns NotFinite and changes nothing. Throws Error if
+  /// the knot or the term does not exist, or if its reference does not follow a surface.
   Status set_term_surface(int knot, int term, const Quadric& surface);
-  /// Sets the payload that the robot carries at a frame, for all knots and in model(). The payload
-  /// is written in the axes of the frame. It replaces an earlier payload of the frame's body.
-  /// Allocates nothing. Returns Ok. If check_inertia() returns NotFinite or NotPhysical for the
-  /// payload, returns that status and changes nothing. Throws Error if the frame is fixed to the
-  /// world, or if it does not exist (with the nearest known name).
+  /// Sets the payload that the robot carries at a frame, for all knots and in model(). `payload` is
+  /// written in the axes of the frame. It replaces an earlier payload of the frame's body.
+  /// Allocates nothing. Returns Ok. If check_inertia() returns NotFinite or NotPhysical for
+  /// `payload`, returns this status and changes nothing. Throws Error if the frame is fixed to the
+  /// world, or with the nearest known name if it does not exist.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// Sets a constant torque that acts on the joints in addition to all torques of the model, nv
   /// entries [Nm, N]. Initially this torque is zero. Returns Ok, WrongSize or NotFinite.
   Status set_torque_bias(const ConstVectorRef& torque);
-  /// Sets a constant and a decaying torque that act on the joints in addition to all torques of the
-  /// model, nv entries each [Nm, N]. At a time t after the first knot, their sum is
-  /// torque + exp(-t / fading) passing. The time constant `fading` [s] must be > 0. The current
-  /// times of the knots determine t. Returns Ok, WrongSize or NotFinite.
-  Status set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& passing,
-                         double fading);
+  /// Sets a constant torque and a decaying torque, nv entries each [Nm, N]. Both act on the joints
+  /// in addition to all torques of the model. At a time t after the first knot, their sum is torque
+  /// + exp(-t / decay_time) decaying. `decay_time` [s] must be > 0. t is computed from the current
+  /// times of the knots. Returns Ok, WrongSize or NotFinite.
+  Status set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& decaying,
+                         double decay_time);
 
   /// Control and contact forces that hold a posture at rest.
   /// @described ocp @result
-  /// If exact balance is impossible, the sum of the squared unbalanced torques is least. Among all
-  /// solutions, control and forces together have the least norm.
+  /// If exact balance is impossible, the sum of the squared unbalanced torques is minimal. Among
+  /// all solutions, control and forces together have the smallest norm.
   struct QuasiStatic {
     Eigen::VectorXd control;  ///< Control, nu entries, Nm
     Eigen::VectorXd force;    ///< Forces, one entry per row of the stage's contacts, N and Nm
@@ -131,14 +137,15 @@ class Problem final : public ShootingProblem {
   RowMatrix residual_derivative(int knot, int term, const ConstVectorRef& x,
                                 const ConstVectorRef& u);
   /// forces() returns the contact forces at a knot: one entry per row, in the order of the stage's
-  /// contacts. acceleration() returns the joint accelerations. Both are empty at impacts. Both are
-  /// also empty at the end of the horizon, unless a term there uses contact forces.
+  /// contacts. acceleration() returns the joint accelerations. Both are empty at impacts. They are
+  /// also empty at the end of the horizon, unless a cost or constraint at the end uses contact
+  /// forces.
   Eigen::VectorXd forces(int knot, const ConstVectorRef& x, const ConstVectorRef& u);
   Eigen::VectorXd acceleration(int knot, const ConstVectorRef& x, const ConstVectorRef& u);
   std::vector<std::string> force_names(int knot) const;
-  /// Returns the names of the forces in the state (remembered_forces), such as "foot/z". These are
-  /// forces of the previous step.
-  std::vector<std::string> remembered_names() const;
+  /// Returns the names of the contact forces in the state, such as "foot/z". The state contains
+  /// forces of the previous step for contacts in ProblemSpec::force_states.
+  std::vector<std::string> force_state_names() const;
 
   // ShootingProblem
   const StateShape& state() const override;
@@ -157,13 +164,14 @@ class Problem final : public ShootingProblem {
   const double* row_upper(int knot) const override;
   const int* row_entry(int knot) const override;
   const double* row_scale(int knot) const override;
-  const double* row_price(int knot) const override;
-  const double* row_square(int knot) const override;
-  /// Returns the curvature of constraint rows. Only distances with an upper limit and friction
-  /// cones with a lower limit have one. It is the curvature of the length of a vector (position or
-  /// force). The vector is treated as linear in the state.
-  std::span<const RowBend> row_bends(int knot) const override;
-  int max_bends() const override;
+  const double* row_l1_weight(int knot) const override;
+  const double* row_quadratic_weight(int knot) const override;
+  /// Returns the curvature of constraint rows. Only two kinds of rows have curvature: distances
+  /// with an upper limit, and friction cones with a lower limit. Both contain the length of a
+  /// vector, a position or a force. The curvature is computed as if the vector were linear in the
+  /// state.
+  std::span<const RowCurvature> row_curvatures(int knot) const override;
+  int max_curvatures() const override;
   void prepare(int workers) override;
   std::span<const KnotRange> ranges() const override;
   KnotValue roll(int worker, int knot, const double* x, const double* u, double* next,
@@ -175,7 +183,8 @@ class Problem final : public ShootingProblem {
   std::vector<std::string> state_names() const override;
   std::vector<std::string> control_names() const override;
   std::vector<std::string> term_names(int knot) const override;
-  /// Returns a name "CONSTRAINT/ROW" for each row, such as "force/z" or "range/arm_right_2_joint".
+  /// Returns a name "CONSTRAINT/ROW" for each constraint row, such as "force/z" or
+  /// "range/arm_right_2_joint".
   std::vector<std::string> row_names(int knot) const override;
   std::vector<double> term_costs(int knot, const double* x, const double* u) override;
   std::vector<double> row_values(int knot, const double* x, const double* u) override;

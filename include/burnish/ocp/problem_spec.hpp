@@ -23,19 +23,19 @@ struct Penalty {
   /// are positive semidefinite.
   /// @described ocp.PenaltyKind
   enum class Kind {
-    Square,   ///< r^2 / 2
-    Barrier,  ///< Half the squared distance of r from the interval [lower, upper]; zero inside
+    Quadratic,  ///< r^2 / 2
+    Barrier,    ///< Half the squared distance of r from the interval [lower, upper]; zero inside
 
     /// sqrt(r^2 + width^2) - width. Approximately |r| for large |r|, and r^2 / (2 width) for small
     /// |r|
     SmoothAbsolute,
-    /// Sum over both limits, where s is the distance of r from the limit. For s > width:
-    /// -log(s / width). Else, also beyond the limit: the parabola ((s / width - 2)^2 - 1) / 2, a
-    /// smooth continuation
+    /// Sum over both limits. Let s be the distance of r from a limit, negative beyond the limit.
+    /// For s > width, a limit costs -log(s / width). Otherwise, it costs ((s / width - 2)^2 - 1) /
+    /// 2, a parabola that continues the logarithm smoothly
     LogBarrier,
   };
 
-  Kind kind = Kind::Square;
+  Kind kind = Kind::Quadratic;
   /// Lower limits of a barrier, in the residual's unit; empty: no lower limit
   /// @more One number for all rows, or one number per row. Infinite for a row without a lower limit
   /// @number_too
@@ -47,7 +47,7 @@ struct Penalty {
   /// Width of the penalties smooth_absolute and log_barrier, in the residual's unit, positive
   double width = 1.0;
 
-  static Penalty square() { return {}; }
+  static Penalty quadratic() { return {}; }
   static Penalty barrier(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
   static Penalty at_least(double lower);
   static Penalty smooth_absolute(double width);
@@ -58,13 +58,13 @@ struct Penalty {
 };
 
 std::string name_of(Penalty::Kind kind);
-/// Returns the penalty kind with the name "square", "barrier", "smooth_absolute" or "log_barrier".
-/// For any other name, throws Error with the nearest known name.
+/// Returns the penalty kind with the name "quadratic", "barrier", "smooth_absolute" or
+/// "log_barrier". For any other name, throws Error with the nearest known name.
 Penalty::Kind parse_penalty(const std::string& name);
 
-/// A cost term: weight * sum over rows i of weights_i phi(r_i). If time passes at a knot, the term
-/// is multiplied by the knot's step. The sum over all knots then approximates an integral over
-/// time.
+/// A cost term: weight * sum over rows i of weights_i phi(r_i), with the penalty phi of residual r.
+/// If the knot has a duration, the term is multiplied by the duration. The sum over all knots then
+/// approximates an integral over time.
 /// @described ocp
 struct CostTerm {
   /// Name of the term, unique in its stage; empty: the name of the residual @after weight
@@ -72,11 +72,12 @@ struct CostTerm {
   Residual residual;  ///< @required
 
   /// Weight of the term, not negative
-  /// @more The unit is 1 / (unit of phi); at a knot where time passes, 1 / (unit of phi) per second
+  /// @more The unit is 1 / (unit of phi). If the knot has a duration, the unit is 1 / (unit of phi)
+  /// per second
   double weight = 1.0;
   Eigen::VectorXd weights = {};  ///< Weights of the rows, not negative; empty: 1 for every row
 
-  /// Penalty of each row; empty: a square, or another default that the residual states
+  /// Penalty of each row; empty: a square, or the default penalty of the residual
   std::optional<Penalty> penalty = {};
 };
 
@@ -89,25 +90,27 @@ struct Constraint {
   Residual residual;  ///< @after - @required
 
   /// Lower limits in the residual's unit: one number, or one per row; empty: no lower limit
-  /// @more A constraint needs a lower or an upper limit. Only margins (friction cone, center of
-  /// pressure, support) need neither: their rows must then be at least zero @number_too
+  /// @more A constraint needs a lower or an upper limit. Exceptions are margins (friction cone,
+  /// center of pressure, support), which need no limits. Their rows must then be at least zero
+  /// @number_too
   Eigen::VectorXd lower = {};
   /// Upper limits in the residual's unit: one number, or one per row; empty: no upper limit
   /// @number_too
   Eigen::VectorXd upper = {};
   /// Characteristic size of each row, in its unit: one number, or one per row; empty: automatic
-  /// @more If both limits exist, the automatic scale is half the distance between them. Otherwise
-  /// it is the robot's own limit of the quantity. Exceptions are forces (the robot's weight),
-  /// torque rates (torque limit times cut-off), distances (the limit itself, if above zero), and
-  /// support margins (half the width of the polygon). If none of these exists, the scale must be
-  /// stated @number_too
+  /// @more If both limits exist, the automatic size is half the distance between them. Otherwise it
+  /// is the robot's own limit of the quantity. For forces, it is the robot's weight. For torque
+  /// rates, it is torque limit times cut-off. For distances, it is the limit itself, if above zero.
+  /// For support margins, it is half the width of the polygon. If none of these exists, the size
+  /// must be stated @number_too
   Eigen::VectorXd scale = {};
   /// L1 penalty weight of violations (infinite: hard), in cost per row unit, >= 0 or infinite
-  /// @more A violation v at a knot costs price |v| + 1/2 square v^2. This cost is not multiplied by
-  /// the step, so that fewer and longer knots cost less
-  double price = std::numeric_limits<double>::infinity();
+  /// @more A violation v at a knot costs l1_weight |v| + 1/2 quadratic_weight v^2. This cost is not
+  /// multiplied by the duration of the knot. Violations therefore cost less if the horizon has
+  /// fewer and longer knots
+  double l1_weight = std::numeric_limits<double>::infinity();
   /// Quadratic penalty weight of violations, in cost per squared row unit, >= 0
-  double square = 0.0;
+  double quadratic_weight = 0.0;
 };
 
 /// Integration scheme from one knot to the next.
@@ -123,21 +126,23 @@ enum class Integrator {
 /// Actuator model: each torque follows its control through a first-order low-pass filter,
 /// dtau/dt = cutoff (u - tau). The torques become part of the state.
 /// @described ocp
-/// Source: eq. (49) of the paper. A second variant (Held) has no filter: each step applies its
-/// control as the torque. The state contains the control of the previous step, tau. The torque rate
-/// (u - tau) / step then depends on state and control alone.
+/// Source: eq. (49) of the paper in docs/frames.md. The variant Held has no filter. Each step
+/// applies its control as the torque, and the state contains the control of the previous step, tau.
+/// The torque rate (u - tau) / step is then a function of state and control.
 struct TorqueModel {
   /// Discretization of the low-pass filter over one step.
   /// @described ocp
   enum class Discretization {
     Exact,  ///< The torque error decays by exp(-cutoff step) over a step
     Euler,  ///< The torque error decays by 1 - cutoff step over a step
-    Held,   ///< No filter and no cut-off: tau is the control of the previous step, and does not act
+    Held,   ///< No filter: tau in the state is the control of the previous step, and the current
+            ///< control acts
   };
   double cutoff = 0.0;  ///< Cut-off frequency of the low-pass filter [rad/s]
   Discretization discretization = Discretization::Exact;
 
-  /// Returns the model without a filter, with the control of the previous step in the state.
+  /// Returns the torque model with Discretization::Held: no low-pass filter, and the control of the
+  /// previous step is part of the problem's state.
   static TorqueModel held() { return {0.0, Discretization::Held}; }
   bool is_held() const { return discretization == Discretization::Held; }
 };
@@ -149,14 +154,15 @@ struct ActuationSpec {
   /// @more Automatic: every joint except a free-flying base. For robots with loops: every joint
   /// with a motor, which is a joint with an effort limit above zero
   std::vector<std::string> joints = {};
-  /// True: damping, smoothed friction, springs and tendons of the model act on the joints
+  /// Whether damping, smoothed friction, springs and tendons of the model act on the joints
   /// @note Friction is smoothed as in dynamics/passive.hpp.
   bool passive_torques = false;
   /// Speed at which smoothed joint friction reaches 76 % of its full size [rad/s], or in m/s
   double slip_velocity = 0.01;
 };
 
-/// A kind of knot, with active contacts, costs, constraints and the duration of a step.
+/// Settings that several knots can share: active contacts, costs, constraints and the duration of a
+/// step.
 /// @described ocp
 struct Stage {
   std::string name = {};
@@ -165,15 +171,15 @@ struct Stage {
   std::vector<Constraint> constraints = {};
   double step = 0.01;  ///< Duration of a knot, unless the knot has its own step [s]
   Integrator integrator = Integrator::SemiImplicitEuler;
-  /// True: an inelastic impact, in which the contacts close and velocities jump
-  /// @more No time passes, and there is no control. Costs are not multiplied by a step
+  /// Whether the knot is an inelastic impact, in which the contacts close and velocities jump
+  /// @more An impact takes no time and has no control. Its costs are not multiplied by a duration
   bool impact = false;
 };
 
 /// Consecutive knots of one stage, with the stage's step or with steps of their own. Own steps are
 /// equal, or change from knot to knot by a constant factor. With growing steps, few knots cover a
-/// long time. Contact gains and friction speeds are set for the stage's step. For stability at a
-/// knot n times as long, gains are reduced to kd / n and kp / n^2, and the speeds below which
+/// long time. Contact gains and friction speeds are set for the stage's step. A knot that is n
+/// times as long uses smaller gains for stability: kd / n and kp / n^2. The speeds below which
 /// friction fades are multiplied by n.
 /// @described ocp
 struct HorizonSegment {
@@ -182,8 +188,8 @@ struct HorizonSegment {
   double step = 0.0;  ///< Duration of the segment's first knot (0: the stage's step) [s]
 
   /// Duration of the whole segment (0: knots times the step) [s]
-  /// @more Steps change from knot to knot by a factor r, 1/2 to 2, for which step
-  /// (1 + r + ... + r^(knots - 1)) = duration
+  /// @more Steps change from knot to knot by a factor r from 1/2 to 2. The factor solves step (1 +
+  /// r + ... + r^(knots - 1)) = duration
   double duration = 0.0;
 
   bool has_own_steps() const { return step != 0.0 || duration != 0.0; }
@@ -204,11 +210,11 @@ struct ProblemSpec {
   ContactSolver contact_solver = {};
   ActuationSpec actuation = {};
   std::optional<TorqueModel> torque_model = {};
-  /// Names of contacts whose force of the previous step is part of the state
+  /// Names of contacts; the forces of these contacts in the previous step become part of the state
   /// @more These forces are inputs of ContactForceRate, and do not act on the robot. There is one
-  /// entry per held direction, in the contact's own reference. The entry is zero if the contact was
-  /// not active
-  std::vector<std::string> remembered_forces = {};
+  /// entry per constrained direction, in the contact's own reference. The entry is zero if the
+  /// contact was not active
+  std::vector<std::string> force_states = {};
   /// Lower bounds of the control in Nm (N): nu entries, or one for all; empty: none @number_too
   Eigen::VectorXd control_lower = {};
   /// Upper bounds of the control in Nm (N): nu entries, or one for all; empty: none @number_too
@@ -217,29 +223,29 @@ struct ProblemSpec {
   std::vector<HorizonSegment> horizon = {};
   std::vector<CostTerm> terminal = {};  ///< Costs of the last state
   std::vector<Constraint> terminal_constraints = {};
-  /// Initial state: q and v, then tau with a torque model, then the remembered forces
+  /// Initial state: q and v, then tau with a torque model, then the force states
   Eigen::VectorXd initial_state = {};
   double start_time = 0.0;  ///< Time of the first knot [s]
 };
 
-/// Returns the specification with contacts for all loops of the robot, active in every stage. A
-/// Problem compiles this specification. Loop contacts that `spec` already states are not changed.
-/// The gains of added contacts come from LoopGains::for_step(), with the longest step of all
-/// stages. Throws Error if another contact has the name of a loop.
+/// Returns the specification with contacts for all kinematic loops of the robot, active in every
+/// stage. The constructor of Problem calls with_loops(). Contacts for loops that `spec` already
+/// contains are not changed. The gains of added contacts come from LoopGains::for_step(), with the
+/// longest step of all stages. Throws Error if another contact has the name of a loop.
 ProblemSpec with_loops(ProblemSpec spec);
 
-/// Returns the specification with a fade speed for every tool friction. Below the fade speed, the
-/// friction fades. If `spec` states no fade speed, it is
-///   max(0.01 m/s, 4 coefficient N step / m),
+/// Returns the specification with SlidingFriction::speed, the fade speed of tool friction, filled
+/// in for every contact with friction. A stated fade speed is not changed. Otherwise the fade speed
+/// is
+///   max(0.01 m/s, 4 c N step / m),
 /// the largest over the stages in which the contact is active. In one step, friction changes the
-/// speed of the tool by coefficient N step / m. N is the largest normal force in costs and
-/// constraints of the stage, or the weight of m if there is none. The mass m is the smallest
-/// effective mass of the tool across the normal, at the initial state. A coefficient of zero counts
-/// as 0.3.
+/// speed of the tool by c N step / m. Here c is the friction coefficient (0.3 if it is zero). N is
+/// the largest normal force in costs and constraints of the stage, or else the weight of m. The
+/// mass m is the smallest effective mass of the tool across the normal, at the initial state.
 ProblemSpec with_fade_speeds(ProblemSpec spec);
 
-/// Returns the duration of each knot of the horizon [s]; 0 at impacts. Throws Error for an invalid
-/// horizon.
+/// Returns the duration of each knot of the horizon [s]; 0 at impacts. Throws Error if the horizon
+/// is invalid.
 std::vector<double> knot_steps(const ProblemSpec& spec);
 
 /// Returns the joints that an actuation drives. Throws Error for an unknown joint name.

@@ -1,8 +1,8 @@
 // Residuals: the quantities that cost terms and constraints measure. The comment of each residual
-// states its rows, their units and their axes; docs/costs.md adds typical weights.
+// states its rows, their units and their axes. docs/costs.md adds typical weights.
 //
-// A target has as many entries as the residual has rows, unless stated otherwise. It may be empty
-// only where its comment says so.
+// Unless stated otherwise, a target has one entry per row of the residual. A target may be empty
+// only if the comment of the residual says so.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ namespace burnish::residual {
 /// Difference of the state from the target, x (-) target, ndx rows: dq (rad, m), dv (rad/s, m/s),
 /// dtau (Nm, N).
 /// @described residual
-/// Differences of the remembered forces (N, Nm) are the last rows. An empty target is the initial
+/// Differences of the force states (N, Nm) are the last rows. An empty target is the initial
 /// state of the problem.
 struct State {
   Signal target = {};  ///< Target state, nx entries; None: the initial state of the problem
@@ -41,7 +41,7 @@ struct Control {
 /// An empty target means zero.
 struct JointPosition {
   std::vector<std::string> joints = {};  ///< @name_of joint
-  Signal target = {};  ///< Target positions; None: zero, so that limits apply to the positions
+  Signal target = {};  ///< Target positions; None: zero, so the residual is the positions
 };
 
 /// Velocity of joints minus the target, one row per entry of v, rad/s or m/s. If no joints are
@@ -53,9 +53,9 @@ struct JointVelocity {
   Signal target = {};                    ///< Target velocities; None: zero
 };
 
-/// Actuator torque of joints minus the target, Nm or N. The torque is the control; if the torque
-/// model has a cut-off, it is the torque in the state. If no joints are named, there are rows for
-/// all actuated joints.
+/// Actuator torque of joints minus the target, Nm or N. Usually, the torque is the control. With a
+/// torque model that has a cut-off, it is the torque in the state. If no joints are named, there
+/// are rows for all actuated joints.
 /// @described residual
 /// An empty target means zero.
 struct JointTorque {
@@ -76,8 +76,8 @@ struct JointTorqueRate {
 
 /// Position of a frame's origin minus the target, 3 rows, m, in the axes of the reference. The base
 /// of the reference must be the world, and the reference's origin must not be the frame itself.
-/// With Reference.on, the axes of the reference follow a surface at the frame. The reference's
-/// origin is then the origin of the frame in which the surface is fixed, and the first two rows are
+/// With Reference.on, the axes of the reference follow a surface at the frame. The position is then
+/// measured from the origin of the frame in which the surface is fixed. The first two rows are
 /// along the surface's tangents.
 /// @described residual
 struct FramePosition {
@@ -107,10 +107,10 @@ struct FrameDistance {
   Reference reference = Reference::world();
 };
 
-/// Rotation of a frame from the target, log(R_target^T A^T R), 3 rows, rad, in the target's axes. R
-/// is the rotation of the frame in the world, A is the rotation of the reference, and R_target is
-/// the target, a rotation relative to A. The base of the reference must be the world. The origin of
-/// the reference has no effect.
+/// Rotation of a frame relative to the target, log(R_target^T A^T R), 3 rows, rad, in the target's
+/// axes. R is the rotation of the frame in the world, and A is the rotation of the reference.
+/// R_target is the target, a rotation relative to A. The base of the reference must be the world.
+/// The origin of the reference has no effect.
 /// @described residual
 struct FrameRotation {
   std::string frame = {};  ///< @name_of frame @stated
@@ -119,10 +119,10 @@ struct FrameRotation {
 };
 
 /// Lead and tilt of an axis of a frame minus the target, 2 rows, rad. Lead is the inclination from
-/// the reference's z towards its x, atan2(e_x, e_z). Tilt is the inclination from z towards y,
-/// atan2(e_y, e_z). The vector e is the axis, written in the reference. The base of the reference
-/// must be the world. Rotation about the axis has no effect. With Reference.on, z is the normal of
-/// a surface.
+/// the reference's z axis towards its x axis, atan2(e_x, e_z). Tilt is the inclination from the z
+/// axis towards the y axis, atan2(e_y, e_z). The vector e is the frame's axis, written in the
+/// reference. The base of the reference must be the world. Rotation about the frame's axis has no
+/// effect. With Reference.on, z is the normal of a surface.
 /// @described residual
 struct FrameInclination {
   std::string frame = {};  ///< @name_of frame @stated
@@ -135,7 +135,7 @@ struct FrameInclination {
 /// surface (Reference.on). The height is the distance to the surface along the normal at the frame,
 /// negative inside the material. It is exact for planes, spheres and cylinders, and correct to
 /// first order for other surfaces. If the normal at the frame does not meet the surface, the height
-/// only increases with the distance.
+/// is no distance, but still increases with the distance.
 /// @described residual
 struct FrameHeight {
   std::string frame = {};                    ///< @name_of frame @stated
@@ -162,7 +162,7 @@ struct FrameVelocity {
 };
 
 /// Force of an active contact minus the target, N and Nm. In the contact's own reference, there is
-/// one row per held direction. In another reference, there are six rows.
+/// one row per constrained direction. In another reference, there are six rows.
 /// @described residual
 /// An empty target means zero.
 struct ContactForce {
@@ -172,8 +172,8 @@ struct ContactForce {
 };
 
 /// Rate of change of an active contact's force minus the target, (f - f_before) / step, N/s and
-/// Nm/s. There is one row per held direction, in the contact's own reference. f_before is the force
-/// of the previous step: the contact must be one of the problem's remembered_forces.
+/// Nm/s. There is one row per constrained direction, in the contact's own reference. f_before is
+/// the force of the previous step. The contact must be in the problem's list force_states.
 /// @described residual
 /// An empty target means zero.
 struct ContactForceRate {
@@ -182,17 +182,17 @@ struct ContactForceRate {
 };
 
 /// Margins of a contact force within its friction cone, 2 rows, N: friction * f_n - |f_t| and f_n.
-/// Here f_n is the force along the axis `normal` of the reference (0, 1, 2: x, y, z), and f_t is
-/// the tangential force. |f_t| is smoothed over 1e-3 N. If `sides` is n > 0, there are n rows
-/// instead, N: the margins friction * cos(pi / n) * f_n - d_i . f_t within a pyramid inside the
-/// cone. The tangent d_0 is the axis of the reference after the normal; the other d_i follow every
-/// 360 / n degrees. Default penalty: a barrier at 0.
+/// Here f_n is the force along the axis `normal` of the reference (0, 1, 2: x, y, z). f_t is the
+/// tangential force, and |f_t| is smoothed over 1e-3 N. With `sides` = n > 0, a pyramid inside the
+/// cone replaces the cone. There are then n rows, N: friction * cos(pi / n) * f_n - d_i . f_t. The
+/// tangents d_i are 360 / n degrees apart. The first tangent is the axis of the reference after the
+/// normal. Default penalty: a barrier at 0.
 /// @described residual
-/// The d_i turn from the axis after the normal (y after x, x after z) towards the next axis. If all
-/// n rows of the pyramid are at least zero, both rows of the cone are at least zero. The contact
-/// must hold the normal, but may leave one tangent free. The force along a free tangent is zero.
-/// Problem::set_target() takes the friction coefficient as the target, since the ground under a
-/// foot may change.
+/// The tangents turn from the axis after the normal (y after x, x after z) towards the next axis.
+/// If all n rows of the pyramid are at least zero, both rows of the cone are at least zero. The
+/// contact must constrain the normal, but may leave one tangent free. The force along a free
+/// tangent is zero. In Problem::set_target(), the target is the friction coefficient, since the
+/// ground under a foot may change.
 struct FrictionCone {
   std::string contact = {};                 ///< @name_of contact @stated
   double friction = 0.5;                    ///< Friction coefficient, > 0
@@ -204,21 +204,21 @@ struct FrictionCone {
 };
 
 /// Margins of the centre of pressure within a rectangle in the tool's axes, times the normal force
-/// f_z, 4 rows, Nm: half_x f_z + m_y, half_x f_z - m_y, half_y f_z + m_x and half_y f_z - m_x. With
-/// the centre of pressure c = (-m_y, m_x) / f_z, these rows are zero if c is at the edge with the
-/// largest x, smallest x, smallest y and largest y, in this order. With friction there are 8 more
-/// rows, Nm: the margins of the moment about the normal before the corners slip. The first 4 of
-/// these rows limit negative moments, the last 4 positive moments. Each corner has the coefficient
-/// `friction`. Default penalty: a barrier at 0.
+/// f_z. There are 4 rows, Nm: half_x f_z + m_y, half_x f_z - m_y, half_y f_z + m_x and half_y f_z -
+/// m_x. The centre of pressure is c = (-m_y, m_x) / f_z. In the order of the rows, a row is zero if
+/// c is at the edge with the largest x, smallest x, smallest y or largest y. With friction there
+/// are 8 more rows, Nm: the margins of the moment about the normal before the corners slip. The
+/// first 4 of the 8 rows limit negative moments, the last 4 positive moments. Each corner has the
+/// coefficient `friction`. Default penalty: a barrier at 0.
 /// @described residual
 /// The largest moment about the normal decreases as the centre of pressure approaches an edge. It
 /// is zero at a corner, about which the foot can pivot. Source: S. Caron, Q.-C. Pham, Y. Nakamura,
 /// "Stability of surface contacts for humanoid robots: closed-form formulae of the contact wrench
-/// cone for rectangular support areas", ICRA 2015, equations 21 and 22. These equations have a
+/// cone for rectangular support areas", ICRA 2015, equations 21 and 22. The equations assume a
 /// friction pyramid: |f_x| and |f_y| are each at most the coefficient times f_z. For a pyramid
-/// inside a friction cone, use the cone's coefficient divided by sqrt(2). Problem::set_target()
-/// takes the friction coefficient as the target. The contact must hold the normal, but may leave
-/// one other direction free. The force or moment along a free direction is zero.
+/// inside a friction cone, use the cone's coefficient divided by sqrt(2). In Problem::set_target(),
+/// the target is the friction coefficient. The contact must constrain the normal, but may leave one
+/// other direction free. The force or moment along a free direction is zero.
 struct CenterOfPressure {
   std::string contact = {};  ///< @name_of contact @stated
   double half_x = 0.1;       ///< Half length of the rectangle along the tool's x [m], > 0 @stated

@@ -13,20 +13,20 @@ namespace burnish {
 /// end of an integration with small steps.
 /// @described ocp @result
 struct StepError {
-  int knot = -1;           ///< Knot at which the step begins; -1: no time passes in the problem
+  int knot = -1;           ///< Knot at which the step begins; -1: no step was examined
   std::string place = {};  ///< Name of the knot, such as "press, knot 3"
   double time = 0.0;       ///< Time at which the step begins [s]
   double step = 0.0;       ///< Duration of the step [s]
   std::string entry = {};  ///< Name of the entry of v that has the error
   std::string unit = {};   ///< Unit of the error: "rad" or "m"; for velocities "rad/s" or "m/s"
-  double error = 0.0;      ///< Size of the error, in the unit of the error
+  double error = 0.0;      ///< Largest absolute error, in the unit of the entry
 
   /// Limit of the error, in the unit of the error; a larger error causes a warning
   double limit = 0.0;
 };
 
-/// Result of check_steps(): the worst position error and the worst velocity error. Errors above
-/// their limit are worse than errors within their limit. Otherwise the larger error is worse.
+/// Result of check_steps(): the worst position error and the worst velocity error. Any error above
+/// its limit is worse than any error within its limit. Otherwise the larger error is worse.
 /// @described ocp @result
 struct StepReport {
   /// Status ok, or the reason why the errors of `knot` cannot be computed
@@ -34,37 +34,38 @@ struct StepReport {
   /// or the contacts cannot be solved
   Status status = Status::Ok;
   int knot = -1;            ///< First knot whose errors cannot be computed; -1: none
-  StepError position = {};  ///< Worst position error, by the model's difference of configurations
+  StepError position = {};  ///< Worst position error, as a difference of configurations
   StepError velocity = {};
   bool coarse = false;  ///< True if an error exceeds its limit or cannot be computed
 
-  /// Step that is short enough at the worst knot (0: steps are fine, or none was found) [s]
-  double step_enough = 0.0;
+  /// Step that is short enough at the worst knot (0: the steps are short enough, or no step is) [s]
+  double sufficient_step = 0.0;
 
   /// Returns one sentence with both errors.
   std::string text() const;
-  /// Returns one sentence that says where and by how much the steps are too coarse. Empty if the
+  /// Returns one sentence that says where and by how much the steps are too long. Empty if the
   /// steps are short enough.
   std::string warning() const;
 };
 
 /// Estimates the discretization errors of a trajectory (xs: (N + 1) x nx, us: N x max_controls).
-/// Each knot is integrated again, from its state and with its control held, in small steps of
-/// fourth order. The end is compared with the end of the problem's own step. Contacts, friction,
-/// springs and the torque filter are as in the knot's stage. The small steps are halved until
-/// halving changes the end by less than a fiftieth of the error or of the error's limit. Impacts
-/// take no time and are not compared.
+/// Each knot is integrated again from its state, with constant control, in small steps of fourth
+/// order. The final state is compared with the final state of the problem's own step. Contacts,
+/// friction, springs and the torque filter are as in the knot's stage. The small steps are halved
+/// until the final state no longer changes by more than a fiftieth of the error or of its limit.
+/// Impacts take no time and are not compared.
 ///
-/// Each limit depends on the largest speed of the same entry of v in the trajectory:
-///  - position: 0.01 rad (m), or the distance in 25 ms at that speed, whichever is larger. A delay
-///    below 25 ms is within the delays of a robot's own control loops. Semi-implicit steps of up to
-///    50 ms satisfy the limit, since the velocity of such a step is half a step ahead;
-///  - velocity: 0.1 rad/s (m/s), or a tenth of that speed, whichever is larger.
+/// The limit of an error depends on the largest speed that the entry of v reaches in the
+/// trajectory:
+///  - position: 0.01 rad (m), or the distance in 25 ms at this largest speed if that is larger. The
+///    control loops of a robot have delays of the same size. Semi-implicit steps of up to 50 ms
+///    satisfy the limit, since their position error is about half a step of motion;
+///  - velocity: 0.1 rad/s (m/s), or a tenth of this largest speed if that is larger.
 /// Throws Error for matrices of other sizes.
 StepReport check_steps(const Problem& problem, const MatrixView& xs, const MatrixView& us);
 
-/// Returns a sentence for each stage and each cause of explicit steps that are unstable or
-/// overshoot at the initial state; empty if there is none. complaints() contains these sentences.
+/// Returns sentences about explicit time steps that are unstable or overshoot at the initial state,
+/// one for each stage and cause; empty if there are none. complaints() contains the sentences.
 /// Possible causes are
 ///  - contact gains with which a contact error grows from step to step;
 ///  - tool friction that slows the tool by more than the fade speed of the friction in one step;

@@ -1,4 +1,5 @@
-// Metrics of a polishing run, computed from the run's trace, for the comparison of controllers.
+// Metrics of a polishing run, computed from the trace of the run. The metrics are used to compare
+// controllers.
 #pragma once
 
 #include <limits>
@@ -19,13 +20,14 @@ struct MetricsSpec {
   /// End of the time window [s]
   double end = std::numeric_limits<double>::infinity();
   /// Surface normal towards the robot, in world axes (none: the true normal at the tool, in each
-  /// row) @more Forces are measured along the normal, position errors perpendicular to it. The
+  /// row)
+  /// @more Forces are measured along the normal, position errors perpendicular to the normal. The
   /// normal may have any length except zero
   std::optional<Eigen::Vector3d> normal_world = {};
   /// Width of the centred moving average of the force (0: no average) [s]
   double average = 0.010;
-  /// Direction in which the tool presses, in the tool's frame (none: tool_to_normal is not
-  /// measured) @more The vector may have any length except zero
+  /// Direction in which the tool presses, in the tool's frame (none: no Metrics.tool_to_normal)
+  /// @more The vector may have any length except zero
   std::optional<Eigen::Vector3d> tool_axis = {};
   /// Axes of the tool at the start of the trace, as columns in world axes
   Eigen::Matrix3d tool_start_world = Eigen::Matrix3d::Identity();
@@ -41,20 +43,20 @@ struct SolverFigures {
   double mean_iterations = 0.0;
   /// Number of plans that missed their deadline
   int missed_deadlines = 0;
-  /// Number of plans with active limits
+  /// Number of plans with active constraints
   int at_limits = 0;
-  /// Number of plans that cannot satisfy all limits
+  /// Number of plans that cannot satisfy all constraints
   int infeasible = 0;
-  /// Largest violation of a hard limit in a plan, as a fraction of the limit's scale: 99th
-  /// percentile and maximum over all plans
-  double limits_p99 = 0.0, limits_outside = 0.0;
+  /// Largest violation of a hard constraint in a plan, as a fraction of the constraint's scale:
+  /// 99th percentile and maximum over all plans
+  double violation_p99 = 0.0, constraint_violation = 0.0;
   int clipped = 0;  ///< Number of control ticks with a torque clipped to its permitted range
 };
 
-/// Metrics of a run, in SI units. They are computed from true forces and positions, over the time
-/// window if not stated otherwise.
+/// Metrics of a run, in SI units. They are computed from the plant's true forces and positions.
+/// Unless stated otherwise, they cover the time window of MetricsSpec.
 struct Metrics {
-  /// Times of the first and the last row in the window [s]
+  /// Times of the first and the last row of the trace in the time window [s]
   double start = 0.0, end = 0.0;
   /// Number of rows of the trace in the window
   int rows = 0;
@@ -80,8 +82,8 @@ struct Metrics {
   double without_contact = 0.0;
   /// Largest normal force in the first 50 ms of contact in the run [N]
   std::optional<double> impact_peak;
-  /// Largest overshoot: averaged force minus target force, at least 0 [N]. Only the rows between
-  /// the end of the force ramp and the start of the time window are used.
+  /// Largest value of averaged force minus target force between the end of the force ramp and the
+  /// start of the time window, at least 0 [N].
   std::optional<double> overshoot;
 
   /// Mean distance from the tool to its target, perpendicular to the normal [m]

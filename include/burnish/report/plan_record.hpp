@@ -10,8 +10,8 @@ namespace burnish {
 class MpcController;
 struct Command;
 
-/// Values at the first knot of each recorded plan. Gains and value function come from the solver's
-/// last backward pass.
+/// Values at the first knot of each recorded plan. Gains and derivatives of the value function come
+/// from the solver's last backward pass.
 struct PlanStart {
   int nx = 0, ndx = 0, nu = 0;
   /// State at the first knot, plans x nx
@@ -26,7 +26,7 @@ struct PlanStart {
   std::vector<double> Vxx = {};
 };
 
-/// Record of the plans that a PlanRecorder copied from a controller; empty if there were no plans.
+/// Plans that a PlanRecorder copied from a controller; empty if there were no plans.
 struct PlanRecord {
   /// Time of each plan's first knot [s]
   std::vector<double> time = {};
@@ -46,15 +46,16 @@ struct PlanRecord {
 /// behaviour.
 class PlanRecorder {
  public:
-  /// Creates a recorder for `controller`, which must outlive it.
-  /// - `step` is the time between the plan's knots [s], if the knots are evenly spaced. Otherwise
-  ///   `step` is not used, and states are interpolated at even times.
+  /// Creates a recorder for `controller`. The controller must outlive the recorder.
+  /// - `step` is the time between the plan's knots [s]. If the knots are not evenly spaced, `step`
+  ///   is not used, and states are interpolated at even times.
   /// - `solver_delay` is the time from a measurement to the first knot of its plan [s]. For the
   ///   first plan this time is zero.
   /// - `rate` is the largest rate of recorded plans [Hz]. If it is 0, nothing is recorded.
   PlanRecorder(MpcController& controller, double step, double solver_delay, double rate);
   /// Copies the controller's plan if it is new and if the recording rate permits it. Call look()
-  /// after each tick. `time` is the time of the measurement [s]; `command` is the tick's result.
+  /// after each tick. `time` is the time of the measurement [s], and `command` is the command from
+  /// the tick.
   void look(double time, const Command& command);
   PlanRecord take() { return std::move(record_); }
 

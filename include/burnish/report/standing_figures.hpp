@@ -22,7 +22,7 @@ struct StandingFigures {
   /// with a normal force >= 20 N on the foot are used.
   std::optional<double> pressure_margin;
   /// Smallest normal force on a foot [N]
-  double least_load = 0.0;
+  double min_load = 0.0;
   /// Largest displacement of a foot along the ground since the start [m]. For a sole, the
   /// displacement of its corners is used.
   double slip = 0.0;
@@ -32,8 +32,9 @@ struct StandingFigures {
   double com_moved = 0.0;  ///< Largest displacement of the centre of mass since the start [m]
 };
 
-/// Returns the standing measures of a trace of ClosedLoop. `model` and `supports` are those of the
-/// plant. Rows from the first invalid state on are not used; a failed plant leaves such a state.
+/// Returns the standing measures of a trace of ClosedLoop. `model` and `supports` must be the model
+/// and the supports of the plant. A failed plant leaves an invalid state in the trace. Rows from
+/// the first invalid state on are not used.
 ///
 /// Throws Error
 /// - if a column is missing,
@@ -43,7 +44,8 @@ StandingFigures measure_standing(const Trace& trace, const Model& model,
                                  const std::vector<SupportSpec>& supports);
 
 /// Returns whether the robot fell: the base tilted by more than 30 degrees, or the centre of mass
-/// moved by more than 0.25 m. No foot can support a centre of mass that moved so far.
+/// moved by more than 0.25 m. After such a displacement, the feet cannot support the centre of
+/// mass.
 bool fell(const StandingFigures& figures);
 
 }  // namespace burnish

@@ -18,7 +18,7 @@ struct Robot {
   std::map<std::string, Posture> postures;
   std::string default_posture;  ///< Name of the default posture; empty if there is none
 
-  /// Collision geometry of a URDF file. find_feet() uses it; dynamics does not.
+  /// Collision shapes of a URDF file. find_feet() uses them; dynamics ignores them.
   std::vector<Visual> collisions;
   /// Warnings about odd but usable content of the robot's files, one sentence each. Warnings of the
   /// model are included.
@@ -27,46 +27,50 @@ struct Robot {
   /// content never causes an Error, even if loading is strict.
   std::vector<std::string> notes;
 
-  /// Returns the configuration of a named posture. If the robot has loops, closed_configuration()
-  /// in contact/loops.hpp adjusts the configuration to close them. Throws Error if there is no such
-  /// posture (with the nearest known name), or if the loops cannot be closed.
+  /// Returns the configuration of a named posture. If the robot has kinematic loops, the
+  /// configuration is adjusted to close them (see closed_configuration()). Throws Error if the
+  /// loops cannot be closed, or with the nearest known name if no posture has this name.
   Eigen::VectorXd posture(const std::string& name) const;
-  /// Returns the configuration of the default posture. Without a default posture, returns the
-  /// neutral configuration. Loops are closed in both cases.
+  /// Returns the configuration of the default posture, or the neutral configuration if there is no
+  /// default posture. Kinematic loops are closed in both cases.
   Eigen::VectorXd reference_configuration() const;
 };
 
 /// Changes to the settings of a robot, for example from a command line.
 struct RobotOverrides {
   std::optional<Base> base;
-  std::vector<std::string> locked;  ///< Joints to lock in addition to locked joints of the settings
+  std::vector<std::string>
+      locked;  ///< Joints to lock, in addition to the locked joints of the settings file
 
-  /// The only joints that move; replaces `lock` and `free` of the settings
+  /// Joints that move; all other joints are locked. Replaces `lock` and `free` of the settings
+  /// file. Empty: no change.
   std::vector<std::string> free;
 
-  /// Name of the link, joint or frame to which a tool is attached. It is used only for a robot
-  /// without a settings file: joints that do not move the tool are locked, because nothing defines
-  /// the motion of another arm or a head. Fingers of a gripper are locked too, unless only fingers
-  /// move the tool; a note reports locked fingers. If the name is empty or unknown, all joints
-  /// move.
+  /// Name of the link, joint or frame to which a tool is attached. It has an effect only for a
+  /// robot without a settings file. Joints that do not move the tool, such as joints of another arm
+  /// or a head, are then locked. Nothing would define their motion. Fingers of a gripper are locked
+  /// too, and a note reports this. If only fingers move the tool, they stay free. If the name is
+  /// empty or unknown, all joints move.
   std::string carrying;
-  /// Name of the posture in which joints are locked. If it is empty, `posture` of the settings is
-  /// used, else `default_posture` of the settings, else zero.
+  /// Name of the posture in which joints are locked. If the name is empty, `posture` of the
+  /// settings file is used, else its `default_posture`, else zero positions.
   std::string posture;
-  /// SRDF file, whose group_states become postures. If empty, load_robot() looks for an SRDF file.
+  /// SRDF file with named postures (group_states). If empty, load_robot() searches for an SRDF
+  /// file.
   std::string srdf;
   bool strict = false;  ///< Treat warnings about the robot as errors
 };
 
 /// Loads a robot. `name` is one of
-///  - a URDF or MJCF file (`arm.urdf`, `arm.xml`), distinguished by content, or any other readable
-///    path, such as /dev/stdin or a pipe;
+///  - a URDF or MJCF file (`arm.urdf`, `arm.xml`), or any other readable path, such as /dev/stdin
+///    or a pipe; the content shows whether it is URDF or MJCF;
 ///  - a settings file (`robots/talos/robot.yaml`), optionally followed by `:variant`;
 ///  - a folder with a robot.yaml (`robots/talos`, `robots/talos:right_arm`);
-///  - the name of a robot that comes with the library (`talos`, `talos:right_arm`). The folders of
-///    robot_search_path() are searched for it: $BURNISH_ROBOTS, then share/burnish/robots around
-///    the running program or library, then where the library was built or installed.
+///  - the name of a robot that comes with the library (`talos`, `talos:right_arm`).
 ///
+/// Robots of the library are searched in the folders of robot_search_path(): $BURNISH_ROBOTS, then
+/// share/burnish/robots around the running program or library, then the folder where the library
+/// was built or installed.
 /// Throws Error with the file, the place in the file and the requirement. One Error lists all
 /// problems of a URDF file. Odd but usable content is reported in `warnings` of the result.
 ///
@@ -89,20 +93,21 @@ struct RobotOverrides {
 ///     variants: {name: {any of the keys above}, ...}
 ///
 /// An MJCF file can also state frames, postures and gravity. Frames and postures of the settings
-/// take precedence. If the settings have no default posture, the posture "home" of the MJCF file is
-/// used, else the posture in which the file draws the robot.
+/// take precedence over those of the MJCF file. Without a default posture in the settings, the
+/// posture "home" of the MJCF file is used. Without "home", the initial configuration of the MJCF
+/// file is used.
 ///
 /// If a URDF file is loaded without settings, an SRDF file with the same name is read too, from the
 /// same folder or ../srdf. Postures of the settings take precedence over postures of an SRDF file.
 /// Loops of the settings take precedence over loops of the same name in the description.
 ///
-/// If a posture leaves a loop open, Robot::posture() moves joints to close it. A posture for which
-/// this fails is an Error. If a posture has values for all joints, a warning reports a gap above 1
-/// mm or 0.1 degrees.
+/// If a posture leaves a kinematic loop open, Robot::posture() moves joints to close the loop. If
+/// this fails, load_robot() throws Error. If a posture has values for all joints, a warning reports
+/// a loop with a gap above 1 mm or 0.1 degrees.
 ///
-/// The keys of a variant replace the same keys of the settings file. Under keys with named entries,
-/// such as postures, the entries are merged: those of the variant replace entries of the same name.
-/// A `lock` or `free` of the variant replaces both `lock` and `free` of the settings file.
+/// The keys of a variant replace the same keys of the settings file. Keys with named entries, such
+/// as postures, are merged: an entry of the variant replaces the entry of the same name. A `lock`
+/// or `free` of the variant replaces both `lock` and `free` of the settings file.
 Robot load_robot(const std::string& name, const RobotOverrides& overrides = {});
 
 /// Returns the folders that are searched for robots by name, in search order.

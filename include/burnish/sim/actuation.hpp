@@ -1,5 +1,5 @@
-// Simulated actuation: delay, lag, errors, limits and failures between a controller's torque
-// command and the torque in the joint.
+// Simulated motors: delay, lag, errors, limits and failures between a controller's torque command
+// and the torque in the joint.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,13 @@
 
 namespace burnish {
 
-/// Returns the standard deviation of each motor's torque noise, nv entries [Nm or N]. With a torque
-/// loop, the noise of the torque sensor is included. Entries without a motor are zero.
+/// Returns the standard deviation of each motor's torque noise, nv entries [Nm or N]. If
+/// Disturbances::torque_loop is true, the noise of the torque sensor is included. Entries without a
+/// motor are zero.
 Eigen::VectorXd torque_noise(const Model& model, const Disturbances& disturbances);
 
-/// Torques after each stage of the actuation, in one plant step. Every vector has nv entries, in Nm
-/// or N.
+/// Torques after each stage of the simulated motors, in one plant step. Every vector has nv
+/// entries, in Nm or N.
 /// @described sim @result
 struct ActuationStep {
   /// Last valid torque command
@@ -30,8 +31,8 @@ struct ActuationStep {
   Eigen::VectorXd applied;
   /// Number of joints whose torque was clipped to the effort limit
   int limited = 0;
-  /// Whether the command was invalid and the previous command was used @more Invalid: not finite,
-  /// or of the wrong size
+  /// Whether the previous command was used in place of an invalid command
+  /// @more A command is invalid if it is not finite or has the wrong size
   bool held = false;
 };
 
@@ -40,31 +41,31 @@ struct ActuationStep {
 /// apply() once per plant step. After construction nothing is allocated or thrown.
 class Actuation {
  public:
-  /// Creates the actuation for plant steps of `dt` [s]. Throws Error for invalid disturbances
-  /// (check_disturbances).
+  /// Creates the motors for plant steps of `dt` [s]. Throws Error if check_disturbances() does.
   Actuation(const Model& model, const Disturbances& disturbances, double dt);
   ~Actuation();
-  /// Copies the actuation, including the state of its random number generators.
+  /// Copies the motors, including the state of the random number generators.
   Actuation(const Actuation& other);
   Actuation(Actuation&&) noexcept;
   Actuation& operator=(const Actuation& other);
   Actuation& operator=(Actuation&&) noexcept;
 
-  /// Restarts the actuation with the same sequence of random numbers. Delay and lag start with the
+  /// Restarts the motors with the same sequence of random numbers. Delay and lag start with the
   /// torque `tau` (nv entries), or with zero torque if `tau` is not given. If `tau` has the wrong
   /// size, nothing is reset.
   void reset() noexcept;
   void reset(const ConstVectorRef& tau) noexcept;
 
   /// Simulates one plant step and returns the torque that acts on the plant, step().applied.
-  /// `command` has nv entries. If `command` is not finite or has another size, the previous command
-  /// is used.
+  /// `command` has nv entries. If `command` is not finite or has the wrong size, the previous
+  /// command is used.
   const Eigen::VectorXd& apply(const ConstVectorRef& command) noexcept;
 
   const ActuationStep& step() const { return step_; }
-  /// Torque scale of each entry of v: the given value, or the random one.
+  /// Returns the torque scale of each entry of v, as stated in Disturbances or drawn at random.
   const Eigen::VectorXd& scale() const { return scale_; }
-  /// Torque bias of each entry of v: the given value, or the random one [Nm or N].
+  /// Returns the torque bias of each entry of v, as stated in Disturbances or drawn at random [Nm
+  /// or N].
   const Eigen::VectorXd& bias() const { return bias_; }
   int delay_steps() const { return delay_steps_; }
 

@@ -1,5 +1,5 @@
-// Simulation of a controller and a plant in closed loop, with disturbances between the two. The run
-// is recorded in a trace.
+// Simulation of a controller and a plant in closed loop, with disturbances between controller and
+// plant. The run is recorded in a trace.
 #pragma once
 
 #include <memory>
@@ -24,11 +24,11 @@ struct ClosedLoopOptions {
   double max_duration = 20.0;
   /// Plant steps per row of the trace, >= 1
   int record_every = 1;
-  /// Frame of the inertial measurement unit (empty: the robot's first body; none: no unit) @more
-  /// The controller receives the unit's readings
+  /// Frame of the inertial measurement unit (empty: the robot's first body; none: no unit)
+  /// @more The controller receives the readings of the inertial measurement unit
   std::optional<std::string> imu_frame = {};
-  /// Whether the controller receives the measured wrenches on the scene's supports @note They are
-  /// in Measurement::support_wrenches
+  /// Whether the controller receives the measured wrenches on the scene's supports
+  /// @note The wrenches are in Measurement::support_wrenches
   bool support_sensors = true;
 };
 
@@ -57,8 +57,8 @@ struct ClosedLoopOptions {
 ///     tau_friction_<joint>                         torque of joint friction, springs and tendons
 ///     tool_force_x|y|z_world [N]                   true force of the surface on the tool
 ///     surface_normal_x|y|z_world [-]               true surface normal at the tool
-///     believed_normal_x|y|z_world [-]              controller's estimate of the surface normal
-///     believed_friction [-]                        controller's estimate of the coefficient of
+///     estimated_normal_x|y|z_world [-]             controller's estimate of the surface normal
+///     estimated_friction [-]                       controller's estimate of the coefficient of
 ///                                                  friction at the tool
 ///     in_contact [-], plant_status [-]             1 if the tip is in contact; status of the plant
 ///     limited_joints [-]                           number of joints at their effort limit
@@ -66,8 +66,9 @@ struct ClosedLoopOptions {
 ///     solve_time [s], iterations [-], missed_deadline [-]
 ///                                                  entries of the Command
 ///     tick [-]                                     1 if the controller ticked in this step
-///     limits_outside [-], limits_open [-], limits_pushing [-], limits_infeasible [-],
-///     clipped_torques [-]                          entries of the Command
+///     constraint_violation [-], constraint_residual [-], active_constraints [-],
+///     constraints_infeasible [-], clipped_torques [-]
+///                                                  entries of the Command
 ///     surface_x|y|z_world [m], surface_rx|ry|rz_world [rad]
 ///                                                  true position and rotation vector of the frame
 ///                                                  that carries the surface, if there is one
@@ -81,8 +82,8 @@ class ClosedLoop {
   /// - if the numbers of torques of controller and plant differ,
   /// - if an option is out of range or a disturbance is invalid.
   ///
-  /// Disturbances of model and scene are not applied here: create the plant with plant_model() and
-  /// plant_scene().
+  /// The constructor does not apply disturbances of model and scene: create the plant with
+  /// plant_model() and plant_scene().
   ClosedLoop(Plant& plant, Controller& controller, const Disturbances& disturbances = {},
              const ClosedLoopOptions& options = {});
   ~ClosedLoop();
@@ -91,22 +92,23 @@ class ClosedLoop {
 
   /// From the next reset() on, replaces the floating base's entries in measurements by estimates.
   /// The estimator uses the joints, the feet and an inertial measurement unit at
-  /// `estimator.imu_frame`. Its initial estimate is the plant's true state. `known` is the
+  /// `estimator.imu_frame`. The initial estimate is the plant's true state. `known` is the
   /// controller's model of the robot.
   ///
   /// Throws Error in the same cases as EstimatedBase. Also throws Error if the controller carries a
-  /// payload (MpcController::set_payload), because the estimator would ignore this payload.
+  /// payload (MpcController::set_payload), because the estimator would ignore the payload.
   void estimate_base(const Model& known, const BaseEstimatorOptions& estimator,
                      const FootContactOptions& feet = {});
 
   /// Sets the plant's state to (q, v) and restarts controller, sensors and actuation. Delay and lag
   /// of the motors start at the torque of the controller's first command. Returns the plant's
-  /// status. If the status is above NotConverged, nothing changes.
+  /// status. If the status is more severe than NotConverged, the state was rejected and nothing
+  /// changes.
   [[nodiscard]] Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
   /// Advances by one plant step and returns the plant's status. Allocates nothing.
   [[nodiscard]] Status step() noexcept;
-  /// Steps until `duration` [s] has passed, or until a step returns a status above NotConverged.
-  /// Returns the most severe status of the steps.
+  /// Steps until `duration` [s] has passed, or until a step fails. A step has failed if its status
+  /// is more severe than NotConverged. Returns the most severe status of all steps.
   [[nodiscard]] Status run(double duration) noexcept;
 
   const Trace& trace() const;
@@ -123,8 +125,8 @@ class ClosedLoop {
 /// are relative to the frame's origin, in the frame's axes. Forces and normals are rotated into the
 /// frame's axes.
 ///
-/// The columns keep their names. The result is stored in `room`. If the surface is fixed in the
-/// world, `trace` itself is returned.
+/// The names of the columns do not change. The result is stored in `room`. If the surface is fixed
+/// in the world, `trace` itself is returned.
 const Trace& seen_from_surface(const Trace& trace, Trace& room);
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// All differences between a simulated plant and the controller's model of it, in one struct. Random
-// values are drawn from one seed.
+// All differences between a simulated plant and the controller's model of the plant, in one struct.
+// Random values are drawn from one seed.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,8 +23,8 @@ struct Push {
   double duration = 0.0;
   /// Force in world axes, at the frame's origin [N] @key force
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
-  /// Frame that the force acts on (tip: the tip's frame) @code Frame that the force acts on (empty:
-  /// the tip's frame) @word tip
+  /// Frame that the force acts on (tip, or empty: the tip's frame)
+  /// @word tip
   std::string frame = {};
 };
 
@@ -34,7 +34,7 @@ struct Push {
 struct MotorLoss {
   /// Time at which the failure starts [s]
   double start = 0.0;
-  /// Duration of the failure [s], >= 0 or infinite @word forever
+  /// Duration of the motor failure [s], >= 0 or infinite @word forever
   double duration = std::numeric_limits<double>::infinity();
   std::string joint = {};  ///< Name of the joint @more All of the joint's entries of v are affected
   double share = 0.0;      ///< Fraction of the torque that is left, 0 to 1
@@ -52,11 +52,11 @@ struct UnknownPayload {
   Eigen::Vector3d com = Eigen::Vector3d::Zero();
   /// Radius of the ball [m], >= 0
   double radius = 0.05;
-  /// Largest random change of the mass [kg], >= 0 @more A random r with |r| <= mass_range is added
-  /// to the mass. A negative sum counts as zero
+  /// Largest random change of the mass [kg], >= 0
+  /// @more A random r with |r| <= mass_range is added to the mass. A negative sum counts as zero
   double mass_range = 0.0;
-  /// Largest random change of each entry of the centre [m], >= 0 @more A random r with |r| <=
-  /// com_range is added to each entry
+  /// Largest random change of each entry of the centre [m], >= 0
+  /// @more A random r with |r| <= com_range is added to each entry
   double com_range = 0.0;
 };
 
@@ -77,50 +77,53 @@ struct ImuFault {
 };
 
 /// All differences between a plant and its controller's model, and all errors of sensors and
-/// motors. A disturbance that is not named is off. Zero, empty, false and "no value" also mean off.
+/// motors. A disturbance without a value is off. The values zero, empty and false also mean off.
 /// Random values are drawn from the seed.
 ///
-/// In the texts of the members, a joint is one entry of v. A floating base has no motors and no
-/// encoders. Its entries therefore have no motor errors, no joint friction and no encoder rounding.
-/// Units are given for revolute joints; for prismatic joints, replace rad by m and Nm by N.
+/// In the descriptions of the members, a joint is one entry of v. A floating base has no motors and
+/// no encoders. The base's entries of v therefore have no motor errors, no joint friction and no
+/// encoder rounding. Units are given for revolute joints; for prismatic joints, replace rad by m
+/// and Nm by N.
 /// @described sim
 struct Disturbances {
   std::uint64_t seed = 0;  ///< Seed of all random values
 
   // @group Disturbances between the command and the joint torque, in the order in which they act.
 
-  /// Delay from the controller to the motors [s], >= 0 @more Rounded to whole plant steps
+  /// Delay from the controller to the motors [s], >= 0
+  /// @more The delay is rounded to whole plant steps
   double command_delay = 0.0;
-  /// Cut-off of the motors' first-order lag (0: no lag) [rad/s], >= 0 @more The torque follows
-  /// dtau/dt = cutoff (command - tau)
+  /// Cut-off of the motors' first-order lag (0: no lag) [rad/s], >= 0
+  /// @more The torque follows dtau/dt = cutoff (command - tau)
   double torque_cutoff = 0.0;
-  /// Largest random error of a joint's torque scale, >= 0 @more Each joint's torque is multiplied
-  /// by 1 + r, where r is random and |r| <= torque_scale_range
+  /// Largest random error of a joint's torque scale, >= 0
+  /// @more Each joint's torque is multiplied by 1 + r, where r is random and |r| <=
+  /// torque_scale_range
   double torque_scale_range = 0.0;
-  /// Torque scale of each joint (none: random scales) @code Torque scale of each joint, nv entries
-  /// (empty: random scales) @word none
+  /// Torque scale of each joint, nv entries (none, or empty: random scales)
+  /// @word none
   Eigen::VectorXd torque_scale = {};
-  /// Largest random torque bias of a joint [Nm], >= 0 @more A random constant b with |b| <=
-  /// torque_bias_range is added to each joint's torque
+  /// Largest random torque bias of a joint [Nm], >= 0
+  /// @more A random constant b with |b| <= torque_bias_range is added to each joint's torque
   double torque_bias_range = 0.0;
-  /// Torque bias of each joint (none: random biases) [Nm] @code Torque bias of each joint in Nm
-  /// (N), nv entries (empty: random biases) @word none
+  /// Torque bias of each joint, nv entries (none, or empty: random biases) [Nm]
+  /// @word none
   Eigen::VectorXd torque_bias = {};
-  /// Standard deviation of the torque noise [Nm], >= 0 @more Drawn anew in every plant step
+  /// Standard deviation of the torque noise [Nm], >= 0
+  /// @more The noise is drawn anew in every plant step
   double torque_noise = 0.0;
   /// Upper bound of torque_noise, as a fraction of the joint's effort limit (0: no bound), >= 0
   double torque_noise_share = 0.0;
   /// Whether joint torques are clipped to the robot's effort limits
   bool torque_limits = true;
-  /// Whether a torque control loop cancels torque scale, torque bias and joint friction @more The
-  /// loop uses a torque sensor in each joint. It is ideal within its bandwidth, but the sensor's
-  /// noise disturbs the torque
+  /// Whether a torque control loop cancels torque scale, torque bias and joint friction
+  /// @more The control loop uses a torque sensor in each joint. Within its bandwidth the loop is
+  /// ideal, but the noise of the sensor disturbs the torque
   bool torque_loop = false;
   /// Standard deviation of the torque sensors' noise [Nm], >= 0
   double torque_sensor_noise = 0.0;
-  /// Motor failures, applied after the torque limits: [{start: s, duration: s, joint: name, share:
-  /// fraction of the torque that is left}, ...] @code Motor failures, applied after the torque
-  /// limits
+  /// Motor failures, applied after the torque limits; in files: [{start: s, duration: s, joint:
+  /// name, share: fraction of the torque that is left}, ...]
   std::vector<MotorLoss> motor_losses = {};
 
   // @group Friction in the joints of the plant.
@@ -135,18 +138,19 @@ struct Disturbances {
 
   // @group Disturbances between the plant and the measurement.
 
-  /// Delay of all measured values except the time [s], >= 0 @more Rounded to whole control periods
+  /// Delay of all measured values except the time [s], >= 0
+  /// @more The delay is rounded to whole control periods
   double measurement_delay = 0.0;
-  /// Resolution of a joint's encoder, in bits per turn (0: exact), 0 to 40 @more Only for revolute
-  /// and continuous joints
+  /// Resolution of a joint's encoder, in bits per turn (0: exact), 0 to 40
+  /// @more Only revolute and continuous joints have an encoder resolution
   int encoder_bits = 0;
-  /// Standard deviation of the position noise [rad], >= 0 @more Added before the encoder rounds the
-  /// position
+  /// Standard deviation of the position noise [rad], >= 0
+  /// @more The noise is added before the encoder rounds the position
   double position_noise = 0.0;
   /// Standard deviation of the velocity noise [rad/s], >= 0
   double velocity_noise = 0.0;
-  /// Whether measured velocities are finite differences of measured positions @more If false, the
-  /// true velocities are measured
+  /// Whether measured velocities are finite differences of measured positions
+  /// @more If false, the true velocities are measured
   bool finite_difference_velocity = false;
   /// Cut-off of the low-pass filter on finite-difference velocities (0: no filter) [rad/s], >= 0
   double velocity_cutoff = 0.0;
@@ -155,20 +159,21 @@ struct Disturbances {
   /// Cut-off of the low-pass filter on measured forces and moments (0: no filter) [rad/s], >= 0
   /// @more Noise is added before the filter
   double force_cutoff = 0.0;
-  /// Standard deviation of the noise of forces measured at supports, per axis [N], >= 0 @more
-  /// Filtered with the cut-off force_cutoff
+  /// Standard deviation of the noise of forces measured at supports, per axis [N], >= 0
+  /// @more The noise passes the low-pass filter with the cut-off force_cutoff
   double support_force_noise = 0.0;
-  /// Standard deviation of the noise of moments measured at supports, per axis [Nm], >= 0 @more
-  /// Filtered with the cut-off force_cutoff
+  /// Standard deviation of the noise of moments measured at supports, per axis [Nm], >= 0
+  /// @more The noise passes the low-pass filter with the cut-off force_cutoff
   double support_moment_noise = 0.0;
 
-  // @group Errors of the inertial measurement unit, if there is one. Noise densities are used as in
-  // data sheets: the noise of a reading over dt s has the standard deviation density / sqrt(dt).
+  // @group Errors of the inertial measurement unit, if there is one. Noise densities are defined as
+  // in data sheets: if a reading is a mean over dt seconds, its noise has the standard deviation
+  // density / sqrt(dt).
 
   /// Density of the gyroscope's white noise, per axis [rad/s/sqrt(Hz)], >= 0
   double gyro_noise = 0.0;
-  /// Largest random initial bias of the gyroscope, per axis [rad/s], >= 0 @more A random b with |b|
-  /// <= gyro_bias_range is added to each axis
+  /// Largest random initial bias of the gyroscope, per axis [rad/s], >= 0
+  /// @more A random b with |b| <= gyro_bias_range is added to each axis
   double gyro_bias_range = 0.0;
   /// Density of the random walk of the gyroscope's bias [rad/s^2/sqrt(Hz)], >= 0
   double gyro_bias_walk = 0.0;
@@ -176,33 +181,34 @@ struct Disturbances {
   double gyro_step = 0.0;
   /// Density of the accelerometer's white noise, per axis [m/s^2/sqrt(Hz)], >= 0
   double accelerometer_noise = 0.0;
-  /// Largest random initial bias of the accelerometer, per axis [m/s^2], >= 0 @more A random b with
-  /// |b| <= accelerometer_bias_range is added to each axis
+  /// Largest random initial bias of the accelerometer, per axis [m/s^2], >= 0
+  /// @more A random b with |b| <= accelerometer_bias_range is added to each axis
   double accelerometer_bias_range = 0.0;
   /// Density of the random walk of the accelerometer's bias [m/s^3/sqrt(Hz)], >= 0
   double accelerometer_bias_walk = 0.0;
   /// Quantization step of the accelerometer (0: exact) [m/s^2], >= 0
   double accelerometer_step = 0.0;
-  /// Faults of the unit: [{start: s, duration: s, gyro_offset: [x, y, z] in rad/s,
-  /// accelerometer_offset: [x, y, z] in m/s^2, frozen: true, silent: true}, ...]. Offsets are in
-  /// the unit's axes. Entries left out are off. A fault without a duration lasts forever @code
-  /// Faults of the inertial measurement unit
+  /// Faults of the inertial measurement unit; in files: [{start: s, duration: s, gyro_offset: [x,
+  /// y, z] in rad/s, accelerometer_offset: [x, y, z] in m/s^2, frozen: true, silent: true}, ...].
+  /// Offsets are in the unit's axes. Entries left out are off. A fault without a duration lasts
+  /// forever
   std::vector<ImuFault> imu_faults = {};
 
   // @group Differences in the plant's model and scene, applied by plant_model() and plant_scene().
 
-  /// Factor of all masses and inertias of the plant, > 0
+  /// Factor on all masses and inertias of the plant, > 0
   double mass_scale = 1.0;
   /// Payload that the plant carries and the controller's model lacks
   UnknownPayload payload = {};
-  /// Tilt of the plant's surface about its two tangents [degrees], between -90 and 90 @more The
-  /// controller does not know the tilt. Both axes pass through the surface's point. The rotation
-  /// about the second tangent is applied first
+  /// Tilt of the plant's surface about its two tangents [degrees], between -90 and 90
+  /// @more The controller does not know the tilt. The two axes of rotation pass through the
+  /// surface's point. The rotation about the second tangent is applied first
   Eigen::Vector2d surface_tilt_deg = Eigen::Vector2d::Zero();
-  /// Offset of the plant's surface along its normal [m] @more Applied before the tilt
+  /// Offset of the plant's surface along its normal [m]
+  /// @more The offset is applied before the tilt
   double surface_height = 0.0;
-  /// Factor of the curvature of the plant's surface, > 0 @more Lengths of the surface's shape are
-  /// divided by this factor
+  /// Factor on the curvature of the plant's surface, > 0
+  /// @more Lengths of the surface's shape are divided by this factor
   double surface_curvature = 1.0;
   /// Shape of the plant's surface (none: as the controller assumes) @word none
   std::optional<SurfaceShape> surface_shape = {};
@@ -211,11 +217,11 @@ struct Disturbances {
   /// Coulomb friction coefficient of the plant's surface (none: as the controller assumes), >= 0
   /// @word none
   std::optional<double> surface_friction = {};
-  /// Slippery ground under the robot's supports: [{start: s, duration: s, frame: foot, friction:
-  /// coefficient}, ...] @code Slippery ground under the robot's supports
+  /// Slippery ground under the robot's supports; in files: [{start: s, duration: s, frame: foot,
+  /// friction: coefficient}, ...]
   std::vector<SlipperyGround> slippery_ground = {};
-  /// Forces on the tool or on a frame: [{start: s, duration: s, force: [x, y, z] in N and world
-  /// axes, frame: name}, ...] @code Forces on the robot
+  /// Forces on the tool or on a frame; in files: [{start: s, duration: s, force: [x, y, z] in N and
+  /// world axes, frame: name}, ...]
   std::vector<Push> pushes = {};
 };
 
@@ -236,11 +242,11 @@ const std::vector<std::string>& disturbance_presets();
 /// nearest known name.
 Disturbances disturbance_preset(const std::string& name);
 
-/// Throws Error if a disturbance
+/// Checks the disturbances. Throws Error if a disturbance
 /// - is not finite, out of its range or of the wrong size,
 /// - names a joint that the robot does not have.
 ///
-/// The message names the entry.
+/// The message names the member of Disturbances.
 void check_disturbances(const Model& model, const Disturbances& disturbances);
 
 /// Returns the payload that the plant carries, with mass and centre as drawn from the seed. If
@@ -248,9 +254,9 @@ void check_disturbances(const Model& model, const Disturbances& disturbances);
 Payload carried_payload(const Disturbances& disturbances);
 
 /// Returns the plant's model: `nominal` (the controller's model) with scaled masses, the payload
-/// and the joint friction of the disturbances. This joint friction replaces the friction of
-/// `nominal`, also if it is zero. Throws Error for invalid disturbances (check_disturbances), and
-/// if the robot does not have the payload's frame.
+/// and the joint friction of the disturbances. Joint friction of the disturbances replaces the
+/// friction of `nominal`, even if it is zero. Throws Error for invalid disturbances (see
+/// check_disturbances()), and if the robot does not have the payload's frame.
 Model plant_model(const Model& nominal, const Disturbances& disturbances);
 
 /// Returns the plant's scene: `nominal` (the scene that the controller assumes) with the
@@ -258,8 +264,8 @@ Model plant_model(const Model& nominal, const Disturbances& disturbances);
 /// finite.
 SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances);
 
-/// Returns the sum of the forces on the tip at `time` [s], in world axes [N]. Pushes on other
-/// frames are not included.
+/// Returns the sum of the forces of `pushes` on the tip at `time` [s], in world axes [N]. Pushes on
+/// other frames are not included.
 Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept;
 
 }  // namespace burnish

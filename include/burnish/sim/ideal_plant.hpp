@@ -1,20 +1,20 @@
-// Plant with burnish's own contact dynamics, a rigid surface and exact torques. A run shows the
-// controller's own error, without an error of the model. The plant needs no other program.
+// Plant with burnish's own contact dynamics, a rigid surface and exact torques. Without model
+// errors, a run shows the controller's own error. The plant needs no other program.
 //
 // Motion obeys M a + b = tau + J^T lambda, with one contact row along the surface's normal. It is
 // integrated by the fourth-order method of Runge and Kutta on the manifold of configurations (H.
 // Munthe-Kaas, "High order Runge-Kutta methods on manifolds", 1999).
 //
-// Contact begins with a plastic impact when the tip reaches the surface. It ends when the normal
-// force would become a pull.
+// Contact begins with a plastic impact when the tip reaches the surface. Contact ends when the
+// normal force would become a pull.
 //
 // Friction forces at joints and tip are constant over a step. They are computed such that the
 // velocity at the end of the step satisfies Coulomb's law. At the tip, friction is limited to mu
-// times the normal force at the start of the step. That normal force is computed with the friction
+// times the normal force at the start of the step. This normal force is computed with the friction
 // of the previous step.
 //
-// Kinematic loops of the robot are always closed. The gains that stabilize the gap to the surface
-// also stop the drift of the loops.
+// Kinematic loops of the robot are always closed. The gains that correct drift of the gap to the
+// surface also correct drift of the loops.
 #pragma once
 
 #include <memory>
@@ -28,21 +28,24 @@ namespace burnish {
 struct IdealPlantOptions {
   /// Time step [s], > 0
   double dt = 5e-4;
-  /// Viscous friction of the sliding tip [Ns/m], >= 0 @more It acts in addition to Coulomb friction
+  /// Viscous friction of the sliding tip [Ns/m], >= 0
+  /// @more Viscous friction acts in addition to Coulomb friction
   double tip_viscous = 0.0;
-  /// Gain of the drift correction on position errors [1/s^2], >= 0 @more Position errors are the
-  /// gap to the surface during contact, and the errors of kinematic loops
+  /// Gain of the drift correction on position errors [1/s^2], >= 0
+  /// @more Position errors are the gap to the surface during contact, and the errors of kinematic
+  /// loops
   double stabilize_kp = 1e4;
-  /// Gain of the drift correction on velocity errors [1/s], >= 0 @more Velocity errors are the
-  /// velocity of the gap during contact, and the velocity errors of kinematic loops
+  /// Gain of the drift correction on velocity errors [1/s], >= 0
+  /// @more Velocity errors are the velocity of the gap during contact, and the velocity errors of
+  /// kinematic loops
   double stabilize_kd = 200;
 };
 
 /// Creates a plant with burnish's own contact dynamics. Joint limits do not stop the joints. If the
 /// tip is on the surface at reset(), or inside it by rounding, the plant starts in contact.
 ///
-/// Throws Error for an invalid scene (checked_scene), for a scene with supports, and for options
-/// out of their ranges. Also throws Error for a surface that moves, is curved or is carried by the
+/// Throws Error if checked_scene() rejects the scene, if the scene has supports, and if an option
+/// is out of range. Also throws Error for a surface that moves, is curved or is carried by the
 /// robot.
 std::unique_ptr<Plant> make_ideal_plant(const Model& model, const SceneSpec& scene,
                                         const IdealPlantOptions& options = {});

@@ -12,16 +12,15 @@
 namespace burnish {
 
 /// Simulates an inertial measurement unit at a frame of the robot. A reading is a mean over the
-/// time since the previous reading. Without errors, integrating the readings with zero-order hold
-/// gives the true rotation and velocity.
+/// time since the previous reading. If the readings have no errors, their integral with zero-order
+/// hold is the true rotation and velocity.
 ///
-/// The Disturbances set bias, noise, quantization and faults. After construction nothing is
+/// Bias, noise, quantization and faults are set in Disturbances. After construction nothing is
 /// allocated or thrown.
 class ImuSensor {
  public:
-  /// Mounts the unit at `frame` (empty: the body of the robot's first joint). Throws Error for
-  /// invalid disturbances (check_disturbances), and for a frame that is unknown or fixed to the
-  /// world.
+  /// Mounts the unit at `frame` (empty: the body of the robot's first joint). Throws Error if
+  /// check_disturbances() does, and for a frame that is unknown or fixed to the world.
   ImuSensor(const Model& model, const std::string& frame, const Disturbances& disturbances);
   ~ImuSensor();
   ImuSensor(ImuSensor&&) noexcept;
@@ -31,10 +30,11 @@ class ImuSensor {
   /// numbers with the same initial biases.
   void reset() noexcept;
 
-  /// Returns the reading at the true state q (nq), v (nv). `elapsed` is the time since the previous
-  /// reading [s], > 0. `time` is the present time [s]; it selects the active faults.
+  /// Returns the reading at the robot's true configuration q (nq entries) and velocity v (nv
+  /// entries). `elapsed` is the time since the previous reading [s], > 0. `time` is the present
+  /// time [s], which determines the active faults.
   ///
-  /// The first reading after reset() assumes that the frame does not accelerate. The noise of the
+  /// For the first reading after reset(), the frame is assumed not to accelerate. The noise of the
   /// first reading is computed for a mean over `elapsed`.
   const ImuReading& measure(const ConstVectorRef& q, const ConstVectorRef& v, double elapsed,
                             double time = 0.0) noexcept;

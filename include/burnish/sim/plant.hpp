@@ -1,5 +1,5 @@
-// Interface of simulated plants, which a controller drives. Input: joint torques and a force on the
-// tip. Output: state and forces. A plant does not depend on controllers.
+// Interface of simulated plants. The input is joint torques and a force on the tip; the output is
+// the robot's state and the contact forces. A plant does not depend on controllers.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,8 @@ struct PlantSnapshot {
 };
 
 /// A robot and a surface, simulated with a fixed time step. reset() and step() allocate nothing and
-/// throw nothing. If reset() or step() returns a status above NotConverged, the state is unchanged.
+/// throw nothing. If reset() or step() returns a status more severe than NotConverged, the call has
+/// failed and the state is unchanged.
 ///
 /// The plant simulates the joint friction, springs and tendons of model(). In this model, `damping`
 /// is viscous joint friction and `friction` is Coulomb joint friction.
@@ -54,7 +55,7 @@ class Plant {
   /// Returns whether the surface exerted a force on the tip during the last step.
   virtual bool in_contact() const = 0;
   /// Returns the sum of friction, spring and tendon torques in the joints during the last step, nv
-  /// entries [Nm or N]. Friction torques oppose the motion. Spring and tendon torques are evaluated
+  /// entries [Nm or N]. Friction torques oppose the motion. Spring and tendon torques are computed
   /// at the start of the step.
   virtual const Eigen::VectorXd& friction_torque() const = 0;
 
@@ -68,8 +69,8 @@ class Plant {
   /// Saves the state in `snapshot`: all data on which future steps depend, and the forces of the
   /// last step. Allocates on first use.
   virtual void save(PlantSnapshot& snapshot) const = 0;
-  /// Restores a saved state. The same torques then give the same motion, bit by bit. Returns
-  /// WrongSize for a snapshot of another plant.
+  /// Restores a saved state. From a restored state, equal torques give bitwise equal motion.
+  /// Returns WrongSize for a snapshot of another plant.
   [[nodiscard]] virtual Status restore(const PlantSnapshot& snapshot) noexcept = 0;
 
  protected:

@@ -18,23 +18,25 @@ namespace burnish {
 struct SurfaceMotion {
   double amplitude = 0.0;  ///< Amplitude of the oscillation [m], >= 0
   double frequency = 1.0;  ///< Frequency of the oscillation [Hz], > 0
-  double drift = 0.0;      ///< Constant velocity, positive out of the material [m/s]
-  double start = 0.0;      ///< Plant time at which the motion starts [s], >= 0
+  /// Constant velocity of the surface along its normal, positive out of the material [m/s]
+  double drift = 0.0;
+  double start = 0.0;  ///< Plant time at which the motion starts [s], >= 0
 
   bool is_at_rest() const { return amplitude == 0.0 && drift == 0.0; }
   /// Returns the displacement at `time` [s], positive out of the material [m].
-  double way(double time) const noexcept;
+  double displacement(double time) const noexcept;
 };
 
-/// A plane, a curved surface, or a square part of either. Points are relative to the origin of
-/// `frame`; points and vectors are in the axes of `frame`. Without a frame, world coordinates are
-/// used.
+/// Surface that the tool touches: a plane, a curved surface, or a square part of a plane or curved
+/// surface. Points are relative to the origin of `frame`; points and vectors are in the axes of
+/// `frame`. Without a frame, world coordinates are used.
 /// @described sim
 struct SurfaceSpec {
-  /// Frame of the robot that carries the surface (empty: the surface is fixed in the world) @more
-  /// Example: the frame of a plate in a hand
+  /// Frame of the robot that carries the surface (empty: the surface is fixed in the world)
+  /// @more Example: the frame of a plate in a hand
   std::string frame = {};
-  /// A point of the surface [m] @more It is the centre of the square if `extent` is finite
+  /// A point of the surface [m]
+  /// @more If `extent` is finite, the point is the centre of the square
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   /// Normal of the surface at `point` (out of the material, towards the robot), not zero
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
@@ -44,14 +46,15 @@ struct SurfaceSpec {
   double friction = 0.0;
   /// Contact stiffness (not used by rigid plants) [N/m], > 0
   double stiffness = 1e5;
-  /// Contact damping (not used by rigid plants) [Ns/m], >= 0 @more MuJoCo's own contact
-  /// (MujocoContact.ENGINE) lifts a sliding tip with a force of mu * damping * speed.
+  /// Contact damping (not used by rigid plants) [Ns/m], >= 0
+  /// @more MuJoCo's own contact (MujocoContact.ENGINE) lifts a sliding tip with a force of mu *
+  /// damping * speed.
   double damping = 500.0;
   /// Motion of the surface along its normal
   SurfaceMotion motion = {};
-  /// Half side length of the square that can be touched [m], > 0 or infinite @more Infinite: the
-  /// whole surface can be touched. The square is centred at `point`. Its sides are along the
-  /// columns of Reference::surface_with_normal()
+  /// Half side length of the square that can be touched [m], > 0 or infinite
+  /// @more If the value is infinite, the whole surface can be touched. The square is centred at
+  /// `point`, and its sides are along the columns of Reference::surface_with_normal()
   double extent = std::numeric_limits<double>::infinity();
   /// Half side length of the square that is drawn if `extent` is infinite [m], > 0
   double half_size = 0.4;
@@ -84,8 +87,8 @@ struct SupportSpec {
   double radius = 0.02;
   /// A point of the plane, in world coordinates [m]
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  /// Normal of the plane in world axes (out of the material, towards the robot), not zero @more It
-  /// may have any length
+  /// Normal of the plane in world axes (out of the material, towards the robot), not zero
+  /// @more The normal may have any length
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double friction = 0.7;   ///< Coulomb friction coefficient, >= 0
   double stiffness = 2e6;  ///< Contact stiffness of the whole sole or ball [N/m], > 0
@@ -102,16 +105,17 @@ struct SlipperyGround {
   double start = 0.0;
   /// Duration of the slippery ground [s], >= 0 or infinite @word forever
   double duration = std::numeric_limits<double>::infinity();
-  /// Frame of the support on this ground (all: every support) @code Frame of the support on this
-  /// ground (empty: every support) @word all
+  /// Frame of the support that stands on slippery ground (all, or empty: every support)
+  /// @word all
   std::string frame = {};
-  /// Coulomb friction coefficient in place of the support's coefficient, >= 0
+  /// Coulomb friction coefficient of the slippery ground, >= 0
+  /// @more This coefficient replaces the friction coefficient of the support
   double friction = 0.05;
 };
 
 /// A gantry that holds a frame of the robot at the start of a simulation and then releases the
-/// robot. The gantry carries the robot's weight at this frame. A stiff spring and damper also hold
-/// the frame at its initial position and rotation.
+/// robot. The gantry carries the robot's weight at this frame. In addition, a stiff spring and
+/// damper hold the frame at its initial position and rotation.
 ///
 /// During the first half of `duration` the full force acts. During the second half the force falls
 /// to zero, and the supports take over the load.
@@ -123,7 +127,7 @@ struct HoistSpec {
   bool holds() const { return !frame.empty() && duration > 0.0; }
   /// Returns the fraction of the gantry's force that acts at `time` [s]: 1 up to half of
   /// `duration`, then falling to 0 at `duration`.
-  double share(double time) const noexcept;
+  double load_fraction(double time) const noexcept;
 };
 
 /// Scene of a simulation: the surface, the tool's tip, and what the robot stands on.
@@ -135,19 +139,21 @@ struct SceneSpec {
   std::vector<SupportSpec> supports = {};
   /// Slippery ground under supports
   std::vector<SlipperyGround> slippery_ground = {};
-  /// Gantry that holds the robot at the start @more ClosedLoop simulates the gantry, not the plant
+  /// Gantry that holds the robot at the start
+  /// @more The gantry is simulated by ClosedLoop, not by the plant
   HoistSpec hoist = {};
 };
 
-/// Returns whether an event is active at `time` [s]. The event starts at `start` [s] and lasts for
-/// `duration` [s].
+/// Returns whether `time` is between the start of an event and its end, all in s. The event starts
+/// at `start` and lasts for `duration`.
 bool acts_at(double start, double duration, double time) noexcept;
 template <class Spell>
 bool acts_at(const Spell& spell, double time) noexcept {
   return acts_at(spell.start, spell.duration, time);
 }
-/// Returns the Coulomb friction coefficient of a support at `time` [s]: the coefficient of slippery
-/// ground that is active under the support, or else the support's own. Allocates nothing.
+/// Returns the Coulomb friction coefficient under a support at `time` [s]. While the ground under
+/// the support is slippery, this is the coefficient of the slippery ground, otherwise the
+/// coefficient of the support. Allocates nothing.
 double friction_under(const SceneSpec& scene, const SupportSpec& support, double time) noexcept;
 
 /// Returns the scene with all normals scaled to length one. Throws Error for
@@ -161,14 +167,15 @@ double friction_under(const SceneSpec& scene, const SupportSpec& support, double
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
 
 /// Returns `scene` with its surface moved to the tip at the configuration q (nq). The surface's
-/// normal is set to `normal`, which is in the axes of the surface's frame and has any length.
-/// `clearance` is the distance from tip to surface along the normal [m]. Throws Error for an
-/// invalid scene (checked_scene).
+/// normal is set to `normal`, a vector of any length in the axes of the surface's frame.
+/// `clearance` is the distance from tip to surface along the normal [m]. Throws Error if
+/// checked_scene() rejects the scene.
 SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                           const Eigen::Vector3d& normal, SceneSpec scene = {},
                           double clearance = 0.0);
 
-/// Returns shape, point and normal of the surface as a Surface, in the axes of the surface's frame.
+/// Returns a Surface with the shape, point and normal of `surface`, in the axes of the surface's
+/// frame.
 Surface surface_of(const SurfaceSpec& surface);
 
 /// Returns the world placement of the frame that carries the surface, at the configuration q (nq).
@@ -188,14 +195,14 @@ double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip);
 /// frame. Position and normal are in the axes of the surface's frame. Allocates nothing.
 Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip);
 
-/// Returns the coordinates of the point `p` relative to the surface's square [m]: x and y along the
-/// sides from the centre, z along the normal. `p` is in the axes of the surface's frame. The
+/// Returns the coordinates of the point `p` relative to the centre of the surface's square [m]: x
+/// and y along the sides, z along the normal. `p` is in the axes of the surface's frame. The
 /// surface's normal must have length one. Allocates nothing.
 Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p);
 
-/// Returns whether a tip at `p_tip` can touch the surface. If `extent` is infinite, always returns
-/// true. Otherwise the tip's centre must be over the square. The centre must also be outside the
-/// material, unless the tip is already in contact (`in_contact`). Allocates nothing.
+/// Returns whether a tip at `p_tip` can touch the surface. If SurfaceSpec::extent is infinite,
+/// returns true. Otherwise, the tip's centre must be over the square. If `in_contact` is false, the
+/// tip's centre must also be outside the material. Allocates nothing.
 bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip, bool in_contact);
 
 }  // namespace burnish

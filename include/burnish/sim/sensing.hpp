@@ -1,4 +1,4 @@
-// Simulated sensors: they compute a controller's measurement from the state of a plant.
+// Simulated sensors, which compute a controller's measurement from the state of a plant.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ class Sensing {
  public:
   /// Creates the sensors of a plant. `supports` is the number of supports with measured wrenches.
   /// `period` is the time between measurements [s]. The measurement delay is rounded to a multiple
-  /// of `period`. Throws Error for invalid disturbances (check_disturbances).
+  /// of `period`. Throws Error if check_disturbances() does.
   Sensing(const Model& model, const Disturbances& disturbances, int supports = 0,
           double period = 1e-3);
   ~Sensing();
@@ -34,9 +34,9 @@ class Sensing {
   /// Returns the measurement of the plant's present state. `applied` (nv entries) are the torques
   /// of the motors during the plant's last step [Nm or N].
   ///
-  /// The first measurement after reset() initializes the filters. This measurement is returned
-  /// until the measurement delay has passed. Finite-difference velocities start at the true
-  /// velocity. Finite differences are not used for a floating base: its true velocity is measured.
+  /// The first measurement after reset() initializes the filters, and is returned until the
+  /// measurement delay has passed. Finite-difference velocities start at the true velocity. For a
+  /// floating base, the true velocity is measured instead of finite differences.
   const Measurement& measure(const Plant& plant, const ConstVectorRef& applied) noexcept;
 
  private:

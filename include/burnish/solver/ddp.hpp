@@ -36,9 +36,9 @@ enum class StopReason {
   /// The control Hessian Quu of a knot is not positive definite, even with the largest
   /// regularization.
   NotPositiveDefinite,
-  /// No nearby trajectory meets all hard limits, and the result violates them least: see
-  /// DdpSummary.conflict. The initial state can also be the cause, if it violates a hard limit
-  /// whatever the control: see DdpSummary.start_outside.
+  /// No nearby trajectory meets all hard limits: see DdpSummary.conflict. The result violates hard
+  /// limits as little as possible. Another possible cause is an initial state that violates a hard
+  /// limit with any control: see DdpSummary.start_violations.
   Infeasible,
   NoStep,    ///< No step length was accepted, even with the largest regularization.
   Callback,  ///< The callback stopped the solve.
@@ -76,7 +76,8 @@ struct DdpSummary {
   int iterations = 0;  ///< Number of iterations, each with one line search
   double cost = 0.0;   ///< Cost of the returned trajectory
 
-  /// True if no gap exceeds gap_tolerance and all hard constraint rows are within their limits
+  /// True if no gap between two steps exceeds gap_tolerance, and all hard constraint rows are
+  /// within their limits
   bool feasible = false;
   double expected_improvement = 0.0;  ///< Expected improvement along the last search direction
   double regularization = 0.0;        ///< Regularization of the last search direction
@@ -89,24 +90,24 @@ struct DdpSummary {
 
   /// Largest violation of a hard constraint row in the returned trajectory, divided by the row's
   /// scale
-  double outside = 0.0;
-  int outside_knot = -1;  ///< Knot with the largest violation; -1: no hard row is violated
-  int outside_row = -1;   ///< Row with the largest violation; -1: no hard row is violated
+  double violation = 0.0;
+  int violation_knot = -1;  ///< Knot with the largest violation; -1: no hard row is violated
+  int violation_row = -1;   ///< Row with the largest violation; -1: no hard row is violated
 
   /// Constraint residual after the last iteration, relative to the scales of the rows
-  double limits_open = 0.0;
-  int pushing = 0;  ///< Number of active constraint rows
+  double constraint_residual = 0.0;
+  int active_constraints = 0;  ///< Number of active constraint rows
 
   /// Number of hard rows that cannot be satisfied: their multiplier has reached the L1 penalty
   /// weight
-  int given_way = 0;
+  int unsatisfiable_rows = 0;
   /// Violated rows, the worst first; empty unless the reason is Infeasible
   std::vector<RowPlace> conflict = {};
   /// Active rows that oppose the rows in `conflict`; empty unless the reason is Infeasible
   /// @more Sorted by |multiplier| * scale, the largest first
   std::vector<RowPlace> stopping = {};
   /// Hard rows that the initial state violates, whatever the control; filled for every stop reason
-  std::vector<StartRow> start_outside = {};
+  std::vector<StartRow> start_violations = {};
   /// Status of the failed evaluation
   /// @more Set for NotEvaluated, and for NoStep if the last trial could not be evaluated
   Status status = Status::Ok;
@@ -121,7 +122,8 @@ struct DdpSummary {
 
   /// True if the derivatives are not finite, but the values are; only for NotEvaluated
   bool in_derivatives = false;
-  /// First control whose pivot in Quu is not positive; only for NotPositiveDefinite
+  /// First control whose pivot in the control Hessian Quu is not positive; only for
+  /// NotPositiveDefinite
   int control = -1;
   DdpOptions options;  ///< Options of the solve, without the callback
   PhaseTimes seconds;
@@ -158,7 +160,7 @@ struct CostReport {
     double lower;
     double upper;
     /// Violation of the limits; within the limits, minus the distance to the nearest limit
-    double outside;
+    double violation;
     double scale = 0.0;  ///< Characteristic size of the row, in the row's unit
 
     /// Multiplier with the largest magnitude over all knots; see multipliers()
@@ -187,7 +189,7 @@ struct CostReport {
   std::vector<ActiveLimit> limits;  ///< Active or violated rows, knot by knot
 
   /// Returns the rows that are active at one or more knots, the largest |multiplier| * scale first.
-  std::vector<Row> pushing() const;
+  std::vector<Row> active_constraints() const;
 
   /// Returns a readable table of the terms, the most expensive first. The table also has the five
   /// most expensive knots, the five most violated rows, and the five active rows with the largest
@@ -207,7 +209,7 @@ struct NamedMatrix {
 };
 
 /// Solver of a ShootingProblem; the problem must outlive the solver. Results remain valid until the
-/// next solve. They are identical bit for bit for any number of threads. Between solves, costs,
+/// next solve. Results are identical bit for bit for any number of threads. Between solves, costs,
 /// references, bounds, the initial state and the number of controls of each knot may change. All
 /// other sizes of the problem must stay the same.
 class DdpSolver {
@@ -229,9 +231,9 @@ class DdpSolver {
   /// Sets DdpOptions::max_iterations without allocating. Negative numbers count as 0. The upper
   /// limit is the max_iterations that the constructor or set_options() received.
   void set_max_iterations(int iterations);
-  /// Sets LimitOptions::max_factors (at least 1) and LimitOptions::max_sweeps (at least 0), without
-  /// allocating.
-  void set_limit_budget(int max_factors, int max_sweeps) noexcept;
+  /// Sets LimitOptions::max_factorizations (at least 1) and LimitOptions::max_sweeps (at least 0),
+  /// without allocating.
+  void set_limit_budget(int max_factorizations, int max_sweeps) noexcept;
 
   /// Sets the guess for the next solve: states xs, (N + 1) x nx, and controls us, N x max_controls,
   /// with one row per knot. Without this call, a solve starts from the last result. Throws Error
@@ -249,34 +251,33 @@ class DdpSolver {
   void shift_limits(int knots) noexcept;
   /// Shifts the constraint multipliers of a receding horizon with knots of different length. The
   /// next solve starts knot k with the multipliers of knot from[k]. Entries of `from` must not
-  /// decrease, and from[k] must be at least k. Entries above the last knot mean the last knot. Knot
-  /// k retains its multipliers if `from` has no entry k, or if knot from[k] has another number of
-  /// controls.
+  /// decrease, and from[k] must be at least k. An entry above the last knot means the last knot.
+  /// Knot k retains its own multipliers if `from` has no entry k, or if knots k and from[k] differ
+  /// in the number of controls.
   void shift_limits(std::span<const int> from) noexcept;
 
   /// Iterates until one of the StopReasons occurs, and returns the summary. Allocates nothing and
   /// throws nothing itself. An exception from the callback or from the problem, in any thread,
-  /// reaches the caller. The solver then holds the last trajectory that was evaluated, and the next
-  /// solve starts from it.
+  /// reaches the caller. The solver then holds the last evaluated trajectory, from which the next
+  /// solve starts.
   const DdpSummary& solve();
   const DdpSummary& summary() const;
   std::string text() const;  ///< Returns summary().text() with names from the problem.
 
   MatrixView xs() const;  ///< States, (N + 1) x nx
 
-  /// Controls, N x max_controls; of a knot, the first nu entries are valid
+  /// Controls, N x max_controls; in row k, only the first controls(k) entries are valid
   MatrixView us() const;
 
   /// Return the control policy of a knot: u = u_k + feedforward + gain (x (-) x_k). Here
   /// feedforward has nu entries, gain is nu x ndx, and (x_k, u_k) is the last linearized iterate.
-  /// After convergence, this iterate is the solution, and the feedforward is zero.
+  /// After convergence, (x_k, u_k) is the solution, and the feedforward is zero.
   VectorView feedforward(int knot) const;
   PaddedView gain(int knot) const;
   /// Returns the multipliers of a knot's constraint rows, in cost per unit of the row. The
   /// magnitude is the cost that would be saved per unit if the active limit moved outwards. The
-  /// sign is positive if the upper limit is active, negative if the lower limit is active. The
-  /// magnitude is at most the row's L1 penalty weight (price). Empty if the problem has no
-  /// constraint rows.
+  /// sign is positive if the upper limit is active, and negative if the lower limit is active. The
+  /// magnitude is at most the row's L1 penalty weight. Empty if the problem has no constraint rows.
   VectorView multipliers(int knot) const;
   /// Return the gradient (ndx) and the Hessian (ndx x ndx) of the value function at a knot, 0 to N.
   /// Both are taken at the last linearized iterate.
@@ -289,9 +290,9 @@ class DdpSolver {
   /// Returns the cost of the current trajectory by term and by knot. Allocates.
   CostReport cost_report() const;
   /// Returns the optimality error of the current trajectory: the largest entry of the Lagrangian's
-  /// gradient by the controls, in cost per unit of control. The multipliers of the dynamics are
-  /// chosen such that the gradient by the states is zero. Controls at an active bound do not count.
-  /// Returns infinity if a knot cannot be evaluated.
+  /// gradient with respect to the controls, in cost per unit of control. Multipliers of the
+  /// dynamics are chosen such that the gradient with respect to the states is zero. Controls at an
+  /// active bound do not count. Returns infinity if a knot cannot be evaluated.
   double optimality_error();
 
  private:

@@ -1,5 +1,5 @@
-// Options of a DdpSolver, and the progress that the solver reports. The comment of each tolerance
-// states the inequality in which the tolerance is used.
+// Options of a DdpSolver, and the progress that the solver reports. Comments of tolerances state
+// the inequality in which each tolerance is used.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,16 @@ namespace burnish {
 /// @described solver
 enum class StepUpdate {
   /// Rollout of the control policy through the dynamics (feasibility-driven DDP). A step of length
-  /// alpha multiplies the gaps by 1 - alpha. From the first step of length 1 on, the trajectory is
-  /// feasible.
+  /// alpha multiplies the gaps between the knots by 1 - alpha. After the first step of length 1,
+  /// the trajectory is feasible.
   Rollout,
   /// Step of all states and controls along the solution of the linear-quadratic problem. Knots are
   /// evaluated independently of each other, in packs and threads. Gaps vanish with convergence.
   MultipleShooting,
 };
 
-/// Levenberg regularization: a number that is added to the diagonal of Quu, in cost per squared
-/// unit of control.
+/// Levenberg regularization: a number that is added to the diagonal of the control Hessian Quu, in
+/// cost per squared unit of control.
 /// @described solver
 struct Regularization {
   double initial = 0.0;  ///< Regularization at the start of a solve, >= 0
@@ -45,33 +45,35 @@ struct LineSearch {
   int halvings = 9;
 
   /// Fraction of the expected improvement that a rollout must achieve, 0 to below 1
-  /// @more Used by Rollout if the improvement dV(alpha) that is expected for step length alpha is
-  /// >= 0. A trial is accepted if cost(current) - cost(trial) > sufficient_decrease * dV(alpha). If
-  /// the current iterate is not feasible, every trial is accepted, since closing gaps may raise the
+  /// @more Used by Rollout if the expected improvement dV(alpha) at step length alpha is >= 0. A
+  /// trial is accepted if cost(current) - cost(trial) > sufficient_decrease * dV(alpha). If the
+  /// current iterate is not feasible, every trial is accepted, since closing gaps may raise the
   /// cost
   double sufficient_decrease = 0.1;
   /// Allowed cost increase of a rollout, as a multiple of the expected increase, >= 0
-  /// @more Used by Rollout if the improvement dV(alpha) that is expected for step length alpha is
-  /// < 0, since closing gaps raises the cost. A trial is accepted if
-  /// cost(current) - cost(trial) > allowed_increase * dV(alpha)
+  /// @more Used by Rollout if the expected improvement dV(alpha) at step length alpha is < 0,
+  /// because closing gaps raises the cost. A trial is accepted if cost(current) - cost(trial) >
+  /// allowed_increase * dV(alpha)
   double allowed_increase = 2.0;
   /// Fraction of the predicted merit decrease that a trial must achieve, 0 to below 1
-  /// @more Used by MultipleShooting. A trial is accepted if
-  /// merit(trial) <= merit(current) + merit_decrease * alpha * D. The merit is
-  /// cost + penalty * sum |gap|_1, D is the slope of the merit along the direction, and alpha is
-  /// the step length
+  /// @more Used by MultipleShooting. The merit is cost + penalty * sum |gap|_1. D is the slope of
+  /// the merit along the direction, and alpha is the step length. A trial is accepted if
+  /// merit(trial) <= merit(current) + merit_decrease * alpha * D
   double merit_decrease = 1e-4;
   /// Required downward slope of the merit, as a fraction of the gap penalty, 0 to below 1
-  /// @more Used by MultipleShooting. The penalty is raised until
-  /// D <= -merit_share * penalty * sum |gap|_1. D is the slope of the merit along the direction
-  double merit_share = 0.5;
+  /// @more Used by MultipleShooting. The merit is cost + penalty * sum |gap|_1. D is the slope of
+  /// the merit along the direction. The penalty is raised until D <= -merit_fraction * penalty *
+  /// sum |gap|_1
+  double merit_fraction = 0.5;
   /// Relative rounding error of a sum of costs, >= 0
   /// @more Every comparison of the line search is relaxed by rounding * |cost|
   double rounding = 1e-14;
 };
 
 /// Options for constraints. Each iteration solves a linear-quadratic problem with an augmented
-/// Lagrangian and semismooth Newton steps.
+/// Lagrangian (J. Nocedal, S. Wright, "Numerical Optimization", 2006, section 17.3). The inner
+/// minimization uses semismooth Newton steps (L. Qi, J. Sun, "A nonsmooth version of Newton's
+/// method", 1993).
 /// @described solver
 struct LimitOptions {
   /// Penalty weight of the augmented Lagrangian, relative to the curvature of the cost, > 0
@@ -80,30 +82,31 @@ struct LimitOptions {
   double weight = 1000.0;
   /// Largest number of Riccati factorizations per iteration, >= 1
   /// @more Factorizations of the interior-point method do not count
-  int max_factors = 50;
+  int max_factorizations = 50;
   /// Largest number of Riccati sweeps per iteration that reuse a factorization, >= 0
   int max_sweeps = 100;
 
   /// Number of factorizations in an iteration before an interior-point method starts, >= 0
   /// @more The interior-point method searches the active set. It starts only if at least 20
-  /// factorizations of max_factors are left. It uses at most 80 factorizations, most often 10 to
-  /// 20. With 0, it starts immediately if there are no multipliers for a warm start
+  /// factorizations of max_factorizations are left. It uses at most 80 factorizations, and usually
+  /// only 10 to 20 of them. With 0, it starts immediately if there are no multipliers for a warm
+  /// start
   int interior_after = 8;
   /// L1 penalty weight of hard rows, in units of (curvature of the cost) / (scale of the row), > 0
   /// @more If rows remain violated at this weight, their squared violations are penalized instead,
   /// at first with the same weight
-  double price = 1e4;
+  double l1_weight = 1e4;
   /// Largest penalty weight of hard rows, >= 0
   /// @more The weight is raised until all limits are met, or until the solver finds that this is
-  /// impossible. With a value below `price`, the weight is never raised
-  double largest_price = 1e8;
+  /// impossible. With a value below `l1_weight`, the weight is never raised
+  double max_l1_weight = 1e8;
   /// Constraint tolerance, relative to the scale of each row, > 0
   /// @more A limit is met if violation <= tolerance * scale of its row
   double tolerance = 1e-8;
-  /// True: steps use the curvature of constraints (friction cones, distances with an upper limit)
+  /// Whether steps use the curvature of constraints (friction cones, distances with an upper limit)
   /// @more Without this curvature, problems with constraints more curved than the cost take many
   /// more iterations. The solution is the same
-  bool bends = true;
+  bool curvature = true;
 };
 
 /// Progress of a solve after one iteration, passed to the callback.
@@ -120,13 +123,13 @@ struct DdpProgress {
   double regularization = 0.0;
   double penalty = 0.0;  ///< Penalty weight of gaps in the merit (MultipleShooting only)
   bool feasible = false;
-  double outside = 0.0;  ///< Largest violation of a hard row, divided by the scale of the row
-  int factors = 0;       ///< Riccati factorizations in this iteration
-  double seconds = 0.0;  ///< Time since the solve began [s]
+  double violation = 0.0;  ///< Largest violation of a hard row, divided by the scale of the row
+  int factorizations = 0;  ///< Riccati factorizations in this iteration
+  double seconds = 0.0;    ///< Time since the solve began [s]
 };
 
-/// Options of a DdpSolver. The text of each tolerance states the inequality in which the tolerance
-/// is used.
+/// Options of a DdpSolver. Texts of tolerances state the inequality in which each tolerance is
+/// used.
 /// @described solver
 struct DdpOptions {
   StepUpdate update = StepUpdate::Rollout;
@@ -139,8 +142,8 @@ struct DdpOptions {
   int threads = 1;  ///< Number of threads, the calling thread included, 1 to 1024
 
   /// Pin the solver's threads to cores (Linux only)
-  /// @more Thread i runs on the i-th core that is available to the thread which creates the solver
-  /// or sets its options. The thread that calls solve() is not pinned
+  /// @more The available cores are those of the thread that creates the solver or sets its options.
+  /// Thread i runs on the i-th available core. The thread that calls solve() is not pinned
   bool pin_threads = false;
   /// Let threads share the work within one knot of the Riccati recursion
   /// @more Used only if knots are large, such as the knots of a humanoid. Sharing is faster on
@@ -157,7 +160,7 @@ struct DdpOptions {
   /// Convergence tolerance of the expected improvement, in units of cost, >= 0
   /// @more Converged if feasible and expected improvement < stop_tolerance
   double stop_tolerance = 1e-9;
-  /// Largest gap of a feasible trajectory, >= 0
+  /// Largest gap between the knots of a feasible trajectory, >= 0
   /// @more Feasible if |entry| <= gap_tolerance for all entries of all gaps
   double gap_tolerance = 1e-9;
   LineSearch line_search = {};

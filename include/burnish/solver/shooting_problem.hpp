@@ -1,6 +1,6 @@
 // Interface between an optimal control problem and its solver: sizes, arithmetic on states, costs,
-// dynamics and their derivatives. It does not know about robots: a state is a point x of nx
-// numbers, and changes along tangent vectors dx of ndx numbers.
+// dynamics and their derivatives. The interface is not specific to robots: a state is a point x of
+// nx numbers. A change of state is a tangent vector dx of ndx numbers.
 //
 // A horizon has N knots, each with a state, a control and a cost, and a terminal state with a cost:
 //   minimise sum over k < N of l_k(x_k, u_k) + l_N(x_N)  subject to  x_(k+1) = f_k(x_k, u_k)
@@ -17,25 +17,26 @@
 
 namespace burnish {
 
-/// A non-Euclidean tangent block: consecutive entries of dx that are not simply added to entries of
-/// the state. Examples are the six entries of a free-flyer and the three of a planar joint.
-struct LeadBlock {
+/// Consecutive entries of dx that are not simply added to entries of the state (a non-Euclidean
+/// tangent block). Examples are the six entries of a free-flyer and the three entries of a planar
+/// joint.
+struct NonEuclideanBlock {
   int first;  ///< First entry of dx in the block
   int size;
 };
 
-/// Layout of the state, equal at all knots. With second-order structure, dx = (dq, dv, dtau) has
-/// nv, nv and `filtered` entries. Without second-order structure, nv and filtered are zero.
+/// Layout of the state, equal at all knots. With DynamicsForm::SecondOrder, dx = (dq, dv, dtau) has
+/// nv, nv and `filtered` entries. With DynamicsForm::Dense, nv and filtered are zero.
 struct StateShape {
   int nx = 0;
   int ndx = 0;
   int nv = 0;
   /// Number of torques in the state, which follow the control through a low-pass filter
   int filtered = 0;
-  std::vector<LeadBlock> blocks;  ///< Non-Euclidean tangent blocks within dq
+  std::vector<NonEuclideanBlock> blocks;  ///< Non-Euclidean tangent blocks within dq
 };
 
-/// Structure of the linearized dynamics: how the next state depends on z.
+/// Structure of the linearized dynamics: how the next state depends on z = (du, dx).
 enum class DynamicsForm {
   Dense,  ///< dx' = F z with F of size ndx x nz
 
@@ -46,10 +47,10 @@ enum class DynamicsForm {
 };
 
 /// Low-rank curvature of one constraint row c: d2(c)/dz2 is about sign * sum b^T b. The sum is over
-/// `count` row vectors b in KnotExpansion::bends.
-struct RowBend {
+/// `count` row vectors b in KnotExpansion::curvatures.
+struct RowCurvature {
   int row = 0;        ///< Index of the row among the knot's constraint rows
-  int first = 0;      ///< Index of the first b in KnotExpansion::bends
+  int first = 0;      ///< Index of the first b in KnotExpansion::curvatures
   int count = 0;      ///< Number of rows b
   double sign = 1.0;  ///< 1: the row is convex; -1: the row is concave
 };
@@ -65,19 +66,20 @@ struct KnotExpansion {
   double* hessian = nullptr;
   double* dynamics = nullptr;  ///< Matrix P (nv x nz) or F (ndx x nz), see DynamicsForm
 
-  /// Matrices A and B of each non-Euclidean tangent block, size x size each (SecondOrder only). A
-  /// block's B follows its A, and does not contain the factor step.
-  double* lead = nullptr;
+  /// Matrices A and B of each non-Euclidean tangent block, size x size each (SecondOrder only). The
+  /// B of a block follows its A, and does not contain the factor step.
+  double* tangent_blocks = nullptr;
   double* decay = nullptr;  ///< Decay factor of each filtered torque over a step (SecondOrder only)
 
   /// Values c of the constraint rows, rows(knot) entries; null: not requested.
   double* row_values = nullptr;
-  /// Derivatives d(c)/dz of the constraint rows, without the rows that equal an entry of z
+  /// Derivatives d(c)/dz of the constraint rows, without rows that equal an entry of z (see
+  /// row_entry())
   double* rows = nullptr;
 
-  /// Vectors b of the constraint curvature (RowBend), nz entries each; null: not requested. The
-  /// unit of b is the square root of the row's unit, per unit of z.
-  double* bends = nullptr;
+  /// Vectors b of the constraint curvature (RowCurvature), nz entries each; null: not requested.
+  /// The unit of b is the square root of the row's unit, per unit of z.
+  double* curvatures = nullptr;
   double step = 0.0;  ///< Duration of the knot's step [s]
   DynamicsForm form = DynamicsForm::Dense;
 };
@@ -106,9 +108,9 @@ struct TrajectoryView {
 };
 
 /// Interface of an optimal control problem that a DdpSolver solves. The argument `worker` is the
-/// number of the calling thread, 0 to workers - 1. Different workers may call at the same time. A
-/// function with this argument does not allocate. An exception from any function, for example from
-/// a user's own cost, ends the solve and reaches the caller of the solver.
+/// number of the calling thread, 0 to workers - 1. Functions with this argument do not allocate,
+/// and may be called by different workers at the same time. An exception from any function, for
+/// example from a user's own cost, ends the solve and reaches the caller of the solver.
 class ShootingProblem {
  public:
   virtual ~ShootingProblem() = default;
@@ -133,33 +135,33 @@ class ShootingProblem {
   /// control. The size of a control with bounds is not used.
   virtual const double* control_scale(int /*knot*/) const { return nullptr; }
 
-  /// rows() returns the number of constraint rows of a knot, and max_rows() the largest number at
-  /// any knot. row_lower() and row_upper() return the limits of a knot, rows(knot) entries each. A
-  /// limit that a row does not have is infinite. Both return null if the knot has no rows.
+  /// rows() returns the number of constraint rows of a knot. max_rows() returns the largest number
+  /// of constraint rows at any knot. row_lower() and row_upper() return the limits of a knot's
+  /// rows, rows(knot) entries each, or null if the knot has no rows. A missing limit is infinite.
   virtual int rows(int /*knot*/) const { return 0; }
   virtual int max_rows() const { return 0; }
   virtual const double* row_lower(int /*knot*/) const { return nullptr; }
   virtual const double* row_upper(int /*knot*/) const { return nullptr; }
-  /// Returns an index for each constraint row of a knot. For a row that equals one entry of z plus
-  /// a constant, the index of this entry; for other rows, -1. Null means -1 for every row. The
-  /// derivative of a row with an entry is 1 at this entry and 0 elsewhere. Two rows of a knot must
-  /// not share an entry. Controls with bounds must not be entries of rows.
+  /// Returns an index for each constraint row of a knot. Index i >= 0 means that the row equals
+  /// entry i of z plus a constant. Its derivative is then 1 at entry i and 0 elsewhere. Index -1
+  /// stands for any other row. Null means -1 for every row. Two rows of a knot must not have the
+  /// same index i >= 0. Controls with bounds must not be entries of rows.
   virtual const int* row_entry(int /*knot*/) const { return nullptr; }
   /// Returns the characteristic size of each constraint row, > 0, in the row's unit. Tolerances are
   /// relative to this size.
   virtual const double* row_scale(int /*knot*/) const { return nullptr; }
-  /// Return the L1 weight (price) and the quadratic weight (square) of each constraint row. A
-  /// violation v costs price |v| + 1/2 square v^2. A row with an infinite price is hard: a
-  /// violation is accepted only if no trajectory without violations exists.
-  virtual const double* row_price(int /*knot*/) const { return nullptr; }
-  virtual const double* row_square(int /*knot*/) const { return nullptr; }
-  /// Returns the curvature of a knot's constraint rows. Default: no constraint curvature
-  /// (Gauss-Newton). If sign times the multiplier of a row is positive, the solver adds
-  /// |multiplier| b^T b to the Hessian of the cost. The sum of these terms is at most the row's
-  /// part of the Hessian of the Lagrangian.
-  virtual std::span<const RowBend> row_bends(int /*knot*/) const { return {}; }
-  /// Returns the largest number of vectors b (RowBend) of any knot.
-  virtual int max_bends() const { return 0; }
+  /// Return the L1 weight and the quadratic weight of each constraint row. A violation v costs l1
+  /// |v| + 1/2 quadratic v^2. A row with an infinite L1 weight is hard: a violation is accepted
+  /// only if no trajectory without violations exists.
+  virtual const double* row_l1_weight(int /*knot*/) const { return nullptr; }
+  virtual const double* row_quadratic_weight(int /*knot*/) const { return nullptr; }
+  /// Returns the curvature of a knot's constraint rows: sign and vectors b of each curved row (see
+  /// RowCurvature). Default: no curvature (Gauss-Newton). If sign times the multiplier of the row
+  /// is positive, the solver adds |multiplier| b^T b to the Hessian of the cost. The sum of these
+  /// terms is at most the row's part of the Hessian of the Lagrangian.
+  virtual std::span<const RowCurvature> row_curvatures(int /*knot*/) const { return {}; }
+  /// Returns the largest number of curvature vectors b (see RowCurvature) that a single knot has.
+  virtual int max_curvatures() const { return 0; }
 
   /// Allocates the memory for `workers` concurrent callers. May throw.
   virtual void prepare(int workers) = 0;

@@ -1,15 +1,14 @@
-"""Experiments on many machines, by Dask distributed.
+"""Experiments, campaigns and tunings on one machine, or on many machines with Dask distributed.
 
     burnish experiment seeds --seeds 2000 --scheduler tcp://192.168.0.5:8786
 
-hands over to `python3 -m burnish.campaign`, which does the same when it is called by itself. From
-Python:
+calls `python3 -m burnish.campaign` with the same arguments. The equivalent in Python is:
 
     from burnish import campaign
     campaign.experiment(["seeds", "--seeds", "2000"], scheduler="tcp://192.168.0.5:8786")
 
-Workers need Dask distributed and the program burnish of the same version, and no files: results come
-back by the scheduler. docs/campaigns.md says more."""
+Workers need Dask distributed and the program burnish of the same version, but no common files. The scheduler
+transfers the results. See docs/campaigns.md."""
 
 from __future__ import annotations
 
@@ -35,8 +34,21 @@ __all__ = ["CampaignError", "Outcome", "Point", "Row", "SweepResult", "Tuned", "
 
 
 def program() -> str:
-    """The program burnish: the one in BURNISH_PROGRAM, in the build that this package is of, beside
-    this Python, or in an absolute folder of PATH. Raises CampaignError where there is none."""
+    """Finds the program burnish.
+
+    Searches in this order: the variable BURNISH_PROGRAM, the build of this package, the folder of this Python,
+    absolute folders of PATH.
+
+    Returns
+    -------
+    str
+        Path of the program.
+
+    Raises
+    ------
+    CampaignError
+        If the program is not found.
+    """
     package = Path(__file__).resolve().parents[1]
     build = package.parents[1] if package.parent.name == "python" else None
     places = [build / "apps" / "burnish" / "burnish"] if build and (build / "CMakeCache.txt").is_file() else []
@@ -45,8 +57,8 @@ def program() -> str:
     beside = [str(place) for place in places if place.is_file() and os.access(place, os.X_OK)]
     found = os.environ.get("BURNISH_PROGRAM") or (beside[0] if beside else find_program("burnish"))
     if not found:
-        raise CampaignError("the program burnish is not there (Debian: the package burnish); wanted it in "
-                            "PATH, or named by BURNISH_PROGRAM")
+        raise CampaignError("the program burnish was not found (Debian: the package burnish); wanted it in "
+                            "PATH, or its path in BURNISH_PROGRAM")
     return found
 
 
@@ -61,14 +73,37 @@ def experiment(
     time_limit: float = 0.0,
     patience: float = 600.0,
 ) -> Path:
-    """The folder of an experiment that was performed as `burnish experiment` with these words, its
-    name first: `["seeds", "--seeds", "2000"]`.
+    """Performs an experiment of `burnish experiment`.
 
-    scheduler: address of a Dask scheduler, whose workers make the runs; None: the cores here do.
-    out: folder; None: a new one. resume: go on with what `out` holds. mixed: take results of kernels
-    for different processors. quiet: print nothing. time_limit: s of computing that a run may take; 0:
-    20 times the median of those before it. patience: s that a scheduler which is lost is waited for.
-    Raises CampaignError for what is refused; runs that did not polish are in the results."""
+    Parameters
+    ----------
+    words : sequence of str
+        Name and options of the experiment, such as ["seeds", "--seeds", "2000"].
+    scheduler : str, optional
+        Address of a Dask scheduler, whose workers make the runs; default: the cores of this machine.
+    out : str or Path, optional
+        Folder for results; default: a new folder.
+    resume : bool
+        If True, keep the results in `out` and make only the missing runs.
+    mixed : bool
+        If True, accept results of kernels for different processors.
+    quiet : bool
+        If True, print nothing.
+    time_limit : float
+        Largest computing time of a run [s]; 0: 20 times the median of the previous runs.
+    patience : float
+        Longest wait for a lost scheduler [s].
+
+    Returns
+    -------
+    Path
+        Folder with the results. Runs that did not polish are in the results.
+
+    Raises
+    ------
+    CampaignError
+        If an argument is rejected, or the scheduler is lost.
+    """
     folder, _ = _experiment(list(words), scheduler, None if out is None else Path(out), resume, mixed, quiet,
                             time_limit, patience)
     return folder
@@ -76,15 +111,15 @@ def experiment(
 
 def _experiment(words: List[str], scheduler: Optional[str], out: Optional[Path], resume: bool, mixed: bool,
                 quiet: bool, time_limit: float, patience: float) -> "tuple[Path, int]":
-    """The folder and the exit code."""
+    """Returns the folder and the exit code."""
     burnish = program()
     if not words:
-        raise CampaignError("no experiment is named; wanted its name, as burnish experiment --help lists")
+        raise CampaignError("no experiment is named; wanted a name from burnish experiment --help")
     words = ["experiment", *words]
     flags = ["--quiet"] * quiet + ["--mixed"] * mixed
     name = f"experiment_{words[1]}"
     if resume and out is None:
-        raise CampaignError("--resume wants --out, the folder to go on with")
+        raise CampaignError("--resume requires --out, the folder of the earlier results")
     if scheduler is None:
         with RunFolder(out, name, resume) as folder:
             path = folder.path
@@ -108,7 +143,7 @@ def _experiment(words: List[str], scheduler: Optional[str], out: Optional[Path],
         merge = [burnish, "merge", str(path), "--out", str(path), *flags]
         code = subprocess.run(merge).returncode
     if code not in (0, 1):
-        raise CampaignError(f"the results in '{path}' were not put together, for the reason above")
+        raise CampaignError(f"burnish merge failed for the results in '{path}', with the message above")
     return path, code
 
 
@@ -125,19 +160,37 @@ def sweep(
     time_limit: float = 0.0,
     patience: float = 600.0,
 ) -> SweepResult:
-    """Makes the runs of a campaign, a YAML file or the same as a dictionary, and leaves its table and page
-    in a folder. docs/campaigns.md says what a campaign states.
+    """Makes the runs of a campaign and writes its table and page. See docs/campaigns.md.
 
-    shard: "I/N", every Nth run alone, from the Ith on, and no table, which merge() makes; several:
-    "1,3/4". threads: runs at once where there is no scheduler; 0: one per core. The others are
-    experiment()'s. Raises CampaignError for what is refused; runs that failed are in the table."""
+    Parameters
+    ----------
+    campaign : str, Path or mapping
+        YAML file of the campaign, or its content as a dictionary.
+    scheduler, out, resume, mixed, quiet, time_limit, patience
+        Arguments of experiment().
+    shard : str, optional
+        "I/N" makes the runs I, I + N, I + 2N, ... without a table, which merge() makes. "1,3/4" makes several
+        shards.
+    threads : int
+        Number of parallel runs without a scheduler; 0: one per core.
+
+    Returns
+    -------
+    SweepResult
+        Results of the runs. Failed runs are in the table.
+
+    Raises
+    ------
+    CampaignError
+        If the campaign or an argument is rejected, or the scheduler is lost.
+    """
     plan = read_sweep(campaign)
     plan.points()
     which = Shard() if shard is None else Shard.parse(shard)
     if scheduler is not None:
         dask()
     if resume and out is None:
-        raise CampaignError("--resume wants --out, the folder to go on with")
+        raise CampaignError("--resume requires --out, the folder of the earlier results")
     bar = Bar(plan.name, 1, 0, quiet)
     machine = Machine(program(), scheduler, threads, time_limit, patience, bar.say)
     command = f"burnish sweep {campaign if isinstance(campaign, (str, Path)) else 'FILE'}"
@@ -161,11 +214,30 @@ def merge(
     mixed: bool = False,
     quiet: bool = False,
 ) -> SweepResult:
-    """The table and page of a campaign whose shards are in these folders, as one process would have written
-    them. Raises CampaignError for shards of different campaigns, tasks, versions or kernels (unless `mixed`)
-    and where runs are missing."""
+    """Writes the table and page of a campaign from its shards, identical to those of a single process.
+
+    Parameters
+    ----------
+    folders : sequence of str or Path
+        Folders of the shards.
+    out : str or Path, optional
+        Folder for results; default: a new folder.
+    mixed : bool
+        If True, accept results of kernels for different processors.
+    quiet : bool
+        If True, print nothing.
+
+    Returns
+    -------
+    SweepResult
+
+    Raises
+    ------
+    CampaignError
+        If the shards have different campaigns, tasks, versions or kernels, or if runs are missing.
+    """
     if not folders:
-        raise CampaignError("no folder is named; wanted those that burnish sweep FILE --shard I/N left")
+        raise CampaignError("no folder is named; wanted folders that burnish sweep FILE --shard I/N wrote")
     places, target = [Path(folder) for folder in folders], None if out is None else Path(out)
     result, command = _parts.merge(places, mixed)
     with _parts.target_of(places, target, result.sweep.name) as folder:
@@ -193,14 +265,29 @@ def tune(
     time_limit: float = 0.0,
     patience: float = 600.0,
 ) -> Tuned:
-    """Tunes keys of a task, as a YAML file or the same as a dictionary says, and leaves the tuned task and
-    a report in a folder. docs/campaigns.md says what a tuning states. The other arguments are sweep()'s.
-    Raises CampaignError for what is refused."""
+    """Tunes keys of a task, and writes the tuned task and a report. See docs/campaigns.md.
+
+    Parameters
+    ----------
+    tuning : str, Path or mapping
+        YAML file of the tuning, or its content as a dictionary.
+    scheduler, out, resume, mixed, quiet, threads, time_limit, patience
+        Arguments of sweep().
+
+    Returns
+    -------
+    Tuned
+
+    Raises
+    ------
+    CampaignError
+        If the tuning or an argument is rejected, or the scheduler is lost.
+    """
     plan = read_tuning(tuning)
     if scheduler is not None:
         dask()
     if resume and out is None:
-        raise CampaignError("--resume wants --out, the folder to go on with")
+        raise CampaignError("--resume requires --out, the folder of the earlier results")
     bar = Bar(plan.name, 1, 0, quiet)
     machine = Machine(program(), scheduler, threads, time_limit, patience, bar.say)
     with RunFolder(None if out is None else Path(out), f"{plan.name}_tuned", resume) as folder:

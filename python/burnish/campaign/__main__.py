@@ -1,4 +1,4 @@
-"""What `python3 -m burnish.campaign` does."""
+"""Command line of `python3 -m burnish.campaign`."""
 
 from __future__ import annotations
 
@@ -14,50 +14,56 @@ from . import _experiment as perform
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python3 -m burnish.campaign",
-        description="Performs an experiment on the workers of a Dask scheduler, or on the cores here.",
-        epilog="Exit codes: those of burnish experiment.")
+        description="Performs experiments, campaigns and tunings on the workers of a Dask scheduler, or on the "
+                    "cores of this machine.",
+        epilog="Exit codes are those of burnish experiment.")
     commands = parser.add_subparsers(dest="command", required=True)
-    one = commands.add_parser("experiment", help="as burnish experiment, with --scheduler")
-    one.add_argument("--scheduler", metavar="ADDRESS", help="of Dask, such as tcp://192.168.0.5:8786")
-    one.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
-    one.add_argument("--resume", action="store_true", help="go on with what the folder of --out holds")
-    one.add_argument("--mixed", action="store_true", help="take results of kernels for other processors")
+    one = commands.add_parser("experiment", help="perform an experiment, as burnish experiment does")
+    one.add_argument("--scheduler", metavar="ADDRESS",
+                     help="address of a Dask scheduler, such as tcp://192.168.0.5:8786")
+    one.add_argument("--out", type=Path, metavar="DIR", help="folder for results")
+    one.add_argument("--resume", action="store_true",
+                     help="keep the results in the folder of --out, and make only the missing runs")
+    one.add_argument("--mixed", action="store_true", help="accept results of kernels for different processors")
     one.add_argument("--quiet", action="store_true", help="print nothing")
     one.add_argument("--time-limit", type=float, default=0.0, metavar="S",
-                     help="computing time of a run [20 times the median of those before]")
+                     help="largest computing time of a run [20 times the median of the previous runs]")
     one.add_argument("--patience", type=float, default=600.0, metavar="S",
-                     help="how long a scheduler that is lost is waited for [600]")
+                     help="longest wait for a lost scheduler [600]")
     one.add_argument("words", nargs=argparse.REMAINDER, metavar="-- EXPERIMENT [OPTIONS]",
-                     help="name and options of burnish experiment")
-    many = commands.add_parser("sweep", help="the runs of a campaign's file, and their table")
+                     help="name and options of the experiment")
+    many = commands.add_parser("sweep", help="make the runs of a campaign, and their table")
     _add_file(many)
     many.add_argument("--shard", metavar="I/N",
-                      help="every Nth run alone, from the Ith on, and no table; several: 1,3/4")
-    parts = commands.add_parser("merge", help="the table of a campaign whose runs were made in shards")
-    parts.add_argument("folders", nargs="+", type=Path, metavar="DIR", help="that sweep --shard left")
-    parts.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
-    parts.add_argument("--mixed", action="store_true", help="take results of kernels for different processors")
+                      help="make only the runs I, I + N, I + 2N, ..., without a table; several shards: 1,3/4")
+    parts = commands.add_parser("merge", help="write the table of a campaign from its shards")
+    parts.add_argument("folders", nargs="+", type=Path, metavar="DIR", help="folder that sweep --shard wrote")
+    parts.add_argument("--out", type=Path, metavar="DIR", help="folder for results")
+    parts.add_argument("--mixed", action="store_true", help="accept results of kernels for different processors")
     parts.add_argument("--quiet", action="store_true", help="print nothing")
-    _add_file(commands.add_parser("tune", help="keys of a task made better, as a file says"))
+    _add_file(commands.add_parser("tune", help="tune keys of a task"))
     return parser
 
 
 def _add_file(many: argparse.ArgumentParser) -> None:
-    many.add_argument("file", type=Path, metavar="FILE", help="the campaign or the tuning: docs/campaigns.md")
-    many.add_argument("--scheduler", metavar="ADDRESS", help="of Dask, such as tcp://192.168.0.5:8786")
-    many.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
-    many.add_argument("--resume", action="store_true", help="go on with what the folder of --out holds")
-    many.add_argument("--mixed", action="store_true", help="take results of kernels for different processors")
-    many.add_argument("--threads", type=int, default=0, metavar="N", help="runs at once [one per core]")
+    many.add_argument("file", type=Path, metavar="FILE",
+                      help="file of the campaign or the tuning; see docs/campaigns.md")
+    many.add_argument("--scheduler", metavar="ADDRESS",
+                      help="address of a Dask scheduler, such as tcp://192.168.0.5:8786")
+    many.add_argument("--out", type=Path, metavar="DIR", help="folder for results")
+    many.add_argument("--resume", action="store_true",
+                      help="keep the results in the folder of --out, and make only the missing runs")
+    many.add_argument("--mixed", action="store_true", help="accept results of kernels for different processors")
+    many.add_argument("--threads", type=int, default=0, metavar="N", help="number of parallel runs [one per core]")
     many.add_argument("--time-limit", type=float, default=0.0, metavar="S",
-                      help="computing time of a run [20 times the median of those before]")
+                      help="largest computing time of a run [20 times the median of the previous runs]")
     many.add_argument("--patience", type=float, default=600.0, metavar="S",
-                      help="how long a scheduler that is lost is waited for [600]")
+                      help="longest wait for a lost scheduler [600]")
     many.add_argument("--quiet", action="store_true", help="print nothing")
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """What the command line does; its exit code."""
+    """Runs the command line; returns the exit code."""
     a = _parser().parse_args(arguments)
     try:
         return _do(a)
@@ -65,7 +71,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         print(f"burnish: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("burnish: interrupted; what came back stays, and --resume goes on with it", file=sys.stderr)
+        print("burnish: interrupted; finished runs are kept, and --resume continues with them", file=sys.stderr)
         return 1
 
 

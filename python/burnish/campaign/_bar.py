@@ -1,4 +1,4 @@
-"""Progress of many runs."""
+"""Progress bar of many runs."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ import sys
 
 
 class Bar:
-    """Progress on a terminal, and sentences."""
+    """Progress bar on a terminal, and messages."""
 
-    def __init__(self, name: str, count: int, there: int, quiet: bool) -> None:
-        self._name, self._count, self._there, self._quiet = name, count, there, quiet
+    def __init__(self, name: str, count: int, finished: int, quiet: bool) -> None:
+        self._name, self._count, self._finished, self._quiet = name, count, finished, quiet
         self._draws = not quiet and sys.stderr.isatty()
 
     def show(self, made: int, run: str) -> None:
         if self._draws:
-            done = self._there + made
+            done = self._finished + made
             hashes = 30 * done // max(1, self._count)
             print(f"\r\033[K{self._name} [{'#' * hashes:.<30}] {100 * done // max(1, self._count):3d} %  {run}",
                   end="", file=sys.stderr, flush=True)

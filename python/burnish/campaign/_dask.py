@@ -1,5 +1,5 @@
-"""Runs of an experiment handed to Dask distributed, which balances them and hands over again what a
-worker had that died. What is here besides is files: a run whose result is there is not made."""
+"""Distribution of runs with Dask distributed, which balances the load and resubmits the runs of a dead worker.
+Results are files. Runs that have a result are not repeated."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from ._results import CampaignError, Listed
 Result = Dict[str, bytes]
 
 _FIRST_LIMIT = 3600.0
-"""s of the clock that a run may take while nothing is known of the others"""
+"""Largest wall time of a run before computing times of other runs are measured [s]; chosen by hand"""
 
 TOGETHER = 6.0
-"""s of computing that runs of an experiment are handed over for at once"""
+"""Computing time of the runs that are submitted together [s]; chosen by hand"""
 
 
 def find_program(name: str) -> Optional[str]:
-    """The program of this name in PATH. Relative entries, and empty ones, would mean the working folder,
-    and are left out. Sent to workers by value."""
+    """Finds a program in the absolute folders of PATH. Relative and empty entries, which mean the working folder,
+    are ignored. Workers receive this function by value."""
     import os
     import shutil
 
@@ -34,8 +34,8 @@ def find_program(name: str) -> Optional[str]:
 
 def make_runs(program: str, words: List[str], folder: str, numbers: List[int], count: int, names: List[str],
               limit: float, clock: float) -> Dict[str, Result]:
-    """What a worker does: some runs, shards of one run each, in a process of its own that ends with its
-    time. Sent by value: workers need the program and Dask, and no Python package of burnish."""
+    """Makes some runs on a worker, as shards of one run each, in a process with a time limit. Workers receive this
+    function by value, and do not need the Python package burnish."""
     import os
     import pathlib
     import subprocess
@@ -43,13 +43,13 @@ def make_runs(program: str, words: List[str], folder: str, numbers: List[int], c
 
     found = program if os.access(program, os.X_OK) else find_program("burnish")
     if found is None:
-        raise RuntimeError(f"the worker on {os.uname().nodename} has no burnish; wanted it in its PATH, "
+        raise RuntimeError(f"the worker on {os.uname().nodename} has no program burnish; wanted it in its PATH, "
                            f"or as '{program}'")
-    there: str = found
+    path: str = found
     with tempfile.TemporaryDirectory(prefix="burnish_") as scratch:
         def attempt(to: pathlib.Path, which: List[int], seconds: float, of_clock: float) -> Any:
-            command = [find_program("timeout") or "/usr/bin/timeout", "-k", "10", str(of_clock), there, *words, "--shard",
-                       f"{','.join(map(str, which))}/{count}", "--threads", "1", "--quiet", "--out", str(to)]
+            command = [find_program("timeout") or "/usr/bin/timeout", "-k", "10", str(of_clock), path, *words,
+                       "--shard", f"{','.join(map(str, which))}/{count}", "--threads", "1", "--quiet", "--out", str(to)]
             if seconds > 0:
                 command += ["--time-limit", str(seconds)]
             return subprocess.run(command, cwd=folder if os.path.isdir(folder) else None,
@@ -69,10 +69,10 @@ def make_runs(program: str, words: List[str], folder: str, numbers: List[int], c
         for number, name in zip(numbers, names):
             if results[name]:
                 continue
-            if done.returncode in (124, 137) and len(numbers) > 1:  # one hangs: each by itself
+            if done.returncode in (124, 137) and len(numbers) > 1:  # one run hangs: make each one alone
                 out = pathlib.Path(scratch) / f"alone_{number}"
                 done = attempt(out, [number], limit, clock)
-            if done.returncode in (124, 137):  # its result says that it was ended
+            if done.returncode in (124, 137):  # the time limit ended it: record this as its result
                 out = pathlib.Path(scratch) / f"ended_{number}"
                 done = attempt(out, [number], 1e-9, 60.0)
             results[name] = files(out, name)
@@ -81,20 +81,20 @@ def make_runs(program: str, words: List[str], folder: str, numbers: List[int], c
             said = done.stderr.strip().splitlines()
             other = out.exists() and any((out / "runs").glob("*.json"))
             raise RuntimeError(
-                f"the worker on {os.uname().nodename} made another run than was asked for; wanted the "
-                f"same version of burnish and the same files of robots there" if other else
+                f"the worker on {os.uname().nodename} made a run with another name; wanted the "
+                f"same version of burnish and the same robot files on all machines" if other else
                 f"the worker on {os.uname().nodename}: {said[-1] if said else 'burnish ended with code '}"
                 f"{'' if said else done.returncode}")
         return results
 
 
 def dask() -> Any:
-    """The module distributed. Raises CampaignError where it is not installed."""
+    """Imports the module distributed. Raises CampaignError if it is not installed."""
     try:
         return importlib.import_module("distributed")
     except ImportError as missing:
-        raise CampaignError("Dask distributed is not installed here (Debian: apt install "
-                            "python3-distributed); wanted it here and on the workers, or no --scheduler"
+        raise CampaignError("Dask distributed is not installed on this machine (Debian: apt install "
+                            "python3-distributed); wanted it on this machine and on the workers, or no --scheduler"
                             ) from missing
 
 
@@ -106,97 +106,97 @@ def _by_value(function: Callable[..., Any]) -> None:
 
 @dataclass
 class Job:
-    """Runs to be made."""
+    """Runs to make, and the functions that make them."""
 
     runs: List[Listed]
-    """those that have no result yet"""
+    """Runs without a result"""
     function: Callable[..., Dict[str, Result]]
-    """what a worker does, to results by the runs' names; sent by value, so that it needs no module of burnish"""
+    """Function that a worker calls; returns results by the names of the runs. It is sent by value"""
     arguments: Callable[[List[Listed], float, float], Tuple[Any, ...]]
-    """of the function for some runs, from the limits of one: s of computing (0: none) and of the clock"""
+    """Arguments of `function` for some runs, from the limits of one run: computing time (0: none), wall time [s]"""
     keep: Callable[[Listed, Result], Optional[float]]
-    """what becomes of a result; the s that the run computed, None where it was ended"""
+    """Function that stores a result; returns the computing time [s], None if the time limit ended the run"""
     limit: float
-    """s of computing that a run may take; 0: 20 times the median of those before it"""
+    """Largest computing time of a run [s]; 0: 20 times the median of the previous runs"""
     say: Callable[[str], None]
-    """for sentences"""
+    """Function that prints a message"""
     progress: Callable[[int, str], None]
-    """called with the number of results that came, and the last one's run"""
+    """Function that is called with the number of results and the name of the last run"""
     together: float = 0.0
-    """s of computing that are handed over at once, for the sake of what a process and a message cost; 0: a run"""
+    """Computing time of the runs that are submitted together [s], to reduce overhead; 0: one run"""
 
 
 class Limit:
-    """20 times the median of what runs computed, as burnish experiment has it."""
+    """Time limit: 20 times the median computing time, as in burnish experiment."""
 
-    def __init__(self, said: float) -> None:
-        self._said = said
+    def __init__(self, given: float) -> None:
+        self._given = given
         self._seen: List[float] = []
 
     def note(self, seconds: float) -> None:
         self._seen.append(seconds)
 
     def seconds(self) -> float:
-        if self._said > 0 or len(self._seen) < 5:
-            return self._said
+        if self._given > 0 or len(self._seen) < 5:
+            return self._given
         return max(10.0, 20.0 * sorted(self._seen)[(len(self._seen) - 1) // 2])
 
     def typical(self) -> float:
-        """s that a run computes; 0 while too few are known."""
+        """Median computing time of a run [s]; 0 before five runs have finished."""
         return sorted(self._seen)[(len(self._seen) - 1) // 2] if len(self._seen) >= 5 else 0.0
 
     def clock(self) -> float:
-        """A machine may be busy, and a limit is looked at between two ticks alone."""
+        """Limit of the wall time [s], larger than that of the computing time, because machines can be busy."""
         limit = self.seconds()
         return 3.0 * limit + 30.0 if limit > 0 else _FIRST_LIMIT
 
 
 class _Lost(Exception):
-    """The scheduler is gone."""
+    """Raised if the connection to the scheduler is lost."""
 
 
 def hand_over(job: Job, address: str, patience: float) -> None:
-    """Makes the runs of a job on the workers of a scheduler, and keeps each result as it comes. A
-    scheduler that is lost is waited for, `patience` s; what has no result then is handed over again.
-    Raises CampaignError where there is no scheduler to begin with, where it does not come back, and
-    for what a run was refused with."""
+    """Makes the runs of a job on the workers of a scheduler, and stores each result when it arrives. If the
+    scheduler is lost, waits for it for up to `patience` [s], then submits the runs without a result again.
+    Raises CampaignError if no scheduler is found, if a lost scheduler does not return, and if a worker rejects
+    a run."""
     distributed = dask()
     _by_value(job.function)
     limit = Limit(job.limit)
     left = {run.name: run for run in job.runs}
     client = _connect(distributed, address, 5.0)
     if client is None:
-        raise CampaignError(f"there is no Dask scheduler at '{address}'; wanted one that runs, such as "
-                            f"dask-scheduler prints its address")
+        raise CampaignError(f"there is no Dask scheduler at '{address}'; wanted the address that "
+                            f"dask-scheduler prints")
     try:
         while left:
             try:
                 _drain(job, client, left, limit)
             except _Lost:
-                job.say(f"the scheduler at {address} is lost; {len(left)} runs wait for it")
+                job.say(f"the connection to the scheduler at {address} is lost; {len(left)} runs are waiting")
                 _close(client)
                 client = _connect(distributed, address, patience)
                 if client is None:
                     raise CampaignError(
-                        f"the scheduler at {address} did not come back in {patience:g} s; {len(left)} "
-                        f"runs have no result, and --resume goes on with them") from None
+                        f"the scheduler at {address} did not return within {patience:g} s; {len(left)} "
+                        f"runs have no result, and --resume makes them") from None
     finally:
         _close(client)
 
 
 def _port_of(address: str) -> Tuple[str, int]:
-    """Raises CampaignError for what is no address."""
+    """Host and port of an address. Raises CampaignError for an invalid address."""
     host, colon, port = address.split("://")[-1].rpartition(":")
     if not (colon and host and port.isdigit() and 0 < int(port) < 65536):
-        raise CampaignError(f"'{address}' is no address of a scheduler; wanted one such as "
+        raise CampaignError(f"'{address}' is not the address of a scheduler; wanted an address such as "
                             f"tcp://192.168.0.5:8786")
     return host.strip("[]"), int(port)
 
 
 def _connect(distributed: Any, address: str, patience: float) -> Any:
-    """A client, or None."""
+    """Returns a client, or None if the scheduler does not answer within `patience` [s]."""
     place = _port_of(address)
-    # What is retried is told here, once.
+    # Suppress repeated messages of the libraries: hand_over() reports a lost scheduler once.
     for noise in ("distributed", "asyncio", "tornado"):
         logging.getLogger(noise).setLevel(logging.CRITICAL)
     end = time.monotonic() + patience
@@ -215,7 +215,7 @@ def _close(client: Any) -> None:
         return
     try:
         client.close(timeout=2)
-    except Exception:  # whatever state it was in
+    except Exception:  # the client may be in any state
         pass
 
 
@@ -228,19 +228,19 @@ def _threads(client: Any) -> int:
 
 
 def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: Limit) -> None:
-    """Until nothing is left. Raises _Lost."""
+    """Submits runs and stores results until no run is left. Raises _Lost."""
     waiting = [run for run in left.values()]
     pending: List[Tuple[Any, List[Listed]]] = []
-    window, threads, looked, silent = 0, 0, 0.0, False
+    window, threads, checked_at, reported = 0, 0, 0.0, False
     while left:
         now = time.monotonic()
-        if now - looked > 2.0:
-            # Some for every thread to come: workers that join have theirs at once.
-            threads, looked = _threads(client), now
+        if now - checked_at > 2.0:
+            # Submit several runs per thread, so that workers that join later get runs immediately.
+            threads, checked_at = _threads(client), now
             window = max(8, 4 * threads) if job.together == 0.0 else max(4, 2 * threads)
-            if threads == 0 and not silent:
-                job.say("the scheduler has no workers; the runs wait for some")
-            silent = threads == 0
+            if threads == 0 and not reported:
+                job.say("the scheduler has no workers; the runs are waiting for workers")
+            reported = threads == 0
         while waiting and len(pending) < window:
             size = _together(job, limit, len(waiting), threads)
             runs, waiting = waiting[:size], waiting[size:]
@@ -254,7 +254,7 @@ def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: Limit) -> None
                 _keep(job, runs, future, left, limit)
             elif status == "error":
                 raise CampaignError(_why(runs, future))
-            else:  # cancelled or lost: the connection is gone
+            else:  # cancelled or lost
                 raise _Lost
         if len(still) == len(pending):
             if client.status != "running":
@@ -264,7 +264,7 @@ def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: Limit) -> None
 
 
 def _together(job: Job, limit: Limit, waiting: int, threads: int) -> int:
-    """Runs that are handed over at once. Towards the end fewer, so that no worker waits for the others."""
+    """Number of runs to submit together, fewer at the end, so that all workers finish at about the same time."""
     typical = limit.typical()
     if job.together == 0.0 or typical <= 0.0:
         return 1
@@ -282,7 +282,7 @@ def _submit(job: Job, client: Any, runs: List[Listed], limit: Limit) -> Any:
 def _keep(job: Job, runs: List[Listed], future: Any, left: Dict[str, Listed], limit: Limit) -> None:
     try:
         results: Dict[str, Result] = future.result(timeout=60)
-    except Exception as gone:  # its worker went before it was fetched
+    except Exception as gone:  # the worker stopped before its result was fetched
         raise _Lost from gone
     future.release()
     for run in runs:
@@ -297,6 +297,6 @@ def _why(runs: List[Listed], future: Any) -> str:
     error = future.exception(timeout=60)
     what = f"the run '{runs[0].run}'" if len(runs) == 1 else f"one of the runs '{runs[0].run}' to '{runs[-1].run}'"
     if type(error).__name__ == "KilledWorker":
-        return (f"{what} was on several workers that died one after the other; wanted workers with more "
-                f"memory, or a look at it by itself")
-    return f"{what} could not be made: {error}"
+        return (f"{what} ended several workers one after the other; wanted workers with more memory, or that run "
+                f"alone on this machine")
+    return f"{what} failed: {error}"

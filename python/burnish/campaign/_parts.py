@@ -1,4 +1,4 @@
-"""Shards of a campaign that a file states: what each leaves, and the table of all."""
+"""Shards of a campaign: the file that describes a shard, and merging of shards."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from ._results import CampaignError, RunFolder, write_whole
 from ._sweep import Shard, Sweep, SweepResult, SweepRuns, read_sweep
 
 FILE = "campaign.json"
-"""as burnish experiment has it"""
+"""Name of the file, the same as in folders of burnish experiment"""
 
 
 @dataclass(frozen=True)
 class Part:
-    """What a folder says that its runs are of."""
+    """Content of campaign.json: the campaign of the runs in a folder."""
 
     name: str
     command: str
     campaign: str
-    """the campaign's text"""
+    """Text of the campaign's file"""
     task: str
-    """the text of its task's file"""
+    """Text of the task file"""
     version: str
     shard: str
-    """"2/4", several, "1,3/4", or nothing: all of it"""
+    """Shard "2/4", several shards "1,3/4", or "" for the whole campaign"""
 
     def write(self, folder: Path) -> None:
         tree = {"experiment": "sweep", "name": self.name, "command": self.command, "version": self.version,
@@ -38,19 +38,20 @@ class Part:
 
     @staticmethod
     def read(folder: Path) -> Part:
-        """Raises CampaignError for a folder of something else or of another version."""
+        """Reads campaign.json. Raises CampaignError if the folder has no runs of a campaign, or runs of another
+        version."""
         try:
             tree = json.loads((folder / FILE).read_text())
             if tree["experiment"] != "sweep":
-                raise CampaignError(f"'{folder}' holds runs of `{tree['command']}`; wanted those of burnish sweep, or "
-                                    f"all of that")
+                raise CampaignError(f"'{folder}' holds runs of `{tree['command']}`; wanted runs of burnish sweep, or "
+                                    f"only runs of that command")
             part = Part(*(str(tree[key]) for key in ("name", "command", "campaign", "task", "version", "shard")))
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise CampaignError(f"'{folder}' holds no runs of a campaign; wanted a folder that burnish sweep FILE "
-                                f"--shard I/N left") from error
+                                f"--shard I/N wrote") from error
         if part.version != burnish.__version__:
             raise CampaignError(f"'{folder}' holds runs of burnish {part.version}, and this is {burnish.__version__}; "
-                                f"wanted all of one version")
+                                f"wanted equal versions")
         return part
 
 
@@ -65,14 +66,15 @@ def _common_part(folders: Sequence[Path]) -> Part:
         for what, one, another in (("another campaign", first.campaign, other.campaign),
                                    ("another task", first.task, other.task)):
             if one != another:
-                raise CampaignError(f"'{folder}' holds runs of {what} than '{folders[0]}'; wanted shards of one")
+                raise CampaignError(f"'{folder}' holds runs of {what} than '{folders[0]}'; wanted shards of one "
+                                    f"campaign")
     return first
 
 
 def _lacking(plan: SweepRuns, folders: Sequence[Path]) -> str:
-    """What is missing, and of which shards there is no folder."""
+    """Sentence with the number of missing runs, and the shards without a folder."""
     missing = plan.missing()
-    text = (f"{len(missing)} of {len(plan.runs)} runs are not there, the first of them number {missing[0] + 1}; "
+    text = (f"{len(missing)} of {len(plan.runs)} runs are missing, first number {missing[0] + 1}; "
             f"wanted all shards, each with all of its runs")
     shards = [Part.read(folder).shard for folder in folders]
     if all(shards):
@@ -80,12 +82,13 @@ def _lacking(plan: SweepRuns, folders: Sequence[Path]) -> str:
         numbers, count = {number for shard in read for number in shard.numbers}, read[0].count
         absent = [f"{number}/{count}" for number in range(1, count + 1) if number not in numbers]
         if absent and all(shard.count == count for shard in read):
-            text += f" (no folder is of {', '.join(absent)})"
+            text += f" (without a folder: {', '.join(absent)})"
     return text
 
 
 def _runs_of(part: Part, folders: Sequence[Path], mixed: bool) -> SweepRuns:
-    """The task's file need not be here: its text is. What it names by a path is."""
+    """Runs of a campaign with the results in the folders. The task is read from its text, so its file need not
+    exist on this machine; files that the task names must exist."""
     with tempfile.TemporaryDirectory(prefix="burnish_") as scratch:
         task = Path(scratch) / "task.yaml"
         task.write_text(part.task)
@@ -97,8 +100,8 @@ def _runs_of(part: Part, folders: Sequence[Path], mixed: bool) -> SweepRuns:
 
 
 def merge(folders: Sequence[Path], mixed: bool) -> Tuple[SweepResult, str]:
-    """What all shards have, and the command that one process would have had. Raises CampaignError for
-    folders that do not go together or lack runs."""
+    """Returns the merged result, and the command that makes it in one process. Raises CampaignError for shards of
+    different campaigns, and if runs are missing."""
     part = _common_part(folders)
     plan = _runs_of(part, folders, mixed)
     if plan.size() is None:
@@ -107,7 +110,7 @@ def merge(folders: Sequence[Path], mixed: bool) -> Tuple[SweepResult, str]:
 
 
 def target_of(folders: Sequence[Path], out: Optional[Path], name: str) -> RunFolder:
-    """Where the tables go: they may stand beside the runs of one of the folders."""
+    """Folder for the tables. It may be one of the folders with runs."""
     beside = out is not None and any(out.exists() and out.samefile(folder) for folder in folders)
     return RunFolder(out, f"{name}_campaign", resume=beside)
 

@@ -1,4 +1,4 @@
-"""Which values the keys of a task take in a campaign: lists, ranges, distributions, Sobol points."""
+"""Values of the keys of a task in a campaign: lists, ranges, distributions, Sobol points."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from .. import _core
 from ._results import CampaignError
 
 Point = Dict[str, Any]
-"""Keys of a task by their paths, "path.radius", with values"""
+"""Values of keys of a task, by their paths, such as "path.radius\""""
 
-most_runs = 100_000
+max_runs = 100_000
 
 
 def nearest(word: str, known: List[str]) -> str:
-    """"; did you mean 'x'?", or what is known."""
+    """End of a message: "; did you mean 'x'?", or the known words."""
     return _core.did_you_mean(word, known) or f"; known are {', '.join(known)}"
 
 
 def only(where: str, given: Mapping[str, Any], known: List[str]) -> None:
-    """Raises CampaignError for keys that are not among these."""
+    """Raises CampaignError for an unknown key."""
     for key in given:
         if key not in known:
             raise CampaignError(f"{where}: key '{key}' is unknown{nearest(str(key), known)}")
@@ -40,9 +40,9 @@ def number(where: str, value: Any) -> float:
     return float(value)
 
 
-def count(where: str, value: Any, least: int) -> int:
-    if isinstance(value, bool) or not isinstance(value, int) or value < least:
-        raise CampaignError(f"{where} is {value!r}; wanted a whole number of at least {least}")
+def count(where: str, value: Any, minimum: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, int) or value < minimum:
+        raise CampaignError(f"{where} is {value!r}; wanted an integer of at least {minimum}")
     return value
 
 
@@ -55,23 +55,23 @@ def _pair(where: str, value: Any, first: str, second: str) -> Tuple[float, float
 def _span(where: str, value: Any) -> Tuple[float, float]:
     low, high = _pair(where, value, "lowest", "highest")
     if not low < high:
-        raise CampaignError(f"{where} goes from {low:g} to {high:g}; wanted the lower one first")
+        raise CampaignError(f"{where} goes from {low:g} to {high:g}; wanted the lower limit first")
     return low, high
 
 
 def _range(where: str, given: Mapping[str, Any]) -> List[Any]:
     only(where, given, ["from", "to", "count", "step", "log"])
     if "from" not in given or "to" not in given or ("count" in given) == ("step" in given):
-        raise CampaignError(f"{where} is a range of {', '.join(given)}; wanted from, to, and one of count and "
+        raise CampaignError(f"{where} is a range with {', '.join(given)}; wanted from, to, and one of count and "
                             f"step")
     low, high = _span(where, [given["from"], given["to"]])
     log = given.get("log", False)
     if log and (low <= 0 or "step" in given):
-        raise CampaignError(f"{where} is a range over powers from {low:g}; wanted one from above 0, with count")
+        raise CampaignError(f"{where} is a logarithmic range from {low:g}; wanted a lower limit above 0, and count")
     if "step" in given:
         step = number(where + ".step", given["step"])
         if not 0 < step <= high - low:
-            raise CampaignError(f"{where}.step is {step:g}; wanted one above 0 and at most {high - low:g}")
+            raise CampaignError(f"{where}.step is {step:g}; wanted a step above 0 and at most {high - low:g}")
         values = [low + step * i for i in range(int((high - low) / step + 1e-9) + 1)]
     else:
         n = count(where + ".count", given["count"], 2)
@@ -82,7 +82,7 @@ def _range(where: str, given: Mapping[str, Any]) -> List[Any]:
 
 
 Draw = Callable[[float], Any]
-"""A value from a share, 0 to 1"""
+"""Inverse distribution function: maps a number from 0 to 1 to a value"""
 
 
 def _choice(where: str, value: Any) -> Draw:
@@ -98,14 +98,14 @@ def _distribution(where: str, kind: str, value: Any) -> Draw:
     if kind == "normal":
         mean, spread = _pair(where, value, "mean", "standard deviation")
         if not spread > 0:
-            raise CampaignError(f"{where} has a standard deviation of {spread:g}; wanted one above 0")
+            raise CampaignError(f"{where} has a standard deviation of {spread:g}; wanted a value above 0")
         normal = statistics.NormalDist(mean, spread)
         return lambda u: normal.inv_cdf(min(max(u, 1e-12), 1 - 1e-12))
     low, high = _span(where, value)
     if kind == "uniform":
         return lambda u: low + (high - low) * u
     if low <= 0:
-        raise CampaignError(f"{where} is drawn over powers from {low:g}; wanted one from above 0")
+        raise CampaignError(f"{where} is log-uniform from {low:g}; wanted a lower limit above 0")
     return lambda u: low * (high / low) ** u
 
 
@@ -114,7 +114,7 @@ _DISTRIBUTIONS = ["uniform", "log_uniform", "normal", "choice"]
 
 @dataclass
 class Values:
-    """Of the keys that vary."""
+    """Values of the varied keys: listed values, and distributions with the number of samples."""
 
     listed: Dict[str, List[Any]]
     drawn: Dict[str, Draw]
@@ -123,21 +123,21 @@ class Values:
     seed: int
 
     def points(self) -> List[Point]:
-        """All lists with all samples, the last key changing first, each sample for all lists."""
+        """All points: the grid of the listed values, with the last key varying fastest, times the samples."""
         grid = [dict(zip(self.listed, values)) for values in itertools.product(*self.listed.values())]
         samples = self._samples()
-        if len(grid) * len(samples) > most_runs:
-            raise CampaignError(f"the campaign has {len(grid) * len(samples)} points; wanted at most {most_runs}")
+        if len(grid) * len(samples) > max_runs:
+            raise CampaignError(f"the campaign has {len(grid) * len(samples)} points; wanted at most {max_runs}")
         return [{**lists, **sample} for lists in grid for sample in samples]
 
     def _samples(self) -> List[Point]:
         if not self.drawn:
             return [{}]
-        shares = self._sobol() if self.sobol else self._independent()
-        return [{key: draw(float(u)) for (key, draw), u in zip(self.drawn.items(), row)} for row in shares]
+        unit = self._sobol() if self.sobol else self._independent()
+        return [{key: draw(float(u)) for (key, draw), u in zip(self.drawn.items(), row)} for row in unit]
 
     def _independent(self) -> NDArray[np.float64]:
-        # A stream for each key: what one draws does not depend on the others.
+        # One random stream per key, so that the samples of a key do not depend on the other keys.
         columns = [np.random.Generator(np.random.PCG64([self.seed, zlib.crc32(key.encode())])).random(self.samples)
                    for key in self.drawn]
         return np.stack(columns, axis=1)
@@ -146,16 +146,16 @@ class Values:
         try:
             qmc: Any = importlib.import_module("scipy.stats.qmc")
         except ImportError as missing:
-            raise CampaignError("Sobol points are SciPy's, which is not installed (Debian: apt install "
-                                "python3-scipy); wanted it, or sobol: false") from missing
-        # Whole powers of 2 are drawn, of which the first ones are taken.
+            raise CampaignError("Sobol points need SciPy, which is not installed (Debian: apt install "
+                                "python3-scipy); wanted SciPy, or sobol: false") from missing
+        # Draws a power of 2 of points, and returns the first ones.
         power = max(0, math.ceil(math.log2(self.samples)))
         points: NDArray[np.float64] = qmc.Sobol(len(self.drawn), seed=self.seed).random_base2(power)
         return points[:self.samples]
 
 
 def read_values(vary: Any, samples: Any) -> Values:
-    """`vary` and `samples` of a campaign. Raises CampaignError for what contradicts itself."""
+    """Reads `vary` and `samples` of a campaign. Raises CampaignError for contradictions."""
     if vary is None:
         vary = {}
     if not isinstance(vary, dict):
@@ -166,7 +166,7 @@ def read_values(vary: Any, samples: Any) -> Values:
     keys = [*values.listed, *values.drawn]
     for key, other in itertools.permutations(keys, 2):
         if other.startswith(key + "."):
-            raise CampaignError(f"vary states '{key}' and '{other}', which is a part of it; wanted one of them")
+            raise CampaignError(f"vary has '{key}' and '{other}', which is a part of '{key}'; wanted one of them")
     _read_samples(samples, values)
     return values
 
@@ -191,7 +191,7 @@ def _read_key(key: str, given: Any, values: Values) -> None:
 def _read_samples(given: Optional[Any], values: Values) -> None:
     if given is None:
         if values.drawn:
-            raise CampaignError(f"'{next(iter(values.drawn))}' is drawn and samples are not stated; wanted "
+            raise CampaignError(f"'{next(iter(values.drawn))}' has a distribution, and samples is missing; wanted "
                                 f"samples: {{count: N}}")
         return
     given = {"count": given} if isinstance(given, int) else given
@@ -199,9 +199,10 @@ def _read_samples(given: Optional[Any], values: Values) -> None:
         raise CampaignError(f"samples is {given!r}; wanted a number, or count, sobol and seed")
     only("samples", given, ["count", "sobol", "seed"])
     if not values.drawn:
-        raise CampaignError("samples are stated and no key is drawn; wanted one, such as force: {uniform: [20, 40]}")
+        raise CampaignError("samples is given, and no key has a distribution; wanted one, such as "
+                            "force: {uniform: [20, 40]}")
     values.samples = count("samples.count", given.get("count"), 1)
-    if values.samples > most_runs:
-        raise CampaignError(f"samples.count is {values.samples}; wanted at most {most_runs}")
+    if values.samples > max_runs:
+        raise CampaignError(f"samples.count is {values.samples}; wanted at most {max_runs}")
     values.sobol = bool(given.get("sobol", False))
     values.seed = count("samples.seed", given.get("seed", 0), 0)

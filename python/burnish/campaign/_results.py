@@ -1,4 +1,4 @@
-"""The folder of a campaign, as burnish experiment leaves and takes it."""
+"""Folder of a campaign, in the format of burnish experiment."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from typing import Any, Dict, List, Mapping, Optional
 
 
 class CampaignError(Exception):
-    """What is wrong, in one sentence."""
+    """Error with a message of one sentence."""
 
 
 @dataclass(frozen=True)
 class Listed:
-    """A run of an experiment, as burnish experiment --list tells."""
+    """A run, as burnish experiment --list prints it."""
 
     number: int
-    """from 1 on"""
+    """Number of the run, from 1"""
     name: str
-    """of its result"""
+    """Name of its result"""
     run: str
-    """its own name"""
+    """Name of the run"""
 
 
 def list_runs(program: str, words: List[str]) -> List[Listed]:
-    """Raises CampaignError with what the words are refused with."""
+    """Lists the runs of an experiment. Raises CampaignError with the message of burnish."""
     done = subprocess.run([program, *words, "--list"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           text=True)
     if done.returncode != 0:
@@ -41,12 +41,12 @@ def list_runs(program: str, words: List[str]) -> List[Listed]:
 
 
 def _sentence(said: str) -> str:
-    lines = said.strip().splitlines() or ["burnish ended without a word"]
+    lines = said.strip().splitlines() or ["burnish failed without a message"]
     return lines[-1].replace("burnish: ", "", 1)
 
 
 def write_whole(file: Path, data: bytes) -> None:
-    """A file that is there whole or not at all."""
+    """Writes a file atomically. Raises CampaignError if it cannot be written."""
     part = file.parent / f".{file.name}.{os.getpid()}.part"
     try:
         part.write_bytes(data)
@@ -57,11 +57,11 @@ def write_whole(file: Path, data: bytes) -> None:
 
 
 class RunFolder:
-    """A folder with results, held against others while it is open."""
+    """Folder with results, locked while it is open."""
 
     def __init__(self, out: Optional[Path], name: str, resume: bool) -> None:
-        """`out`: where; None: a new one, called NAME, NAME_2, ... Raises CampaignError for a folder
-        that holds a run, unless `resume`, and for one that another process holds."""
+        """Opens the folder `out`; None: a new folder NAME, NAME_2, ... Raises CampaignError if the folder holds a
+        run and `resume` is False, and if another process has locked it."""
         self._used = out is not None and out.exists()
         self.path = out if out is not None else self._new(name)
         try:
@@ -73,14 +73,14 @@ class RunFolder:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as taken:
             os.close(self._lock)
-            raise CampaignError(f"another run writes into '{self.path}'; wanted another folder, or to "
-                                f"wait for its end") from taken
+            raise CampaignError(f"another run writes into '{self.path}'; wanted another folder, or the end "
+                                f"of that run") from taken
         except OSError:
-            pass  # files cannot be locked there
+            pass  # the file system has no locks
         if not resume and any((self.path / name).exists() for name in (".burnish", "runs")):
             self.close()
-            raise CampaignError(f"'{self.path}' holds a run; wanted another folder, or --resume to go on "
-                                f"with it")
+            raise CampaignError(f"'{self.path}' holds a run; wanted another folder, or --resume to "
+                                f"continue it")
 
     @staticmethod
     def _new(name: str) -> Path:
@@ -93,16 +93,16 @@ class RunFolder:
                 continue
             except OSError as error:
                 raise CampaignError(f"cannot make the folder '{path}': {error.strerror}") from error
-        raise CampaignError(f"there are too many folders '{name}'; wanted --out")
+        raise CampaignError(f"the folders '{name}' to '{name}_100000' exist; wanted --out")
 
     def close(self) -> None:
-        """Lets others have it. One that was made and is empty goes."""
+        """Unlocks the folder. Removes it if it is new and empty."""
         if self._lock >= 0:
             os.close(self._lock)
         self._lock = -1
         if not self._used:
             try:
-                self.path.rmdir()  # unless there is something in it
+                self.path.rmdir()  # fails if the folder is not empty
             except OSError:
                 pass
 
@@ -116,17 +116,17 @@ class RunFolder:
         return self.path / "runs" / f"{name}.json"
 
     def has(self, name: str) -> bool:
-        """Whether there is a result, of a run that was not ended by its time limit."""
+        """Returns whether a run has a result. A run that its time limit ended has none."""
         try:
             return not json.loads(self._file(name).read_text())["late"]
         except FileNotFoundError:
             return False
         except (OSError, ValueError, KeyError, TypeError) as error:
-            raise CampaignError(f"'{self._file(name)}' is no result of a run: {error}; wanted it whole, or "
-                                f"removed to make the run again") from error
+            raise CampaignError(f"'{self._file(name)}' is not the result of a run: {error}; wanted a complete file, or "
+                                f"no file, to repeat the run") from error
 
     def keep(self, name: str, result: Mapping[str, bytes]) -> Optional[float]:
-        """Writes what came from a worker; the s that the run computed, None where it was ended."""
+        """Writes the result of a worker. Returns the computing time [s], None if the time limit ended the run."""
         try:
             (self.path / "runs").mkdir(exist_ok=True)
         except OSError as error:
@@ -137,7 +137,7 @@ class RunFolder:
         file = self.path / "campaign.json"
         if not file.exists():
             write_whole(file, text)
-        # The result comes last: where it is, so are its times.
+        # Writes the result last, so that a result always has its times.
         write_whole(self.path / "runs" / f"{name}.times.json", result["times"])
         write_whole(self._file(name), result["result"])
         if json.loads(result["result"])["late"]:

@@ -1,4 +1,4 @@
-"""A campaign as values: a task, what its keys take, seeds, figures to keep, when to stop; and its runs."""
+"""Campaigns: task, values of its keys, seeds, figures to keep, condition to stop, and the runs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from .. import _core
-from ._points import Point, Values, count, most_runs, nearest, number, only, read_values
+from ._points import Point, Values, count, max_runs, nearest, number, only, read_values
 from ._results import CampaignError, RunFolder, write_whole
 from ._tasks import Machine, Outcome, TaskFile, TaskRun, kernels_of, read_tree
 
@@ -17,19 +17,19 @@ SEED = "disturbances.seed"
 
 @dataclass
 class Sweep:
-    """What a campaign's file says."""
+    """Content of a campaign's file."""
 
     text: str
-    """of the file"""
+    """Text of the file"""
     name: str
     task: TaskFile
     values: Values
     seeds: List[int]
-    """empty: the task's own"""
+    """Seeds of the disturbances; empty: the seed of the task"""
     words: List[str]
-    """of the program: controller and plant"""
+    """Arguments of the program: controller and plant"""
     keep: List[str]
-    """figures by their names in metrics.json, `force_rmse_N`; empty: all"""
+    """Names of figures in metrics.json, such as `force_rmse_N`; empty: all"""
     stop: Optional[Stop]
     worst: Optional[Worst]
 
@@ -37,14 +37,14 @@ class Sweep:
         points = self.values.points()
         if self.seeds:
             points = [{**point, SEED: seed} for point in points for seed in self.seeds]
-        if len(points) > most_runs:
-            raise CampaignError(f"the campaign has {len(points)} runs; wanted at most {most_runs}")
+        if len(points) > max_runs:
+            raise CampaignError(f"the campaign has {len(points)} runs; wanted at most {max_runs}")
         return points
 
 
 @dataclass
 class Stop:
-    """The campaign ends with the run at which so many, counted in the order of runs, are beyond."""
+    """Condition to stop: `runs` runs, counted in order, have a figure above a value."""
 
     figure: str
     above: float
@@ -53,25 +53,25 @@ class Stop:
 
 @dataclass
 class Worst:
-    """Runs with the largest figure, of which the full records are made."""
+    """Number of runs with the largest figure that get full records."""
 
     figure: str
     count: int
 
 
 def _as_yaml(key: str, value: Any) -> str:
-    """In one line. Raises CampaignError for what files cannot say."""
+    """Value as one line of YAML. Raises CampaignError for a value that YAML cannot express."""
     try:
         return _core.json_as_yaml(json.dumps(value))
     except (TypeError, ValueError) as error:
-        raise CampaignError(f"campaign: {key}: {error}; wanted finite numbers, texts, lists and dictionaries of "
-                            "Python's own") from error
+        raise CampaignError(f"campaign: {key}: {error}; wanted finite numbers, texts, and Python lists "
+                            "and dictionaries") from error
 
 
 def read_sweep(source: Union[str, Path, Mapping[str, Any]], *, task: Optional[Path] = None,
                name: str = "") -> Sweep:
-    """From a file, which its paths are seen from, or the same as a dictionary. `task`, `name`: in place of
-    what it says. Raises CampaignError for what does not fit together."""
+    """Reads a campaign from a file or a dictionary. Paths in a file are relative to it. `task` and `name` replace
+    the entries of the file. Raises CampaignError for contradictions."""
     if isinstance(source, (str, Path)):
         path = Path(source)
         tree = read_tree(path, "at least task")
@@ -89,14 +89,15 @@ def read_sweep(source: Union[str, Path, Mapping[str, Any]], *, task: Optional[Pa
     keep = tree.get("keep") or []
     keep = [keep] if isinstance(keep, str) else [str(figure) for figure in keep]
     return Sweep(text, name or str(tree.get("name", own_name)), task_file, values,
-                 read_seeds("seeds", tree.get("seeds"), values), program_words(tree, task_file), keep, _stop(tree.get("stop")), _worst(tree.get("worst")))
+                 read_seeds("seeds", tree.get("seeds"), values), program_words(tree, task_file), keep,
+                 _stop(tree.get("stop")), _worst(tree.get("worst")))
 
 
 def read_seeds(where: str, given: Any, values: Values) -> List[int]:
     if given is None:
         return []
     if SEED in values.listed or SEED in values.drawn:
-        raise CampaignError(f"{where} are stated, and vary has '{SEED}' too; wanted one of them")
+        raise CampaignError(f"{where} is given, and vary has '{SEED}' too; wanted one of them")
     if isinstance(given, int):
         given = {"count": given}
     if isinstance(given, dict):
@@ -104,7 +105,7 @@ def read_seeds(where: str, given: Any, values: Values) -> List[int]:
         first = count(f"{where}.first", given.get("first", 0), 0)
         return list(range(first, first + count(f"{where}.count", given.get("count"), 1)))
     if not isinstance(given, list) or not given:
-        raise CampaignError(f"{where} is {given!r}; wanted a number of them, a list, or first and count")
+        raise CampaignError(f"{where} is {given!r}; wanted a number of seeds, a list, or first and count")
     return [count(where, seed, 0) for seed in given]
 
 
@@ -116,7 +117,8 @@ def program_words(tree: Mapping[str, Any], task: TaskFile) -> List[str]:
             raise CampaignError(f"controller is {controller!r}; wanted mpc, baseline or admittance")
         words += ["--controller", controller]
     elif "controller" in tree:
-        raise CampaignError(f"a controller is stated, and the task '{task.path}' has but one; wanted none")
+        raise CampaignError(f"controller is given, and the task '{task.path}' has only one controller; wanted no "
+                            f"controller")
     if "plant" in tree:
         if tree["plant"] not in ("mujoco", "ideal"):
             raise CampaignError(f"plant is {tree['plant']!r}; wanted mujoco or ideal")
@@ -144,8 +146,8 @@ def _worst(given: Any) -> Optional[Worst]:
 
 
 def figure_named(name: str, known: List[str]) -> str:
-    """`force_rmse` or `force_rmse_N` as `force_rmse_N`, and `hold.slip` of metrics.json's section `hold` as `slip_m`.
-    Raises CampaignError with the nearest one."""
+    """Key of a figure in metrics.json: `force_rmse` and `force_rmse_N` give `force_rmse_N`; `hold.slip` gives
+    `slip_m`, a key of the section `hold`. Raises CampaignError with the nearest name."""
     last = name.rpartition(".")[2]
     for figure in known:
         if last in (figure, bare(figure)):
@@ -157,7 +159,7 @@ UNITS = ("N", "m", "rad", "s")
 
 
 def bare(figure: str) -> str:
-    """Its name without the unit."""
+    """Name of a figure without its unit."""
     name, underscore, unit = figure.rpartition("_")
     return name if underscore and unit in UNITS else figure
 
@@ -169,10 +171,10 @@ def unit(figure: str) -> str:
 
 @dataclass
 class Row:
-    """A run that was made."""
+    """A finished run."""
 
     number: int
-    """from 1 on"""
+    """Number of the run, from 1"""
     point: Point
     run: TaskRun
     outcome: Outcome
@@ -180,23 +182,34 @@ class Row:
 
 @dataclass
 class SweepResult:
-    """Runs in order, up to the one that ended the campaign early; of shards, their own."""
+    """Result of a campaign or of its shards: runs in order, up to the end of the campaign."""
 
     sweep: Sweep
     rows: List[Row]
     figures: List[str]
-    """those that are kept, by their names in metrics.json"""
+    """Kept figures, by their names in metrics.json"""
     stopped: str
-    """why it ended early, one sentence; empty: it did not"""
+    """Sentence with the reason for an early end; empty: no early end"""
     kernels: str
-    """where they are of several kinds, how many runs are of which"""
+    """Number of runs for each kind of kernels; empty if all runs have the same kernels"""
 
     def values(self, figure: str) -> List[float]:
-        """Of the runs that have it."""
+        """Returns the values of a figure.
+
+        Parameters
+        ----------
+        figure : str
+            Name of the figure in metrics.json, such as "force_rmse_N".
+
+        Returns
+        -------
+        list of float
+            Values of the runs that have this figure.
+        """
         return [row.outcome.figures[figure] for row in self.rows if figure in row.outcome.figures]
 
     def worst(self) -> List[Row]:
-        """By the figure that the campaign asks for; those without one, which were refused, are none."""
+        """Returns the runs with the largest figure of `worst`. Rejected runs have no figures."""
         if self.sweep.worst is None:
             return []
         figure = figure_named(self.sweep.worst.figure, known_figures(self.rows))
@@ -214,15 +227,15 @@ def known_figures(rows: List[Row]) -> List[str]:
 
 @dataclass(frozen=True)
 class Shard:
-    """Every count-th run, from each of the numbers on."""
+    """Shards I/N: the runs I, I + N, I + 2N, ... for each I in `numbers`, with N = `count`."""
 
     numbers: Tuple[int, ...] = (1,)
-    """ascending"""
+    """Numbers I, ascending"""
     count: int = 1
 
     @staticmethod
     def parse(text: str) -> Shard:
-        """Of "2/4", or several, "1,3/4". Raises CampaignError for another text."""
+        """Parses "2/4" or "1,3/4". Raises CampaignError for another text."""
         before, _, after = text.partition("/")
         words = [*before.split(","), after]
         if all(word.isdecimal() for word in words):
@@ -230,14 +243,14 @@ class Shard:
             if 1 <= min(numbers) and max(numbers) <= count_of:
                 return Shard(tuple(sorted(numbers)), count_of)
         raise CampaignError(f"shard is '{text}'; wanted I/N with I from 1 to N, such as 2/4, or "
-                            f"several, 1,3/4")
+                            f"several shards, such as 1,3/4")
 
     def has(self, index: int) -> bool:
         return index % self.count + 1 in self.numbers
 
 
 class SweepRuns:
-    """The runs of a campaign, those of some shards, and what came out of them so far."""
+    """Runs of a campaign, the selection of some shards, and the outcomes so far."""
 
     def __init__(self, sweep: Sweep, shard: Shard, mixed: bool) -> None:
         self.sweep, self.mixed = sweep, mixed
@@ -245,10 +258,11 @@ class SweepRuns:
         self.runs = [TaskRun(sweep.task.changed(point), tuple(sweep.words)) for point in self.points]
         self.wanted = [index for index in range(len(self.runs)) if shard.has(index)]
         self.outcomes: Dict[int, Outcome] = {}
-        self._seen, self._beyond = 0, 0  # of the wanted ones in their order, without a gap
+        # Number of selected runs with an outcome, in order without a gap, and how many of them exceed the limit.
+        self._seen, self._beyond = 0, 0
 
     def find(self, folders: Sequence[Path]) -> int:
-        """Takes the results that are there; how many."""
+        """Reads existing results; returns their number."""
         for index in self.wanted:
             found = find_outcome(folders, self.runs[index])
             if found is not None:
@@ -260,8 +274,8 @@ class SweepRuns:
         return [index for index in self.wanted if index not in self.outcomes]
 
     def size(self) -> Optional[int]:
-        """How many of the wanted runs the campaign has by now, if it is over. Where a shard counts enough
-        that are beyond, all of them together do so by then: what the others lack is not needed."""
+        """Number of the selected runs in the campaign if the campaign has ended, else None. If the selected runs of
+        a shard fulfil the condition to stop, those of all shards together fulfil it no later."""
         stop = self.sweep.stop
         while self._seen < len(self.wanted) and (stop is None or self._beyond < stop.runs):
             if self.wanted[self._seen] not in self.outcomes:
@@ -273,7 +287,7 @@ class SweepRuns:
         return self._seen
 
     def take(self, index: int, outcome: Outcome) -> None:
-        """Raises CampaignError for figures that there are not, and for kernels that do not go together."""
+        """Adds an outcome. Raises CampaignError for unknown figures, and for different kernels."""
         asked = [each.figure for each in (self.sweep.stop, self.sweep.worst) if each is not None]
         if outcome.figures:
             for figure in self.sweep.keep + asked:
@@ -283,7 +297,7 @@ class SweepRuns:
         kernels_of([first, outcome], self.mixed)
 
     def result(self) -> SweepResult:
-        """Once it is over."""
+        """Returns the result; the campaign must have ended."""
         size = self.size() or 0
         rows = [Row(index + 1, self.points[index], self.runs[index], self.outcomes[index])
                 for index in self.wanted[:size]]
@@ -299,8 +313,8 @@ class SweepRuns:
 def make_sweep(sweep: Sweep, machine: Machine, folder: RunFolder,
                progress: Callable[[int, int], None] = lambda done, all: None, shard: Shard = Shard(),
                mixed: bool = False) -> SweepResult:
-    """Makes the runs that the folder has no result of. Raises CampaignError for points that the task
-    refuses, and for figures that there are not."""
+    """Makes the runs that have no result in the folder. Raises CampaignError for points that the task rejects, and
+    for unknown figures."""
     plan = SweepRuns(sweep, shard, mixed)
     plan.find([folder.path])
     left = plan.missing()
@@ -317,8 +331,8 @@ def make_sweep(sweep: Sweep, machine: Machine, folder: RunFolder,
 
 
 def find_outcome(folders: Sequence[Path], run: TaskRun) -> Optional[Outcome]:
-    """What the folders have of a run, unless its time limit ended that. Raises CampaignError for a file
-    that is no result."""
+    """Outcome of a run in the folders, unless its time limit ended it; None if there is none. Raises CampaignError
+    for an invalid file."""
     for folder in folders:
         file = folder / "runs" / f"{run.name()}.json"
         if not file.exists():
@@ -326,20 +340,20 @@ def find_outcome(folders: Sequence[Path], run: TaskRun) -> Optional[Outcome]:
         try:
             found = Outcome.parse(file.read_text(), file.with_suffix(".times.json").read_text())
         except (OSError, ValueError, KeyError) as error:
-            raise CampaignError(f"'{file}' is no result of a run; wanted it whole, or removed to make the run "
-                                f"again") from error
+            raise CampaignError(f"'{file}' is not the result of a run; wanted a complete file, or no file, to repeat "
+                                f"the run") from error
         if not found.late:
             return found
     return None
 
 
 def keep_outcome(folder: RunFolder, run: TaskRun, outcome: Outcome) -> None:
-    """Raises CampaignError where the files cannot be written."""
+    """Writes an outcome. Raises CampaignError if the files cannot be written."""
     runs = folder.path / "runs"
     try:
         runs.mkdir(exist_ok=True)
     except OSError as error:
         raise CampaignError(f"cannot make the folder '{runs}': {error.strerror}") from error
-    # The result comes last: where it is, so are its times.
+    # Writes the result last, so that a result always has its times.
     write_whole(runs / f"{run.name()}.times.json", outcome.times_text().encode())
     write_whole(runs / f"{run.name()}.json", outcome.text().encode())

@@ -1,4 +1,4 @@
-"""What a campaign leaves: a table as CSV and HDF5, and a page with distributions."""
+"""Files of a campaign: tables as CSV and HDF5, and a page with distributions."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def columns_of(result: SweepResult) -> List[Tuple[str, str, Callable[[Row], Any]
 
 
 def csv_text(result: SweepResult) -> str:
-    """First line `name [unit],...`; a figure that a run lacks is nothing."""
+    """Returns CSV text with the header `name [unit],...`; the cell of a missing figure is empty."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     columns = columns_of(result)
@@ -58,8 +58,8 @@ def csv_text(result: SweepResult) -> str:
 
 
 def write_hdf5(result: SweepResult, file: Path) -> bool:
-    """The table with a data set per column, its unit an attribute, and the campaign's text. False where
-    h5py is not installed."""
+    """Writes the table: a data set per column, with its unit as an attribute, and the text of the campaign. Returns
+    False if h5py is not installed."""
     try:
         h5py: Any = importlib.import_module("h5py")
     except ImportError:
@@ -82,7 +82,7 @@ def write_hdf5(result: SweepResult, file: Path) -> bool:
 
 
 def statistics_of(values: Sequence[float]) -> Dict[str, float]:
-    """mean with the half width of its 95 % interval, median, 95 % and worst (largest)."""
+    """Mean with the half width of its 95 % interval, median, 95 % quantile, and largest value."""
     array = np.array(values)
     half = 1.96 * array.std(ddof=1) / math.sqrt(len(array)) if len(array) > 1 else math.nan
     return {"runs": len(array), "mean": float(array.mean()), "+-": float(half), "median": float(np.median(array)),
@@ -90,24 +90,24 @@ def statistics_of(values: Sequence[float]) -> Dict[str, float]:
 
 
 def repeat_words(row: Row, folder: str) -> List[str]:
-    """The command that makes a run again with its full record, beside its task's file."""
+    """Command that repeats a run with its full record, in the folder of its task file."""
     return ["burnish", row.run.words[0], f"{folder}/task.yaml", *row.run.words[1:], "--out", f"{folder}/run"]
 
 
 def write_worst(result: SweepResult, program: str, folder: RunFolder) -> List[Tuple[Row, str]]:
-    """Full records of the worst runs, in folders of their own with their tasks; the commands."""
+    """Writes full records of the worst runs, each in a folder with its task; returns the commands."""
     made = []
     for row in result.worst():
         place = folder.path / "worst" / f"run_{row.number}"
         place.mkdir(parents=True, exist_ok=True)
         write_whole(place / "task.yaml", row.run.text.encode())
         words = repeat_words(row, f"worst/run_{row.number}")
-        # Files that a task names are seen from here, its own from the campaign's folder.
+        # Paths in the task are relative to the working folder; the task file is in the folder of the campaign.
         done = subprocess.run([program, words[1], str(place / "task.yaml"), *row.run.words[1:], "--quiet", "--force",
                                "--out", str(place / "run")], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                               text=True)
         if done.returncode not in (0, 1):
-            raise CampaignError(f"the record of run {row.number} was refused: {done.stderr.strip()}")
+            raise CampaignError(f"run {row.number} could not be repeated for its record: {done.stderr.strip()}")
         made.append((row, shlex.join(words)))
     return made
 
@@ -128,7 +128,7 @@ _WIDTH, _HEIGHT, _LEFT, _RIGHT, _TOP, _BOTTOM = 330, 200, 46, 320, 24, 158  # pi
 
 
 def _scale(of: str) -> Tuple[float, str]:
-    """What a unit is multiplied by to be shown, and as what."""
+    """Factor to the display unit, and the display unit."""
     return _FOR_PEOPLE.get(of, (1.0, of))
 
 
@@ -142,7 +142,7 @@ def _shown_figure(figure: str) -> Tuple[float, str]:
 
 
 def _ticks(low: float, high: float) -> List[float]:
-    """Round numbers within a range, three to six."""
+    """Three to six round numbers within a range."""
     step = 10.0 ** math.floor(math.log10((high - low) / 2.5))
     step *= next(m for m in (1.0, 2.0, 5.0, 10.0) if (high - low) / (m * step) <= 5.0)
     first = math.ceil(low / step - 1e-9)
@@ -150,7 +150,7 @@ def _ticks(low: float, high: float) -> List[float]:
 
 
 class _Axes:
-    """A panel with ticks: places of values, and what is drawn around them."""
+    """Panel with ticks: positions of values, and the SVG of the axes."""
 
     def __init__(self, x: Tuple[float, float], y: Tuple[float, float]) -> None:
         self.x, self.y = (self._widened(*range_) for range_ in (x, y))
@@ -181,7 +181,7 @@ class _Axes:
 
 
 def histogram(figure: str, values: Sequence[float]) -> str:
-    """An SVG: how many runs had which value."""
+    """Returns the histogram of a figure as SVG."""
     factor, label = _shown_figure(figure)
     shown = [factor * value for value in values]
     axes = _Axes((min(shown), max(shown)), (0.0, 1.0))
@@ -191,11 +191,11 @@ def histogram(figure: str, values: Sequence[float]) -> str:
         f'<rect class="bar" x="{axes.at_x(a):.1f}" width="{max(axes.at_x(b) - axes.at_x(a) - 1, 1):.1f}" '
         f'y="{axes.at_y(c):.1f}" height="{_BOTTOM - axes.at_y(c):.1f}"/>'
         for c, a, b in zip(counts, edges, edges[1:]) if c)
-    return axes.svg(f"runs, of {len(shown)}", label, bars)
+    return axes.svg(f"number of runs, {len(shown)} in total", label, bars)
 
 
 def scatter(label: str, factor: float, figure: str, pairs: Sequence[Tuple[float, float]]) -> str:
-    """An SVG of a figure over a key, whose values are shown times `factor`."""
+    """Returns a plot of a figure over a key as SVG; `factor` converts the key to its display unit."""
     scale, title = _shown_figure(figure)
     x, y = factor * np.array(pairs).T[0], scale * np.array(pairs).T[1]
     axes = _Axes((float(x.min()), float(x.max())), (float(y.min()), float(y.max())))
@@ -205,7 +205,7 @@ def scatter(label: str, factor: float, figure: str, pairs: Sequence[Tuple[float,
 
 
 def _point_text(point: Dict[str, Any], units: Dict[str, str]) -> str:
-    """What a run was made with: "force 20 N, disturbances.seed 7"."""
+    """Text of a point, such as "force 20 N, disturbances.seed 7"."""
     def value(given: Any) -> str:
         return f"{given:.6g}" if isinstance(given, float) else given if isinstance(given, str) else json.dumps(given)
 
@@ -217,13 +217,13 @@ _SHOWN = ("force_rmse_N", "force_peak_N", "position_rmse_m", "without_contact", 
 
 
 def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -> str:
-    """A page that needs nothing besides itself."""
+    """Returns the page of a campaign as HTML that needs no other file."""
     rows, figures = result.rows, [f for f in result.figures if result.values(f)]
     done, units = sum(row.outcome.done for row in rows), result.sweep.task.units()
     body = [f"<h1>{html.escape(result.sweep.name)}</h1><p>{len(rows)} runs, {done} done. "
             f"{html.escape(result.stopped)}</p>"]
     if result.kernels:
-        body.append(f"<p>Kernels of several kinds made them, which differ in their last digits: "
+        body.append(f"<p>The runs used different kernels, whose results differ in their last digits: "
                     f"{html.escape(result.kernels)}.</p>")
     if figures:
         head = list(statistics_of([0.0, 1.0]))
@@ -233,7 +233,7 @@ def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -
             cells = statistics_of(result.values(figure)).items()
             lines += f"<tr><td>{html.escape(label)}</td>" + "".join(
                 f"<td>{v:.4g}</td>" if name == "runs" else f"<td>{factor * v:.4g}</td>" for name, v in cells) + "</tr>"
-        body.append("<section><h2>Over all runs that have the figure</h2><table><tr><th></th>" + "".join(
+        body.append("<section><h2>Statistics over all runs that have the figure</h2><table><tr><th></th>" + "".join(
             f"<th>{h}</th>" for h in head) + f"</tr>{lines}</table><p>+-: half width of the mean's 95 % interval."
             "</p></section>")
         shown = [f for f in _SHOWN if f in figures] or figures[:6]
@@ -249,11 +249,11 @@ def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -
                          if figure in row.outcome.figures and isinstance(row.point[key], (int, float))]
                 plots += scatter(_label(key, of), factor, figure, pairs) if pairs else ""
         if plots:
-            body.append(f"<section><h2>Over what varies</h2>{plots}</section>")
+            body.append(f"<section><h2>Figures over varied keys</h2>{plots}</section>")
     if worst:
         body.append("<section><h2>Worst runs</h2>" + "".join(
             f'<p>Run {row.number}: {html.escape(row.outcome.outcome)} '
-            f'{html.escape(_point_text(row.point, units))} (<a href="worst/run_{row.number}/run/">its record</a>)</p>'
+            f'{html.escape(_point_text(row.point, units))} (<a href="worst/run_{row.number}/run/">record</a>)</p>'
             f"<pre>{html.escape(words)}</pre>" for row, words in worst) + "</section>")
     failed = [row for row in rows if not row.outcome.done]
     if failed:
@@ -267,7 +267,7 @@ def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -
 
 
 def write_sweep(result: SweepResult, program: str, folder: RunFolder, command: str) -> List[str]:
-    """All of it; the names of the files."""
+    """Writes all files of a campaign; returns their names."""
     os.makedirs(folder.path, exist_ok=True)
     write_whole(folder.path / "campaign.yaml", result.sweep.text.encode())
     write_whole(folder.path / "results.csv", csv_text(result).encode())

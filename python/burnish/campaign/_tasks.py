@@ -1,4 +1,4 @@
-"""A run of any task, by the program: from a task's text to its figures. The same here and on workers."""
+"""Runs of any task by the program burnish, from the text of a task to its figures, on this machine or on workers."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from ._results import CampaignError, Listed
 
 
 def read_tree(path: Path, wanted: str) -> Dict[str, Any]:
-    """A file's keys. Raises CampaignError where it cannot be read, is no YAML or has none."""
+    """Reads the keys of a YAML file. Raises CampaignError if the file is unreadable, not YAML, or has no keys."""
     try:
         tree = _core.read_yaml(path)
     except UnicodeDecodeError as error:
-        raise CampaignError(f"{path}: the text is no UTF-8; wanted {wanted}") from error
+        raise CampaignError(f"{path}: the text is not UTF-8; wanted {wanted}") from error
     except burnish.Error as error:
         raise CampaignError(str(error)) from error
     if not isinstance(tree, dict):
@@ -30,23 +30,23 @@ def read_tree(path: Path, wanted: str) -> Dict[str, Any]:
     return tree
 
 
-# That files name, each a module of the package.
+# Names of tasks in task files; each is a module of the package.
 NAMED_TASKS: List[str] = _core._named_tasks
 
 
 @dataclass
 class TaskFile:
-    """A task file that is going to be changed: of polishing, or one that names its task."""
+    """Task file of polishing, or of the task that it names."""
 
     path: Path
     tree: Dict[str, Any]
     text: str
-    """as it was read"""
+    """Original text of the file"""
 
     @staticmethod
     def read(path: Path) -> TaskFile:
         file = TaskFile(path, read_tree(path, "a task file"), path.read_text())
-        file.changed({})  # refused before anything else is
+        file.changed({})  # rejects an invalid task
         return file
 
     @property
@@ -55,25 +55,25 @@ class TaskFile:
 
     @property
     def module(self) -> Any:
-        """Of the task; one that there is not is refused as the first of those that there are."""
+        """Module of the task. For an unknown task, returns the first module, which then rejects the file."""
         if self.polishes:
             return burnish.polishing
         name = str(self.tree["task"])
         return getattr(burnish, name if name in NAMED_TASKS else NAMED_TASKS[0])
 
     def units(self) -> Dict[str, str]:
-        """Of the keys that have one."""
+        """Units of the keys that have one."""
         units: Dict[str, str] = self.module.task_units()
         return units
 
     def changed(self, values: Mapping[str, Any]) -> str:
-        """The whole file with other values. Raises CampaignError for keys that there are not."""
+        """Returns the text of the task with changed values. Raises CampaignError for unknown keys."""
         words = [f"{key}={json.dumps(value)}" for key, value in values.items()]
         try:
             task = self.module
             if self.polishes:
                 return str(task.task_text(task.read_task(self.path, words)))
-            # What does not fit together is the run's to refuse: it may be one point of many.
+            # The run, not the campaign, rejects contradictory values, which may affect one point of many.
             return str(task.task_text(task.override_task(task.read_task(self.path), words)))
         except burnish.Error as error:
             raise CampaignError(str(error)) from error
@@ -81,14 +81,14 @@ class TaskFile:
 
 @dataclass(frozen=True)
 class TaskRun:
-    """A run: its task with all keys, and what makes it."""
+    """A run: its task with all keys, and the arguments of the program."""
 
     text: str
     words: Tuple[str, ...]
-    """of the program, "polish" or "run" and options, without the task's file"""
+    """Arguments of the program: "polish" or "run", and options, without the task file"""
 
     def name(self) -> str:
-        """32 digits of all that its result depends on: version, words, the task, and its robot's file."""
+        """Hash of everything that affects the result, 32 digits: version, arguments, task, file of the robot."""
         digest = hashlib.sha256()
         for part in (burnish.__version__, *self.words, self.text):
             digest.update(f"{len(part)}:{part}".encode())
@@ -100,7 +100,8 @@ class TaskRun:
 
 def make_task_run(program: str, words: List[str], text: str, folder: str, clock: float,
                   name: str) -> Dict[str, Result]:
-    """What a worker does; the result by the name. A run that was refused, or killed by its limit, has no figures."""
+    """Makes a run on a worker; returns the result by its name. A run that is rejected, or exceeds its limit, has no
+    figures."""
     import json
     import os
     import pathlib
@@ -109,7 +110,7 @@ def make_task_run(program: str, words: List[str], text: str, folder: str, clock:
 
     found = program if os.access(program, os.X_OK) else find_program("burnish")
     if found is None:
-        raise RuntimeError(f"the worker on {os.uname().nodename} has no burnish; wanted it in its PATH, "
+        raise RuntimeError(f"the worker on {os.uname().nodename} has no program burnish; wanted it in its PATH, "
                            f"or as '{program}'")
     with tempfile.TemporaryDirectory(prefix="burnish_") as scratch:
         task = pathlib.Path(scratch) / "task.yaml"
@@ -117,8 +118,9 @@ def make_task_run(program: str, words: List[str], text: str, folder: str, clock:
         words_said = pathlib.Path(scratch) / "said"
         with open(words_said, "w") as errors:
             process = subprocess.Popen(
-                [find_program("timeout") or "/usr/bin/timeout", "-k", "10", str(clock), found, words[0], str(task), *words[1:], "--no-page", "--quiet",
-                 "--record-every", "1000000", "--out", str(pathlib.Path(scratch) / "out")],
+                [find_program("timeout") or "/usr/bin/timeout", "-k", "10", str(clock), found, words[0], str(task),
+                 *words[1:], "--no-page", "--quiet", "--record-every", "1000000",
+                 "--out", str(pathlib.Path(scratch) / "out")],
                 cwd=folder if os.path.isdir(folder) else None, stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL, stderr=errors)
             status, usage = os.wait4(process.pid, 0)[1:]
@@ -140,36 +142,47 @@ def make_task_run(program: str, words: List[str], text: str, folder: str, clock:
 
 @dataclass
 class Outcome:
-    """What came out of a run."""
+    """Outcome of a run."""
 
     done: bool
     outcome: str
     figures: Dict[str, float]
-    """by their names in metrics.json, `force_rmse_N`, without those that are measured times"""
+    """Figures by their names in metrics.json, such as `force_rmse_N`, without measured times"""
     times: Dict[str, float]
     late: bool = False
     kernels: str = ""
-    """that made it, `AVX2` and the like; nothing where no run came about"""
+    """Kernels of the run, such as `AVX2`; empty without a run"""
 
     def text(self) -> str:
-        """What every machine with the same kernels gets."""
+        """Returns the data that are equal on all machines with the same kernels, as JSON."""
         return json.dumps({"done": self.done, "outcome": self.outcome, "late": self.late,
                            "figures": self.figures}, indent=1) + "\n"
 
     def times_text(self) -> str:
-        """What was measured, and what made it."""
+        """Returns measured times and the kernels, as JSON."""
         return json.dumps({"kernels": self.kernels, **self.times}, indent=1) + "\n"
 
     @staticmethod
     def parse(text: str, times_text: str) -> Outcome:
+        """Makes an outcome from the texts of text() and times_text().
+
+        Parameters
+        ----------
+        text, times_text : str
+            JSON texts.
+
+        Returns
+        -------
+        Outcome
+        """
         tree, times = json.loads(text), json.loads(times_text)
         kernels = times.pop("kernels")
         return Outcome(tree["done"], tree["outcome"], tree["figures"], times, tree["late"], kernels)
 
 
 def kernels_of(outcomes: Iterable[Outcome], mixed: bool) -> str:
-    """Which kernels made these: "3 with AVX2, 5 with AVX-512", or nothing where all are of one kind.
-    Raises CampaignError for several kinds unless they may be mixed."""
+    """Number of runs per kind of kernels, such as "3 with AVX2, 5 with AVX-512"; empty for one kind. Raises
+    CampaignError for several kinds if `mixed` is False."""
     counts: Dict[str, int] = {}
     for outcome in outcomes:
         if outcome.kernels:
@@ -178,8 +191,8 @@ def kernels_of(outcomes: Iterable[Outcome], mixed: bool) -> str:
         return ""
     text = ", ".join(f"{runs} with {kernels}" for kernels, runs in sorted(counts.items()))
     if not mixed:
-        raise CampaignError(f"the runs were made by kernels for different processors ({text}), whose results differ "
-                            f"in their last digits; wanted one kind, or --mixed")
+        raise CampaignError(f"the runs used kernels for different processors ({text}), whose results differ "
+                            f"in their last digits; wanted equal kernels, or --mixed")
     return text
 
 
@@ -201,18 +214,18 @@ def outcome_of(result: Result) -> Outcome:
 
 @dataclass
 class Machine:
-    """Where runs are made."""
+    """Machines that make the runs: the workers of a scheduler, or this machine."""
 
     program: str
     scheduler: Optional[str] = None
     threads: int = 0
-    """of runs at once where there is no scheduler; 0: as many as cores"""
+    """Number of parallel runs without a scheduler; 0: one per core"""
     time_limit: float = 0.0
     patience: float = 600.0
     say: Callable[[str], None] = lambda sentence: None
 
     def make(self, runs: Sequence[TaskRun], keep: Callable[[int, Outcome], bool]) -> None:
-        """Makes runs and gives each one's number and outcome, as they come; False ends it."""
+        """Makes runs. Calls `keep` with the index and outcome of each finished run; ends if it returns False."""
         by_name = {run.name(): index for index, run in reversed(list(enumerate(runs)))}
         listed = [Listed(index + 1, name, f"number {index + 1}") for name, index in sorted(
             by_name.items(), key=lambda item: item[1])]
@@ -263,4 +276,4 @@ class Machine:
 
 
 class Ended(Exception):
-    """Enough was seen."""
+    """Raised to end the runs early."""

@@ -1,4 +1,4 @@
-"""Keys of a task tuned by a derivative-free optimiser: on some seeds, judged on others."""
+"""Tuning of keys of a task by a derivative-free optimizer, with different seeds for training and test."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from ._tasks import Machine, Outcome, TaskFile, TaskRun, kernels_of, read_tree
 Vector = NDArray[np.float64]
 
 _FAILED = 1e3
-"""what a run that is not done counts, in shares of the start"""
+"""Objective and excess of an evaluation with a failed run, relative to the start"""
 
 
 @dataclass
 class Key:
-    """A key that is tuned."""
+    """A tuned key, its range, and its start value."""
 
     name: str
     low: float
@@ -38,13 +38,14 @@ class Key:
     log: bool
     start: float
 
-    def value(self, share: float) -> float:
-        """Of a share of its range, 0 to 1, to four digits."""
-        u = min(max(share, 0.0), 1.0)
+    def value(self, fraction: float) -> float:
+        """Value at a fraction of the range, 0 to 1, rounded to four digits."""
+        u = min(max(fraction, 0.0), 1.0)
         exact = self.low * (self.high / self.low) ** u if self.log else self.low + (self.high - self.low) * u
         return min(max(float(f"{exact:.4g}"), self.low), self.high)
 
-    def share(self, value: float) -> float:
+    def fraction(self, value: float) -> float:
+        """Inverse of value(), without rounding."""
         if self.log:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
@@ -52,7 +53,7 @@ class Key:
 
 @dataclass
 class Tuning:
-    """What the file says."""
+    """Content of a tuning's file."""
 
     name: str
     task: TaskFile
@@ -60,20 +61,20 @@ class Tuning:
     minimise: str
     not_worse: List[str]
     slack: float
-    """share by which these may be above their start"""
+    """Allowed increase of `not_worse`, as a fraction of the start"""
     per: List[str]
-    """keys of `vary`: runs that have the same values of them are a group. Every group counts as much, and
-    in none may the minimised figure or one of `not_worse` get worse; none: all runs are one"""
+    """Keys of `vary` that form groups: runs with equal values are a group. All groups have equal weight. In no
+    group may `minimise` or a figure of `not_worse` get worse. Empty: all runs are one group"""
     train: List[Point]
     test: List[Point]
     evaluations: int
     words: List[str]
     weights: Dict[str, float] = field(default_factory=dict)
-    """of the figures whose sum `minimise` is, per SI unit; none: it is a figure itself"""
+    """Weights of a sum of figures, per SI unit; empty: `minimise` is a figure"""
 
 
 def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
-    """From a file, or the same as a dictionary. Raises CampaignError for what does not fit together."""
+    """Reads a tuning from a file or a dictionary. Raises CampaignError for contradictions."""
     if isinstance(source, (str, Path)):
         path = Path(source)
         tree = read_tree(path, "at least task, tune, minimise, train and test")
@@ -83,15 +84,15 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
     only("tuning", tree, ["name", "task", "tune", "minimise", "not_worse", "slack", "per", "vary", "train",
                           "test", "evaluations", "controller", "plant"])
     if not isinstance(tree.get("task"), str):
-        raise CampaignError("the tuning states no task; wanted task: FILE")
+        raise CampaignError("the tuning names no task; wanted task: FILE")
     weights = _weights(tree.get("minimise"))
     task = TaskFile.read(folder / tree["task"])
     keys = _keys(tree.get("tune"), task)
     train, test = (_conditions(tree, which, keys) for which in ("train", "test"))
     both = [point for point in train if point in test]
     if both:
-        raise CampaignError(f"train and test have {both[0] or 'the task as it is'} in common; wanted seeds or "
-                            f"samples of their own")
+        raise CampaignError(f"train and test have {both[0] or 'the unchanged task'} in common; wanted different seeds "
+                            f"or samples")
     not_worse, per = (_texts(tree.get(key)) for key in ("not_worse", "per"))
     for key in per:
         if key not in train[0]:
@@ -104,12 +105,12 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
 
 
 def _weights(given: Any) -> Dict[str, float]:
-    """Of a sum of figures; none of one figure."""
+    """Weights of a sum of figures; empty for one figure."""
     if isinstance(given, str):
         return {}
     if not isinstance(given, dict) or not given:
-        raise CampaignError("the tuning states no minimise; wanted minimise: FIGURE, such as force_rmse, or several "
-                            "with their weights, such as {force_rmse: 1, position_rmse: 1000}")
+        raise CampaignError("the tuning has no minimise; wanted minimise: FIGURE, such as force_rmse, or several "
+                            "figures with weights, such as {force_rmse: 1, position_rmse: 1000}")
     weights = {str(figure): number(f"minimise.{figure}", weight) for figure, weight in given.items()}
     for figure, weight in weights.items():
         if weight <= 0:
@@ -122,7 +123,7 @@ def _texts(given: Any) -> List[str]:
 
 
 def groups_of(points: Sequence[Point], per: Sequence[str]) -> Dict[str, List[int]]:
-    """Numbers of the points that have the same values of some keys, by what these are."""
+    """Indices of the points in each group; the name of a group has the values of the keys `per`."""
     groups: Dict[str, List[int]] = {}
     for index, point in enumerate(points):
         name = ", ".join(f"{key} {value if isinstance(value, str) else json.dumps(value)}"
@@ -132,13 +133,13 @@ def groups_of(points: Sequence[Point], per: Sequence[str]) -> Dict[str, List[int
 
 
 def _start(task: TaskFile, key: str) -> float:
-    """The value that the task has. Raises CampaignError where that is no number."""
+    """Value of a key in the task. Raises CampaignError if it is not a number."""
     tree = _core.parse_yaml(task.changed({}))
     for part in key.split("."):
         tree = tree.get(part) if isinstance(tree, dict) else None
     if isinstance(tree, bool) or not isinstance(tree, (int, float)):
-        said = "nothing" if tree is None else repr(tree)
-        raise CampaignError(f"tune.{key}: the task '{task.path}' says {said} there; wanted a key with a number, or "
+        given = "nothing" if tree is None else repr(tree)
+        raise CampaignError(f"tune.{key}: its value in the task '{task.path}' is {given}; wanted a number, or "
                             f"`start` beside from and to")
     return float(tree)
 
@@ -154,27 +155,27 @@ def _keys(given: Any, task: TaskFile) -> List[Key]:
         only(where, span, ["from", "to", "log", "start"])
         low, high, log = number(where, span["from"]), number(where, span["to"]), bool(span.get("log", False))
         if not low < high:
-            raise CampaignError(f"{where} goes from {low:g} to {high:g}; wanted the lower one first")
+            raise CampaignError(f"{where} goes from {low:g} to {high:g}; wanted the lower limit first")
         if log and low <= 0:
-            raise CampaignError(f"{where} is a range over powers from {low:g}; wanted one from above 0")
+            raise CampaignError(f"{where} is a logarithmic range from {low:g}; wanted a lower limit above 0")
         task.changed({str(name): low}), task.changed({str(name): high})
         start = number(where, span["start"]) if "start" in span else _start(task, str(name))
         if not low <= start <= high:
             raise CampaignError(f"{where} goes from {low:g} to {high:g} and starts at {start:g}; wanted a range that "
-                                f"holds it")
+                                f"contains the start")
         keys.append(Key(str(name), low, high, log, start))
     return keys
 
 
 def _conditions(tree: Mapping[str, Any], which: str, keys: List[Key]) -> List[Point]:
-    """What is not the controller's: seeds, and samples of what `vary` draws."""
+    """Points of the training or the test: samples of the distributions in `vary`, and seeds."""
     given = tree.get(which)
     if not isinstance(given, dict):
-        raise CampaignError(f"{which} is {given!r}; wanted seeds, or samples of what vary draws")
+        raise CampaignError(f"{which} is {given!r}; wanted seeds, or samples of the distributions in vary")
     only(which, given, ["seeds", "samples"])
     samples = given.get("samples")
     samples = {"count": samples} if isinstance(samples, int) else samples
-    # Where both leave it open they draw apart.
+    # Different default seeds, so that training and test have different samples.
     if isinstance(samples, dict):
         samples = {"seed": 0 if which == "train" else 1, **samples}
     values = read_values(tree.get("vary"), samples)
@@ -189,27 +190,28 @@ def _conditions(tree: Mapping[str, Any], which: str, keys: List[Key]) -> List[Po
 
 @dataclass
 class Tuned:
-    """What came out."""
+    """Result of a tuning."""
 
     tuning: Tuning
     start: Dict[str, float]
     best: Dict[str, float]
     evaluated: List[Tuple[Dict[str, float], float, float]]
-    """values, objective and largest excess of what may not get worse, both as shares of the start"""
+    """Evaluations: values of the keys, objective, and largest excess of `not_worse`, both relative to the start"""
     table: List[Dict[str, Any]]
-    """per figure on the test seeds: start, tuned, difference with the half width of its 95 % interval"""
+    """Row for each figure on the test runs: start, tuned, difference with the half width of its 95 % interval"""
     groups: Dict[str, List[Dict[str, Any]]]
-    """the same of the minimised figure and those in `not_worse`, by groups of the test seeds"""
+    """Such rows for `minimise` and `not_worse`, by groups of the test runs"""
     matters: List[Dict[str, Any]]
-    """per key, on the training seeds: what going back to its start costs"""
+    """Row for each key: change of `minimise` on the training runs if the key returns to its start"""
     text: str
-    """of the tuned task"""
+    """Text of the tuned task"""
     kernels: str
-    """where they are of several kinds, how many runs are of which"""
+    """Number of runs for each kind of kernels; empty if all runs have the same kernels"""
 
     @property
     def better(self) -> bool:
-        """On seeds that it was not tuned on, surely, and nothing that may not get worse did, surely."""
+        """True if `minimise` is significantly better on the test runs, and no figure of `not_worse` is
+        significantly worse."""
         rows = {row["figure"]: row for row in self.table}
         gained: bool = rows[self.tuning.minimise]["verdict"] == "better"
         kept = [rows[figure] for figure in [*self.tuning.not_worse, FAILURES]]
@@ -222,25 +224,25 @@ FAILURES = "runs that failed"
 
 
 class _Enough(Exception):
-    pass
+    """Raised after the last evaluation."""
 
 
 class Tuner:
-    """Makes runs and remembers them."""
+    """Makes the runs of a tuning and stores their outcomes."""
 
     def __init__(self, tuning: Tuning, machine: Machine, folder: RunFolder, mixed: bool = False) -> None:
         self.tuning, self.machine, self.folder, self.mixed = tuning, machine, folder, mixed
         self.kernels = ""
-        """where they are of several kinds, how many runs are of which"""
+        """Number of runs for each kind of kernels; empty if all runs have the same kernels"""
         self.seen: Dict[TaskRun, Outcome] = {}
-        """all runs of the tuning so far"""
+        """Outcomes of all runs so far"""
         self.start = {key.name: key.start for key in tuning.keys}
         self.evaluated: Dict[Tuple[float, ...], Tuple[float, List[float]]] = {}
         first = self.outcomes(self.start, tuning.train)
         failed = [outcome for outcome in first if not outcome.done]
         if failed:
-            raise CampaignError(f"the task as it is fails on a training seed: {failed[0].outcome}; wanted one that "
-                                f"works, to be made better")
+            raise CampaignError(f"the unchanged task fails on a training run: {failed[0].outcome}; wanted a task whose "
+                                f"training runs succeed")
         known = list(first[0].figures)
         if tuning.weights:
             tuning.weights = {figure_named(figure, known): weight for figure, weight in tuning.weights.items()}
@@ -250,11 +252,11 @@ class Tuner:
         tuning.not_worse = [figure_named(figure, known) for figure in tuning.not_worse]
         self.groups = list(groups_of(tuning.train, tuning.per).values())
         self.means = {figure: self._means(first, figure) for figure in [tuning.minimise, *tuning.not_worse]}
-        # With groups, in none of which it may get worse, the minimised figure is one of these too.
+        # With groups, `minimise` must not get worse in any group either.
         self.kept = [*tuning.not_worse, *[tuning.minimise] * bool(tuning.per)]
 
     def _means(self, outcomes: Sequence[Outcome], figure: str) -> List[float]:
-        """Of each group."""
+        """Means of a figure, one per group."""
         return [statistics.fmean(outcomes[index].figures[figure] for index in group) for group in self.groups]
 
     @property
@@ -262,7 +264,7 @@ class Tuner:
         return len(self.kept) * len(self.groups)
 
     def outcomes(self, values: Mapping[str, float], points: Sequence[Point]) -> List[Outcome]:
-        """Of a run per point, in order."""
+        """Outcomes of the runs at some points, in order."""
         runs = [TaskRun(self.tuning.task.changed({**values, **point}), tuple(self.tuning.words)) for point in points]
         made: Dict[int, Outcome] = {}
         for index, run in enumerate(runs):
@@ -283,7 +285,7 @@ class Tuner:
         return [self._with_sum(made[index]) for index in range(len(runs))]
 
     def _with_sum(self, outcome: Outcome) -> Outcome:
-        """With the sum that is minimised among its figures."""
+        """Adds the weighted sum `minimise` to the figures."""
         weights = self.tuning.weights
         if not weights or not all(figure in outcome.figures for figure in weights):
             return outcome
@@ -291,38 +293,38 @@ class Tuner:
         return replace(outcome, figures={self.tuning.minimise: total, **outcome.figures})
 
     def _take(self, run: TaskRun, outcome: Outcome) -> None:
-        """Raises CampaignError for kernels that do not go with those of the runs before."""
+        """Stores an outcome. Raises CampaignError if its kernels differ from those of previous runs."""
         self.seen[run] = outcome
         self.kernels = kernels_of(self.seen.values(), self.mixed)
 
-    def values(self, shares: Vector) -> Dict[str, float]:
-        return {key.name: key.value(float(u)) for key, u in zip(self.tuning.keys, shares)}
+    def values(self, fractions: Vector) -> Dict[str, float]:
+        return {key.name: key.value(float(u)) for key, u in zip(self.tuning.keys, fractions)}
 
-    def evaluate(self, shares: Vector) -> Tuple[float, List[float]]:
-        """Objective and excesses, as shares of the start. Raises _Enough after the last evaluation."""
-        values = self.values(shares)
+    def evaluate(self, fractions: Vector) -> Tuple[float, List[float]]:
+        """Objective and excesses, relative to the start. Raises _Enough after the last evaluation."""
+        values = self.values(fractions)
         at = tuple(values.values())
         if at not in self.evaluated:
             if len(self.evaluated) >= self.tuning.evaluations:
                 raise _Enough
             outcomes = self.outcomes(values, self.tuning.train)
             if all(outcome.done for outcome in outcomes):
-                self.evaluated[at] = (statistics.fmean(self._shares(outcomes, self.tuning.minimise)), [
-                    share - 1.0 - self.tuning.slack
-                    for figure in self.kept for share in self._shares(outcomes, figure)])
+                self.evaluated[at] = (statistics.fmean(self._ratios(outcomes, self.tuning.minimise)), [
+                    ratio - 1.0 - self.tuning.slack
+                    for figure in self.kept for ratio in self._ratios(outcomes, figure)])
             else:
                 self.evaluated[at] = (_FAILED, [_FAILED] * self.constraints)
-            self.machine.say(f"{len(self.evaluated)} of {self.tuning.evaluations}: {bare(self.tuning.minimise)} "
-                             f"{self.evaluated[at][0]:.4g} of the start's")
+            self.machine.say(f"evaluation {len(self.evaluated)} of {self.tuning.evaluations}: "
+                             f"{bare(self.tuning.minimise)} is {self.evaluated[at][0]:.4g} times that of the start")
         return self.evaluated[at]
 
-    def _shares(self, outcomes: Sequence[Outcome], figure: str) -> List[float]:
-        """Of the start's, in each group."""
+    def _ratios(self, outcomes: Sequence[Outcome], figure: str) -> List[float]:
+        """Ratios of the mean of a figure to that of the start, one per group."""
         return [mean / start if start > 0 else 1.0 + mean - start
                 for mean, start in zip(self._means(outcomes, figure), self.means[figure])]
 
     def best(self) -> Dict[str, float]:
-        """The lowest of those that keep to what may not get worse; the start is one."""
+        """Values with the lowest objective among those without excess, which include the start."""
         kept = [(objective, at) for at, (objective, excess) in self.evaluated.items()
                 if all(each <= 1e-9 for each in excess)]
         at = min(kept)[1] if kept else tuple(self.start.values())
@@ -330,20 +332,21 @@ class Tuner:
 
 
 _GAIN = 0.01
-"""of the objective, below which it is not begun again"""
+"""Relative decrease of the objective below which the optimizer is not restarted; chosen by hand"""
 
 
 def optimise(tuner: Tuner) -> None:
-    """From the start, and again from the best of before for as long as that brings a hundredth: its linear
-    models see a valley's walls before they see where it leads. Raises CampaignError without NLopt and SciPy."""
+    """Runs COBYLA from the start, and again from the best point until the objective decreases by less than 1 %.
+    In a narrow valley, the first linear models show the steep walls, but not the direction of the valley. Raises
+    CampaignError without NLopt and SciPy."""
     constraints = range(tuner.constraints)
     try:
-        first = np.array([key.share(key.start) for key in tuner.tuning.keys])
+        first = np.array([key.fraction(key.start) for key in tuner.tuning.keys])
         lowest = tuner.evaluate(first)[0]
         while True:
             _once(tuner, first, constraints)
             best = tuner.best()
-            first = np.array([key.share(best[key.name]) for key in tuner.tuning.keys])
+            first = np.array([key.fraction(best[key.name]) for key in tuner.tuning.keys])
             objective = tuner.evaluated[tuple(best.values())][0]
             if objective > (1.0 - _GAIN) * lowest:
                 return
@@ -353,7 +356,7 @@ def optimise(tuner: Tuner) -> None:
 
 
 def _once(tuner: Tuner, first: Vector, constraints: range) -> None:
-    """COBYLA, of NLopt where that is installed, otherwise of SciPy. Raises _Enough after the last evaluation."""
+    """Runs COBYLA of NLopt if installed, else of SciPy. Raises _Enough after the last evaluation."""
     try:
         nlopt: Any = importlib.import_module("nlopt")
     except ImportError:
@@ -395,8 +398,8 @@ def _by_scipy(tuner: Tuner, first: Vector, constraints: range) -> None:
     try:
         scipy: Any = importlib.import_module("scipy.optimize")
     except ImportError as missing:
-        raise CampaignError("neither NLopt nor SciPy is installed (Debian: apt install python3-nlopt); wanted one of "
-                            "them to tune") from missing
+        raise CampaignError("neither NLopt nor SciPy is installed (Debian: apt install python3-nlopt); tuning needs "
+                            "one of them") from missing
     limits: List[Dict[str, Any]] = [
         {"type": "ineq", "fun": lambda x, i=i: -tuner.evaluate(x)[1][i]} for i in constraints]
     for i in range(len(first)):
@@ -407,8 +410,9 @@ def _by_scipy(tuner: Tuner, first: Vector, constraints: range) -> None:
 
 
 def _t_quantile(freedom: int) -> float:
-    """Of 97.5 %, by its expansion about the normal one (Abramowitz and Stegun 26.7.5)."""
-    few = (12.706, 4.303, 3.182, 2.776)  # where that is not near enough
+    """97.5 % quantile of Student's distribution, by its expansion about the normal quantile (Abramowitz and Stegun
+    26.7.5)."""
+    few = (12.706, 4.303, 3.182, 2.776)  # exact values, where the expansion is inaccurate
     if freedom <= len(few):
         return few[freedom - 1]
     z = statistics.NormalDist().inv_cdf(0.975)
@@ -418,7 +422,7 @@ def _t_quantile(freedom: int) -> float:
 
 
 def difference(before: Sequence[float], after: Sequence[float]) -> Tuple[float, float]:
-    """Mean of what each pair changed by, and the half width of its 95 % interval (inf of one pair)."""
+    """Mean of the differences of pairs, and the half width of its 95 % interval (inf for one pair)."""
     changes = [b - a for a, b in zip(before, after)]
     if len(changes) < 2:
         return statistics.fmean(changes), math.inf
@@ -428,8 +432,8 @@ def difference(before: Sequence[float], after: Sequence[float]) -> Tuple[float, 
 
 def compare(before: Sequence[Outcome], after: Sequence[Outcome], figures: Sequence[str],
             slack: Mapping[str, float]) -> List[Dict[str, Any]]:
-    """A row per figure, over the runs that were done with both. Of those in `slack` lower is better, and
-    a rise by that share of the mean before is not worse; of others it is not known what is better."""
+    """Row for each figure, over the pairs of runs that are both done. `slack` has the figures for which lower is
+    better, and the allowed increase as a fraction of the mean before. Other figures are only lower or higher."""
     pairs = [(a, b) for a, b in zip(before, after) if a.done and b.done]
     rows = []
     for figure in figures:
@@ -450,7 +454,7 @@ def compare(before: Sequence[Outcome], after: Sequence[Outcome], figures: Sequen
 
 
 def tune(tuner: Tuner) -> Tuned:
-    """The whole of it: optimise on the training seeds, judge on the others, take each key back alone."""
+    """Optimizes on the training runs, compares on the test runs, and returns each key alone to its start."""
     tuning = tuner.tuning
     optimise(tuner)
     best = tuner.best()
@@ -480,7 +484,7 @@ def tune(tuner: Tuner) -> Tuned:
 
 def _by_group(tuning: Tuning, before: Sequence[Outcome],
               after: Sequence[Outcome]) -> Dict[str, List[Dict[str, Any]]]:
-    """A row for each figure that may not get worse, by groups of test runs; without `per` none."""
+    """Rows of compare() for `minimise` and `not_worse`, by groups of the test runs; empty without `per`."""
     if not tuning.per:
         return {}
     allowed = dict.fromkeys([tuning.minimise, *tuning.not_worse], tuning.slack)
@@ -494,35 +498,37 @@ def _label(figure: str) -> str:
 
 
 def _changes(row: Mapping[str, Any]) -> str:
-    """The rest of a row of the report's tables."""
+    """Last columns of a row of the report's tables."""
     return (f"| {row['start']:.5g} | {row['tuned']:.5g} | {row['change']:.3g} +- "
             f"{row['half']:.2g} | {row['verdict']} |")
 
 
 def report_text(tuned: Tuned) -> str:
-    """As Markdown."""
+    """Returns the report as Markdown."""
     tuning = tuned.tuning
-    verdict = ("better on seeds that it was not tuned on, and nothing that may not get worse got worse"
-               if tuned.better else "not surely better on seeds that it was not tuned on: keep the task as it was")
+    verdict = ("significantly better on the test runs, and no figure of not_worse is significantly worse"
+               if tuned.better else "not significantly better on the test runs: keep the original task")
     lines = [f"# {tuning.name}", "", f"The tuned task is {verdict}.", "",
-             f"{len(tuned.evaluated)} evaluations on {len(tuning.train)} training runs; judged on {len(tuning.test)} "
-             f"others. Differences are of pairs, with 95 % intervals.",
-             *[f"Kernels of several kinds, which differ in their last digits: {tuned.kernels}."] * bool(tuned.kernels),
-             "", "## What changed", "",
-             f"| key | start | tuned | back to its start costs {_label(tuning.minimise)}, on training runs |",
+             f"{len(tuned.evaluated)} evaluations on {len(tuning.train)} training runs, verdict on {len(tuning.test)} "
+             f"test runs. Differences are means over pairs, with 95 % intervals.",
+             *[f"The runs used different kernels, whose results differ in their last digits: {tuned.kernels}."]
+             * bool(tuned.kernels),
+             "", "## Tuned keys", "",
+             f"| key | start | tuned | change of {_label(tuning.minimise)} if the key returns to its start, "
+             "training runs |",
              "| --- | ---: | ---: | --- |"]
     for row in tuned.matters:
         cost = f"{row['change']:.4g} +- {row['half']:.2g}" + (
-            "" if row["verdict"] == "worse" else ": does not matter surely") if "change" in row else "not changed"
+            "" if row["verdict"] == "worse" else ": not significant") if "change" in row else "not changed"
         lines.append(f"| {row['key']} | {row['start']:.6g} | {row['tuned']:.6g} | {cost} |")
-    lines += ["", "## What it bought, on test runs", "", "| figure | start | tuned | change | verdict |",
+    lines += ["", "## Figures on test runs", "", "| figure | start | tuned | change | verdict |",
               "| --- | ---: | ---: | ---: | --- |"]
     for row in tuned.table:
         asked = " (minimised)" if row["figure"] == tuning.minimise else (
             " (may not get worse)" if row["figure"] in tuning.not_worse else "")
         lines.append(f"| {_label(row['figure'])}{asked} {_changes(row)}")
     if tuned.groups:
-        lines += ["", "## What may not get worse in any group, on test runs, by group", "",
+        lines += ["", "## Figures on test runs, by group", "",
                   "| group | figure | start | tuned | change | verdict |",
                   "| --- | --- | ---: | ---: | ---: | --- |"]
         lines += [f"| {name} | {_label(row['figure'])} {_changes(row)}"
@@ -531,7 +537,7 @@ def report_text(tuned: Tuned) -> str:
 
 
 def write_tuned(tuned: Tuned, folder: RunFolder) -> List[str]:
-    """The task, the report and all evaluations; their names."""
+    """Writes the task, the report and all evaluations; returns the names of the files."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([*tuned.start, f"{bare(tuned.tuning.minimise)}, share of the start", "largest excess"])

@@ -1,7 +1,7 @@
 #include "record/page/page_template.hpp"
 
 #ifdef BURNISH_PAGE_FILE
-// The assembler copies the file as it is: a million numbers would keep the compiler busy.
+// The assembler copies the file unchanged. A C++ array of this size would compile slowly.
 __asm__(
     ".section .rodata\n"
     ".global burnish_page_begin\n"

@@ -1,11 +1,11 @@
-// The page of runs as it comes out of web/, without data.
+// Template of the run page, as built from web/, without data.
 #pragma once
 
 #include <string_view>
 
 namespace burnish {
 
-/// Its text; empty where the page was not built.
+/// Returns the text of the template; empty if the page was not built.
 std::string_view page_template();
 
 }  // namespace burnish

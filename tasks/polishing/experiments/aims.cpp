@@ -6,7 +6,7 @@
 namespace burnish::polishing {
 
 std::string verdict(double value, const Aim& aim) {
-  if (!std::isfinite(value)) return "missed: no figure";
+  if (!std::isfinite(value)) return "missed: no value";
   if (value <= aim.limit + 1e-9) return "met";
   char text[80];
   const char* const unit = figure_named(aim.figure).unit.shown;

@@ -1,4 +1,4 @@
-// What a controller is held to.
+// Comparison of measured values with aims.
 #pragma once
 
 #include "polishing/experiments/run_figures.hpp"
@@ -7,13 +7,15 @@ namespace burnish::polishing {
 
 struct Aim {
   std::string figure;
-  double limit;  ///< in the unit that people are shown
+  double limit;  ///< Largest value that meets the aim, in the display unit of the figure.
 };
 
-/// "met", or by how much the value, in that unit, misses the aim.
+/// Returns "met", or the amount by which the value misses the aim. Value and amount are in the
+/// display unit of the figure.
 std::string verdict(double value, const Aim& aim);
 
-/// 1 - value / limit as a percentage; empty for a limit of zero.
+/// Returns how far a value is below its limit, 1 - value / limit, in percent; empty for a limit of
+/// zero.
 ResultCell room_below(double value, const Aim& aim);
 
 }  // namespace burnish::polishing

@@ -13,65 +13,68 @@
 #include <thread>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "dynamics/instruction_set.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-/// How much of all runs is done, as their progress functions tell.
+/// Progress of a batch, computed from the progress of each run.
 class Progress {
  public:
-  Progress(const ExperimentSpec& spec, std::size_t runs) : spec_(spec), shares_(runs, 0.0) {}
+  Progress(const ExperimentSpec& spec, std::size_t runs) : spec_(spec), fractions_(runs, 0.0) {}
 
-  void tell(std::size_t index, double share, const std::string& name) {
+  void report(std::size_t index, double fraction, const std::string& name) {
     if (!spec_.progress) return;
     const std::lock_guard lock(mutex_);
-    shares_[index] = std::clamp(share, 0.0, 1.0);
-    const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
-    spec_.progress(sum / static_cast<double>(shares_.size()), name);
+    fractions_[index] = std::clamp(fraction, 0.0, 1.0);
+    const double sum = std::accumulate(fractions_.begin(), fractions_.end(), 0.0);
+    spec_.progress(sum / static_cast<double>(fractions_.size()), name);
   }
 
  private:
   const ExperimentSpec& spec_;
-  std::vector<double> shares_;
+  std::vector<double> fractions_;
   std::mutex mutex_;
 };
 
-/// s that this thread has computed: neither a busy machine nor one that slept makes a run late.
+/// Returns the CPU time of this thread, which does not count waiting while the machine is busy or
+/// suspended [s].
 double computed() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// How long a run may compute: what was said, or by the runs before it.
+/// Limit of a run's computing time: a stated limit, or a multiple of the median of earlier runs.
 class TimeLimit {
  public:
-  explicit TimeLimit(double said) : said_(said) {}
+  explicit TimeLimit(double stated) : stated_(stated) {}
 
   void note(double seconds) {
     const std::lock_guard lock(mutex_);
     seen_.push_back(seconds);
   }
-  double seconds(double least) {
-    constexpr double times = 20.0;
-    constexpr std::size_t enough = 5;
-    if (said_ > 0.0) return said_;
+  double seconds(double min_limit) {
+    constexpr double median_factor = 20.0;  // ratio of the limit to the median; chosen by hand
+    constexpr std::size_t min_runs = 5;     // number of earlier runs that the median needs
+    if (stated_ > 0.0) return stated_;
     const std::lock_guard lock(mutex_);
-    if (seen_.size() < enough) return std::numeric_limits<double>::infinity();
-    return std::max(least, times * quantile_of(seen_, 0.5));
+    if (seen_.size() < min_runs) return std::numeric_limits<double>::infinity();
+    return std::max(min_limit, median_factor * quantile_of(seen_, 0.5));
   }
 
  private:
-  double said_;
+  double stated_;
   std::vector<double> seen_;
   std::mutex mutex_;
 };
 
-/// Some of the runs, by their indices.
+/// Indices of runs in a batch.
 using Indices = std::vector<std::size_t>;
 
-/// Those that are to be made; what the store holds of the others goes into `figures`.
+/// Reads results from the store into `figures`. Returns the indices of the runs whose results are
+/// missing, and which must be made.
 Indices find_results(const ExperimentSpec& spec, const std::vector<BatchRun>& runs,
                      const std::vector<std::string>& names, std::vector<RunFigures>& figures,
                      RunCounts& counts) {
@@ -84,7 +87,7 @@ Indices find_results(const ExperimentSpec& spec, const std::vector<BatchRun>& ru
     ++counts.wanted;
     std::optional<RunFigures> found;
     if (spec.store != nullptr) found = spec.store->find(names[i]);
-    // One that was late may have more time now.
+    // A run that reached its time limit is repeated, because the limit may be larger now.
     if (!found || (found->late && !spec.only_found)) {
       missing.push_back(i);
       continue;
@@ -97,9 +100,8 @@ Indices find_results(const ExperimentSpec& spec, const std::vector<BatchRun>& ru
 
 [[noreturn]] void refuse_missing(const std::vector<BatchRun>& runs, const Indices& missing) {
   throw Error(std::to_string(missing.size()) + " of " + std::to_string(runs.size()) +
-              " runs are not there, the first of them " + in_quotes(runs[missing[0]].name) +
-              " (number " + std::to_string(missing[0] + 1) +
-              "); wanted all shards, each with all of its runs");
+              " runs are missing, the first is " + in_quotes(runs[missing[0]].name) + " (number " +
+              std::to_string(missing[0] + 1) + "); wanted all shards, each with all of its runs");
 }
 
 std::string kernels_text(const std::vector<RunFigures>& runs, std::size_t& sets) {
@@ -113,15 +115,15 @@ std::string kernels_text(const std::vector<RunFigures>& runs, std::size_t& sets)
   return text;
 }
 
-/// Results of other kernels differ in their last digits.
+/// Throws Error if results were made with different kernels and spec.mixed is false.
 void check_kernels(const ExperimentSpec& spec, std::vector<RunFigures> figures, bool makes_some) {
   if (spec.mixed) return;
   if (makes_some) figures.push_back({.made = true, .kernels = instruction_set()});
   std::size_t sets = 0;
   const std::string text = kernels_text(figures, sets);
   if (sets > 1)
-    throw Error("the runs were made by kernels for different processors (" + text +
-                (makes_some ? ", this program's among them" : "") +
+    throw Error("the runs were made with kernels for different processors (" + text +
+                (makes_some ? ", including those of this program" : "") +
                 "), whose results differ in their last digits; wanted one kind, or --mixed");
 }
 
@@ -185,14 +187,14 @@ void for_each_index(int count, int threads, const std::function<void(int index)>
   if (count <= 0) return;
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int wanted = std::min(count, threads > 0 ? threads : cores);
-  std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
+  std::vector<std::exception_ptr> thrown(to_size(count));
   std::atomic<int> next = 0;
   const auto take = [&] {
     for (int index = next++; index < count; index = next++) {
       try {
         work(index);
       } catch (...) {
-        thrown[static_cast<std::size_t>(index)] = std::current_exception();
+        thrown[to_size(index)] = std::current_exception();
       }
     }
   };
@@ -224,24 +226,24 @@ std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<
   TimeLimit limit(spec.time_limit);
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (figures[i].made) {
-      progress.tell(i, 1.0, runs[i].name);
+      progress.report(i, 1.0, runs[i].name);
       if (!figures[i].refused && !figures[i].late) limit.note(figures[i].computing);
     }
-  std::atomic<bool> unwritten = false;  // a disk that is full for one is full for all
+  std::atomic<bool> unwritten = false;  // set by a failed write, which stops all other runs
   const auto stopped = [&] { return unwritten || (spec.stopped && spec.stopped()); };
   for_each_index(static_cast<int>(missing.size()), spec.threads, [&](int i) {
-    const std::size_t index = missing[static_cast<std::size_t>(i)];
+    const std::size_t index = missing[to_size(i)];
     const BatchRun& run = runs[index];
     if (stopped()) return;
     const RunFigures made = make_run(
         run,
         [&](double time, double end) {
-          progress.tell(index, time / std::max(end, 1e-9), run.name);
+          progress.report(index, time / std::max(end, 1e-9), run.name);
           return !stopped();
         },
         limit);
     figures[index] = made;
-    progress.tell(index, 1.0, run.name);
+    progress.report(index, 1.0, run.name);
     if (!made.made || spec.store == nullptr) return;
     try {
       spec.store->keep(names[index], made);
@@ -280,8 +282,8 @@ std::vector<RunFigures> BatchSeries::add(const ExperimentSpec& of,
   const double before = static_cast<double>(before_), all = static_cast<double>(runs.size());
   const double expected = std::max(static_cast<double>(expected_), before + all);
   if (spec_.progress)
-    spec.progress = [&](double share, const std::string& what) {
-      spec_.progress((before + share * all) / expected, what);
+    spec.progress = [&](double fraction, const std::string& what) {
+      spec_.progress((before + fraction * all) / expected, what);
     };
   std::vector<RunFigures> figures = run_batch(spec, runs);
   before_ += runs.size();
@@ -304,11 +306,11 @@ void note_failures(const ExperimentSpec& spec, const std::vector<RunFigures>& ru
   }
   if (stopped > 0)
     report.failures.push_back(std::to_string(stopped) + " of " + std::to_string(runs.size()) +
-                              " runs were stopped before their end, or not made");
+                              " runs were stopped or not made");
   std::size_t sets = 0;
   if (const std::string text = kernels_text(runs, sets); sets > 1)
     report.findings.push_back(
-        "Runs were made by kernels for different processors, whose results "
+        "Runs were made with kernels for different processors, whose results "
         "differ in their last digits: " +
         text + ".");
 }

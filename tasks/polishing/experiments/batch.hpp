@@ -1,4 +1,4 @@
-// Many runs, several at once, the same results for any number of threads.
+// Batches of runs over several threads; results do not depend on the number of threads.
 #pragma once
 
 #include <functional>
@@ -8,48 +8,48 @@
 
 namespace burnish::polishing {
 
-/// A run that is to be made.
+/// One run of a batch.
 struct BatchRun {
   std::string name;
   RunSpec spec = {};
-  std::string curves = {};  ///< name of the curves to keep; empty: none
-  /// What is measured besides, of a run that came to its end; empty: nothing.
+  std::string curves = {};  ///< Name under which the curves of the run are kept; empty: not kept.
+  /// Returns additional measurements of a completed run; empty: none.
   std::function<std::vector<MeasuredFigure>(const RunResult& result)> measure = {};
-  /// Makes the run in the place of run_task(spec), of which the seed alone counts then. Its figures
-  /// are `made` unless the progress function stopped it.
+  /// If set, this function makes the run in place of run_task(spec), and only the seed of `spec` is
+  /// used. It returns figures with `made` set, unless the progress function stopped the run.
   std::function<RunFigures(const RunProgress& progress)> perform = {};
-  std::string depends_on = {};  ///< with `perform`: all that its result depends on
-  /// Computing time that the run is allowed even where the runs before it were quicker [s]. The
-  /// specification's time_limit goes before it.
+  std::string depends_on = {};  ///< Text of all inputs of the result; used only with `perform`.
+  /// Smallest computing time limit of the run, even if earlier runs were faster [s]. The time_limit
+  /// of ExperimentSpec takes precedence.
   double usual_limit = 10.0;
 };
 
-/// Adds a run of the task on the spec's plant for each of `seeds` seeds from the spec's first on,
-/// called `name` and its seed.
+/// Adds runs of the task on the plant of `spec`, one for each of `seeds` seeds from spec.first_seed
+/// on. The name of a run consists of `name` and the seed.
 void add_seeds(const ExperimentSpec& spec, const std::string& name, const Task& task, int seeds,
                std::vector<BatchRun>& runs);
 
-/// Calls `work` with 0 to count - 1, from `threads` threads (0: one per core). What a call throws
-/// is thrown here, of the lowest number that threw, when all have ended.
+/// Calls work(0) to work(count - 1), from `threads` threads (0: one per core). If calls throw,
+/// rethrows the exception of the lowest index after all calls have ended.
 void for_each_index(int count, int threads, const std::function<void(int index)>& work);
 
-/// Makes the runs of the spec's shard that its store does not hold, and keeps a few figures of
-/// each, in their order. An Error of a run becomes its outcome. Runs of other shards, and those
-/// that are left after `stopped`, have the outcome "not run". Throws Error where a result cannot be
-/// kept or is of other kernels.
+/// Makes the runs in the shard of `spec` whose results are missing in the store of `spec`. Returns
+/// the figures of all runs in order. An Error of a run becomes its outcome. The outcome "not run"
+/// marks runs of other shards, and runs that did not begin before spec.stopped returned true.
+/// Throws Error if a result cannot be written, or was made with kernels for another processor.
 std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<BatchRun>& runs);
 
-/// Batches of one experiment, of which the later ones depend on what came out of the first: their
-/// counts are added, and their progress is one.
+/// Batches of one experiment in which later batches depend on results of earlier ones. Run counts
+/// and progress cover all batches together.
 class BatchSeries {
  public:
-  /// `expected`: runs of all batches, about. The specification outlives the series.
+  /// `expected`: approximate number of runs of all batches. `spec` must outlive the series.
   BatchSeries(const ExperimentSpec& spec, std::size_t expected);
   BatchSeries(const BatchSeries&) = delete;
   BatchSeries& operator=(const BatchSeries&) = delete;
-  /// The first batch: run_batch() of the spec.
+  /// Makes the first batch by run_batch().
   std::vector<RunFigures> run(const std::vector<BatchRun>& runs);
-  /// One that follows: all of its runs are made, in whatever shard.
+  /// Makes all runs of a later batch, including the runs of other shards.
   std::vector<RunFigures> run_all(const std::vector<BatchRun>& runs);
 
  private:
@@ -60,8 +60,9 @@ class BatchSeries {
   RunCounts counts_;
 };
 
-/// Adds a sentence for every run that did not polish, one for all that were stopped, and notes an
-/// interruption and results of several kernels.
+/// Adds to the failures of the report: a sentence for every run that did not polish, and one for
+/// all stopped runs. Also marks an interrupted report, and adds a finding if runs used kernels for
+/// different processors.
 void note_failures(const ExperimentSpec& spec, const std::vector<RunFigures>& runs,
                    ExperimentReport& report);
 

@@ -9,36 +9,38 @@ const Description& description_of(const ExperimentSpec* /*of*/) {
   using S = ExperimentSpec;
   static const Description all =
       Describe<S>("polishing", "ExperimentSpec",
-                  "How an experiment is performed.")
+                  "Options of an experiment.")
           .field("plant", &S::plant,
-                 "MUJOCO where this build has it")
+                 "Simulator; MUJOCO if this build includes it.")
           .field("seeds", &S::seeds,
-                 "at most 10 000; 0: the experiment's own number")
-          .field("first_seed", &S::first_seed)
+                 "Number of seeds, at most 10 000; 0: the experiment's default.")
+          .field("first_seed", &S::first_seed,
+                 "First seed.")
           .field("threads", &S::threads,
-                 "runs at once; 0: as many as there are cores")
+                 "Number of parallel runs; 0: one per core.")
           .field("quick", &S::quick,
-                 "few and short runs, to see whether it works")
+                 "Makes few and short runs, to test that the experiment works.")
           .field("surfaces", &S::surfaces,
-                 "empty: the experiment's own")
+                 "Surfaces; empty: the experiment's surfaces.")
           .field("ranges", &S::ranges,
-                 "of `seeds`: usual, wide or curved; empty: usual")
+                 "Ranges of the experiment `seeds`: usual, wide or curved; empty: usual.")
           .field("robots", &S::robots,
-                 "of the experiments `robots` and `force_test`; empty: their own")
+                 "Robots of the experiments `robots` and `force_test`; empty: the experiment's "
+                 "robots.")
           .field("tools", &S::tools,
-                 "the frame that each of these holds its tool with; \"tool\" for those that lack "
-                 "one")
+                 "Frames of the tools of `robots`, in order; \"tool\" for robots without an "
+                 "entry.")
           .field("folder", &S::folder,
-                 "of the experiment `robots`: a folder with descriptions of public robots, which "
-                 "are tried in place of those that come along; its list is robots.yaml there, or "
-                 "the shipped one; empty: none")
+                 "Folder with descriptions of public robots for the experiment `robots`, in place"
+                 " of the bundled robots. The list of robots is robots.yaml in the folder, or "
+                 "else the bundled list. Empty: none.")
           .field("overrides", &S::overrides,
-                 "changes to the task, as override_task() takes them; what the experiment sweeps "
-                 "is set after them")
+                 "Changes of the task, in the notation of override_task(); keys that the "
+                 "experiment varies are set after them.")
           .field("progress", &S::progress,
-                 "called now and then with the share that is done, 0 to 1, and what is being "
-                 "done; from one thread at a time, but not always the same one. Returning False "
-                 "stops the experiment.");
+                 "Called repeatedly with the completed fraction, 0 to 1, and the current run; "
+                 "from one thread at a time, but from different threads. Returning False stops "
+                 "the experiment.");
   return all;
 }
 
@@ -46,10 +48,10 @@ const Description& description_of(const Figure* /*of*/) {
   using S = Figure;
   static const Description all =
       Describe<S>("polishing", "Figure",
-                  "A plot, and its file's name without ending.")
+                  "Plot with the name of its file.")
           .result()
           .field("name", &S::name,
-                 "of its file, without ending")
+                 "Name of the file, without extension.")
           .field("plot", &S::plot);
   return all;
 }
@@ -58,10 +60,10 @@ const Description& description_of(const NamedTask* /*of*/) {
   using S = NamedTask;
   static const Description all =
       Describe<S>("polishing", "NamedTask",
-                  "A task worth running again by itself.")
+                  "Task of a notable run, to repeat the run alone.")
           .result()
           .field("name", &S::name,
-                 "of its file, without ending")
+                 "Name of the file, without extension.")
           .field("task", &S::task);
   return all;
 }
@@ -70,18 +72,18 @@ const Description& description_of(const ExperimentReport* /*of*/) {
   using S = ExperimentReport;
   static const Description all =
       Describe<S>("polishing", "ExperimentReport",
-                  "What came out of an experiment.")
+                  "Results of an experiment.")
           .result()
           .field("title", &S::title)
           .field("tables", &S::tables,
-                 "the first one has a row for every run (force_test: for every figure and "
-                 "controller)")
+                 "Tables; the first has a row for every run (force_test: for every figure and "
+                 "controller).")
           .field("figures", &S::figures)
           .field("tasks", &S::tasks)
           .field("findings", &S::findings,
-                 "sentences")
+                 "Main results, in sentences.")
           .field("failures", &S::failures,
-                 "runs that did not polish, and why; empty: all did")
+                 "Runs that did not polish, with the reasons; empty: all runs polished.")
           .field("interrupted", &S::interrupted);
   return all;
 }
@@ -90,13 +92,13 @@ const Description& description_of(const ResultColumn* /*of*/) {
   using S = ResultColumn;
   static const Description all =
       Describe<S>("polishing", "ResultColumn",
-                  "What stands in a column of a table.")
+                  "Column of a table.")
           .field("name", &S::name)
           .required()
           .field("unit", &S::unit,
-                 "empty for text and counts")
+                 "Unit; empty for text and counts.")
           .field("digits", &S::digits,
-                 "behind the point, in Markdown; CSV has all of them");
+                 "Digits after the decimal point in Markdown; CSV has all digits.");
   return all;
 }
 
@@ -104,17 +106,17 @@ const Description& description_of(const ResultTable* /*of*/) {
   using S = ResultTable;
   static const Description all =
       Describe<S>("polishing", "ResultTable",
-                  "Results as a table: named columns with units, cells of text or numbers. "
+                  "Table of results: named columns with units, cells of text or numbers. "
                   "pandas.DataFrame(table.rows, columns=table.names) makes a data frame of it.")
           .field("name", &S::name,
-                 "of one word, such as \"runs\"")
+                 "Name in one word, such as \"runs\".")
           .required()
           .field("title", &S::title,
-                 "for people")
+                 "Heading.")
           .field("columns", &S::columns)
           .field("rows", &S::rows)
           .field("for_people", &S::for_people,
-                 "False: too long to be read");
+                 "False for long tables, which results.md omits.");
   return all;
 }
 

@@ -11,7 +11,8 @@
 namespace burnish::polishing {
 namespace {
 
-/// Streams of the sizes, apart from those that the disturbances themselves draw from.
+/// First random stream for the sizes of disturbances. Smaller numbers are the streams of the
+/// disturbances' own noise.
 constexpr std::uint64_t first_stream = 1000;
 
 Eigen::Vector3d unit_vector(RandomStream& random) {
@@ -39,14 +40,14 @@ const std::vector<NamedRanges>& named_ranges() {
   static const std::vector<NamedRanges> all{
       {"usual", "planes", {}, {}, 0.3, 0.9},
       {"wide",
-       "planes that lean by up to 6 degrees about each tangent and are up to 5 mm off",
+       "planes that are tilted by up to 6 degrees about each tangent and displaced by up to 5 mm",
        wide(),
        {},
        0.3,
        0.9},
       {"curved",
-       "spheres, cylinders, tori, saddles and ellipsoids that do, with up to 20 % of their "
-       "curvature unknown",
+       "spheres, cylinders, tori, saddles and ellipsoids that are tilted by up to 6 degrees, "
+       "displaced by up to 5 mm and curved by up to 20 % more or less than assumed",
        wide_and_bent(),
        {{.kind = SurfaceShape::Kind::Sphere, .radius = 0.2},
         {.kind = SurfaceShape::Kind::Cylinder, .radius = 0.2},
@@ -65,7 +66,7 @@ const NamedRanges& ranges_named(const std::string& name) {
     if (ranges.name == name) return ranges;
     names.push_back(ranges.name);
   }
-  throw Error("ranges " + in_quotes(name) + " are not known; wanted usual, wide or curved" +
+  throw Error("unknown ranges " + in_quotes(name) + "; wanted usual, wide or curved" +
               did_you_mean(name, names));
 }
 

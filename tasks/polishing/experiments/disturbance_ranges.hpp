@@ -1,4 +1,4 @@
-// Everything that can disturb a run, at once, with sizes drawn from a seed.
+// Ranges of all disturbances of a run, from which a seed draws their sizes.
 #pragma once
 
 #include <string>
@@ -8,53 +8,58 @@
 
 namespace burnish::polishing {
 
-/// The ranges from which sizes are drawn, evenly: what a robot arm with torque sensors or good
-/// current control, ordinary encoders and a wrist force sensor may have. Delays are what a fieldbus
-/// at 1 kHz brings.
+/// Ranges of uniform distributions. The default ranges are for a robot arm with torque sensors or
+/// good current control, ordinary encoders and a force sensor at the wrist. Delays are typical of a
+/// fieldbus at 1 kHz.
 struct DisturbanceRanges {
   struct Span {
     double low, high;
   };
-  Span torque_scale{0.0, 0.10};        ///< of the drawn factors' range: up to +-10 %
-  Span torque_bias{0.0, 1.0};          ///< Nm, of the drawn biases' range
-  Span torque_noise{0.0, 0.10};        ///< Nm
-  Span command_delay{0.0, 2e-3};       ///< s
-  Span solver_delay{0.0, 1e-3};        ///< s, known to the controller
-  Span joint_coulomb{0.0, 1.0};        ///< Nm
-  Span joint_viscous{0.0, 1.0};        ///< Nms/rad
-  Span encoder_bits{16.0, 19.99};      ///< per turn, rounded down
-  Span position_noise{0.0, 2e-5};      ///< rad
-  Span velocity_noise{0.0, 5e-3};      ///< rad/s
-  Span velocity_cutoff{250.0, 630.0};  ///< rad/s, of differences: 40 to 100 Hz
-  Span force_noise{0.0, 0.5};          ///< N
-  Span force_cutoff{250.0, 630.0};     ///< rad/s
+  /// Half range of the joints' torque factors; 0.1: factors 0.9 to 1.1.
+  Span torque_scale{0.0, 0.10};
+  Span torque_bias{0.0, 1.0};     ///< Half range of the joints' torque biases [Nm].
+  Span torque_noise{0.0, 0.10};   ///< Noise of torques [Nm].
+  Span command_delay{0.0, 2e-3};  ///< Delay of commands [s].
+  Span solver_delay{0.0, 1e-3};   ///< Delay of plans, which the controller compensates [s].
+  Span joint_coulomb{0.0, 1.0};   ///< Coulomb friction of joints [Nm].
+  Span joint_viscous{0.0, 1.0};   ///< Viscous friction of joints [Nms/rad].
+  /// Encoder resolution; the drawn value is rounded down [bit per turn].
+  Span encoder_bits{16.0, 19.99};
+  Span position_noise{0.0, 2e-5};  ///< Noise of positions [rad].
+  Span velocity_noise{0.0, 5e-3};  ///< Noise of velocities [rad/s].
+  /// Cut-off frequency of the velocity filter, 40 to 100 Hz [rad/s].
+  Span velocity_cutoff{250.0, 630.0};
+  Span force_noise{0.0, 0.5};       ///< Noise of the force sensor [N].
+  Span force_cutoff{250.0, 630.0};  ///< Cut-off frequency of the force sensor's filter [rad/s].
   Span mass_scale{0.93, 1.07};
   Span surface_friction{0.0, 0.4};
-  Span surface_tilt{-4.0, 4.0};      ///< degrees about each tangent
-  Span surface_height{-4e-3, 4e-3};  ///< m
-  Span push_force{0.0, 8.0};         ///< N, in any direction
-  Span push_duration{0.05, 0.25};    ///< s
-  Span push_start{0.3, 0.8};         ///< of the time on the path
-  Span surface_curvature{1.0, 1.0};  ///< how much more the surface bends than believed
+  Span surface_tilt{-4.0, 4.0};      ///< Tilt about each tangent [deg].
+  Span surface_height{-4e-3, 4e-3};  ///< Height error of the surface [m].
+  Span push_force{0.0, 8.0};         ///< Force of a push, in any direction [N].
+  Span push_duration{0.05, 0.25};    ///< Duration of a push [s].
+  Span push_start{0.3, 0.8};         ///< Start of a push, as a fraction of the time on the path.
+  Span surface_curvature{1.0, 1.0};  ///< Ratio of the true to the modelled curvature.
 };
 
-/// Ranges by a word, and what the force is held to within them.
+/// Named ranges, with aims for the force within them.
 struct NamedRanges {
   std::string name;
-  std::string summary;  ///< what they are, for a sentence
+  std::string summary;  ///< Description, as part of a sentence.
   DisturbanceRanges ranges;
-  /// Of the surface, in turn over the seeds; empty: as the task says.
+  /// Shapes of the surface, used in turn by successive seeds; empty: shape of the task.
   std::vector<SurfaceShape> shapes = {};
-  double median_force = 0.0, worst_force = 0.0;  ///< N, rms error, aims over the seeds
+  /// Aims for the rms force error: median and maximum over the seeds [N].
+  double median_force = 0.0, worst_force = 0.0;
 };
 
-/// usual, wide, curved.
+/// Returns the predefined ranges: usual, wide and curved.
 const std::vector<NamedRanges>& named_ranges();
-/// Empty: usual. Throws Error with the nearest known name.
+/// Returns the ranges of this name; for an empty name, `usual`. Throws Error with the nearest name.
 const NamedRanges& ranges_named(const std::string& name);
 
-/// The disturbances of a seed, each from a stream of its own: other ranges of one leave the others
-/// as they were. One push comes while the tool is on its path. Sets solver_delay too.
+/// Draws the disturbances of a seed and sets them in the task; task.solver_delay is drawn too. Each
+/// disturbance has its own random stream, so that changing one range leaves the other disturbances
+/// unchanged. One push acts while the tool is on the path.
 void draw_disturbances(const DisturbanceRanges& ranges, std::uint64_t seed, Task& task);
 
 }  // namespace burnish::polishing

@@ -7,7 +7,7 @@
 
 namespace burnish::polishing {
 
-// Each in a file of its name.
+// Each of these functions is defined in the file named after its experiment.
 ExperimentReport perform_paper(const ExperimentSpec& spec);
 ExperimentReport perform_orientation(const ExperimentSpec& spec);
 ExperimentReport perform_frames(const ExperimentSpec& spec);
@@ -22,25 +22,24 @@ ExperimentReport perform_tick(const ExperimentSpec& spec);
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
       {"paper",
-       "MPC, baseline and admittance on table and board, three kinds of disturbances, beside the "
-       "aims",
+       "MPC, baseline and admittance on table and board, with three presets of disturbances",
        perform_paper},
-      {"orientation", "surfaces from horizontal to vertical and around; only the surface changes",
-       perform_orientation},
-      {"frames", "contact and force in the tool's axes or the surface's, as the wrist gets freer",
+      {"orientation", "one task on surfaces of all orientations", perform_orientation},
+      {"frames",
+       "contact and force in axes of the tool or of the surface, with several rotation weights",
        perform_frames},
-      {"seeds", "every disturbance at once, drawn anew for each of many seeds", perform_seeds},
-      {"tilt", "surfaces that lean, fast and with friction, with a torque loop and without",
+      {"seeds", "all disturbances at once, drawn at random for each of many seeds", perform_seeds},
+      {"tilt", "tilted surfaces at high speed with friction, with and without a torque loop",
        perform_tilt},
-      {"surfaces", "bent surfaces, known and not; soft and stiff ones; without a force sensor",
+      {"surfaces", "curved, inaccurate, soft and stiff surfaces; without a force sensor",
        perform_surfaces},
-      {"robots", "the shipped task with other robots, and one of them from 3 to 30 kg; public ones",
+      {"robots", "the default task with other robots, scaled from 3 to 30 kg, or public robots",
        perform_robots},
-      {"force_test", "how well a force is controlled: steps, sines, impacts, pushes, edges, motion",
+      {"force_test", "tests of force control: steps, sines, impacts, pushes, edges, motion",
        perform_force_test},
-      {"standing", "a robot on its feet: every preset of disturbances over many seeds, and pushes",
+      {"standing", "a standing robot: all presets of disturbances over many seeds, and pushes",
        perform_standing},
-      {"tick", "computing times at several rates of new plans", perform_tick}};
+      {"tick", "computing times at several numbers of plans per second", perform_tick}};
   return all;
 }
 
@@ -52,7 +51,7 @@ const Experiment& experiment_named(const std::string& name) {
     list += (names.empty() ? "" : ", ") + experiment.name;
     names.push_back(experiment.name);
   }
-  throw Error("experiment " + in_quotes(name) + " is not known; wanted one of " + list +
+  throw Error("unknown experiment " + in_quotes(name) + "; wanted one of " + list +
               did_you_mean(name, names));
 }
 

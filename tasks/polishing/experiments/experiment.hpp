@@ -1,4 +1,4 @@
-// What an experiment is: many runs of the polishing task, and what they show.
+// Experiments: many runs of the polishing task, with tables and figures of their results.
 #pragma once
 
 #include <functional>
@@ -12,113 +12,117 @@
 
 namespace burnish::polishing {
 
-/// What is more is refused: every run is kept in mind before the first one is made.
+/// Largest number of seeds. All runs are in memory before the first one is made.
 inline constexpr int max_seeds = 10'000;
 
-/// What became of the runs of an experiment.
+/// Numbers of runs of an experiment.
 struct RunCounts {
-  int all = 0;     ///< of the experiment
-  int wanted = 0;  ///< of these, of the shard
-  int found = 0;   ///< of the shard's, that were there
-  int made = 0;    ///< of the shard's, by this call
-  int failed = 0;  ///< of those that are there now, that did not polish
+  int all = 0;     ///< All runs of the experiment.
+  int wanted = 0;  ///< Runs of the shard.
+  int found = 0;   ///< Runs of the shard whose results were in the store.
+  int made = 0;    ///< Runs of the shard made by this call.
+  int failed = 0;  ///< Runs, found or made, that did not polish.
 };
 
-/// How an experiment is performed.
+/// Options of an experiment.
 /// @described polishing
 struct ExperimentSpec {
-  /// MUJOCO where this build has it
+  /// Simulator; MUJOCO if this build includes it.
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  int seeds = 0;  ///< at most 10 000; 0: the experiment's own number
-  int first_seed = 0;
-  int threads = 0;                         ///< runs at once; 0: as many as there are cores
-  bool quick = false;                      ///< few and short runs, to see whether it works
-  std::vector<std::string> surfaces = {};  ///< empty: the experiment's own
-  std::string ranges = {};                 ///< of `seeds`: usual, wide or curved; empty: usual
-  /// of the experiments `robots` and `force_test`; empty: their own
+  int seeds = 0;       ///< Number of seeds, at most 10 000; 0: the experiment's default.
+  int first_seed = 0;  ///< First seed.
+  int threads = 0;     ///< Number of parallel runs; 0: one per core.
+  bool quick = false;  ///< Makes few and short runs, to test that the experiment works.
+  std::vector<std::string> surfaces = {};  ///< Surfaces; empty: the experiment's surfaces.
+  /// Ranges of the experiment `seeds`: usual, wide or curved; empty: usual.
+  std::string ranges = {};
+  /// Robots of the experiments `robots` and `force_test`; empty: the experiment's robots.
   std::vector<std::string> robots = {};
-  /// the frame that each of these holds its tool with; "tool" for those that lack one
+  /// Frames of the tools of `robots`, in order; "tool" for robots without an entry.
   std::vector<std::string> tools = {};
-  /// of the experiment `robots`: a folder with descriptions of public robots, which are tried in
-  /// place of those that come along; its list is robots.yaml there, or the shipped one; empty: none
+  /// Folder with descriptions of public robots for the experiment `robots`, in place of the bundled
+  /// robots. The list of robots is robots.yaml in the folder, or else the bundled list. Empty:
+  /// none.
   std::string folder = {};
-  /// changes to the task, as override_task() takes them; what the experiment sweeps is set after
-  /// them
+  /// Changes of the task, in the notation of override_task(); keys that the experiment varies are
+  /// set after them.
   std::vector<std::string> overrides = {};
-  /// called now and then with the share that is done, 0 to 1, and what is being done; from one
-  /// thread at a time, but not always the same one. Returning False stops the experiment.
+  /// Called repeatedly with the completed fraction, 0 to 1, and the current run; from one thread at
+  /// a time, but from different threads. Returning False stops the experiment.
   std::function<void(double share, const std::string& what)> progress = nullptr;
-  /// Whether to stop; called from several threads at once. @undescribed
+  /// Returns whether to stop; called from several threads at once. @undescribed
   std::function<bool()> stopped = nullptr;
-  /// Runs that it holds are not made again, and those that are made are kept in it; null: no run is
-  /// kept. @undescribed
+  /// Store of results. Runs in the store are not repeated, and new results are added. Null: none.
+  /// @undescribed
   const RunStore* store = nullptr;
-  Shard shard = {};  ///< which runs are made @undescribed
-  /// no run is made; throws Error where one is missing in the store @undescribed
+  Shard shard = {};  ///< Runs to make. @undescribed
+  /// If true, makes no run, and throws Error if the store lacks a result. @undescribed
   bool only_found = false;
-  bool mixed = false;  ///< results of other kernels are taken too @undescribed
-  /// s of computing (of a core, not of the clock) that a run may take; 0: 20 times the median of
-  /// those before it, from the fifth on, and not less than 10. It ends between two ticks.
+  bool mixed = false;  ///< Accepts results made with other kernels. @undescribed
+  /// Largest computing time of a run, on one core [s]; a run that exceeds it ends between two
+  /// ticks. 0: from the sixth run on, 20 times the median of the earlier runs, at least 10 s.
   /// @undescribed
   double time_limit = 0.0;
-  RunCounts* counts = nullptr;  ///< where to put them @undescribed
-  /// No run is made; it is called with each one's number from 0 on, its name in the store and its
-  /// own. @undescribed
+  RunCounts* counts = nullptr;  ///< Receives the numbers of runs; null: not needed. @undescribed
+  /// If set, no run is made; the function is called for each run instead. Its arguments are the
+  /// run's index, the name of the run's result in the store, and the run's name. @undescribed
   std::function<void(std::size_t, const std::string& result, const std::string& run)> list =
       nullptr;
 
-  /// Whether anybody reads the report: a list or a part of the runs has none.
+  /// Returns whether a report is used: not if runs are only listed, and not for a single shard.
   bool reports() const { return !list && shard.count == 1; }
 };
 
-/// A plot, and its file's name without ending.
+/// Plot with the name of its file.
 /// @described polishing @result
 struct Figure {
-  std::string name;  ///< of its file, without ending
+  std::string name;  ///< Name of the file, without extension.
   PlotSpec plot;
 };
 
-/// A task worth running again by itself.
+/// Task of a notable run, to repeat the run alone.
 /// @described polishing @result
 struct NamedTask {
-  std::string name;  ///< of its file, without ending
+  std::string name;  ///< Name of the file, without extension.
   Task task;
 };
 
-/// What came out of an experiment.
+/// Results of an experiment.
 /// @described polishing @result
 struct ExperimentReport {
   std::string title;
-  /// the first one has a row for every run (force_test: for every figure and controller)
+  /// Tables; the first has a row for every run (force_test: for every figure and controller).
   std::vector<ResultTable> tables = {};
   std::vector<Figure> figures = {};
   std::vector<NamedTask> tasks = {};
-  std::vector<std::string> findings = {};  ///< sentences
-  std::vector<std::string> failures = {};  ///< runs that did not polish, and why; empty: all did
+  std::vector<std::string> findings = {};  ///< Main results, in sentences.
+  /// Runs that did not polish, with the reasons; empty: all runs polished.
+  std::vector<std::string> failures = {};
   bool interrupted = false;
 };
 
 struct Experiment {
   std::string name;
-  std::string summary;  ///< one line
+  std::string summary;  ///< Summary in one line.
   ExperimentReport (*perform)(const ExperimentSpec& spec);
 };
 
-/// paper, orientation, frames, seeds, tilt, surfaces, robots, force_test, standing, tick.
+/// Returns paper, orientation, frames, seeds, tilt, surfaces, robots, force_test, standing, tick.
 const std::vector<Experiment>& experiments();
-/// Throws Error with the nearest known name.
+/// Returns the experiment of that name. Throws Error with the nearest name.
 const Experiment& experiment_named(const std::string& name);
 
-/// The default task on a surface under a preset of disturbances, with the spec's overrides.
-/// `duration`: s on the path, before the overrides. Throws Error as override_task() does.
+/// Returns the default task on a surface with a preset of disturbances and the overrides of `spec`.
+/// `duration`: time on the path unless overridden [s]. Throws Error for an invalid override.
 Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
                      const std::string& disturbances, double duration);
 
-/// The spec's number of seeds, or else the experiment's own. Throws Error for too many.
+/// Returns the number of seeds of `spec`, or `own` if it is 0. Throws Error for more than
+/// max_seeds.
 int seeds_of(const ExperimentSpec& spec, int own);
 
-/// The task on a surface. Throws Error where an override is bad or the surface is not known, before
-/// anything is run.
+/// Returns the task on a surface, to check it before any run. Throws Error for an invalid override
+/// or an unknown surface.
 Task check_experiment_task(const ExperimentSpec& spec, const std::string& surface);
 
 }  // namespace burnish::polishing

@@ -16,11 +16,11 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 using Measured = std::vector<MeasuredFigure>;
 
-/// What is shown in ms, mm, % and degrees.
+/// Factors from SI units to display units: ms or mm, and percent.
 constexpr double milli = 1e3, percent = 1e2;
 
-/// The force of a run along the surface's true normal, over the s since `begin` of the trace, which
-/// ends where it leaves the path.
+/// Returns the force along the true surface normal until the end of the path. Its times count from
+/// `begin`, a time of the trace.
 ForceSignal signal_since(const RunResult& result, double begin) {
   const Trace& trace = result.trace;
   const Trace::Column time = trace.column("time"), phase = trace.column("phase");
@@ -30,7 +30,7 @@ ForceSignal signal_since(const RunResult& result, double begin) {
   Eigen::Index first = 0, end = trace.rows();
   while (first < end && time[first] < begin - 1e-9) ++first;
   while (end > first && phase[end - 1] > static_cast<double>(Phase::Track)) --end;
-  // Means at the end reach into the retreat.
+  // Excludes the last averaging window, because it extends into the retreat.
   end = std::max(first, end - samples_in(MetricsSpec{}.average, dt));
   const Eigen::Index count = end - first;
   return {.time = time.segment(first, count).array() - begin,
@@ -40,14 +40,15 @@ ForceSignal signal_since(const RunResult& result, double begin) {
           .touches = trace.column("in_contact").segment(first, count)};
 }
 
-/// s of the trace, when the path began; the end of the trace if it did not.
+/// Returns the start of the path; the last time of the trace if the path was not reached [s].
 double path_begin(const RunResult& result) {
   const Trace& trace = result.trace;
   const auto [first, end] = rows_of_phase(trace, static_cast<double>(Phase::Track));
   return trace.column("time")[std::min<Eigen::Index>(first, trace.rows() - 1)];
 }
 
-/// On the path, with the task's own force in place of what the controller took for it.
+/// Returns the force on the path. The target is that of the task; the trace has the controller's
+/// target instead.
 ForceSignal signal_on_path(const Task& task, const RunResult& result) {
   ForceSignal signal = signal_since(result, path_begin(result));
   for (Eigen::Index i = 0; i < signal.time.size(); ++i)
@@ -55,12 +56,13 @@ ForceSignal signal_on_path(const Task& task, const RunResult& result) {
   return signal;
 }
 
-/// s since the path began.
+/// Returns the duration of the signal since the start of the path [s].
 double path_length(const ForceSignal& signal) {
   return signal.time.size() > 0 ? signal.time[signal.time.size() - 1] : 0.0;
 }
 
-/// Largest distance from the target across the normal in a window, m.
+/// Returns the largest distance of the tool from its target, perpendicular to the normal, in a
+/// window [m].
 double farthest_off(const RunResult& result, double from, double until) {
   const Trace& trace = result.trace;
   const Trace::Column time = trace.column("time");
@@ -76,7 +78,7 @@ double farthest_off(const RunResult& result, double from, double until) {
   return farthest;
 }
 
-/// Puts the runs of the catalogue together.
+/// Builder of the list of tests.
 struct Catalogue {
   const Task& base;
   const Setting& setting;
@@ -84,9 +86,10 @@ struct Catalogue {
   std::vector<ForceTest> tests = {};
 
   double force() const { return base.force; }
-  double hold() const { return quick ? 1.0 : 2.0; }  ///< s at a force
+  /// Duration for which a force is constant [s].
+  double hold() const { return quick ? 1.0 : 2.0; }
 
-  /// Pressing at one place for a while.
+  /// Returns a task in which the tool presses at one point for `duration` [s].
   Task still(double duration) const {
     Task task = base;
     task.path.kind = PathKind::Points;
@@ -128,8 +131,8 @@ void Catalogue::add_steps() {
     return figures;
   };
   tests.push_back({"step",
-                   "from " + number(low) + " to " + number(high) + " N at once, and back after " +
-                       number(wait) + " s, at one place",
+                   "step from " + number(low) + " to " + number(high) + " N, and back after " +
+                       number(wait) + " s, at one point",
                    task, measure, true});
 }
 
@@ -148,7 +151,7 @@ void Catalogue::add_ramp() {
   };
   tests.push_back({"ramp",
                    "from " + number(low) + " to " + number(high) + " N in " + number(end - begin) +
-                       " s, at one place",
+                       " s, at one point",
                    task, measure});
 }
 
@@ -158,7 +161,8 @@ void Catalogue::add_sines() {
             : std::vector<double>{1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0};
   const double amplitude = force() / 6.0;
   for (const double frequency : frequencies) {
-    // Settled after half a second and a period; over whole periods of a second at least.
+    // Evaluates whole periods that last at least 1 s together. Before them, 0.5 s and a period are
+    // left for settling.
     const double settled = (std::ceil(0.5 * frequency) + 1.0) / frequency;
     const double periods = std::max(3.0, std::ceil(frequency));
     const double end = settled + periods / frequency;
@@ -179,8 +183,8 @@ void Catalogue::add_sines() {
     ForceTest one{test, "", task, measure};
     one.frequency = frequency;
     if (frequency == frequencies.front())
-      one.meaning = number(amplitude) + " N about " + number(force()) +
-                    " N, one run for each frequency, at one place";
+      one.meaning = "amplitude of " + number(amplitude) + " N about " + number(force()) +
+                    " N, one run for each frequency, at one point";
     tests.push_back(std::move(one));
   }
 }
@@ -207,14 +211,15 @@ void Catalogue::add_impacts() {
               {test, "without_contact", milli * losses.time}};
     };
     tests.push_back({test,
-                     "touched at that speed; then the force rises to " + number(force()) +
-                         " N within " + number(task.ramp_duration) + " s",
+                     "contact at " + number(milli * speed) + " mm/s; then the force rises to " +
+                         number(force()) + " N within " + number(task.ramp_duration) + " s",
                      task, measure});
   }
 }
 
 void Catalogue::add_pushes() {
-  constexpr double start = 3.5, duration = 1.0;  // s of the plant: all press by then
+  // Start of the push, counted from contact, and its duration [s].
+  constexpr double start = 3.5, duration = 1.0;
   for (const bool along : {true, false}) {
     Task task = still(start + 2.0 * duration);
     const double size = force() / 3.0;
@@ -232,19 +237,22 @@ void Catalogue::add_pushes() {
     };
     tests.push_back({test,
                      number(size) + " N on the tool for " + number(duration) + " s, " +
-                         (along ? "off the surface" : "along the surface's first tangent"),
+                         (along ? "away from the surface" : "along the surface's first tangent"),
                      task, measure, along});
   }
 }
 
 void Catalogue::add_edges() {
-  constexpr double slope = 10.0, edge = 0.03, end = 0.06, speed = 0.05;  // degrees, m, m, m/s
+  // Slope of the surface behind the edge [deg], positions of the edge and of the end of the path
+  // [m], speed [m/s].
+  constexpr double slope = 10.0, edge = 0.03, end = 0.06, speed = 0.05;
   for (const bool rises : {false, true}) {
     Task task = base;
     task.path.kind = PathKind::Points;
     task.path.points = {{end, 0.0}};
     task.path.speed = speed;
-    task.polish_duration = end / speed * 1.875 + 1.0;  // of Path's blend
+    // Peak speed is 1.875 times mean speed, see Path.
+    task.polish_duration = end / speed * 1.875 + 1.0;
     task.disturbances.surface_shape = SurfaceShape{
         .kind = SurfaceShape::Kind::Ridge, .edge = edge, .slope = slope * degree, .hollow = rises};
     const std::string test = rises ? "edge that rises" : "edge that falls";
@@ -255,7 +263,7 @@ void Catalogue::add_edges() {
       const Eigen::VectorXd u =
           along(trace, "tool", tangent).array() - tangent.dot(result.setting.p_center);
       const double begin = path_begin(result);
-      // A tip lies on both planes of a valley before its middle is over the edge.
+      // In a valley, the tip already touches both planes before its centre reaches the edge.
       const double met = edge - (rises ? task.tip_radius * std::tan(0.5 * slope * degree) : 0.0);
       Eigen::Index row = 0;
       while (row < u.size() && !(trace.column("time")[row] > begin && u[row] >= met)) ++row;
@@ -271,7 +279,7 @@ void Catalogue::add_edges() {
     tests.push_back({test,
                      "at " + number(milli * speed) + " mm/s over an edge behind which the plane " +
                          (rises ? "rises" : "falls") + " by " + number(slope) +
-                         " degrees; the controller knows a plane",
+                         " degrees; the controller assumes a plane",
                      task, measure, true});
   }
 }
@@ -302,7 +310,7 @@ void Catalogue::add_curved() {
     tests.push_back({test,
                      "a circle of " + number(milli * task.path.radius) +
                          " mm at 1 rad/s on a sphere of radius " + number(radius) + " m" +
-                         (known ? "" : "; the controller knows a plane"),
+                         (known ? "" : "; the controller assumes a plane"),
                      task, measure});
   }
 }
@@ -327,7 +335,7 @@ void Catalogue::add_motion() {
     };
     tests.push_back({test,
                      number(milli * amplitude) + " mm at " + number(frequency) +
-                         " Hz along its normal, at one place",
+                         " Hz along its normal, at one point",
                      task, measure});
   }
   Task task = still(start + 2.1);
@@ -341,43 +349,50 @@ void Catalogue::add_motion() {
             {test, "steady_error", mean_error(signal, begin + 1.0, last)},
             {test, "force_rmse", rms_error(signal, begin + 1.0, last)}};
   };
-  tests.push_back({test,
-                   "towards the tool at " + number(milli * drift) + " mm/s from one moment on",
-                   task, measure, true});
+  tests.push_back(
+      {test, "motion towards the tool at " + number(milli * drift) + " mm/s after a start time",
+       task, measure, true});
 }
 
 }  // namespace
 
 const std::vector<ForceFigure>& force_figures() {
   static const std::vector<ForceFigure> all{
-      {"overshoot", "%", "farthest beyond the new force, of the step"},
-      {"rise_time", "ms", "from the last time under 10 % of the step to the first over 90 %"},
-      {"delay", "ms", "from the step to half of it; below zero where it was foreseen"},
+      {"overshoot", "%", "largest overshoot beyond the new force, as a fraction of the step"},
+      {"rise_time", "ms",
+       "time from the last force below 10 % of the step to the first force above 90 %"},
+      {"delay", "ms",
+       "time from the step of the target until the force covers half of it; negative with preview"},
       {"settling_time", "ms",
-       "from the step until the force stays within 5 % of the step; of an impact from the first "
-       "contact until it stays within 5 % of the force of what is wanted"},
+       "time from the step until the force stays within 5 % of the step; for an impact, time from "
+       "the first contact until the force error stays within 5 % of the force"},
       {"steady_error", "N",
-       "mean error over the last 0.3 s of a step; of a drift from 1 s after its begin on"},
-      {"lag", "ms", "mean error over the ramp without its first fifth, by its slope"},
-      {"bandwidth_3db", "Hz", "where the amplitude falls below -3 dB", true},
-      {"bandwidth_90deg", "Hz", "where the phase falls below -90 degrees", true},
+       "mean force error over the last 0.3 s of a step; for a drift, from 1 s after its start to "
+       "its end"},
+      {"lag", "ms", "mean force error over the last four fifths of a ramp, divided by the slope"},
+      {"bandwidth_3db", "Hz", "frequency at which the gain falls below -3 dB", true},
+      {"bandwidth_90deg", "Hz", "frequency at which the phase falls below -90 degrees", true},
       {"gain", "dB",
-       "amplitude of the force by the wanted one, by least squares over whole periods"},
-      {"phase", "deg", "of the force against the wanted one"},
-      {"distortion", "N", "rms of what is left of the force without mean and sine"},
-      {"impact_peak", "N", "largest force of any 0.5 ms in the 50 ms from the first contact on"},
-      {"impact_mean", "N", "largest mean over 10 ms there"},
-      {"rebounds", "", "losses of contact after the first one, or after the edge"},
-      {"without_contact", "ms", "time that they lasted"},
-      {"force_peak", "N", "largest error"},
-      {"force_rmse", "N", "root mean square error"},
+       "amplitude of the force divided by the amplitude of the target, by least squares over whole "
+       "periods"},
+      {"phase", "deg", "phase of the force relative to the target"},
+      {"distortion", "N", "rms of the force after its mean and fitted sine are subtracted"},
+      {"impact_peak", "N", "largest force in the first 50 ms of contact, sampled every 0.5 ms"},
+      {"impact_mean", "N", "largest mean force over 10 ms in the first 50 ms of contact"},
+      {"rebounds", "", "number of losses of contact after the first contact, or after the edge"},
+      {"without_contact", "ms",
+       "total time without contact after the first contact, or after the edge"},
+      {"force_peak", "N", "largest force error"},
+      {"force_rmse", "N", "root mean square force error"},
       {"recovery_time", "ms",
-       "from where it begins, the push or the edge, until the error stays below 5 % of the force"},
-      {"release_time", "ms", "the same from the push's end on"},
-      {"transmission", "N/mm", "amplitude of the force by that of the surface's motion"},
-      {"position_peak", "mm", "farthest from the place across the normal"},
-      {"position_rmse", "mm", "rms distance from the path across the normal"},
-      {"normal_error", "deg", "rms angle between the surface's normal and what is believed"}};
+       "time from the push or the edge until the force error stays below 5 % of the force"},
+      {"release_time", "ms",
+       "time from the end of the push until the force error stays below 5 % of the force"},
+      {"transmission", "N/mm",
+       "amplitude of the force divided by the amplitude of the surface's motion"},
+      {"position_peak", "mm", "largest distance from the target perpendicular to the normal"},
+      {"position_rmse", "mm", "rms distance from the path perpendicular to the normal"},
+      {"normal_error", "deg", "rms angle between the true and the assumed or estimated normal"}};
   return all;
 }
 

@@ -1,4 +1,4 @@
-// The tests of force control: what each asks of the task and the plant, and what is measured.
+// Catalogue of force control tests: task and plant of each test, and its measurements.
 #pragma once
 
 #include <functional>
@@ -10,25 +10,26 @@
 
 namespace burnish::polishing {
 
-/// What a figure of force control is.
+/// Definition of a force-control figure (a measured quantity such as overshoot).
 struct ForceFigure {
   std::string name, unit, meaning;
   bool larger_is_better = false;
 };
-/// Of all tests, in the order in which they are shown.
+/// Returns the figures of all tests, in the order of the tables.
 const std::vector<ForceFigure>& force_figures();
 
-/// A run of the catalogue.
+/// Test of the catalogue.
 struct ForceTest {
-  std::string name;     ///< of the run
-  std::string meaning;  ///< what is done, with its numbers; empty: told before
+  std::string name;
+  std::string meaning;  ///< Description with numbers; empty if an earlier test has the same.
   Task task;
   std::function<std::vector<MeasuredFigure>(const RunResult& result)> measure;
-  bool has_curve = false;  ///< shown in the figure of responses
-  double frequency = 0.0;  ///< Hz, of the sweep; 0: none of it
+  bool has_curve = false;  ///< True if the plot of responses shows this test.
+  double frequency = 0.0;  ///< Frequency in the sine sweep; 0: not part of the sweep [Hz].
 };
 
-/// All tests of a task, by what is pressed with: its force, and its surface's normal and place.
+/// Returns all tests for the force of the task, and for normal and position of its surface.
+/// `quick`: few and short tests.
 std::vector<ForceTest> force_catalogue(const Task& task, const Setting& setting, bool quick);
 
 }  // namespace burnish::polishing

@@ -10,7 +10,7 @@ namespace burnish::polishing {
 namespace {
 
 constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
-constexpr double tick_rounding = 1e-9;  // s
+constexpr double tick_rounding = 1e-9;  // tolerance in comparisons of times [s]
 
 }  // namespace
 
@@ -27,30 +27,30 @@ std::pair<Eigen::Index, Eigen::Index> ForceSignal::rows(double from, double unti
 StepFigures step_figures(const ForceSignal& signal, double from_force, double to_force,
                          const StepWindow& window) {
   StepFigures figures{no_figure, no_figure, no_figure, no_figure, no_figure};
-  // Named one by one: clang 14 captures no structured binding.
+  // No structured binding here, because clang 14 cannot capture it in a lambda.
   const std::pair<Eigen::Index, Eigen::Index> window_rows =
       signal.rows(window.at - window.lead, window.until);
   const Eigen::Index first = window_rows.first, count = window_rows.second;
   if (count == 0) return figures;
   const double step = to_force - from_force;
   const auto time = signal.time.segment(first, count);
-  const Eigen::VectorXd share =
-      (signal.force.segment(first, count).array() - from_force) / step;  // 0 to 1
+  // Response to the step, scaled to 0 before the step and 1 at the final target.
+  const Eigen::VectorXd response = (signal.force.segment(first, count).array() - from_force) / step;
   const auto first_above = [&](double level) {
     Eigen::Index i = 0;
-    while (i < count && !(share[i] >= level)) ++i;
+    while (i < count && !(response[i] >= level)) ++i;
     return i;
   };
-  figures.overshoot = std::max(0.0, share.maxCoeff() - 1.0);
+  figures.overshoot = std::max(0.0, response.maxCoeff() - 1.0);
   const Eigen::Index high = first_above(0.9), half = first_above(0.5);
   if (half < count) figures.delay = time[half] - window.at;
   if (high < count) {
     Eigen::Index low = high;
-    while (low > 0 && share[low] >= 0.1) --low;
+    while (low > 0 && response[low] >= 0.1) --low;
     figures.rise_time = time[high] - time[low];
   }
   Eigen::Index settled = count;
-  while (settled > 0 && std::abs(share[settled - 1] - 1.0) <= window.band) --settled;
+  while (settled > 0 && std::abs(response[settled - 1] - 1.0) <= window.band) --settled;
   if (settled < count) figures.settling_time = std::max(0.0, time[settled] - window.at);
   const auto [tail, rest] = signal.rows(window.until - window.last, window.until);
   if (rest > 0) figures.steady_error = signal.force.segment(tail, rest).mean() - to_force;
@@ -126,8 +126,8 @@ Bandwidth falls_below(const std::vector<double>& frequencies, const std::vector<
   for (std::size_t i = 1; i < count; ++i) {
     if (!std::isfinite(values[i])) return {frequencies[i - 1], Bandwidth::Bound::Above};
     if (!(values[i] < level)) continue;
-    const double share = (values[i - 1] - level) / (values[i - 1] - values[i]);
-    return {frequencies[i - 1] * std::pow(frequencies[i] / frequencies[i - 1], share)};
+    const double fraction = (values[i - 1] - level) / (values[i - 1] - values[i]);
+    return {frequencies[i - 1] * std::pow(frequencies[i] / frequencies[i - 1], fraction)};
   }
   return {frequencies[count - 1], Bandwidth::Bound::Above};
 }

@@ -1,5 +1,5 @@
-// Figures of force control from signals: what a controller makes of a force that steps, rises and
-// swings, and of what disturbs it. Definitions: docs/force_test.md.
+// Figures of force control (such as overshoot and bandwidth), computed from signals of the force:
+// responses to steps, ramps, sines and disturbances. docs/force_test.md defines the figures.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,77 +8,89 @@
 
 namespace burnish::polishing {
 
-/// A force over time, in s and N. Times ascend.
+/// Contact force over time [N]; `time` ascends [s].
 struct ForceSignal {
   Eigen::VectorXd time;
-  Eigen::VectorXd force;    ///< moving mean over 10 ms
-  Eigen::VectorXd raw;      ///< of every row
-  Eigen::VectorXd target;   ///< what was wanted
-  Eigen::VectorXd touches;  ///< 1 where there was contact, 0 else
+  Eigen::VectorXd force;    ///< Moving mean over 10 ms.
+  Eigen::VectorXd raw;      ///< Force of every row, not averaged.
+  Eigen::VectorXd target;   ///< Target force.
+  Eigen::VectorXd touches;  ///< 1 in contact, else 0.
 
-  /// First row at or after a time; the number of rows if there is none.
+  /// Returns the first row at or after a time; the number of rows if there is none.
   Eigen::Index row(double at) const;
-  /// Rows from a time to before another: first and number.
+  /// Returns the index of the first row at or after `from`, and the number of rows from there to
+  /// `until`.
   std::pair<Eigen::Index, Eigen::Index> rows(double from, double until) const;
-  /// What is off, force less target.
+  /// Returns force minus target.
   Eigen::VectorXd error() const { return force - target; }
 };
 
-/// Of the force from one value to another; NaN what is not reached within the window.
+/// Figures of a response to a step of the target force; NaN for levels that are not reached within
+/// the window.
 struct StepFigures {
-  double overshoot;      ///< share of the step, of the farthest beyond its end; at least 0
-  double rise_time;      ///< s from the last time below 10 % of the step to the first above 90 %
-  double delay;          ///< s from the step to half of it; below zero where it was foreseen
-  double settling_time;  ///< s from the step until the force stays within the band
-  double steady_error;   ///< N, mean error over the last `last` s
+  double overshoot;  ///< Largest overshoot, as a fraction of the step; at least 0.
+  /// Time from the last force below 10 % of the step to the first above 90 % [s].
+  double rise_time;
+  /// Time from the step of the target until the force covers half of it; negative with preview [s].
+  double delay;
+  double settling_time;  ///< Time from the step until the force error stays within the band [s].
+  /// Mean force error over the last StepWindow::last seconds of the window [N].
+  double steady_error;
 };
 
+/// Window for the figures of a step.
 struct StepWindow {
-  double at;           ///< s, of the step
-  double until;        ///< s, where its window ends
-  double lead = 0.5;   ///< s before the step, where its window begins
-  double last = 0.3;   ///< s, of the mean of the steady error
-  double band = 0.05;  ///< share of the step
+  double at;           ///< Time of the step [s].
+  double until;        ///< End of the window [s].
+  double lead = 0.5;   ///< Time from the start of the window to the step [s].
+  double last = 0.3;   ///< Averaging time for the steady error, at the end of the window [s].
+  double band = 0.05;  ///< Half width of the settling band, as a fraction of the step.
 };
+/// Returns the figures of the response to a step from `from_force` to `to_force` [N].
 StepFigures step_figures(const ForceSignal& signal, double from_force, double to_force,
                          const StepWindow& window);
 
-/// s from `from` until the force's error stays within +- band N to the window's end; 0 where it
-/// never leaves it, NaN where it is outside at the end.
+/// Returns the settling time: the time after `from` at which the force error enters +- `band` [N]
+/// for the rest of the window [s]. 0 if the error never leaves the band; NaN if the window ends
+/// outside the band.
 double settling_time(const ForceSignal& signal, double from, double until, double band);
 
-/// Root mean square and largest absolute error of the force in a window, N; NaN where it is empty.
+/// Return the root mean square, the largest absolute value and the mean of the force error in a
+/// window [N]; NaN for an empty window.
 double rms_error(const ForceSignal& signal, double from, double until);
 double peak_error(const ForceSignal& signal, double from, double until);
 double mean_error(const ForceSignal& signal, double from, double until);
 
-/// Of the contact from `from` on: how often it was lost, and for how long in all, s.
+/// Losses of contact in a window.
 struct ContactLosses {
-  int count = 0;
-  double time = 0.0;
+  int count = 0;      ///< Number of losses.
+  double time = 0.0;  ///< Total time without contact, not counting the first row [s].
 };
 ContactLosses contact_losses(const ForceSignal& signal, double from, double until);
 
-/// f(t) = mean + amplitude sin(2 pi frequency t + phase), by least squares.
+/// Least-squares fit of f(t) = mean + amplitude sin(2 pi frequency t + phase).
 struct SineFit {
   double mean, amplitude;
-  double phase;     ///< rad, from -pi to pi
-  double residual;  ///< N, root mean square of what is no such sine
+  double phase;     ///< Phase from -pi to pi [rad].
+  double residual;  ///< Root mean square of the residual [N].
 };
 SineFit fit_sine(const Eigen::Ref<const Eigen::VectorXd>& time,
                  const Eigen::Ref<const Eigen::VectorXd>& values, double frequency);
 
-/// A frequency, Hz, and whether it is one: the ends of the sweep are bounds.
+/// Bandwidth [Hz]. If the level is crossed outside the tested frequencies, only a bound is
+/// determined.
 struct Bandwidth {
-  enum class Bound { None, Below, Above };  ///< below the lowest frequency, above the highest
+  /// The bandwidth is below the lowest, or above the highest frequency.
+  enum class Bound { None, Below, Above };
   double frequency;
   Bound bound = Bound::None;
 };
-/// Where values, one for each of ascending frequencies, first fall below a level: between two of
-/// them by a straight line over the logarithm of the frequency.
+/// Returns the frequency at which `values` first fall below a level. It is interpolated linearly
+/// over the logarithm of the frequency. `frequencies` must ascend.
 Bandwidth falls_below(const std::vector<double>& frequencies, const std::vector<double>& values,
                       double level);
-/// Phases so that each is within pi of the one before; the first as it is.
+/// Returns the phases with multiples of 2 pi added, so that each is within pi of the previous one;
+/// the first is unchanged.
 std::vector<double> unwrapped(std::vector<double> phases);
 
 }  // namespace burnish::polishing

@@ -1,10 +1,11 @@
-// A catalogue of tests of force control, for every controller: docs/force_test.md.
+// Experiment force_test: tests of force control for several controllers; see docs/force_test.md.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/force_catalogue.hpp"
 #include "polishing/experiments/force_figures.hpp"
@@ -14,33 +15,34 @@
 namespace burnish::polishing {
 namespace {
 
-/// A controller under test.
+/// Controller under test.
 struct Contender {
   std::string name;
   ControllerKind controller;
-  bool preview = true;  ///< it knows the force that is to come
+  bool preview = true;  ///< True if the controller uses the target force of future times.
 };
 
-/// Another one joins with a line.
+/// Returns the controllers under test. To test another controller, add a line here.
 std::vector<Contender> contenders() {
   return {{"mpc", ControllerKind::Mpc},
           {"mpc without preview", ControllerKind::Mpc, false},
           {"baseline", ControllerKind::Baseline}};
 }
 
-/// A robot on a surface, and what it is to do there.
+/// Robot at a surface, with the tests that it runs there.
 struct TestPlace {
   std::string robot, surface;
   std::vector<ForceTest> tests;
   std::optional<Robot> loaded = {};
 };
 
-/// What a contender showed in a test: a value for each seed, and what came in between.
+/// Row of results: one figure of one contender in one test, with a value for each seed and a note
+/// on failures.
 struct FigureRow {
   std::size_t place;
   std::string test, figure;
   std::size_t contender;
-  std::vector<double> values;  ///< NaN where there is none
+  std::vector<double> values;  ///< Value of each seed; NaN if the figure does not exist.
   std::string note = {};
 
   bool complete() const {
@@ -51,10 +53,10 @@ struct FigureRow {
 const ForceFigure& force_figure(const std::string& name) {
   for (const ForceFigure& figure : force_figures())
     if (figure.name == name) return figure;
-  throw Error("there is no figure of force control of the name '" + name + "'");
+  throw Error("unknown figure of force control '" + name + "'");
 }
 
-/// The one farthest from what is wanted; none where a run has none.
+/// Returns the worst value over the seeds; NaN if a seed has no value.
 double worst_of(const FigureRow& row) {
   if (!row.complete() || row.values.empty()) return RunFigures::none;
   const bool larger = force_figure(row.figure).larger_is_better;
@@ -63,7 +65,7 @@ double worst_of(const FigureRow& row) {
   });
 }
 
-/// The task that all tests change, the robot with the posture that it was given, and the tests.
+/// Returns a robot at a surface, with a start posture and the tests.
 TestPlace place_of(const ExperimentSpec& spec, const std::string& robot, const std::string& tool,
                    const std::string& surface) {
   Task task = experiment_task(spec, surface, "mismatch", 1.0);
@@ -71,7 +73,7 @@ TestPlace place_of(const ExperimentSpec& spec, const std::string& robot, const s
     task.robot = robot;
     task.tool = tool;
   }
-  // What these runs are judged by stands in their figures.
+  // Disables the verdict, because force-control figures are evaluated instead.
   task.verdict = {.contact_share = 0.0,
                   .force_rmse = std::numeric_limits<double>::infinity(),
                   .path_share = 0.0};
@@ -94,7 +96,7 @@ std::vector<TestPlace> places_of(const ExperimentSpec& spec) {
   return places;
 }
 
-/// A run of the batch: of which place, test, contender and seed.
+/// Run of one contender in one test: indices of place, test and contender, and the seed.
 struct ForceRun {
   std::size_t place, test, contender;
   int seed;
@@ -106,7 +108,8 @@ std::vector<ForceRun> entries_of(const std::vector<TestPlace>& places, int seeds
   for (std::size_t p = 0; p < places.size(); ++p)
     for (std::size_t t = 0; t < places[p].tests.size(); ++t)
       for (std::size_t c = 0; c < all.size(); ++c) {
-        // Without a force that changes there is nothing to foresee.
+        // Skips contenders without preview if the force is constant, because preview then has no
+        // effect.
         if (!all[c].preview && places[p].tests[t].task.force_profile.is_constant()) continue;
         for (int seed = 0; seed < seeds; ++seed) entries.push_back({p, t, c, seed});
       }
@@ -143,14 +146,13 @@ std::vector<FigureRow> rows_of(const std::vector<TestPlace>& places,
           row.figure == figure)
         return row;
     rows.push_back({entry.place, test, figure, entry.contender,
-                    std::vector<double>(static_cast<std::size_t>(seeds), RunFigures::none)});
+                    std::vector<double>(to_size(seeds), RunFigures::none)});
     return rows.back();
   };
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const ForceRun& entry = entries[i];
     for (const MeasuredFigure& figure : runs[i].measured)
-      row_of(entry, figure.test, figure.figure).values[static_cast<std::size_t>(entry.seed)] =
-          figure.value;
+      row_of(entry, figure.test, figure.figure).values[to_size(entry.seed)] = figure.value;
     if (!runs[i].made || !runs[i].measured.empty()) continue;
     FigureRow& row = row_of(entry, places[entry.place].tests[entry.test].name, "");
     if (row.note.empty())
@@ -169,7 +171,7 @@ const FigureRow* find_row(const std::vector<FigureRow>& rows, std::size_t place,
   return nullptr;
 }
 
-/// The sweep of a place: its tests' names and their frequencies.
+/// Sine sweep of one place: names and frequencies of its tests.
 struct SineSweep {
   std::vector<std::string> names;
   std::vector<double> frequencies;
@@ -184,7 +186,7 @@ SineSweep sweep_of(const TestPlace& place) {
   return sweep;
 }
 
-/// A figure over the frequencies of a sweep, of one seed.
+/// Returns the values of a figure at the frequencies of a sweep, for one seed.
 std::vector<double> swept(const std::vector<FigureRow>& rows, const SineSweep& sweep,
                           std::size_t place, std::size_t contender, const std::string& figure,
                           std::size_t seed) {
@@ -206,7 +208,8 @@ std::vector<double> phases_of(const std::vector<FigureRow>& rows, const SineSwee
   return phases;
 }
 
-/// From the sines of a contender: where gain and phase fall below the usual levels.
+/// Adds rows with the bandwidths of the contenders: the frequencies at which the gain falls below
+/// -3 dB, and the phase below -90 degrees.
 void add_bandwidths(const std::vector<TestPlace>& places, int seeds, std::vector<FigureRow>& rows) {
   const std::size_t count = contenders().size();
   for (std::size_t p = 0; p < places.size(); ++p) {
@@ -217,10 +220,11 @@ void add_bandwidths(const std::vector<TestPlace>& places, int seeds, std::vector
       const auto note = [&](FigureRow& row, const Bandwidth& found) {
         row.values.push_back(found.frequency);
         if (found.bound != Bandwidth::Bound::None)
-          row.note = found.bound == Bandwidth::Bound::Above ? "or above: not reached in the sweep"
-                                                            : "or below: the lowest of the sweep";
+          row.note = found.bound == Bandwidth::Bound::Above
+                         ? "or above; this is the highest frequency of the sweep"
+                         : "or below; this is the lowest frequency of the sweep";
       };
-      for (std::size_t seed = 0; seed < static_cast<std::size_t>(seeds); ++seed) {
+      for (std::size_t seed = 0; seed < to_size(seeds); ++seed) {
         note(gain, falls_below(sweep.frequencies, swept(rows, sweep, p, c, "gain", seed),
                                20.0 * std::log10(std::numbers::sqrt2 / 2.0)));
         note(phase, falls_below(sweep.frequencies, phases_of(rows, sweep, p, c, seed), -90.0));
@@ -231,7 +235,8 @@ void add_bandwidths(const std::vector<TestPlace>& places, int seeds, std::vector
   }
 }
 
-/// A row for every figure and contender, for others to put theirs beside.
+/// Returns a table with a row for every figure and contender. The table allows comparisons with
+/// other controllers.
 ResultTable figures_table(const ExperimentSpec& spec, const std::vector<TestPlace>& places,
                           const std::vector<FigureRow>& rows, int seeds) {
   ResultTable table{.name = "figures", .title = "Every figure", .for_people = false};
@@ -255,7 +260,8 @@ ResultTable figures_table(const ExperimentSpec& spec, const std::vector<TestPlac
   return table;
 }
 
-/// A row for every figure, a column for the mean and the worst of every contender.
+/// Returns a table with a row for every figure; each contender has columns for mean and worst
+/// value.
 ResultTable summary_table(const std::vector<TestPlace>& places, const std::vector<FigureRow>& rows,
                           std::size_t place) {
   const std::vector<Contender> all = contenders();
@@ -302,7 +308,7 @@ ResultTable meanings_table() {
   return table;
 }
 
-/// The force of the first seed in some tests.
+/// Returns the plot of force responses in some tests, for the first seed.
 Figure responses(const std::vector<TestPlace>& places, const std::vector<ForceRun>& entries,
                  const std::vector<RunFigures>& runs) {
   Figure figure{.name = "responses", .plot = {.title = "Force, first seed", .columns = 2}};
@@ -311,7 +317,7 @@ Figure responses(const std::vector<TestPlace>& places, const std::vector<ForceRu
     const ForceTest& test = places[0].tests[t];
     if (!test.has_curve) continue;
     Panel panel{.title = test.name,
-                .x_label = "time since the path began [s]",
+                .x_label = "time since the start of the path [s]",
                 .y_label = "force, mean over 10 ms [N]"};
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (entries[i].place != 0 || entries[i].test != t || !runs[i].curves) continue;
@@ -322,7 +328,7 @@ Figure responses(const std::vector<TestPlace>& places, const std::vector<ForceRu
       panel.curves.push_back(std::move(curve));
     }
     const int points = test.task.force_profile.is_constant() ? 2 : 400;
-    Curve wanted{.name = "wanted", .x = {}, .y = {}, .color = 6, .dashed = true};
+    Curve wanted{.name = "target", .x = {}, .y = {}, .color = 6, .dashed = true};
     wanted.x = Eigen::VectorXd::LinSpaced(points, 0.0, test.task.polish_duration);
     wanted.y = wanted.x.unaryExpr(
         [&](double time) { return test.task.force_profile.at(test.task.force, time); });
@@ -332,11 +338,11 @@ Figure responses(const std::vector<TestPlace>& places, const std::vector<ForceRu
   return figure;
 }
 
-/// Gain and phase over the frequency, of the first place's first seed.
+/// Returns the plot of gain and phase over frequency, for the first place and seed.
 Figure frequency_response(const std::vector<TestPlace>& places,
                           const std::vector<FigureRow>& rows) {
   Figure figure{.name = "frequency_response",
-                .plot = {.title = "Force against the wanted one, first seed", .columns = 2}};
+                .plot = {.title = "Force relative to its target, first seed", .columns = 2}};
   figure.plot.panel_width = 560;
   const SineSweep sweep = sweep_of(places[0]);
   const auto size = static_cast<Eigen::Index>(sweep.frequencies.size());
@@ -357,13 +363,13 @@ Figure frequency_response(const std::vector<TestPlace>& places,
   return figure;
 }
 
-/// Of what did not come to its end, and figures that some runs did not reach.
+/// Adds findings about runs that did not complete, and about figures that some runs lack.
 void note_rows(const std::vector<FigureRow>& rows, ExperimentReport& report) {
   const std::vector<Contender> all = contenders();
   for (const FigureRow& row : rows) {
     const std::string who = all[row.contender].name + ", " + row.test;
     if (row.figure.empty())
-      report.findings.push_back(who + ": no figures, as " + row.note + ".");
+      report.findings.push_back(who + ": no figures; " + row.note + ".");
     else if (!row.note.empty())
       report.findings.push_back(who + ", " + row.figure + ": " + row.note + ".");
     const auto lacking = std::count_if(row.values.begin(), row.values.end(),
@@ -378,7 +384,7 @@ void note_rows(const std::vector<FigureRow>& rows, ExperimentReport& report) {
 }  // namespace
 
 ExperimentReport perform_force_test(const ExperimentSpec& spec) {
-  ExperimentReport report{.title = "Force control by a catalogue of tests"};
+  ExperimentReport report{.title = "Tests of force control"};
   const int seeds = seeds_of(spec, spec.quick ? 1 : 5);
   const std::vector<TestPlace> places = places_of(spec);
   const std::vector<ForceRun> entries = entries_of(places, seeds);

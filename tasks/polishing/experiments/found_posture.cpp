@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/to_size.hpp"
+
 namespace burnish::polishing {
 
 Posture posture_of(const Model& model, const Eigen::VectorXd& q) {
@@ -11,10 +13,11 @@ Posture posture_of(const Model& model, const Eigen::VectorXd& q) {
     const auto values = q.segment(joint.q_index, joint.nq);
     std::vector<double>& of_joint = posture[joint.name];
     of_joint.assign(values.begin(), values.end());
-    // A posture has the angle whose cosine and sine these are.
+    // The configuration of these joints contains the cosine and sine of an angle; a posture
+    // contains the angle.
     if (joint.kind == JointKind::Continuous || joint.kind == JointKind::Planar) {
       const Eigen::Index cosine = joint.nq - 2;
-      of_joint.resize(static_cast<std::size_t>(cosine));
+      of_joint.resize(to_size(cosine));
       of_joint.push_back(std::atan2(values[cosine + 1], values[cosine]));
     }
   }

@@ -1,4 +1,4 @@
-// A start that was searched for, kept with the robot so that no run searches it again.
+// Storage of a start posture in the robot, so that runs do not repeat the posture search.
 #pragma once
 
 #include "burnish/robots/robot.hpp"
@@ -6,10 +6,10 @@
 
 namespace burnish::polishing {
 
-/// The model's posture by its joints; followers are left out. `q`: nq.
+/// Returns the joint values of q (nq entries) by joint name, without joints that follow others.
 Posture posture_of(const Model& model, const Eigen::VectorXd& q);
 
-/// Adds the start to the robot's postures and makes it the task's.
+/// Adds `q` to the postures of the robot and selects it in the task.
 void start_from(const Eigen::VectorXd& q, Robot& robot, Task& task);
 
 }  // namespace burnish::polishing

@@ -1,16 +1,17 @@
-// Why the frame matters: contact and force written in the tool's axes are right only as long as the
-// tool does not turn.
+// Experiment frames: compares contact and force in axes of the tool with contact and force in axes
+// of the surface. As soon as the tool rotates, its axes differ from the surface normal.
 #include <cmath>
 #include <limits>
 
+#include "base/to_size.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/plate.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-/// What else is wrong. An estimate of the model error does not see the mistake: it takes the
-/// measured force, along the surface's normal, for what it is.
+/// Disturbances, with a kind of model-error estimate. The estimate cannot correct wrong axes of the
+/// force, because it treats the measured force along the normal as correct.
 struct Circumstance {
   const char* name;
   const char* disturbances;
@@ -20,7 +21,8 @@ struct Circumstance {
 constexpr Circumstance circumstances[] = {{"ideal", "none", ModelErrorKind::None},
                                           {"mismatch", "mismatch", ModelErrorKind::Torque}};
 
-/// Runs of one surface and circumstance: a pair per weight.
+/// Runs on one surface under one circumstance: for each rotation weight, one run with axes of the
+/// surface and one with axes of the tool.
 struct Sweep {
   std::string surface;
   const Circumstance* circumstance;
@@ -39,17 +41,18 @@ BatchRun run_of(const ExperimentSpec& spec, const Sweep& sweep, double weight, F
   std::snprintf(text, sizeof text, "%g", weight);
   run.name = sweep.surface + ", " + sweep.circumstance->name + ", rotation " + text + ", " +
              (axes == ForceAxes::Local ? "local" : "surface");
-  // Once around.
+  // 8.5 s is the duration of one turn of the circle.
   run.spec.task = experiment_task(spec, sweep.surface, sweep.circumstance->disturbances, 8.5);
   Task& task = run.spec.task;
   task.disturbances.seed = static_cast<std::uint64_t>(spec.first_seed);
   task.model_error.kind = sweep.circumstance->model_error;
   task.weights.rotation = weight;
   task.axes = axes;
-  // What a wrist that may hardly turn does when it leaves is not the question here.
+  // Removes the force limits, because an almost rigid wrist hits the surface during the retreat.
+  // With the limits, this would end the run.
   task.tool_limits.force = task.tool_limits.unexpected_force =
       std::numeric_limits<double>::infinity();
-  // Compared, not judged: bad weights are part of it.
+  // Disables the verdict, because runs with bad weights are part of the sweep.
   task.verdict = {.contact_share = 0.0,
                   .force_rmse = std::numeric_limits<double>::infinity(),
                   .path_share = 0.0};
@@ -57,7 +60,8 @@ BatchRun run_of(const ExperimentSpec& spec, const Sweep& sweep, double weight, F
   return run;
 }
 
-/// Of surfaces that stand still, and of a plate in the other hand where the plant knows one.
+/// Results of the experiment: runs on fixed surfaces and, with MuJoCo, runs on a plate held by the
+/// other hand.
 struct Parts {
   std::vector<Sweep> sweeps;
   std::vector<PlateCase> plate;
@@ -111,7 +115,7 @@ ResultTable runs_table(const Parts& parts, const std::vector<RunFigures>& figure
 }
 
 ResultTable pairs_table(const std::vector<Sweep>& sweeps) {
-  ResultTable table{.name = "axes", .title = "The surface's axes beside the tool's"};
+  ResultTable table{.name = "axes", .title = "Axes of the surface and of the tool"};
   const std::vector<std::string> compared{"force_rmse", "force_error_mean", "position_rmse",
                                           "orientation_drift"};
   table.columns = {{"surface"}, {"circumstance"}, {"rotation weight", "1/rad^2", 3}};
@@ -131,7 +135,8 @@ ResultTable pairs_table(const std::vector<Sweep>& sweeps) {
   return table;
 }
 
-/// Powers of ten; zero stands a decade below the smallest of the others.
+/// Returns the position of a weight on the logarithmic axis: its power of ten. Zero is drawn a
+/// decade below the smallest other weight.
 double place_of(double weight) { return weight > 0.0 ? std::log10(weight) : -4.0; }
 
 Curve curve_of(const std::string& name, const Sweep& sweep, const std::vector<RunFigures>& runs,
@@ -139,16 +144,16 @@ Curve curve_of(const std::string& name, const Sweep& sweep, const std::vector<Ru
   const auto size = static_cast<Eigen::Index>(runs.size());
   Curve curve{.name = name, .x = Eigen::VectorXd(size), .y = Eigen::VectorXd(size), .color = color};
   for (Eigen::Index i = 0; i < size; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = to_size(i);
     curve.x[i] = place_of(sweep.weights[at]);
     curve.y[i] = shown(figure, runs[at][figure]);
   }
   return curve;
 }
 
-/// A column of panels per surface: force errors, and last how far the tool turned.
+/// Returns the plot of force errors and tool rotations, with a column of panels per surface.
 Figure error_figure(const std::vector<Sweep>& sweeps) {
-  const char* axis = "rotation weight [power of ten; -4 stands for 0]";
+  const char* axis = "rotation weight [power of ten; -4 means 0]";
   constexpr std::size_t rows = std::size(circumstances);
   const std::size_t surfaces = sweeps.size() / rows;
   Figure figure{.name = "errors", .plot = {.title = "Contact and force in two kinds of axes"}};
@@ -165,7 +170,7 @@ Figure error_figure(const std::vector<Sweep>& sweeps) {
         panel.curves = {curve_of("local axes", sweep, sweep.in_local, "force_rmse", 1),
                         curve_of("surface axes", sweep, sweep.in_surface, "force_rmse", 0)};
       } else {
-        panel.title = "Turn of the tool, " + sweep.surface + ", " + sweep.circumstance->name;
+        panel.title = "Rotation of the tool, " + sweep.surface + ", " + sweep.circumstance->name;
         panel.y_label = "largest [deg]";
         panel.curves = {curve_of("local axes", sweep, sweep.in_local, "orientation_drift", 1),
                         curve_of("surface axes", sweep, sweep.in_surface, "orientation_drift", 0)};
@@ -178,7 +183,7 @@ Figure error_figure(const std::vector<Sweep>& sweeps) {
 }  // namespace
 
 ExperimentReport perform_frames(const ExperimentSpec& spec) {
-  ExperimentReport report{.title = "Why the frame matters"};
+  ExperimentReport report{.title = "Effect of the contact frame"};
   std::vector<RunFigures> figures;
   const Parts parts = perform_parts(spec, figures);
   if (!spec.reports()) return report;
@@ -191,8 +196,8 @@ ExperimentReport perform_frames(const ExperimentSpec& spec) {
     };
     char text[200];
     std::snprintf(text, sizeof text,
-                  "%s, %s: over all weights the force error is at most %.2f N in "
-                  "the surface's axes and %.2f N in the tool's.",
+                  "%s, %s: over all weights, the force error is at most %.2f N in "
+                  "axes of the surface and %.2f N in axes of the tool.",
                   sweep.surface.c_str(), sweep.circumstance->name, worst(sweep.in_surface),
                   worst(sweep.in_local));
     report.findings.push_back(text);

@@ -1,4 +1,4 @@
-// The same task on surfaces of many orientations.
+// Experiment orientation: the default task on surfaces of many orientations.
 #include <cmath>
 #include <limits>
 
@@ -10,12 +10,12 @@
 namespace burnish::polishing {
 namespace {
 
-/// Errors may be so many times those on the table.
+/// Largest allowed error in any direction, as a multiple of the error on the table; an aim.
 constexpr double allowed_ratio = 2.0;
-constexpr int runs_wanted = 24;
+constexpr int runs_wanted = 24;  ///< Aim for the number of directions that are within reach.
 
-/// Where a surface's normal points, degrees: away from straight up, and around it from the robot's
-/// front (x) to its left (y).
+/// Direction of a surface's normal [deg]: tilt from vertical, and azimuth from the robot's front
+/// (x) to its left (y).
 struct Direction {
   int tilt, azimuth;
   Eigen::Vector3d normal() const {
@@ -27,7 +27,8 @@ struct Direction {
   }
 };
 
-/// Over the hemisphere about evenly: straight up, then rings.
+/// Returns directions that are spread approximately evenly over the hemisphere: the vertical, then
+/// rings.
 std::vector<Direction> directions(bool quick) {
   if (quick) return {{0, 0}, {60, 240}, {90, 180}};
   std::vector<Direction> all{{0, 0}};
@@ -36,23 +37,24 @@ std::vector<Direction> directions(bool quick) {
   return all;
 }
 
-/// A direction with what was found for it.
+/// Direction of a surface, with the run on this surface.
 struct Place {
   Direction direction;
   RunFigures run = {};
-  bool out_of_reach() const { return run.refused; }  ///< run.outcome says why
+  bool out_of_reach() const { return run.refused; }  ///< run.outcome contains the reason.
 };
 
 Task task_for(const ExperimentSpec& spec, const Direction& direction) {
   Task task = experiment_task(spec, "table", "mismatch", 12.6);
-  task.normal_world = direction.normal();
-  task.point_world.reset();
+  task.normal_base = direction.normal();
+  task.point_base.reset();
   task.posture = searched_posture;
   task.disturbances.seed = static_cast<std::uint64_t>(spec.first_seed);
   return task;
 }
 
-/// The table first; a posture is looked for in each of the other runs, before anything moves.
+/// Makes the runs: first on the table, then on a surface of each direction, with a start posture
+/// found by search.
 std::vector<Place> run_places(const ExperimentSpec& spec, RunFigures& table) {
   std::vector<Place> places;
   for (const Direction& direction : directions(spec.quick)) places.push_back({direction});
@@ -106,7 +108,8 @@ ResultTable runs_table(const std::vector<Place>& places, const RunFigures& table
 }
 
 ResultTable normals_table(const std::vector<Place>& places, const RunFigures& table) {
-  ResultTable result{.name = "normals", .title = "Errors for every normal, beside the table's"};
+  ResultTable result{.name = "normals",
+                     .title = "Errors for every normal, compared with the table"};
   const std::vector<const char*> errors{"force_rmse", "position_rmse"},
       others{"without_contact", "run_torque_margin", "joint_margin", "tool_to_normal"};
   result.columns = {{"surface"}};
@@ -138,14 +141,15 @@ ResultTable normals_table(const std::vector<Place>& places, const RunFigures& ta
 }
 
 ResultTable unreachable_table(const std::vector<Place>& places) {
-  ResultTable result{.name = "out_of_reach", .title = "Out of reach, known before anything moved"};
+  ResultTable result{.name = "out_of_reach", .title = "Directions out of reach"};
   result.columns = {{"surface"}, {"why"}};
   for (const Place& place : places)
     if (place.out_of_reach()) result.add({place.direction.name(), place.run.outcome});
   return result;
 }
 
-/// A line per tilt over the azimuth; a direction of its own is a short level line.
+/// Returns a panel of a figure over the azimuth, with a curve per tilt. A tilt with a single
+/// direction is drawn as a short horizontal line.
 Panel panel_over_azimuth(const std::vector<Place>& places, const RunFigures& table,
                          const std::string& title, const std::string& label, const char* figure) {
   Panel panel{.title = title, .x_label = "azimuth of the normal [deg]", .y_label = label};
@@ -168,7 +172,7 @@ Panel panel_over_azimuth(const std::vector<Place>& places, const RunFigures& tab
                             .color = color++});
   }
   const double limit = allowed_ratio * shown(figure, table[figure]);
-  panel.curves.push_back({.name = "twice the table's",
+  panel.curves.push_back({.name = "twice the error on the table",
                           .x = Eigen::Vector2d(0.0, 330.0),
                           .y = Eigen::Vector2d(limit, limit),
                           .color = 6,
@@ -210,14 +214,15 @@ ExperimentReport perform_orientation(const ExperimentSpec& spec) {
                             " directions are within reach" +
                             (spec.quick || reached >= runs_wanted
                                  ? "."
-                                 : "; at least " + std::to_string(runs_wanted) + " are wanted."));
-  report.findings.push_back("Of these, " + std::to_string(within) +
-                            " have a force and a path error within twice the table's.");
+                                 : "; the aim is at least " + std::to_string(runs_wanted) + "."));
+  report.findings.push_back(
+      std::to_string(within) +
+      " of the directions within reach have at most twice the force and path errors of the table.");
   if (worst != nullptr) {
     char text[160];
     std::snprintf(text, sizeof text,
-                  "Worst is %s: %.2f times the table's force error, %.2f times "
-                  "its path error.",
+                  "The worst is %s, with %.2f times the force error and %.2f times the path error "
+                  "of the table.",
                   worst->direction.name().c_str(), ratio(worst->run, table, "force_rmse"),
                   ratio(worst->run, table, "position_rmse"));
     report.findings.push_back(text);

@@ -1,7 +1,9 @@
-// The experiments of the paper, with disturbances, for MPC and controllers without a plan.
+// Experiment paper: the task of the paper under disturbances, for MPC and for controllers without a
+// plan.
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/aims.hpp"
 #include "polishing/experiments/batch.hpp"
@@ -9,7 +11,7 @@
 namespace burnish::polishing {
 namespace {
 
-/// By the worst of its seeds.
+/// Returns the aims that the worst seed should meet under these disturbances.
 std::vector<Aim> aims_under(const std::string& disturbances) {
   const double force = disturbances == "none" ? 0.05 : disturbances == "mismatch" ? 0.15 : 0.4;
   const double path = disturbances == "none" ? 0.2 : disturbances == "mismatch" ? 0.7 : 1.5;
@@ -20,16 +22,16 @@ std::vector<Aim> aims_under(const std::string& disturbances) {
           {"largest_command", 100.0}};
 }
 
-/// Runs that differ in nothing but their seed.
+/// Runs that differ only in their seed.
 struct FigureGroup {
   std::string surface, disturbances;
   ControllerKind controller;
-  std::vector<int> runs = {};  ///< indices
+  std::vector<int> runs = {};  ///< Indices of the runs.
 };
 
 std::vector<RunFigures> members(const FigureGroup& group, const std::vector<RunFigures>& runs) {
   std::vector<RunFigures> result;
-  for (const int index : group.runs) result.push_back(runs[static_cast<std::size_t>(index)]);
+  for (const int index : group.runs) result.push_back(runs[to_size(index)]);
   return result;
 }
 
@@ -79,7 +81,7 @@ ResultTable summary_table(const std::vector<FigureGroup>& groups,
 
 ResultTable aims_table(const std::vector<FigureGroup>& groups, const std::vector<RunFigures>& runs,
                        ExperimentReport& report) {
-  ResultTable table{.name = "aims", .title = "MPC beside the aims, by the worst seed"};
+  ResultTable table{.name = "aims", .title = "MPC compared with the aims, by the worst seed"};
   table.columns = {{"surface"}, {"disturbances"}, {"figure"},       {"unit"},
                    {"worst"},   {"aim", "", 2},   {"room", "%", 0}, {"verdict"}};
   int met = 0, all = 0;
@@ -89,7 +91,7 @@ ResultTable aims_table(const std::vector<FigureGroup>& groups, const std::vector
       double worst = -1.0;
       for (const RunFigures& run : members(group, runs)) {
         const double value = shown(aim.figure, run[aim.figure]);
-        if (!(value <= worst)) worst = value;  // a run without a figure is the worst
+        if (!(value <= worst)) worst = value;  // a run without the figure counts as the worst
       }
       const std::string words = verdict(worst, aim);
       met += words == "met" ? 1 : 0;
@@ -110,7 +112,8 @@ ResultTable aims_table(const std::vector<FigureGroup>& groups, const std::vector
 constexpr ControllerKind compared[] = {ControllerKind::Mpc, ControllerKind::Baseline,
                                        ControllerKind::Admittance};
 
-/// A curve of every controller, each in its colour; those that stray go under the others.
+/// Returns one curve for each controller, in the controller's colour. Curves with larger errors
+/// come first, so that they are drawn below the others.
 std::vector<Curve> overlaid(const RunCurves* runs, Curve RunCurves::*which) {
   std::vector<Curve> result;
   for (int i = static_cast<int>(std::size(compared)) - 1; i >= 0; --i) {
@@ -120,7 +123,7 @@ std::vector<Curve> overlaid(const RunCurves* runs, Curve RunCurves::*which) {
   return result;
 }
 
-/// Force and path of every controller, a row of panels per surface.
+/// Returns the plot of force and path for all controllers, with a row of panels per surface.
 Figure force_and_path(const std::vector<std::string>& surfaces,
                       const std::vector<RunCurves>& curves) {
   Figure figure{
@@ -128,7 +131,7 @@ Figure force_and_path(const std::vector<std::string>& surfaces,
       .plot = {.title = "MPC, baseline and admittance, preset mismatch, first seed", .columns = 3}};
   figure.plot.panel_width = 480;
   figure.plot.panel_height = 330;
-  const char* time = "time since the path began [s]";
+  const char* time = "time since the start of the path [s]";
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const RunCurves* const runs = &curves[std::size(compared) * i];
     Panel force{.title = "Normal force, " + surfaces[i],
@@ -163,7 +166,7 @@ ExperimentReport perform_paper(const ExperimentSpec& spec) {
     for (const char* disturbances : {"none", "mismatch", "joint_friction"})
       for (const ControllerKind controller : compared) {
         groups.push_back({surface, disturbances, controller});
-        // Without disturbances nothing is drawn.
+        // Without disturbances, one seed is enough: all seeds give equal results.
         const int count = disturbances == std::string("none") ? 1 : seeds;
         for (int seed = spec.first_seed; seed < spec.first_seed + count; ++seed) {
           BatchRun run;
@@ -180,7 +183,8 @@ ExperimentReport perform_paper(const ExperimentSpec& spec) {
         }
       }
   const std::vector<RunFigures> figures = run_batch(spec, runs);
-  std::vector<RunCurves> curves;  // of every surface, in the order of `compared`
+  // Curves of every surface, in the order of the controllers in `compared`.
+  std::vector<RunCurves> curves;
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (!runs[i].curves.empty()) curves.push_back(figures[i].curves.value_or(RunCurves{}));
   report.tables = {runs_table(groups, figures), summary_table(groups, figures)};

@@ -21,7 +21,7 @@ Task plate_task(const ExperimentSpec& spec, double turn, ForceAxes axes) {
   override_task(task, spec.overrides);
   task.waving.turn_world = {0.0, 0.0, turn * std::numbers::pi / 180.0};
   task.axes = axes;
-  // Compared, not judged.
+  // Disables the verdict, because the runs are only compared with each other.
   task.verdict = {.contact_share = 0.0,
                   .force_rmse = std::numeric_limits<double>::infinity(),
                   .path_share = 0.0};
@@ -58,8 +58,9 @@ std::vector<PlateCase> add_plate(const ExperimentSpec& spec, std::vector<BatchRu
 
 ResultTable plate_table(const std::vector<PlateCase>& cases, const std::vector<RunFigures>& figures,
                         ExperimentReport& report) {
-  ResultTable table{.name = "plate",
-                    .title = "A plate in the other hand: its axes, the world's and the tool's"};
+  ResultTable table{
+      .name = "plate",
+      .title = "A plate in the other hand: axes of the plate, the world and the tool"};
   table.columns = {{"plate turned", "deg", 0}};
   for (const char* figure : {"force_rmse", "position_rmse"})
     for (const ForceAxes axes : compared_axes)
@@ -75,8 +76,8 @@ ResultTable plate_table(const std::vector<PlateCase>& cases, const std::vector<R
   const std::size_t last = cases.size() - axes;
   char text[200];
   std::snprintf(text, sizeof text,
-                "On a plate that turns by %.0f degrees the force error is %.2f N in the plate's "
-                "axes, %.2f N in the world's and %.2f N in the tool's.",
+                "On a plate that turns by %.0f degrees, the force error is %.2f N in axes of the "
+                "plate, %.2f N in axes of the world and %.2f N in axes of the tool.",
                 cases[last].turn, worst_of(cases[last], figures, "force_rmse"),
                 worst_of(cases[last + 1], figures, "force_rmse"),
                 worst_of(cases[last + 2], figures, "force_rmse"));

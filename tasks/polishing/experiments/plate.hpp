@@ -1,24 +1,24 @@
-// Why the frame matters where the surface moves: one hand turns a plate that the other polishes.
+// Comparison of contact frames on a moving surface: one hand turns a plate that the other polishes.
 #pragma once
 
 #include "polishing/experiments/batch.hpp"
 
 namespace burnish::polishing {
 
-/// As task files have it.
+/// Returns the word that task files use for these axes.
 const char* text_of(ForceAxes axes);
 
-/// A turn of the plate, axes of contact and force, and its runs in a row of all runs.
+/// Amplitude of the plate's rotation, axes of contact and force, and the runs with both.
 struct PlateCase {
-  double turn = 0.0;  ///< degrees to both sides
+  double turn = 0.0;  ///< Amplitude of the rotation to both sides [deg].
   ForceAxes axes;
-  std::vector<std::size_t> runs = {};  ///< indices
+  std::vector<std::size_t> runs = {};  ///< Indices of the runs in the batch.
 };
 
-/// Adds runs of the shipped task of two arms. The plant has to be MuJoCo.
+/// Adds runs of the bundled task `two_arms`. The plant must be MuJoCo.
 std::vector<PlateCase> add_plate(const ExperimentSpec& spec, std::vector<BatchRun>& runs);
 
-/// Errors by turn and axes; also a finding.
+/// Returns a table of errors by rotation amplitude and axes, and adds a finding to the report.
 ResultTable plate_table(const std::vector<PlateCase>& cases, const std::vector<RunFigures>& figures,
                         ExperimentReport& report);
 

@@ -1,4 +1,4 @@
-// What public robots should do, which of them do not, and why some were not tried.
+// Aims for public robots, the robots that miss them, and the reasons for robots without runs.
 #pragma once
 
 #include "polishing/experiments/experiment.hpp"
@@ -6,32 +6,34 @@
 
 namespace burnish::polishing {
 
-/// Something that every robot should do.
+/// Aim that every public robot should meet.
 struct PublicAim {
   std::string what;
-  std::string where = {};  ///< surface or ground
+  std::string where = {};  ///< Surface or ground on which the aim is tested.
   int met = 0, all = 0;
-  std::vector<std::string> missed = {};  ///< names of robots
+  std::vector<std::string> missed = {};  ///< Names of robots that miss the aim.
 
   void count(const std::string& robot, bool meets);
 };
 
-/// A robot of which there are no runs, or whose runs were refused, and the reason.
+/// Robot that was not tested or whose runs were rejected, with the reason.
 struct UntriedRobot {
   std::string robot, where, reason;
 };
 
-/// What is measured of a public robot's run besides its figures.
+/// Names of additional measurements of a public robot's run.
 namespace public_figures {
-inline constexpr const char* mass = "mass";      ///< kg that move
-inline constexpr const char* force = "force";    ///< Force that the tool presses with [N].
-inline constexpr const char* rotors = "rotors";  ///< joints with assumed rotors
-inline constexpr const char* light = "light";    ///< joints whose rotor is missing
-/// s of extra delay that margins() predicts, beyond that of the disturbances `sensors`
+inline constexpr const char* mass = "mass";    ///< Moving mass [kg].
+inline constexpr const char* force = "force";  ///< Force that the tool presses with [N].
+/// Number of joints whose rotor inertia was assumed.
+inline constexpr const char* rotors = "rotors";
+inline constexpr const char* light = "light";  ///< Number of light joints, see light_joints().
+/// Extra delay of commands that the loop tolerates, predicted by margins() [s]. It adds to the
+/// delay of the preset `sensors`.
 inline constexpr const char* delay = "delay";
 }  // namespace public_figures
 
-/// What arms and robots with legs have in common in a report.
+/// Common part of the reports on arms and on robots with legs.
 class PublicReport {
  public:
   PublicReport();
@@ -40,8 +42,8 @@ class PublicReport {
                const RunFigures& figures);
   void add_aim(PublicAim aim) { aims_.push_back(std::move(aim)); }
   void add_untried(UntriedRobot robot) { untried_.push_back(std::move(robot)); }
-  /// Puts the table of all runs first, adds those of aims and of robots that were not tried and a
-  /// sentence for how many aims are met, and each reason to the failures.
+  /// Writes the tables into the report, the table of all runs first. Adds a finding with the number
+  /// of aims met, and adds the reasons of untried robots to the failures.
   void write(ExperimentReport& report) const;
 
  private:
@@ -50,23 +52,24 @@ class PublicReport {
   std::vector<UntriedRobot> untried_;
 };
 
-/// The measured figure of a run, NaN where it was refused.
+/// Returns an additional measurement of a run; NaN if the run was rejected.
 double measured(const RunFigures& run, const std::string& figure);
 
-/// "assumed", "missing" or "-": rotors of an arm's motors that its description leaves out.
+/// Returns "assumed" or "missing" if the description of an arm lacks rotor inertias, else "-".
 std::string rotors_text(const RunFigures& run);
 
-/// Runs by their numbers.
+/// Returns the runs with the given indices.
 std::vector<RunFigures> chosen(const std::vector<RunFigures>& runs,
                                const std::vector<std::size_t>& numbers);
 
-/// Whether all runs were made. Tables and aims skip a set in which a run was stopped or left out.
+/// Returns whether all runs were made. Tables and aims skip groups of runs in which some were
+/// stopped or omitted.
 bool all_made(const std::vector<RunFigures>& runs);
 
-/// How many polished (of robots with legs: stood to the end).
+/// Returns the number of runs that polished or, for robots with legs, stood to the end.
 int polished_of(const std::vector<RunFigures>& runs);
 
-/// Why the first of the runs was refused; empty where it was not.
+/// Returns the reason why the first run was rejected; empty if it was not.
 std::string refusal_of(const std::vector<RunFigures>& runs);
 
 }  // namespace burnish::polishing

@@ -12,17 +12,18 @@
 namespace burnish::polishing {
 namespace {
 
-/// Time on the path [s]. The circle grows during its first half; the other half is measured.
+/// Time on the path [s]. The circle grows during the first half; metrics are computed over the
+/// second half.
 constexpr double path_duration = 4.0;
-/// Delay of the commands [s], and whether the controller knows it.
+/// Delay of the commands [s], and whether the controller compensates it.
 constexpr std::pair<double, bool> delays[] = {{3e-3, false}, {5e-3, true}};
 
 Task task_of(const ExperimentSpec& spec, const PublicRobot& arm, const std::string& surface,
              const std::string& preset) {
   Task task = experiment_task(spec, surface, preset, path_duration);
   override_task(task, arm.changes);
-  override_task(task, spec.overrides);  // go before those of the list
-  task.robot = arm.name;                // no result depends on where the description lies
+  override_task(task, spec.overrides);  // last, so that they override the changes of the list
+  task.robot = arm.name;  // results must not depend on the location of the description
   task.tool = arm.tool;
   return task;
 }
@@ -34,11 +35,11 @@ Task task_of(const ExperimentSpec& spec, const ArmTrial& trial) {
   return task;
 }
 
-/// A run of an arm as `burnish polish` makes it.
+/// Run of an arm with the steps of `burnish polish`.
 struct ArmRun {
   ArmBench* bench;
-  RunSpec spec;   ///< without what the bench finds
-  bool predicts;  ///< the delay that it bears
+  RunSpec spec;   ///< Specification; start and force come from the bench.
+  bool predicts;  ///< True to predict the extra delay that the control loop tolerates.
   std::string name;
 
   RunFigures operator()(const RunProgress& progress) const {
@@ -72,7 +73,7 @@ struct ArmRun {
   }
 };
 
-/// All that a result depends on.
+/// Returns the text of all inputs of a run, for the name of its stored result.
 std::string text_of(const ArmRun& run) {
   return name_of(run.spec.controller) + '\n' + burnish::name_of(run.spec.plant) + '\n' +
          task_text(run.spec.task) + run.bench->numbers;
@@ -129,7 +130,7 @@ void PublicArms::add_trial(ArmTrial trial, int seeds, std::vector<BatchRun>& run
                   .name = run.name};
       made.spec.task.disturbances.seed = run.spec.task.disturbances.seed;
       made.spec.plant = spec_.plant;
-      made.spec.check_reach = false;  // the bench does, once
+      made.spec.check_reach = false;  // search() checks the reach, once for all runs
       made.spec.plan_rate = 0.0;
       run.depends_on = text_of(made);
       run.perform = std::move(made);

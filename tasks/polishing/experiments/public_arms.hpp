@@ -1,5 +1,5 @@
-// Experiment on public arms: polishing with default settings, compared with the baseline, and with
-// late commands.
+// Experiment on public arms: polishing with default settings, compared with the baseline
+// controller, and polishing with delayed commands.
 #pragma once
 
 #include <memory>
@@ -10,48 +10,49 @@
 
 namespace burnish::polishing {
 
-/// An arm before a surface. What a run needs besides its task is found before the first one.
+/// Arm at a surface, with the start posture and the force of its runs.
 struct ArmBench {
   PublicRobot arm;
   std::string surface;
-  Task task;            ///< under `mismatch`
-  Robot robot;          ///< as described
-  std::string numbers;  ///< of the robot: see numbers_of()
+  Task task;            ///< Task with the disturbances of the preset `mismatch`.
+  Robot robot;          ///< Robot as loaded, without changes for the task.
+  std::string numbers;  ///< Numbers of the robot, see numbers_of().
   std::once_flag searched = {};
-  std::string reason = {};       ///< why there is no start; empty: there is one
-  double force = 0.0;            ///< N
-  Eigen::VectorXd q_start = {};  ///< nq
+  std::string reason = {};       ///< Reason why no start was found; empty: a start was found.
+  double force = 0.0;            ///< Force that the tool presses with [N].
+  Eigen::VectorXd q_start = {};  ///< Start posture, nq entries.
 
-  /// Finds start and force, once. The force is the task's; if posture or motors do not allow it,
-  /// the largest allowed whole number of newtons, at least least_force.
+  /// Searches a start posture and sets the force, which is the force of the task. If posture or
+  /// motors do not allow this force, the force is the largest allowed whole number of newtons, at
+  /// least least_force.
   void search();
-  /// 1.5 times the force that counts as contact (Task::contact_threshold) [N].
+  /// Smallest force that search() tries, 1.5 times Task::contact_threshold [N].
   static constexpr double least_force = 3.0;
 };
 
-/// Runs of an arm that differ in nothing but their seed.
+/// Runs of an arm that differ only in their seed.
 struct ArmTrial {
   ArmBench* bench;
-  std::string preset = "mismatch";  ///< of disturbances
+  std::string preset = "mismatch";  ///< Preset of disturbances.
   ControllerKind controller = ControllerKind::Mpc;
-  double delay = 0.0;                  ///< command delay; 0: that of the preset [s]
-  bool known = false;                  ///< the controller knows this delay
-  std::vector<std::size_t> runs = {};  ///< by their numbers
+  double delay = 0.0;                  ///< Delay of commands; 0: delay of the preset [s].
+  bool known = false;                  ///< True if the controller compensates `delay`.
+  std::vector<std::size_t> runs = {};  ///< Indices of the runs in the batch.
 
   bool is(const char* of_preset, ControllerKind of_controller) const {
     return delay == 0.0 && preset == of_preset && controller == of_controller;
   }
-  /// "mismatch, mpc" or "3 ms unknown"
+  /// Returns a name such as "mismatch, mpc" or "3 ms unknown".
   std::string name() const;
 };
 
 class PublicArms {
  public:
-  /// The specification outlives it.
+  /// `spec` must outlive this object.
   explicit PublicArms(const ExperimentSpec& spec) : spec_(spec) {}
-  /// Adds the runs of an arm whose description is that file.
+  /// Adds the runs of an arm whose description is `file`.
   void add(const PublicRobot& arm, const std::filesystem::path& file, std::vector<BatchRun>& runs);
-  /// Adds tables of what came of them, by the figures of all runs.
+  /// Adds tables of the results to the report. `figures`: figures of all runs.
   void report(const std::vector<RunFigures>& figures, PublicReport& common,
               ExperimentReport& report) const;
 
@@ -61,10 +62,10 @@ class PublicArms {
   const ExperimentSpec& spec_;
   std::vector<std::unique_ptr<ArmBench>> benches_;
   std::vector<ArmTrial> trials_;
-  std::vector<UntriedRobot> unread_;  ///< whose description is refused
+  std::vector<UntriedRobot> unread_;  ///< Robots whose descriptions were rejected.
 };
 
-// Tables of a report, by the figures of all runs.
+// Tables of the report, from the figures of all runs.
 ResultTable arms_table(const std::vector<ArmTrial>& trials, const std::vector<RunFigures>& figures,
                        PublicReport& common);
 ResultTable delays_table(const std::vector<ArmTrial>& trials,

@@ -1,8 +1,9 @@
-// What came of the arms: a row of figures per arm and surface, and of delays per arm.
+// Tables of public arms: figures per arm and surface, and delays per arm.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "base/to_size.hpp"
 #include "polishing/experiments/aims.hpp"
 #include "polishing/experiments/public_arms.hpp"
 
@@ -11,18 +12,19 @@ namespace {
 
 constexpr const char* arm_presets[] = {"mismatch", "joint_friction"};
 
-/// Largest rms error of the force under `mismatch`.
+/// Aim for the rms error of the force with the disturbances `mismatch`.
 const Aim force_aim{"force_rmse", 0.2};
 
-/// "Not worse" than the baseline: a figure is at most `times` its, or `more` above.
+/// Tolerance for the claim that MPC is not worse than the baseline. The figure of MPC must be at
+/// most `times` the figure of the baseline, or at most `more` above it.
 struct Tolerance {
   const char *figure, *name;
-  double times, more;  ///< more: in the unit that people are shown
+  double times, more;  ///< `more` is in the display unit.
 };
 constexpr Tolerance tolerances[] = {{"force_rmse", "force", 1.1, 0.01},
                                     {"position_rmse", "path", 1.0, 0.005}};
 
-/// Of the runs that polished, in the unit that people are shown.
+/// Returns the median of a figure over the runs that polished, in the display unit.
 double median(const std::vector<RunFigures>& runs, const char* figure) {
   std::vector<double> values;
   for (const RunFigures& run : runs)
@@ -30,17 +32,18 @@ double median(const std::vector<RunFigures>& runs, const char* figure) {
   return shown(figure, quantile_of(values, 0.5));
 }
 
-/// The same of the largest one; of those too that did not polish, as far as they came.
+/// Returns the largest value of a figure over all runs, in the display unit. Runs that stopped
+/// early are included, with the values until they stopped.
 double worst(const std::vector<RunFigures>& runs, const char* figure) {
   return shown(figure, largest_of(collect(runs, figure)));
 }
 
-/// Both controllers under a preset.
+/// Runs of MPC and baseline under one preset of disturbances.
 struct Pair {
   std::vector<RunFigures> mpc, baseline;
 
   bool all_polished() const { return polished_of(mpc) == static_cast<int>(mpc.size()); }
-  /// What the MPC is worse in; empty: in nothing.
+  /// Returns the figures in which MPC is worse than the baseline; empty: none.
   std::string worse() const;
 };
 
@@ -61,7 +64,7 @@ std::string Pair::worse() const {
   return text;
 }
 
-/// What all runs of a bench came to, by preset.
+/// Figures of all runs of a bench (an arm at a surface), by preset of disturbances.
 struct BenchFigures {
   const ArmBench* bench;
   std::vector<RunFigures> all = {};
@@ -70,7 +73,7 @@ struct BenchFigures {
   std::string refusal() const { return refusal_of(all); }
 };
 
-/// In their order.
+/// Returns the benches of the trials, each once, in order of appearance.
 std::vector<BenchFigures> benches_of(const std::vector<ArmTrial>& trials,
                                      const std::vector<RunFigures>& figures) {
   std::vector<BenchFigures> benches;
@@ -87,12 +90,13 @@ std::vector<BenchFigures> benches_of(const std::vector<ArmTrial>& trials,
   return benches;
 }
 
-/// "3 of 3"
-std::string share_of(const std::vector<RunFigures>& runs) {
+/// Returns how many of the runs polished, such as "3 of 3".
+std::string polished_text(const std::vector<RunFigures>& runs) {
   return std::to_string(polished_of(runs)) + " of " + std::to_string(runs.size());
 }
 
-/// "joint_friction: force +0.030 N"; "no" without more where the aim counts.
+/// Returns the figures in which MPC is worse than the baseline, such as "joint_friction: force
+/// +0.030 N".
 std::string worse_text(const BenchFigures& bench) {
   std::string text;
   for (std::size_t i = 0; i < std::size(arm_presets); ++i)
@@ -111,8 +115,8 @@ std::vector<ResultCell> cells_of(const BenchFigures& bench) {
     row.emplace_back(median(pair.baseline, "force_rmse"));
     row.emplace_back(median(pair.mpc, "position_rmse"));
     row.emplace_back(median(pair.baseline, "position_rmse"));
-    row.emplace_back(share_of(pair.mpc));
-    row.emplace_back(share_of(pair.baseline));
+    row.emplace_back(polished_text(pair.mpc));
+    row.emplace_back(polished_text(pair.baseline));
   }
   const std::string worse = worse_text(bench);
   row.emplace_back(std::string(worse.empty() ? "yes" : "no"));
@@ -120,7 +124,7 @@ std::vector<ResultCell> cells_of(const BenchFigures& bench) {
   return row;
 }
 
-/// Aims of one surface.
+/// Aims for all arms on one surface.
 struct SurfaceAims {
   explicit SurfaceAims(const std::string& surface)
       : polish{.what = "all runs polish", .where = surface},
@@ -149,7 +153,7 @@ SurfaceAims& aims_on(const std::string& surface, std::vector<SurfaceAims>& all) 
 ResultTable arms_table(const std::vector<ArmTrial>& trials, const std::vector<RunFigures>& figures,
                        PublicReport& common) {
   ResultTable table{.name = "arms",
-                    .title = "Arms: rms error of force and path, median and worst of the seeds"};
+                    .title = "Arms: rms errors of force and path, median and worst of the seeds"};
   table.columns = {{"arm"}, {"surface"}, {"force", "N", 0}, {"rotors"}};
   for (const char* preset : arm_presets) {
     const std::vector<ResultColumn> of_preset{{std::string(preset) + ": mpc", "N"},
@@ -180,7 +184,7 @@ ResultTable arms_table(const std::vector<ArmTrial>& trials, const std::vector<Ru
 
 ResultTable delays_table(const std::vector<ArmTrial>& trials,
                          const std::vector<RunFigures>& figures, PublicReport& common) {
-  ResultTable table{.name = "delays", .title = "Arms whose commands are late"};
+  ResultTable table{.name = "delays", .title = "Arms with delayed commands"};
   table.columns = {{"arm"}, {"surface"}, {"force", "N", 0}, {"predicted", "ms", 1}};
   std::vector<PublicAim> aims;
   std::vector<std::vector<ResultCell>> rows;
@@ -203,8 +207,8 @@ ResultTable delays_table(const std::vector<ArmTrial>& trials,
                       measured(run, public_figures::force),
                       1e3 * measured(run, public_figures::delay)});
     before = trial.bench;
-    const auto at = static_cast<std::size_t>(4 + 2 * (aim - aims.begin()));
-    rows.back().resize(at);  // of a run that was stopped there is nothing
+    const auto at = to_size(4 + 2 * (aim - aims.begin()));
+    rows.back().resize(at);  // keeps the cells before the figures, because a stopped run has none
     rows.back().emplace_back(shown("force_rmse", run["force_rmse"]));
     rows.back().emplace_back(run.polished ? std::string("polished") : run.outcome);
   }

@@ -13,10 +13,11 @@
 namespace burnish::polishing {
 namespace {
 
-/// s that a run may compute at least: the largest humanoids take 10, where an arm takes 3.
-constexpr double longest_computing = 120.0;
+/// Smallest limit of a run's computing time [s]. A run of the largest humanoid takes 10 s, a run of
+/// an arm 3 s.
+constexpr double min_time_limit = 120.0;
 
-/// The shipped file's task with this robot and its feet.
+/// Returns the bundled task of the robot's entry, with this robot and its feet.
 stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
   const auto& texts = shipped_stand_texts();
   const auto found =
@@ -25,7 +26,7 @@ stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
   for (const std::string& foot : robot.feet) feet += (feet.empty() ? "" : ", ") + yaml_word(foot);
   std::vector<std::string> changes{"robot=" + yaml_word(robot.name), "standing.feet=[" + feet + "]",
                                    "disturbances=mismatch"};
-  // A named posture is the shipped robot's.
+  // Removes a posture named in the file, because it belongs to the bundled robot.
   const stand::Task shipped = stand::parse_task(std::string(found->second), robot.task + ".yaml");
   if (!shipped.posture.empty()) changes.emplace_back("posture=search");
   if (spec.quick)
@@ -36,8 +37,8 @@ stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
   return stand::parse_task(std::string(found->second), robot.task + ".yaml", changes);
 }
 
-/// What is kept of a run besides: of the sway, its amplitudes as the robot allows them, and whether
-/// it fell.
+/// Returns additional measurements of a run: mass, whether the robot fell, amplitudes of the sway
+/// after reduction to the robot's limits, and errors.
 std::vector<MeasuredFigure> measured_of(const stand::RunResult& result) {
   const stand::Sway& sway = result.setting.sway;
   std::vector<MeasuredFigure> all{
@@ -78,7 +79,7 @@ struct StandingRun {
   }
 };
 
-/// "30, 20, 20", of the figures name_x, name_y and name_z.
+/// Returns the figures name_x, name_y and name_z as text, such as "30, 20, 20".
 std::string amplitudes(const RunFigures& run, const std::string& name, double factor) {
   std::string text;
   for (const char* axis : {"_x", "_y", "_z"}) {
@@ -125,7 +126,7 @@ std::vector<ResultCell> cells_of(const PublicRobot& robot, const std::vector<Run
 void PublicLegs::add(const PublicRobot& robot, const std::filesystem::path& file,
                      std::vector<BatchRun>& runs) {
   if (spec_.plant != PlantKind::Mujoco) {
-    unread_.push_back({robot.name, "ground", "it stands in MuJoCo alone; wanted that plant"});
+    unread_.push_back({robot.name, "ground", "standing needs the plant mujoco"});
     return;
   }
   StandingRun stands{.task = task_of(spec_, robot)};
@@ -148,7 +149,7 @@ void PublicLegs::add(const PublicRobot& robot, const std::filesystem::path& file
     run.spec.task.disturbances.seed = stands.task.disturbances.seed;
     run.perform = stands;
     run.depends_on = depends_on;
-    run.usual_limit = longest_computing;
+    run.usual_limit = min_time_limit;
     runs.push_back(std::move(run));
   }
 }
@@ -158,7 +159,7 @@ void PublicLegs::report(const std::vector<RunFigures>& figures, PublicReport& co
   for (const UntriedRobot& each : unread_) common.add_untried(each);
   if (standers_.empty()) return;
   ResultTable table{.name = "legs",
-                    .title = "Robots with legs: ten seconds on their feet, swaying"};
+                    .title = "Robots with legs: standing and swaying for ten seconds"};
   table.columns = {{"robot"},
                    {"task"},
                    {"mass", "kg", 1},

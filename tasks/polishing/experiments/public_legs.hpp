@@ -1,4 +1,4 @@
-// Robots with legs of public descriptions: whether each stands and sways as tasks/stand has it.
+// Experiment on public robots with legs: the task `stand` with default settings.
 #pragma once
 
 #include "polishing/experiments/batch.hpp"
@@ -8,12 +8,12 @@ namespace burnish::polishing {
 
 class PublicLegs {
  public:
-  /// The specification outlives it.
+  /// `spec` must outlive this object.
   explicit PublicLegs(const ExperimentSpec& spec) : spec_(spec) {}
-  /// Adds the runs of a robot whose description is that file.
+  /// Adds the runs of a robot whose description is `file`.
   void add(const PublicRobot& robot, const std::filesystem::path& file,
            std::vector<BatchRun>& runs);
-  /// Adds tables of what came of them, by the figures of all runs.
+  /// Adds tables of the results to the report. `figures`: figures of all runs.
   void report(const std::vector<RunFigures>& figures, PublicReport& common,
               ExperimentReport& report) const;
 
@@ -25,7 +25,7 @@ class PublicLegs {
 
   const ExperimentSpec& spec_;
   std::vector<Stander> standers_;
-  std::vector<UntriedRobot> unread_;  ///< whose description is refused
+  std::vector<UntriedRobot> unread_;  ///< Robots whose descriptions were rejected.
 };
 
 }  // namespace burnish::polishing

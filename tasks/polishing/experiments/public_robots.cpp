@@ -20,7 +20,7 @@ std::string text_at(const Reader& map, const char* key) {
   return value ? value->text() : std::string();
 }
 
-/// What entries of both kinds have.
+/// Reads the keys that entries of arms and entries of robots with legs have in common.
 PublicRobot read_source(const std::string& name, const Reader& map, const Commits& commits) {
   PublicRobot robot{
       .name = name, .repository = text_at(map, "repository"), .file = map["file"].text()};
@@ -34,7 +34,7 @@ PublicRobot read_source(const std::string& name, const Reader& map, const Commit
   if (const auto changes = map.find("set")) robot.changes = changes->texts();
   robot.because = text_at(map, "because");
   if (robot.changes.empty() != robot.because.empty())
-    map.refuse("wanted the keys 'set' and 'because' together");
+    map.refuse("only one of the keys 'set' and 'because' is given; wanted both or none");
   return robot;
 }
 
@@ -49,14 +49,14 @@ PublicRobot read_legged(const std::string& name, const Reader& map, const Commit
   map.allow_only({"repository", "file", "feet", "task", "set", "because"});
   PublicRobot robot = read_source(name, map, commits);
   robot.feet = map["feet"].texts();
-  if (robot.feet.empty()) map["feet"].refuse("wanted the frames of the feet");
+  if (robot.feet.empty()) map["feet"].refuse("the list is empty; wanted the frames of the feet");
   std::vector<std::string> tasks;
   for (const auto& [task, text] : shipped_stand_texts()) tasks.emplace_back(task);
   robot.task = map["task"].word(tasks);
   return robot;
 }
 
-/// A word in a table, where there may be none.
+/// Returns a cell with the text, or "-" for an empty text.
 ResultCell cell(const std::string& text) {
   return text.empty() ? ResultCell("-") : ResultCell(text);
 }
@@ -84,7 +84,8 @@ std::vector<PublicRobot> parse_public_robots(const std::string& text, const std:
   };
   add("arms", read_arm);
   add("legged", read_legged);
-  if (robots.empty()) map.refuse("wanted robots under the keys 'arms' and 'legged'");
+  if (robots.empty())
+    map.refuse("there are no robots; wanted entries under the keys 'arms' and 'legged'");
   return robots;
 }
 
@@ -110,7 +111,7 @@ std::vector<PublicRobotFile> public_robots_in(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
     throw Error("folder " + in_quotes(folder.string()) +
-                " is not there; wanted a folder of robot descriptions");
+                " does not exist; wanted a folder of robot descriptions");
   const fs::path own = folder / public_robots_file;
   std::vector<PublicRobotFile> all;
   bool any = false;
@@ -125,7 +126,7 @@ std::vector<PublicRobotFile> public_robots_in(const fs::path& folder) {
   if (any) return all;
   const PublicRobot& first = all.front().robot;
   throw Error("folder " + in_quotes(folder.string()) + " has none of the " +
-              std::to_string(all.size()) + " descriptions that were asked for; wanted " +
+              std::to_string(all.size()) + " descriptions in the list of public robots; wanted " +
               in_quotes((fs::path(first.repository) / first.file).string()) + " or others");
 }
 

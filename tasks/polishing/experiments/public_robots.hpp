@@ -1,4 +1,4 @@
-// Robots of public repositories: which file of which one, and what a task is told of each.
+// List of robots in public repositories: their files, and the settings of their tasks.
 #pragma once
 
 #include <filesystem>
@@ -12,36 +12,38 @@ namespace burnish::polishing {
 
 struct PublicRobot {
   std::string name;
-  std::string repository = {};  ///< OWNER/NAME at GitHub; empty: the file lies in the folder itself
-  std::string commit = {};      ///< of that repository, with which it was tried; may be empty
-  std::string file;             ///< the description's path in the repository
-  std::string tool = {};        ///< of an arm: frame that holds the tool
-  std::vector<std::string> feet = {};     ///< of a robot with legs: frames
-  std::string task = {};                  ///< with feet: of tasks/stand, without ending
-  std::vector<std::string> changes = {};  ///< of the task, as override_task() takes them
-  std::string because = {};               ///< why there are changes; empty without
+  std::string repository = {};  ///< OWNER/NAME at GitHub; empty: `file` is in the folder itself.
+  std::string commit = {};      ///< Tested commit of the repository; may be empty.
+  std::string file;             ///< Path of the description in the repository.
+  std::string tool = {};        ///< Frame of the tool, for an arm.
+  std::vector<std::string> feet = {};     ///< Frames of the feet, for a robot with legs.
+  std::string task = {};                  ///< With feet: file in tasks/stand, without extension.
+  std::vector<std::string> changes = {};  ///< Changes of the task, see override_task().
+  std::string because = {};               ///< Reason for `changes`; empty without changes.
 
   bool stands() const { return !feet.empty(); }
-  /// Of the description at that commit; of a file of the folder its path.
+  /// Returns the URL of the description at the tested commit; for a file without a repository, its
+  /// path.
   std::string url() const;
 };
 
-/// The file in a folder of that list, in place of the shipped one.
+/// Name of the file that lists the robots of a folder, in place of the bundled list.
 inline constexpr const char* public_robots_file = "robots.yaml";
 
-/// Reads a list, called `name` in refusals:
+/// Reads a list; `name` is its name in errors:
 ///
 ///     repositories: {OWNER/NAME: commit, ...}
 ///     arms: {NAME: {repository: OWNER/NAME, file: path, tool: frame}, ...}
 ///     legged: {NAME: {repository: OWNER/NAME, file: path, feet: [frames], task: quadruped}, ...}
 ///
-/// `repository` may be left out, and `set: [key=value, ...]` with `because: why` added to each.
-/// Throws Error naming line, key and what was wanted.
+/// `repository` may be omitted. Each entry may have `set: [key=value, ...]` with `because: reason`.
+/// Throws Error with line, key and requirement.
 std::vector<PublicRobot> parse_public_robots(const std::string& text, const std::string& name);
-/// The list that is shipped.
+/// Returns the bundled list.
 std::vector<PublicRobot> shipped_public_robots();
 
-/// Where a description lies in a folder: in OWNER+NAME, OWNER/NAME or NAME; none where it does not.
+/// Returns the path of a description file, or nothing if it is missing. The repository may lie in
+/// the folder as OWNER+NAME, OWNER/NAME or NAME.
 std::optional<std::filesystem::path> find_description(const std::filesystem::path& folder,
                                                       const PublicRobot& robot);
 
@@ -49,11 +51,12 @@ struct PublicRobotFile {
   PublicRobot robot;
   std::optional<std::filesystem::path> file = {};
 };
-/// All of the folder's own list, or of the shipped one. Throws Error for a folder that is not
-/// there, a list that is none, and where none of the descriptions is there.
+/// Returns the robots of a folder, listed in its robots.yaml or else in the bundled list. Throws
+/// Error for a missing folder, for a malformed list, and if the folder contains none of the
+/// descriptions.
 std::vector<PublicRobotFile> public_robots_in(const std::filesystem::path& folder);
 
-/// A row per robot: where it comes from and what the task is told of it.
+/// Returns a table with a row per robot: its source and the settings of its task.
 ResultTable public_robots_table(const std::vector<PublicRobot>& robots);
 
 }  // namespace burnish::polishing

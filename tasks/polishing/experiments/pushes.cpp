@@ -5,38 +5,39 @@
 #include <limits>
 #include <numbers>
 
+#include "base/to_size.hpp"
 #include "burnish/sim/closed_loop.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-constexpr double push_duration = 0.3;  // s
+constexpr double push_duration = 0.3;  // duration of a push [s]; chosen by hand
 
-/// s until the path begins, as it is planned.
+/// Returns the planned start of the path [s].
 double planned_path_begin(const Task& task) {
   return task.standing.settle + task.reach_duration + task.clearance / task.approach_speed +
          task.ramp_duration;
 }
 
-/// From the push's begin to the path's end.
+/// Measures errors between the start of the push and the end of the path.
 std::vector<MeasuredFigure> measure_push(const RunResult& result, double begin) {
-  Trace room;
+  Trace buffer;
   const Metrics metrics =
-      measure(seen_from_surface(result.trace, room), result.setting.robot.model,
+      measure(seen_from_surface(result.trace, buffer), result.setting.robot.model,
               {.start = begin, .end = result.metrics ? result.metrics->end : begin + 1.0});
   return {{"push", "force_rmse", metrics.force_rmse},
           {"push", "force_peak", metrics.force_peak},
           {"push", "position_rmse", metrics.position_rmse}};
 }
 
-/// In the unit that people are shown.
+/// Returns a measurement of a run with a push, in the display unit.
 double of_push(const RunFigures& run, const std::string& figure) {
   for (const MeasuredFigure& measured : run.measured)
     if (measured.figure == figure) return shown(figure, measured.value);
   return RunFigures::none;
 }
 
-std::string what_came_of(const PushDirection::Tried& tried) {
+std::string what_came_of(const PushDirection::Trial& tried) {
   if (tried.survived) return "survived";
   const std::string fault =
       tried.run.fault == FaultKind::None ? "" : std::string(name_of(tried.run.fault));
@@ -48,14 +49,14 @@ std::string what_came_of(const PushDirection::Tried& tried) {
 
 double PushDirection::largest_survived() const {
   double largest = 0.0;
-  for (const Tried& each : tried)
+  for (const Trial& each : tried)
     if (each.survived) largest = std::max(largest, each.force);
   return largest;
 }
 
 double PushDirection::smallest_lost() const {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const Tried& each : tried)
+  for (const Trial& each : tried)
     if (!each.survived) smallest = std::min(smallest, each.force);
   return smallest;
 }
@@ -101,7 +102,7 @@ void note_push(double force, const RunFigures& run, PushDirection& direction) {
 }
 
 ResultTable pushes_table(const std::vector<PushDirection>& directions) {
-  ResultTable table{.name = "pushes", .title = "Pushes at the torso for 0.3 s while it polishes"};
+  ResultTable table{.name = "pushes", .title = "Pushes at the torso for 0.3 s during polishing"};
   table.columns = {
       {"towards", "deg", 0},        {"push", "N", 0},
       {"what came of it"},          figure_column("force_rmse", "force_rmse from the push on"),
@@ -110,7 +111,7 @@ ResultTable pushes_table(const std::vector<PushDirection>& directions) {
       {"what came of that"}};
   for (const PushDirection& direction : directions) {
     if (direction.tried.empty() || !direction.tried.front().run.made) continue;
-    const PushDirection::Tried& first = direction.tried.front();
+    const PushDirection::Trial& first = direction.tried.front();
     std::vector<ResultCell> row{direction.angle, first.force, what_came_of(first)};
     for (const char* figure : {"force_rmse", "force_peak", "position_rmse"})
       row.emplace_back(of_push(first.run, figure));
@@ -134,18 +135,18 @@ Figure pushes_figure(const std::vector<PushDirection>& directions) {
       .name = "largest survived", .x = Eigen::VectorXd(size + 1), .y = Eigen::VectorXd(size + 1)};
   Curve first{.name = "first tried", .x = survived.x, .y = survived.y, .dashed = true};
   for (Eigen::Index i = 0; i <= size; ++i) {
-    const PushDirection& direction = directions[static_cast<std::size_t>(i % size)];
+    const PushDirection& direction = directions[to_size(i % size)];
     const double angle = direction.angle * std::numbers::pi / 180.0;
-    // Forwards is up, the robot's left is left.
-    const Eigen::Vector2d way(-std::sin(angle), std::cos(angle));
-    survived.x[i] = direction.largest_survived() * way.x();
-    survived.y[i] = direction.largest_survived() * way.y();
-    first.x[i] = first_push * way.x();
-    first.y[i] = first_push * way.y();
+    // In the plot, straight ahead of the robot is up, and its left side is on the left.
+    const Eigen::Vector2d unit(-std::sin(angle), std::cos(angle));
+    survived.x[i] = direction.largest_survived() * unit.x();
+    survived.y[i] = direction.largest_survived() * unit.y();
+    first.x[i] = first_push * unit.x();
+    first.y[i] = first_push * unit.y();
   }
-  figure.plot.panels = {{.title = "Force by direction, seen from above, the robot looks up",
+  figure.plot.panels = {{.title = "Force by direction, from above; the robot looks up",
                          .x_label = "to the right [N]",
-                         .y_label = "forwards [N]",
+                         .y_label = "forward [N]",
                          .curves = {std::move(survived), std::move(first)},
                          .equal_aspect = true}};
   return figure;

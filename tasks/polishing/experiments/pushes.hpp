@@ -1,5 +1,5 @@
-// The largest push at the torso that a standing robot bears, by direction: a search in which every
-// run depends on those before it.
+// Search for the largest push at the torso that a standing robot survives, by direction. The force
+// of each push depends on the outcomes of earlier runs.
 #pragma once
 
 #include <optional>
@@ -10,44 +10,44 @@
 
 namespace burnish::polishing {
 
-/// A direction and what was tried in it.
+/// Direction of pushes, with all pushes tried in this direction.
 struct PushDirection {
-  double angle = 0.0;  ///< degrees in the horizontal plane, from straight ahead to the left
-  struct Tried {
-    double force;    ///< N
-    RunFigures run;  ///< with what `measure` of push_run() adds
-    bool survived;   ///< it polished on to the path's end without fault, and did not fall
+  double angle = 0.0;  ///< Angle in the horizontal plane, from straight ahead to the left [deg].
+  struct Trial {
+    double force;    ///< Force of the push [N].
+    RunFigures run;  ///< Figures of the run, with the measurements of push_run().
+    bool survived;   ///< True if the run reached the end of the path without a fault or a fall.
   };
-  std::vector<Tried> tried = {};
+  std::vector<Trial> tried = {};
 
-  /// N, 0 where none was survived.
+  /// Returns the largest survived push; 0 if none was survived [N].
   double largest_survived() const;
-  /// N, infinite where all were survived.
+  /// Returns the smallest push that was not survived; infinite if all were survived [N].
   double smallest_lost() const;
 };
 
-/// The push of all directions that comes first, N.
+/// Force of the first push in every direction; chosen by hand [N].
 inline constexpr double first_push = 120.0;
-/// What is looked for is no larger than this, N.
+/// Largest push of the search; chosen by hand [N].
 inline constexpr double largest_push = 480.0;
 
-/// As many as there are, all around, none of them tried.
+/// Returns `count` evenly spaced horizontal directions, without trials.
 std::vector<PushDirection> push_directions(int count);
 
-/// N, to be tried next: the first one, twice as much as long as all are survived, then the middle
-/// of what is survived and what is not, in whole steps. None where these are a step apart, and
-/// where the last one was not made.
+/// Returns the next push to try, a multiple of `step` [N]. The search begins with first_push,
+/// doubles the push while all pushes are survived, and then bisects. Returns nothing if the
+/// interval is one step wide, or if the last run was not made.
 std::optional<double> next_push(const PushDirection& direction, double step);
 
-/// A push for 0.3 s at a frame of the standing robot, from a third of the path on. The verdict of
-/// the task is off: what is asked is whether it goes on.
+/// Returns a run in which a push of 0.3 s acts at `frame` of the standing robot, after a third of
+/// the path. The verdict of the task is off, because only survival counts.
 BatchRun push_run(const ExperimentSpec& spec, const Task& task, const std::string& frame,
                   double angle, double force);
-/// Notes the outcome of such a run.
+/// Adds the outcome of a run to a direction.
 void note_push(double force, const RunFigures& run, PushDirection& direction);
 
-/// A row per direction: what came of the first push, the largest that is survived, and what came of
-/// the smallest that is not.
+/// Returns a table with a row per direction: the outcome of the first push, the largest survived
+/// push, and the outcome of the smallest push that the robot did not survive.
 ResultTable pushes_table(const std::vector<PushDirection>& directions);
 Figure pushes_figure(const std::vector<PushDirection>& directions);
 

@@ -13,7 +13,7 @@ namespace {
 std::string rounded(double value, int digits) {
   char text[64];
   const bool readable = std::abs(value) < 1e9;
-  // What is rounded to nothing has no sign.
+  // Replaces a negative value that rounds to zero by zero, so that it has no sign.
   const double unit = std::pow(10.0, -digits);
   if (std::abs(value) < 0.5 * unit) value = 0.0;
   std::snprintf(text, sizeof text, readable ? "%.*f" : "%.*e", digits, value);
@@ -26,7 +26,7 @@ std::string cell_text(const ResultCell& cell, const ResultColumn& column) {
   return value != nullptr && std::isfinite(*value) ? rounded(*value, column.digits) : "-";
 }
 
-/// A text cell in Markdown must not end its column.
+/// Escapes the character "|", which separates the cells of a Markdown table.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -49,7 +49,7 @@ void ResultTable::add(std::vector<ResultCell> row) {
 }
 
 std::string markdown(const ResultTable& table) {
-  // Padded, so that it reads well where it is not rendered either.
+  // Pads the cells with blanks, so that the table is readable as plain text too.
   std::string head = "|", line = "|";
   std::vector<std::string> lines(table.rows.size(), "|");
   for (std::size_t i = 0; i < table.columns.size(); ++i) {

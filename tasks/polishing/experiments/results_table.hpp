@@ -1,4 +1,4 @@
-// Results as tables: named columns with units, cells of text or numbers, as Markdown and CSV.
+// Tables of results: named columns with units, cells of text or numbers, as Markdown and CSV.
 #pragma once
 
 #include <string>
@@ -7,34 +7,35 @@
 
 namespace burnish::polishing {
 
-/// What stands in a column of a table.
+/// Column of a table.
 /// @described polishing
 struct ResultColumn {
   std::string name;       ///< @required
-  std::string unit = {};  ///< empty for text and counts
-  int digits = 3;         ///< behind the point, in Markdown; CSV has all of them
+  std::string unit = {};  ///< Unit; empty for text and counts.
+  int digits = 3;         ///< Digits after the decimal point in Markdown; CSV has all digits.
 };
 
-/// Nothing, a number or text. A number that is not finite is written as nothing.
+/// Cell of a table: empty, a number or text. A number that is not finite is written as an empty
+/// cell.
 using ResultCell = std::variant<std::monostate, double, std::string>;
 
-/// Results as a table: named columns with units, cells of text or numbers.
+/// Table of results: named columns with units, cells of text or numbers.
 /// pandas.DataFrame(table.rows, columns=table.names) makes a data frame of it.
 /// @described polishing
 struct ResultTable {
-  std::string name;   ///< of one word, such as "runs" @required
-  std::string title;  ///< for people
+  std::string name;   ///< Name in one word, such as "runs". @required
+  std::string title;  ///< Heading.
   std::vector<ResultColumn> columns = {};
   std::vector<std::vector<ResultCell>> rows = {};
-  bool for_people = true;  ///< False: too long to be read
+  bool for_people = true;  ///< False for long tables, which results.md omits.
 
-  /// Throws Error unless there is a cell for every column.
+  /// Adds a row. Throws Error unless it has a cell for every column.
   void add(std::vector<ResultCell> row);
 };
 
-/// A Markdown table: units below names, numbers to the right. No heading.
+/// Returns a Markdown table without heading; numbers are aligned to the right.
 std::string markdown(const ResultTable& table);
-/// First line `name [unit],...`; text with commas or quotes is quoted.
+/// Returns CSV with the first line `name [unit],...`; text with commas or quotes is quoted.
 std::string csv(const ResultTable& table);
 
 }  // namespace burnish::polishing

@@ -1,8 +1,9 @@
-// The same task, as shipped, with other robots.
+// Experiment robots: the default task with other robots.
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "base/to_size.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/public_arms.hpp"
 #include "polishing/experiments/public_legs.hpp"
@@ -12,13 +13,14 @@
 namespace burnish::polishing {
 namespace {
 
-/// A robot, the frame that it polishes with, and how heavy it is made to be, kg; 0: as it is.
+/// Robot with the frame of its tool.
 struct Holder {
   std::string robot, tool;
-  double mass = 0.0;
+  double mass = 0.0;  ///< Moving mass to scale the robot to; 0: not scaled [kg].
 };
 
-/// Of every robot that comes along what may hold a tool; where that is nothing, its best try.
+/// Returns the bundled robots with the frames of their tools. Some of these robots cannot hold a
+/// tool; their frame is the most likely one.
 std::vector<Holder> shipped() {
   return {{"talos:right_arm", "tool"}, {"talos", "tool"},        {"arm7", "tool"},
           {"arm7:six", "tool"},        {"arm7:wall", "tool"},    {"arm7", "tool", 3.0},
@@ -30,12 +32,12 @@ std::vector<Holder> shipped() {
 struct Entry {
   Holder holder;
   std::string surface;
-  std::string name = {};    ///< of robot and size
-  std::string reason = {};  ///< why it does not polish, if it is known before
-  double mass = 0.0;        ///< kg that move
+  std::string name = {};    ///< Name of the robot, with its size if scaled.
+  std::string reason = {};  ///< Reason why the robot cannot polish, if found before the run.
+  double mass = 0.0;        ///< Moving mass [kg].
   int joints = 0;
-  double bandwidth = 0.0;      ///< rad/s of the estimate of the model error
-  std::vector<int> runs = {};  ///< indices
+  double bandwidth = 0.0;      ///< Bandwidth of the model-error estimate [rad/s].
+  std::vector<int> runs = {};  ///< Indices of the runs in the batch.
 };
 
 std::vector<Holder> holders(const ExperimentSpec& spec) {
@@ -55,8 +57,8 @@ Robot robot_of(const Holder& holder, const Task& task) {
   return holder.mass > 0.0 ? scaled_robot(std::move(robot), holder.mass) : robot;
 }
 
-/// The run of an entry but for its seed, with its posture; nothing, and the entry's reason, where
-/// there is none.
+/// Returns the run of an entry with a start posture, but without a seed. If the run is impossible,
+/// returns nothing and sets Entry::reason.
 std::optional<RunSpec> run_of(const ExperimentSpec& spec, Entry& entry) {
   RunSpec run;
   run.plant = spec.plant;
@@ -87,7 +89,7 @@ ResultTable runs_table(const std::vector<Entry>& entries, const std::vector<RunF
   for (const ResultColumn& column : run_columns()) table.columns.push_back(column);
   for (const Entry& entry : entries)
     for (const int index : entry.runs) {
-      const RunFigures& run = runs[static_cast<std::size_t>(index)];
+      const RunFigures& run = runs[to_size(index)];
       std::vector<ResultCell> row{entry.name, entry.holder.tool, entry.surface, entry.mass,
                                   static_cast<double>(run.seed)};
       for (ResultCell& cell : run_cells(run)) row.push_back(std::move(cell));
@@ -112,7 +114,7 @@ ResultTable summary_table(const std::vector<Entry>& entries, const std::vector<R
   for (const Entry& entry : entries) {
     if (!entry.reason.empty()) continue;
     std::vector<RunFigures> all;
-    for (const int index : entry.runs) all.push_back(runs[static_cast<std::size_t>(index)]);
+    for (const int index : entry.runs) all.push_back(runs[to_size(index)]);
     const auto polished =
         std::count_if(all.begin(), all.end(), [](const RunFigures& run) { return run.polished; });
     std::vector<ResultCell> row{entry.name,
@@ -138,26 +140,27 @@ ResultTable reasons_table(const std::vector<Entry>& entries) {
   return table;
 }
 
-/// Robots that came along and are in no entry.
+/// Adds a finding for each bundled robot that the experiment does not include.
 void note_missing(const std::vector<Entry>& entries, ExperimentReport& report) {
   std::set<std::string> there;
   for (const Entry& entry : entries)
     there.insert(entry.holder.robot.substr(0, entry.holder.robot.find(':')));
   for (const auto& [name, file] : known_robots())
     if (!there.contains(name))
-      report.findings.push_back("Robot " + name + " was not tried: name it and its tool's frame.");
+      report.findings.push_back("Robot " + name +
+                                " was not tried; add it with the frame of its tool.");
 }
 
-/// A sentence for each robot whose description is not in the folder.
+/// Adds a finding for each robot whose description is missing in the folder.
 void note_absent(const std::vector<PublicRobot>& absent, std::size_t all,
                  ExperimentReport& report) {
   report.findings.push_back(std::to_string(all - absent.size()) + " of " + std::to_string(all) +
-                            " descriptions are there.");
+                            " descriptions are in the folder.");
   for (const PublicRobot& robot : absent)
-    report.findings.push_back("Not there: " + robot.name + ", " + robot.url() + ".");
+    report.findings.push_back("Missing: " + robot.name + ", " + robot.url() + ".");
 }
 
-/// Of runs that were refused a reason is given once per robot and surface.
+/// Returns the runs that were not rejected. Entries state the reasons of rejected runs.
 std::vector<RunFigures> not_refused(const std::vector<RunFigures>& figures) {
   std::vector<RunFigures> runs;
   std::ranges::copy_if(figures, std::back_inserter(runs),
@@ -166,7 +169,7 @@ std::vector<RunFigures> not_refused(const std::vector<RunFigures>& figures) {
 }
 
 ExperimentReport perform_public_robots(const ExperimentSpec& spec) {
-  ExperimentReport report{.title = "The first command on public robots"};
+  ExperimentReport report{.title = "Public robots with default settings"};
   PublicArms arms(spec);
   PublicLegs legs(spec);
   std::vector<BatchRun> runs;
@@ -195,7 +198,7 @@ ExperimentReport perform_public_robots(const ExperimentSpec& spec) {
 
 ExperimentReport perform_robots(const ExperimentSpec& spec) {
   if (!spec.folder.empty()) return perform_public_robots(spec);
-  ExperimentReport report{.title = "The shipped task with other robots"};
+  ExperimentReport report{.title = "The default task with other robots"};
   const std::vector<std::string> surfaces =
       spec.surfaces.empty() ? std::vector<std::string>{"table"} : spec.surfaces;
   const int seeds = spec.seeds > 0 ? spec.seeds : spec.quick ? 1 : 5;
@@ -204,7 +207,7 @@ ExperimentReport perform_robots(const ExperimentSpec& spec) {
     for (const std::string& surface : surfaces) entries.push_back({holder, surface});
   std::vector<std::optional<RunSpec>> found(entries.size());
   for_each_index(static_cast<int>(entries.size()), spec.threads, [&](int index) {
-    const auto i = static_cast<std::size_t>(index);
+    const auto i = to_size(index);
     if (!spec.stopped || !spec.stopped()) found[i] = run_of(spec, entries[i]);
   });
   std::vector<BatchRun> runs;
@@ -225,7 +228,8 @@ ExperimentReport perform_robots(const ExperimentSpec& spec) {
                                       [](const RunFigures& run) { return run.polished; });
   report.findings.push_back(std::to_string(polished) + " of " + std::to_string(figures.size()) +
                             " runs polished.");
-  // Of those that come along some hold no tool; those that were asked for should.
+  // A bundled robot that cannot hold a tool is not a failure. A robot that the user named and that
+  // cannot hold a tool is one.
   for (const Entry& entry : entries)
     if (!spec.robots.empty() && !entry.reason.empty())
       report.failures.push_back(entry.name + ", " + entry.surface + ": " + entry.reason);

@@ -9,7 +9,7 @@
 namespace burnish::polishing {
 namespace {
 
-/// Every so many points.
+/// Returns a curve with about `count` evenly chosen points.
 Curve sampled(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index count) {
   const Eigen::Index n = x.size(), every = std::max<Eigen::Index>(1, n / count);
   const Eigen::Index size = (n + every - 1) / every;
@@ -30,7 +30,8 @@ RunCurves curves_of(const RunResult& result, const std::string& name) {
   const Eigen::Matrix3d& axes = result.setting.surface_axes;
   const Eigen::VectorXd force =
       moving_mean(along_normal(trace, "tool_force"), samples_in(MetricsSpec{}.average, dt));
-  // The force is still settling at first; its last means reach into the retreat.
+  // Excludes the start, in which the force settles, and the last averaging window, which extends
+  // into the retreat.
   const Eigen::Index from = size > 2 * std::lround(0.5 / dt) ? std::lround(0.5 / dt) : 0;
   const Eigen::Index kept = size - from - std::min<Eigen::Index>(size / 4, std::lround(0.02 / dt));
   curves.force = extremes(since.segment(from, kept), force.segment(first + from, kept), 500);

@@ -6,15 +6,16 @@
 
 namespace burnish::polishing {
 
-/// What figures show of a run, over the s since its path began.
+/// Curves of a run for plots, over the time since the start of the path [s].
 struct RunCurves {
-  Curve force;     ///< N along the normal, mean over 10 ms; after the first half second
-  Curve path;      ///< mm along the surface's tangents, from the path's origin
-  Curve target;    ///< where it shall be, dashed
-  Curve distance;  ///< mm between the two, over time
+  Curve force;   ///< Contact force along the normal, mean over 10 ms, without the first 0.5 s [N].
+  Curve path;    ///< Tool position along the tangents, from the origin of the path [mm].
+  Curve target;  ///< Target position along the tangents, drawn dashed [mm].
+  Curve distance;  ///< Distance between tool and target over time [mm].
 };
 
-/// Few enough points for small files. Empty curves where the path was not reached.
+/// Returns the curves of a run, reduced to few points for small files; empty curves if the run did
+/// not reach the path.
 RunCurves curves_of(const RunResult& result, const std::string& name);
 
 }  // namespace burnish::polishing

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
 #include "polishing/figures.hpp"
@@ -16,14 +17,15 @@ namespace {
 
 constexpr double none = RunFigures::none;
 
-/// Largest share of an effort limit that a torque column takes.
-double largest_share(const Trace& trace, const Model& model, const std::string& what) {
-  double share = 0.0;
+/// Returns the largest torque, as a fraction of the effort limit, in the columns whose name begins
+/// with `what`.
+double largest_effort_ratio(const Trace& trace, const Model& model, const std::string& what) {
+  double ratio = 0.0;
   for (int k = 0; k < model.nv; ++k)
     if (std::isfinite(model.effort_limit[k]) && model.effort_limit[k] > 0.0 && trace.rows() > 0)
-      share = std::max(share, trace.column(what + "_" + model.v_name(k)).cwiseAbs().maxCoeff() /
+      ratio = std::max(ratio, trace.column(what + "_" + model.v_name(k)).cwiseAbs().maxCoeff() /
                                   model.effort_limit[k]);
-  return share;
+  return ratio;
 }
 
 std::vector<double> finite_of(const std::vector<double>& values) {
@@ -33,7 +35,7 @@ std::vector<double> finite_of(const std::vector<double>& values) {
   return result;
 }
 
-/// Calls see(full name, entry, value of the run) for each figure that has a number.
+/// Calls see(full name, table entry, value) for each figure of a run.
 template <class See>
 void each_value(const RunFigures& run, const See& see) {
   const Metrics metrics = run.metrics.value_or(Metrics{});
@@ -74,8 +76,8 @@ bool all_finite(const Trace& trace) {
 double RunFigures::operator[](const std::string& figure) const {
   figure_named(figure);
   double value = none;
-  each_value(*this, [&](const std::string& known, const FigureEntry&, double of_run) {
-    if (known == figure) value = of_run;
+  each_value(*this, [&](const std::string& full_name, const FigureEntry&, double of_run) {
+    if (full_name == figure) value = of_run;
   });
   return value;
 }
@@ -83,11 +85,11 @@ double RunFigures::operator[](const std::string& figure) const {
 FigureEntry figure_named(const std::string& name) {
   std::optional<FigureEntry> found;
   std::vector<std::string> names;
-  each_value({}, [&](const std::string& known, const FigureEntry& entry, double) {
-    names.push_back(known);
-    if (name == known) found = entry;
+  each_value({}, [&](const std::string& full_name, const FigureEntry& entry, double) {
+    names.push_back(full_name);
+    if (name == full_name) found = entry;
   });
-  if (!found) throw Error("there is no figure " + in_quotes(name) + did_you_mean(name, names));
+  if (!found) throw Error("unknown figure " + in_quotes(name) + did_you_mean(name, names));
   return *found;
 }
 
@@ -106,7 +108,7 @@ RunFigures figures_of(const std::string& name, const Task& task, const RunResult
   RunFigures f;
   f.name = name;
   f.outcome = result.outcome;
-  // How long it took to simulate is another number every time.
+  // Removes the computing time from the text, because it differs between runs.
   if (const auto at = f.outcome.find(", simulated in"); at != std::string::npos)
     f.outcome.erase(at);
   f.polished = result.polished;
@@ -114,8 +116,8 @@ RunFigures figures_of(const std::string& name, const Task& task, const RunResult
   f.seed = task.disturbances.seed;
   f.finite = all_finite(result.trace);
   const Model& model = result.setting.robot.model;
-  f.run_torque_margin = 1.0 - largest_share(result.trace, model, "tau_applied");
-  f.largest_command = largest_share(result.trace, model, "tau_command");
+  f.run_torque_margin = 1.0 - largest_effort_ratio(result.trace, model, "tau_applied");
+  f.largest_command = largest_effort_ratio(result.trace, model, "tau_command");
   const auto limited = result.trace.column("limited_joints");
   if (limited.size() > 0) f.run_limited_torque = (limited.array() > 0.0).cast<double>().mean();
   f.q_start = result.setting.q_start;
@@ -160,12 +162,12 @@ double smallest_of(const std::vector<double>& values) {
   return finite.empty() ? none : *std::min_element(finite.begin(), finite.end());
 }
 
-double quantile_of(std::vector<double> values, double share) {
+double quantile_of(std::vector<double> values, double fraction) {
   values = finite_of(values);
   if (values.empty()) return none;
   std::sort(values.begin(), values.end());
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
-  return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
+  const double rank = std::ceil(fraction * static_cast<double>(values.size()));
+  return values[to_size(std::max(1.0, rank)) - 1];
 }
 
 std::vector<double> collect(const std::vector<RunFigures>& runs, const std::string& figure) {

@@ -1,4 +1,4 @@
-// What experiments keep of a run.
+// Figures (measured quantities) of a run that experiments keep.
 #pragma once
 
 #include "burnish/tasks/polishing/run.hpp"
@@ -8,7 +8,7 @@
 
 namespace burnish::polishing {
 
-/// A figure that an experiment measures of a run besides, NaN where there is none.
+/// Additional measurement of an experiment; NaN if the measurement does not exist.
 struct MeasuredFigure {
   std::string test, figure;
   double value;
@@ -17,83 +17,87 @@ struct MeasuredFigure {
 struct RunFigures {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::string name = {};
-  std::string outcome = {};  ///< one sentence
-  bool made = false;         ///< it was not stopped from outside, before or on its way
-  bool refused = false;      ///< before anything moved; `outcome` says why
-  bool late = false;         ///< it was ended by its time limit
+  std::string outcome = {};  ///< Outcome in one sentence.
+  bool made = false;         ///< True unless the run was omitted or stopped from outside.
+  bool refused = false;      ///< True if rejected before the simulation; `outcome` has the reason.
+  bool late = false;         ///< True if the time limit ended the run.
   bool polished = false;
   FaultKind fault = FaultKind::None;
   std::uint64_t seed = 0;
-  bool finite = true;                            ///< no NaN or infinity in the trace
-  std::optional<Metrics> metrics = {};           ///< over the path; none where it was not reached
-  std::optional<StandingFigures> standing = {};  ///< of a robot that stands
+  bool finite = true;                            ///< True if the trace has no NaN or infinity.
+  std::optional<Metrics> metrics = {};           ///< Metrics over the path, if it was reached.
+  std::optional<StandingFigures> standing = {};  ///< Figures of a standing robot.
   TickTimes ticks = {};
-  // See each_run_figure(); NaN where there is none.
+  // Figures listed by each_run_figure(); NaN if they do not exist.
   double force_error_mean = none;
   double run_torque_margin = none, run_limited_torque = none, largest_command = none;
-  Eigen::VectorXd q_start = {};                        ///< nq; empty where it was refused
-  Eigen::Vector3d p_center = Eigen::Vector3d::Zero();  ///< see Setting::p_center
-  std::optional<RunCurves> curves = {};                ///< where they were asked for
-  std::vector<MeasuredFigure> measured = {};           ///< see BatchRun::measure
-  double computing = 0.0;                              ///< s of a core
-  std::string kernels = {};                            ///< see instruction_set()
+  Eigen::VectorXd q_start = {};                        ///< Start posture; empty if rejected.
+  Eigen::Vector3d p_center = Eigen::Vector3d::Zero();  ///< Origin of the path, Setting::p_center.
+  std::optional<RunCurves> curves = {};                ///< Curves, if BatchRun::curves is set.
+  std::vector<MeasuredFigure> measured = {};           ///< Results of BatchRun::measure.
+  double computing = 0.0;                              ///< Computing time on one core [s].
+  std::string kernels = {};                            ///< Kernels, see instruction_set().
 
-  /// A figure by its full name, in its unit: of Metrics, the solver, standing, the ticks,
-  /// each_run_figure(); NaN where there is none. Throws Error for a name that there is not.
+  /// Returns a figure by its full name, in its own unit. It may be a figure of Metrics, of the
+  /// solver, of standing, of the ticks, or of each_run_figure(). Returns NaN if the run lacks the
+  /// figure. Throws Error for an unknown name.
   double operator[](const std::string& figure) const;
 };
 
-/// Whether a robot that stands fell. False for one that does not stand.
+/// Returns whether a standing robot fell; false for other robots.
 bool fell(const RunFigures& run);
 
-/// No NaN or infinity in it.
+/// Returns whether the trace has no NaN or infinity.
 bool all_finite(const Trace& trace);
 
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result);
 
-/// Calls see(entry, member) for each figure that is the run's and not of Metrics.
+/// Calls see(entry, member) for each figure that covers the whole run. Metrics does not contain
+/// these figures.
 template <class See>
 void each_run_figure(const See& see) {
   using R = RunFigures;
   using namespace figure_units;
-  see(FigureEntry{"force_error_mean", newton, "force_mean less the force that is asked for"},
+  see(FigureEntry{"force_error_mean", newton, "force_mean minus the target force"},
       &R::force_error_mean);
   see(FigureEntry{"run_torque_margin", share,
-                  "torque_margin over the whole run, with path or without", "", 1},
+                  "torque_margin over the whole run, on and off the path", "", 1},
       &R::run_torque_margin);
   see(FigureEntry{"run_limited_torque", share, "limited_torque over the whole run", "", 2},
       &R::run_limited_torque);
   see(FigureEntry{"largest_command", share,
-                  "largest share of a joint's effort limit that was commanded in the whole run", "",
-                  1},
+                  "largest commanded torque in the whole run, as a fraction of the effort limit",
+                  "", 1},
       &R::largest_command);
 }
 
-/// What a figure is. Throws Error for a name that there is not.
+/// Returns the table entry of a figure: name, unit and description. Throws Error for an unknown
+/// name.
 FigureEntry figure_named(const std::string& name);
-/// A value of a figure in the unit that people are shown.
+/// Converts a value of a figure to its display unit.
 double shown(const std::string& figure, double value);
-/// A column of a figure in that unit, under its name or another.
+/// Returns the table column of a figure in its display unit. `title`: title of the column; empty:
+/// name of the figure.
 ResultColumn figure_column(const std::string& figure, const std::string& title = "");
 
-/// Columns and cells of a row for a run, from "polished" to "outcome".
+/// Columns that describe a run, from "polished" to "outcome", and the cells of its row.
 std::vector<ResultColumn> run_columns();
 std::vector<ResultCell> run_cells(const RunFigures& run);
 
-/// Of the values that are finite; NaN if there are none.
+/// Return the mean, maximum and minimum of the finite values; NaN if no value is finite.
 double mean_of(const std::vector<double>& values);
 double largest_of(const std::vector<double>& values);
 double smallest_of(const std::vector<double>& values);
-/// The smallest value that a share of all does not exceed.
-double quantile_of(std::vector<double> values, double share);
-/// One figure of several runs, in its unit.
+/// Returns the smallest of the values that at least `fraction` of all values do not exceed.
+double quantile_of(std::vector<double> values, double fraction);
+/// Returns one figure of several runs, in its own unit.
 std::vector<double> collect(const std::vector<RunFigures>& runs, const std::string& figure);
 
-/// A column of what a figure was in several runs.
+/// Table column with a statistic of one figure over several runs, such as a mean.
 struct SummaryColumn {
   const char* figure;
   double (*of)(const std::vector<double>& values);
-  const char* title = "";  ///< empty: the figure's name
+  const char* title = "";  ///< Title; empty: name of the figure.
 };
 void add_columns(const std::vector<SummaryColumn>& summary, ResultTable& table);
 void add_cells(const std::vector<SummaryColumn>& summary, const std::vector<RunFigures>& runs,

@@ -18,7 +18,8 @@ using document::Kind;
 using document::Node;
 using document::Reader;
 
-// Values as nodes. JSON knows no numbers that are not finite: they are words.
+// Conversion of values to nodes. JSON cannot represent infinity and NaN, so these are written as
+// words.
 
 Node text_node(const std::string& text) { return {.kind = Kind::Text, .text = text}; }
 Node flag_node(bool value) { return {.kind = Kind::Bool, .text = value ? "true" : "false"}; }
@@ -43,7 +44,7 @@ double number_in(const Reader& value) {
   if (word == "nan") return RunFigures::none;
   return word == "inf" ? infinity : -infinity;
 }
-/// That may be empty, unlike other files' texts.
+/// Returns a text that may be empty. Reader::text() rejects empty texts.
 std::string text_in(const Reader& value) {
   return value.is_text() && value.node().text.empty() ? std::string() : value.text();
 }
@@ -55,7 +56,7 @@ Eigen::VectorXd numbers_in(const Reader& value) {
   return result;
 }
 
-// A figure is a number, a count, a word, or one that may be missing.
+// A figure is stored as a number, a count, a word, or an optional value.
 
 Node node_of(double value) { return number_node(value); }
 Node node_of(int value) { return number_node(value); }
@@ -149,7 +150,7 @@ FaultKind fault_named(const Reader& value) {
   value.refuse("wanted one of " + document::either(names));
 }
 
-/// What every machine with the same kernels gets.
+/// Returns the part of a result that is identical on all machines that use the same kernels.
 Node result_node(const RunFigures& run) {
   Node map{.kind = Kind::Map};
   put(map, "run", text_node(run.name));
@@ -170,7 +171,7 @@ Node result_node(const RunFigures& run) {
   return map;
 }
 
-/// What was measured, and what made it.
+/// Returns the part of a result that differs between machines: measured times, and the kernels.
 Node times_node(const RunFigures& run) {
   Node map{.kind = Kind::Map};
   put(map, "kernels", text_node(run.kernels));
@@ -215,7 +216,7 @@ std::string numbers_text(const Eigen::Ref<const Eigen::MatrixXd>& values) {
   return text + '\n';
 }
 
-/// All of a model that a run depends on.
+/// Returns all numbers of a model that affect a run, as text.
 std::string model_text(const Model& model) {
   std::string text;
   for (const Joint& joint : model.joints) {
@@ -242,7 +243,8 @@ std::string model_text(const Model& model) {
   return text + numbers_text(model.gravity);
 }
 
-/// What the run will be made with. One that cannot be loaded is the run's own affair.
+/// Returns the numbers of the run's robot as text. If loading fails, returns the error message; the
+/// run reports the error.
 std::string robot_text(const RunSpec& spec) {
   try {
     return numbers_of(spec.robot ? *spec.robot : load_task_robot(spec.task));
@@ -251,7 +253,7 @@ std::string robot_text(const RunSpec& spec) {
   }
 }
 
-/// FNV-1a over 128 bits, of the parts and where each ends.
+/// Returns the 128-bit FNV-1a hash of the parts; the lengths of the parts are hashed too.
 std::string hash_of(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text += std::to_string(part.size()) + ':' + part + '\n';
@@ -305,8 +307,8 @@ void RunStore::keep(const std::string& name, const RunFigures& run) const {
   const fs::path& folder = folders_.front();
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw Error("cannot make the folder '" + folder.string() + "': " + error.message());
-  // The result comes last: where it is, so are its times.
+  if (error) throw Error("cannot create the folder '" + folder.string() + "': " + error.message());
+  // The times are written first: if the file of the result exists, so does the file of its times.
   write_whole_file(folder / (name + ".times.json"), document::json_text(times_node(run)) + '\n');
   write_whole_file(folder / (name + ".json"), document::json_text(result_node(run)) + '\n');
 }

@@ -1,4 +1,5 @@
-// Results of runs in files of their own: no run is made twice, and many machines share a campaign.
+// Store of results with files for each run. Stored runs are not repeated, and several machines can
+// work on one campaign.
 #pragma once
 
 #include <algorithm>
@@ -7,39 +8,45 @@
 #include <string>
 #include <vector>
 
+#include "base/to_size.hpp"
 #include "polishing/experiments/run_figures.hpp"
 
 namespace burnish::polishing {
 
-/// Of `count` shards some: run I, I + count, I + 2 count, ... for each number I of them.
+/// Selection of shards of an experiment. With `count` shards, shard I contains the runs I, I +
+/// count, I + 2 count, ...
 struct Shard {
-  std::vector<int> numbers{1};  ///< ascending
+  std::vector<int> numbers{1};  ///< Numbers of the selected shards, ascending.
   int count = 1;
   bool has(std::size_t run) const {
-    const int number = static_cast<int>(run % static_cast<std::size_t>(count)) + 1;
+    const int number = static_cast<int>(run % to_size(count)) + 1;
     return std::binary_search(numbers.begin(), numbers.end(), number);
   }
 };
 
-/// All of a robot that a run depends on, as numbers.
+/// Returns all numbers of a robot that affect a run, as text.
 std::string numbers_of(const Robot& robot);
 
-/// A folder of results, or several. A result is two files: NAME.json, which is the same on every
-/// machine with the same kernels, and NAME.times.json with what was measured and what made it.
+/// Store of results in one or several folders. Each result consists of two files. NAME.json is
+/// identical on all machines that use the same kernels. NAME.times.json contains measured times and
+/// the kernels.
 class RunStore {
  public:
-  /// Results are looked for in all folders, in this order, and kept in the first one, which need
-  /// not be there yet. `experiment` and `version` are part of what names them.
+  /// The store searches all folders in the given order. It writes into the first folder, which is
+  /// created if needed. `experiment` and `version` enter the names of results.
   RunStore(std::string experiment, std::string version, std::vector<std::filesystem::path> folders);
 
-  /// 32 hexadecimal digits of all that a result depends on: version, experiment, the run's name,
-  /// its task, its robot in numbers, its controller and plant.
+  /// Returns the name of a result: a hash of all inputs in 32 hexadecimal digits. The inputs are
+  /// version, experiment, name of the run, task, numbers of the robot, controller and plant.
   std::string name_of(const std::string& run, const RunSpec& spec) const;
-  /// The same of a run of any task, by the text of all that its result depends on.
+  /// Returns the name of the result of a run of any task. `depends_on`: text of all inputs of the
+  /// result.
   std::string name_of(const std::string& run, const std::string& depends_on) const;
-  /// Throws Error for a file that is no result.
+  /// Returns the result with this name, or nothing if the store lacks it. Throws Error for a
+  /// malformed file.
   std::optional<RunFigures> find(const std::string& name) const;
-  /// Throws Error where the files cannot be written; they are there whole or not at all.
+  /// Writes a result; an interrupted call leaves no incomplete file. Throws Error if the files
+  /// cannot be written.
   void keep(const std::string& name, const RunFigures& run) const;
 
  private:

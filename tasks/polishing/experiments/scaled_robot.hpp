@@ -1,14 +1,14 @@
-// A robot of another size.
+// Scaling of a robot to another mass.
 #pragma once
 
 #include "burnish/robots/robot.hpp"
 
 namespace burnish::polishing {
 
-/// The robot with `mass` kg of moving bodies in place of its own: lengths by the cube root of the
-/// masses' ratio, inertias as solids of the same density have them, and torque limits, joint
-/// friction and damping by mass times length. Angles, their limits and joint speeds stay. Throws
-/// Error for a mass that is not positive and for joints that are no revolute ones.
+/// Returns the robot scaled to a moving mass of `mass` [kg]. Lengths scale by the cube root of the
+/// mass ratio, inertias as for solids of equal density. Torque limits, joint friction and damping
+/// scale by mass times length. Angles, their limits and joint speeds do not change. Throws Error
+/// unless the mass is positive and all joints are revolute.
 Robot scaled_robot(Robot robot, double mass);
 
 }  // namespace burnish::polishing

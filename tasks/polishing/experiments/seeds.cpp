@@ -1,9 +1,10 @@
-// Every disturbance at once, over many seeds: does any run fail?
+// Experiment seeds: all disturbances at once, over many seeds.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "base/to_size.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/aims.hpp"
 #include "polishing/experiments/batch.hpp"
@@ -12,9 +13,10 @@
 namespace burnish::polishing {
 namespace {
 
-// A run has diverged if it has not polished, or beyond these.
-constexpr double diverged_force = 5.0;      // N, rms error
-constexpr double diverged_position = 0.02;  // m, rms error
+// A run has diverged if it did not polish, or if one of its rms errors exceeds these limits; chosen
+// by hand.
+constexpr double diverged_force = 5.0;      // rms error of the force [N]
+constexpr double diverged_position = 0.02;  // rms error of the position [m]
 
 bool diverged(const RunFigures& run) {
   if (!run.made) return false;
@@ -28,11 +30,11 @@ std::vector<std::string> surfaces_of(const ExperimentSpec& spec) {
 
 std::string surface_of(const ExperimentSpec& spec, int seed) {
   const std::vector<std::string> surfaces = surfaces_of(spec);
-  return surfaces[static_cast<std::size_t>(seed) % surfaces.size()];
+  return surfaces[to_size(seed) % surfaces.size()];
 }
 
-/// Overrides count for all that is not drawn. `undrawn` keeps the task of each surface, which has
-/// to be read.
+/// Returns the task of a seed. Overrides apply to all keys except the drawn ones. `undrawn`: cache
+/// of the tasks before disturbances are drawn, by surface.
 Task task_of(const ExperimentSpec& spec, int seed, std::map<std::string, Task>& undrawn) {
   const std::string surface = surface_of(spec, seed);
   if (!undrawn.contains(surface))
@@ -40,8 +42,8 @@ Task task_of(const ExperimentSpec& spec, int seed, std::map<std::string, Task>& 
   Task task = undrawn.at(surface);
   const NamedRanges& ranges = ranges_named(spec.ranges);
   draw_disturbances(ranges.ranges, static_cast<std::uint64_t>(seed), task);
-  // Each shape lies on each surface in its turn.
-  const std::size_t turn = static_cast<std::size_t>(seed) / surfaces_of(spec).size();
+  // The shape changes after each surface has been used once, so that all combinations occur.
+  const std::size_t turn = to_size(seed) / surfaces_of(spec).size();
   if (!ranges.shapes.empty()) task.shape = ranges.shapes[turn % ranges.shapes.size()];
   return task;
 }
@@ -117,7 +119,7 @@ ResultTable statistics_table(const std::vector<RunFigures>& figures) {
   return table;
 }
 
-/// A run without a figure is the worst.
+/// Returns the largest value of a figure; a run without the figure counts as the worst.
 double worst_of_all(const std::vector<RunFigures>& figures, const char* figure) {
   double worst = 0.0;
   for (const RunFigures& run : figures)
@@ -128,7 +130,7 @@ double worst_of_all(const std::vector<RunFigures>& figures, const char* figure) 
 ResultTable aims_table(const ExperimentSpec& spec, const std::vector<RunFigures>& figures,
                        ExperimentReport& report) {
   const NamedRanges& ranges = ranges_named(spec.ranges);
-  ResultTable table{.name = "aims", .title = "Beside the aims"};
+  ResultTable table{.name = "aims", .title = "Comparison with the aims"};
   table.columns = {{"figure"},     {"over the seeds"}, {"unit"},   {"value"},
                    {"aim", "", 2}, {"room", "%", 0},   {"verdict"}};
   const auto add = [&](const Aim& aim, const char* over, double value) {
@@ -160,7 +162,8 @@ ResultTable outcomes_table(const std::vector<RunFigures>& figures) {
     if (run.fault != FaultKind::None)
       faults["fault: " + std::string(name_of(run.fault))] += 1.0;
     else if (!run.polished)
-      others[run.outcome.substr(0, run.outcome.find(':'))] += 1.0;  // without its own figures
+      // Outcome without its details, which differ between runs.
+      others[run.outcome.substr(0, run.outcome.find(':'))] += 1.0;
   }
   table.add({std::string("polished"), polished});
   for (const auto& [name, count] : faults) table.add({name, count});
@@ -170,7 +173,7 @@ ResultTable outcomes_table(const std::vector<RunFigures>& figures) {
   return table;
 }
 
-/// The share of runs below a value, over the value.
+/// Returns the cumulative distribution: fraction of runs below a value, over the value.
 Curve distribution(std::vector<double> values, double scale) {
   values.erase(std::remove_if(values.begin(), values.end(),
                               [](double value) { return !std::isfinite(value); }),
@@ -179,20 +182,20 @@ Curve distribution(std::vector<double> values, double scale) {
   const auto size = static_cast<Eigen::Index>(values.size());
   Curve curve{.x = Eigen::VectorXd(size), .y = Eigen::VectorXd(size)};
   for (Eigen::Index i = 0; i < size; ++i) {
-    curve.x[i] = scale * values[static_cast<std::size_t>(i)];
+    curve.x[i] = scale * values[to_size(i)];
     curve.y[i] = 100.0 * static_cast<double>(i + 1) / static_cast<double>(size);
   }
   return curve;
 }
 
-/// A mark, a short level line, for every run.
+/// Returns marks for all runs; each mark is a short horizontal line.
 Curve marks(const std::vector<double>& x, const std::vector<double>& y, double width) {
   const auto size = static_cast<Eigen::Index>(x.size());
   Curve curve{.x = Eigen::VectorXd(3 * size), .y = Eigen::VectorXd(3 * size)};
   curve.y.setConstant(std::numeric_limits<double>::quiet_NaN());
   curve.x.setZero();
   for (Eigen::Index i = 0; i < size; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = to_size(i);
     curve.x.segment<2>(3 * i) = Eigen::Vector2d(x[at] - 0.5 * width, x[at] + 0.5 * width);
     curve.y.segment<2>(3 * i).setConstant(y[at]);
   }
@@ -202,7 +205,7 @@ Curve marks(const std::vector<double>& x, const std::vector<double>& y, double w
 Figure distributions(const std::vector<BatchRun>& runs, const std::vector<RunFigures>& figures) {
   Figure figure{
       .name = "distributions",
-      .plot = {.title = "Share of runs below a value, and what the force error depends on most",
+      .plot = {.title = "Distributions of errors, and force error over the tilt of the surface",
                .columns = 2}};
   figure.plot.panel_width = 460;
   const auto add = [&](const char* title, const char* label, const char* value) {
@@ -216,7 +219,7 @@ Figure distributions(const std::vector<BatchRun>& runs, const std::vector<RunFig
   std::vector<double> tilts;
   for (const BatchRun& run : runs)
     tilts.push_back(run.spec.task.disturbances.surface_tilt_deg.norm());
-  Panel tilt{.title = "Force over the unknown tilt of the surface",
+  Panel tilt{.title = "Force over the tilt of the surface",
              .x_label = "tilt [deg]",
              .y_label = "rms error [N]"};
   tilt.curves = {marks(tilts, collect(figures, "force_rmse"), 0.06)};
@@ -224,7 +227,8 @@ Figure distributions(const std::vector<BatchRun>& runs, const std::vector<RunFig
   return figure;
 }
 
-/// One that diverged, otherwise the one with the largest force error.
+/// Returns the index of a run that diverged; if none diverged, of the run with the largest force
+/// error.
 std::size_t worst_of(const std::vector<RunFigures>& figures) {
   const auto badness = [](const RunFigures& run) {
     if (!run.made) return -1.0;
@@ -234,10 +238,10 @@ std::size_t worst_of(const std::vector<RunFigures>& figures) {
   const auto worst =
       std::max_element(figures.begin(), figures.end(),
                        [&](const auto& a, const auto& b) { return badness(a) < badness(b); });
-  return static_cast<std::size_t>(worst - figures.begin());
+  return to_size(worst - figures.begin());
 }
 
-/// Which seed is worst, and how to see it again.
+/// Adds a finding with the worst seed and the commands that repeat it.
 void note_worst(const std::vector<RunFigures>& figures, const std::vector<BatchRun>& runs,
                 ExperimentReport& report) {
   const std::size_t worst = worst_of(figures);
@@ -247,9 +251,9 @@ void note_worst(const std::vector<RunFigures>& figures, const std::vector<BatchR
   if (run.metrics)
     std::snprintf(force, sizeof force, " with a force error of %.2f N", run.metrics->force_rmse);
   const std::string seed = std::to_string(run.seed);
-  report.findings.push_back("Worst is seed " + seed + force +
-                            "; `burnish polish worst_seed.yaml --controller mpc` repeats it, and "
-                            "so does this experiment with `--first-seed " +
+  report.findings.push_back("The worst is seed " + seed + force +
+                            "; `burnish polish worst_seed.yaml --controller mpc` repeats it, as "
+                            "does this experiment with `--first-seed " +
                             seed + " --seeds 1`.");
   report.tasks = {{"worst_seed", runs[worst].spec.task}};
 }
@@ -257,14 +261,14 @@ void note_worst(const std::vector<RunFigures>& figures, const std::vector<BatchR
 }  // namespace
 
 ExperimentReport perform_seeds(const ExperimentSpec& spec) {
-  ExperimentReport report{.title = "Every disturbance at once"};
+  ExperimentReport report{.title = "All disturbances at once"};
   const int seeds = seeds_of(spec, spec.quick ? 4 : 200);
   std::vector<BatchRun> runs;
   std::map<std::string, Task> undrawn;
   for (int seed = spec.first_seed; seed < spec.first_seed + seeds; ++seed) {
     BatchRun run;
     run.name = "seed " + std::to_string(seed);
-    // A worker makes one of 10,000: the others need no more than their names.
+    // Other shards make most of the runs; only the names of those runs are needed here.
     if (spec.shard.has(runs.size())) run.spec.task = task_of(spec, seed, undrawn);
     run.spec.plant = spec.plant;
     runs.push_back(std::move(run));

@@ -6,9 +6,9 @@
 namespace burnish::polishing {
 
 Task shipped_task(const std::string& name) {
-  for (const auto& [known, text] : shipped_task_texts())
-    if (known == name) return parse_task(std::string(text), name + ".yaml");
-  throw Error("no task " + in_quotes(name) + " comes along");
+  for (const auto& [file, text] : shipped_task_texts())
+    if (file == name) return parse_task(std::string(text), name + ".yaml");
+  throw Error("there is no bundled task " + in_quotes(name));
 }
 
 }  // namespace burnish::polishing

@@ -1,5 +1,4 @@
-// Task files that come along, as they were when this program was built: experiments that repeat
-// them look for no file.
+// Texts of the bundled task files at build time, so that experiments need no files.
 #pragma once
 
 #include <string>
@@ -11,16 +10,16 @@
 
 namespace burnish::polishing {
 
-/// Names of files in tasks/polishing, without ending, and their texts.
+/// Names of files in tasks/polishing, without extension, and their texts.
 const std::vector<std::pair<std::string_view, std::string_view>>& shipped_task_texts();
 
-/// Names of files in tasks/stand, without ending, and their texts.
+/// Names of files in tasks/stand, without extension, and their texts.
 const std::vector<std::pair<std::string_view, std::string_view>>& shipped_stand_texts();
 
-/// The list public_robots.yaml beside this file.
+/// Returns the text of public_robots.yaml, the list in this folder.
 std::string_view public_robots_text();
 
-/// A polishing task of those that come along. Throws Error for a name that there is not.
+/// Returns a bundled polishing task. Throws Error for an unknown name.
 Task shipped_task(const std::string& name);
 
 }  // namespace burnish::polishing

@@ -1,8 +1,10 @@
-// A robot on its feet that polishes: every preset of disturbances over many seeds, and pushes.
+// Experiment standing: a standing robot polishes under all presets of disturbances with many seeds,
+// and is pushed.
 #include <algorithm>
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "base/to_size.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/pushes.hpp"
 #include "polishing/experiments/shipped_tasks.hpp"
@@ -10,19 +12,20 @@
 namespace burnish::polishing {
 namespace {
 
-/// What is polished how: a task file that comes along, for another surface with another posture.
+/// Case of the experiment: a bundled task file, optionally with another surface and the posture for
+/// this surface.
 struct StandingCase {
   const char *name, *file, *surface, *posture;
 };
 constexpr StandingCase standing_cases[] = {
     {"board", "standing", "", ""},
     {"table", "standing", "table", "standing_table"},
-    {"two_arms", "two_arms", "", ""},  // the pelvis held, beside the same on its feet
+    {"two_arms", "two_arms", "", ""},  // with a fixed pelvis, for comparison
     {"two_arms_standing", "two_arms_standing", "", ""}};
 
 constexpr const char* pushed_frame = "torso_2_link";
 
-/// Runs that differ in nothing but their seed.
+/// Runs that differ only in their seed.
 struct StandingGroup {
   const StandingCase* what;
   std::string disturbances;
@@ -40,7 +43,7 @@ std::vector<const StandingCase*> cases_of(const ExperimentSpec& spec) {
   for (const std::string& surface : spec.surfaces) {
     if (surface != "board" && surface != "table")
       throw Error("surface " + in_quotes(surface) +
-                  " has no posture to stand before; wanted board or table");
+                  " has no standing posture; wanted board or table");
     all.push_back(&standing_cases[surface == "board" ? 0 : 1]);
   }
   return all;
@@ -67,14 +70,14 @@ std::vector<std::string> presets_of(const ExperimentSpec& spec) {
   return disturbance_presets();
 }
 
-/// Of all cases and presets; the groups are without their runs.
+/// Returns the runs of all cases and presets. Adds their groups to `groups`, without results.
 std::vector<BatchRun> preset_runs(const ExperimentSpec& spec, std::vector<StandingGroup>& groups) {
   const int seeds = seeds_of(spec, spec.quick ? 1 : 50);
   std::vector<BatchRun> runs;
   for (const StandingCase* what : cases_of(spec))
     for (const std::string& preset : presets_of(spec)) {
       groups.push_back({what, preset});
-      // Without disturbances nothing is drawn.
+      // Without disturbances, one seed is enough: all seeds give equal results.
       const std::size_t before = runs.size();
       add_seeds(spec, std::string(what->name) + ", " + preset, task_of(spec, *what, preset),
                 preset == "none" ? 1 : seeds, runs);
@@ -87,7 +90,7 @@ std::vector<ResultCell> cells_of(const RunFigures& run) {
   std::vector<ResultCell> cells{static_cast<double>(run.seed), std::string(name_of(run.fault)),
                                 std::string(fell(run) ? "yes" : "no")};
   for (const char* figure : {"standing.base_tilt", "standing.com_moved", "standing.slip",
-                             "standing.pressure_margin", "standing.least_load"})
+                             "standing.pressure_margin", "standing.min_load"})
     cells.emplace_back(shown(figure, run[figure]));
   for (ResultCell& cell : run_cells(run)) cells.push_back(std::move(cell));
   return cells;
@@ -99,7 +102,7 @@ ResultTable runs_table(const std::vector<StandingGroup>& groups,
   table.columns = {{"task"},        {"disturbances"}, {"push", "N", 0}, {"towards", "deg", 0},
                    {"seed", "", 0}, {"fault"},        {"fell"}};
   for (const char* figure : {"standing.base_tilt", "standing.com_moved", "standing.slip",
-                             "standing.pressure_margin", "standing.least_load"})
+                             "standing.pressure_margin", "standing.min_load"})
     table.columns.push_back(figure_column(figure));
   for (const ResultColumn& column : run_columns()) table.columns.push_back(column);
   const auto add = [&](std::vector<ResultCell> row, const RunFigures& run) {
@@ -110,7 +113,7 @@ ResultTable runs_table(const std::vector<StandingGroup>& groups,
     for (const RunFigures& run : group.runs)
       add({std::string(group.what->name), group.disturbances, ResultCell(), ResultCell()}, run);
   for (const PushDirection& direction : directions)
-    for (const PushDirection::Tried& tried : direction.tried)
+    for (const PushDirection::Trial& tried : direction.tried)
       add({std::string(groups.front().what->name), std::string("mismatch"), tried.force,
            direction.angle},
           tried.run);
@@ -146,11 +149,11 @@ ResultTable summary_table(const std::vector<StandingGroup>& groups) {
   return table;
 }
 
-/// Errors of every seed in ascending order, a curve per preset.
+/// Returns a panel with the errors of all seeds in ascending order, one curve per preset.
 Panel sorted_panel(const std::vector<StandingGroup>& groups, const StandingCase* what,
                    const char* figure, const char* title, const char* label) {
   Panel panel{.title = std::string(title) + ", " + what->name,
-              .x_label = "share of the seeds [%]",
+              .x_label = "fraction of the seeds [%]",
               .y_label = label};
   for (const StandingGroup& group : groups) {
     if (group.what != what) continue;
@@ -165,7 +168,7 @@ Panel sorted_panel(const std::vector<StandingGroup>& groups, const StandingCase*
                 .x = Eigen::VectorXd::LinSpaced(size + 1, 0.0, 100.0),
                 .y = Eigen::VectorXd(size + 1)};
     for (Eigen::Index i = 0; i <= size; ++i)
-      curve.y[i] = shown(figure, values[static_cast<std::size_t>(std::min(i, size - 1))]);
+      curve.y[i] = shown(figure, values[to_size(std::min(i, size - 1))]);
     panel.curves.push_back(std::move(curve));
   }
   return panel;
@@ -186,13 +189,12 @@ Figure errors_figure(const std::vector<StandingGroup>& groups) {
   return figure;
 }
 
-/// What a push is searched in.
+/// Settings and state of the search for the largest push in each direction.
 struct PushPlan {
   Task task;
-  double step;  ///< N
+  double step;  ///< Resolution of the found force [N].
   std::vector<PushDirection> directions;
-  /// Runs of a direction, about: the first, one twice as large, and the halves of what lies
-  /// between.
+  /// Approximate number of runs per direction: the first push, a doubled push, and bisections.
   std::size_t expected = 6;
 };
 
@@ -202,8 +204,8 @@ PushPlan push_plan(const ExperimentSpec& spec) {
           .directions = push_directions(spec.quick ? 2 : 12)};
 }
 
-/// All rounds after the first, of directions whose first push is of the spec's shard: those runs
-/// depend on it alone.
+/// Makes all runs after the first push, for each direction whose first push is in the shard of
+/// `spec`. The runs of a direction depend only on its own first push.
 void search_pushes(const ExperimentSpec& spec, PushPlan& plan, BatchSeries& series) {
   while (true) {
     std::vector<BatchRun> runs;
@@ -229,17 +231,15 @@ void note_pushes(const PushPlan& plan, ExperimentReport& report) {
       [](const PushDirection& direction) { return direction.tried.front().survived; });
   report.findings.push_back(std::to_string(survived) + " of " +
                             std::to_string(plan.directions.size()) + " pushes of " +
-                            number(first_push) + " N are survived.");
+                            number(first_push) + " N were survived.");
 }
 
 }  // namespace
 
 ExperimentReport perform_standing(const ExperimentSpec& spec) {
   if (spec.plant != PlantKind::Mujoco)
-    throw Error(
-        "a robot that stands needs MuJoCo, whose ground can be stood on; wanted the plant "
-        "mujoco");
-  ExperimentReport report{.title = "A robot on its feet, disturbed and pushed"};
+    throw Error("the ideal plant does not support a standing robot; wanted the plant mujoco");
+  ExperimentReport report{.title = "A standing robot, disturbed and pushed"};
   PushPlan plan = push_plan(spec);
   std::vector<BatchRun> runs;
   for (const PushDirection& direction : plan.directions)

@@ -1,7 +1,9 @@
-// Surfaces as they are: bent, known and not; soft and stiff; and without a force sensor.
+// Experiment surfaces: curved surfaces with accurate and inaccurate models, soft and stiff
+// surfaces, and control without a force sensor.
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "polishing/experiments/aims.hpp"
 #include "polishing/experiments/batch.hpp"
 
@@ -10,12 +12,12 @@ namespace {
 
 using Overrides = std::vector<std::string>;
 
-/// What is polished, and what its force error (rms, N) is held to in the worst seed.
+/// Surface with disturbances, and the largest acceptable force error of the worst seed.
 struct SurfaceCase {
   std::string group, name;
-  std::string disturbances;  ///< name of a preset
+  std::string disturbances;  ///< Name of a preset.
   Overrides overrides;
-  double aim;  ///< N
+  double aim;  ///< Aim for the rms error of the force [N].
   std::vector<RunFigures> runs = {};
 };
 
@@ -24,7 +26,7 @@ struct NamedShape {
   Overrides overrides;
 };
 
-/// Every kind but the ridge, whose edge is the force test's; lengths in m.
+/// Returns a shape of every kind, without the ridge, which the experiment force_test covers.
 std::vector<NamedShape> shapes() {
   const auto tube = [](const std::string& radius, const std::string& ring) {
     return Overrides{"shape.kind=torus", "shape.radius=" + radius, "shape.ring=" + ring};
@@ -65,7 +67,8 @@ std::vector<SurfaceCase> all_cases() {
   return cases;
 }
 
-/// The first of each group, but for what the tip goes into for seconds.
+/// Returns the first case of each group. Omits surfaces that are so soft that the tip needs seconds
+/// to sink in.
 std::vector<SurfaceCase> quick_cases() {
   std::vector<SurfaceCase> some;
   for (const SurfaceCase& one : all_cases()) {
@@ -95,7 +98,7 @@ ResultTable runs_table(const std::vector<SurfaceCase>& cases) {
   return table;
 }
 
-/// The worst seed's; NaN where a run has none.
+/// Returns the force error of the worst seed; NaN if a run lacks this figure.
 double worst_force(const SurfaceCase& of) {
   double worst = 0.0;
   for (const RunFigures& run : of.runs) {
@@ -112,7 +115,7 @@ ResultTable aims_table(const std::vector<SurfaceCase>& cases, ExperimentReport& 
       {"position_rmse", largest_of, "position_rmse, worst"},
       {"normal_error", largest_of, "normal_error, worst"},
       {"without_contact", largest_of, "without_contact, worst"}};
-  ResultTable table{.name = "aims", .title = "Beside the aims, the worst seed deciding"};
+  ResultTable table{.name = "aims", .title = "Comparison with the aims, by the worst seed"};
   table.columns = {{"group"}, {"surface"}, {"seeds", "", 0}, {"polished", "", 0}};
   add_columns(summary, table);
   for (const ResultColumn& column : std::vector<ResultColumn>{
@@ -161,7 +164,7 @@ Figure force_of_cases(const std::vector<SurfaceCase>& cases) {
 }  // namespace
 
 ExperimentReport perform_surfaces(const ExperimentSpec& spec) {
-  ExperimentReport report{.title = "Surfaces as they are"};
+  ExperimentReport report{.title = "Curved, inaccurate, soft and stiff surfaces"};
   const std::string surface = spec.surfaces.empty() ? "table" : spec.surfaces.front();
   std::vector<SurfaceCase> cases = spec.quick ? quick_cases() : all_cases();
   const int seeds = seeds_of(spec, spec.quick ? 1 : 5);
@@ -172,7 +175,7 @@ ExperimentReport perform_surfaces(const ExperimentSpec& spec) {
   const std::vector<RunFigures> figures = run_batch(spec, runs);
   if (!spec.reports()) return report;
   for (std::size_t i = 0; i < figures.size(); ++i)
-    cases[i / static_cast<std::size_t>(seeds)].runs.push_back(figures[i]);
+    cases[i / to_size(seeds)].runs.push_back(figures[i]);
   report.tables = {runs_table(cases), aims_table(cases, report)};
   report.figures = {force_of_cases(cases)};
   note_failures(spec, figures, report);

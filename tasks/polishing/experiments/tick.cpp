@@ -1,22 +1,25 @@
-// Computing times at several rates of new plans, one run after the other.
+// Experiment tick: computing times of plans at several plan rates. The runs are made one after the
+// other.
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "polishing/experiments/batch.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-/// A rate with its run's times.
-struct Timed {
-  double rate;  ///< Hz, of plans
-  double tick_rate;
+/// Run with one rate of plans.
+struct RateTimes {
+  double rate;       ///< Rate of plans [Hz].
+  double tick_rate;  ///< Rate of ticks [Hz].
   RunFigures run = {};
 
   SolverFigures plans() const {
     return run.metrics && run.metrics->solver ? *run.metrics->solver : SolverFigures{};
   }
-  /// Its plans are made in time, and no worse for it than those of the slowest rate.
+  /// Returns whether 99 % of the plans are ready in time, and whether the force error is at most
+  /// that of the slowest rate.
   bool holds(const RunFigures& slowest) const {
     return run.polished && plans().updates > 0 && plans().p99 < 1.0 / rate &&
            run["force_rmse"] <= slowest["force_rmse"] + 1e-9;
@@ -28,9 +31,9 @@ std::vector<double> rates_of(bool quick) {
   return {100.0, 200.0, 500.0, 1000.0, 2000.0, 4000.0};
 }
 
-std::vector<Timed> perform_rates(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
+std::vector<RateTimes> perform_rates(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
   const std::string surface = spec.surfaces.empty() ? "table" : spec.surfaces.front();
-  std::vector<Timed> timed;
+  std::vector<RateTimes> timed;
   std::vector<BatchRun> runs;
   for (const double rate : rates_of(spec.quick)) {
     timed.push_back({rate, std::max(2000.0, rate)});
@@ -50,7 +53,7 @@ std::vector<Timed> perform_rates(const ExperimentSpec& spec, std::vector<RunFigu
   return timed;
 }
 
-ResultTable rates_table(const std::vector<Timed>& timed) {
+ResultTable rates_table(const std::vector<RateTimes>& timed) {
   const char* const figures[] = {"ticks.median",  "ticks.p99",  "ticks.maximum",
                                  "solver.median", "solver.p99", "solver.maximum",
                                  "force_rmse",    "force_peak", "position_rmse"};
@@ -60,7 +63,7 @@ ResultTable rates_table(const std::vector<Timed>& timed) {
   for (const ResultColumn& column :
        {ResultColumn{"late", "%", 2}, {"p99 of the period", "%", 0}, {"holds"}})
     table.columns.push_back(column);
-  for (const Timed& each : timed) {
+  for (const RateTimes& each : timed) {
     std::vector<ResultCell> row{each.rate, each.tick_rate};
     for (const char* figure : figures) row.emplace_back(shown(figure, each.run[figure]));
     const TickTimes& t = each.run.ticks;
@@ -72,30 +75,30 @@ ResultTable rates_table(const std::vector<Timed>& timed) {
   return table;
 }
 
-Figure rates_figure(const std::vector<Timed>& timed) {
+Figure rates_figure(const std::vector<RateTimes>& timed) {
   const auto size = static_cast<Eigen::Index>(timed.size());
   Eigen::VectorXd x(size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    x[i] = std::log10(timed[static_cast<std::size_t>(i)].rate);
+  for (Eigen::Index i = 0; i < size; ++i) x[i] = std::log10(timed[to_size(i)].rate);
   const auto curve = [&](const char* name, const auto& value) {
     Curve result{.name = name, .x = x, .y = Eigen::VectorXd(size)};
-    for (Eigen::Index i = 0; i < size; ++i) result.y[i] = value(timed[static_cast<std::size_t>(i)]);
+    for (Eigen::Index i = 0; i < size; ++i) result.y[i] = value(timed[to_size(i)]);
     return result;
   };
   const char* axis = "plans per second [power of ten]";
   Panel times{.title = "Ticks with a plan", .x_label = axis, .y_label = "time [ms]", .log_y = true};
-  times.curves = {curve("median", [&](const Timed& t) { return 1e3 * t.plans().median; }),
-                  curve("p99", [&](const Timed& t) { return 1e3 * t.plans().p99; }),
-                  curve("max", [&](const Timed& t) { return 1e3 * t.plans().maximum; }),
-                  curve("between plans", [](const Timed& t) { return 1e3 / t.rate; })};
+  times.curves = {curve("median", [&](const RateTimes& t) { return 1e3 * t.plans().median; }),
+                  curve("p99", [&](const RateTimes& t) { return 1e3 * t.plans().p99; }),
+                  curve("max", [&](const RateTimes& t) { return 1e3 * t.plans().maximum; }),
+                  curve("between plans", [](const RateTimes& t) { return 1e3 / t.rate; })};
   times.curves.back().color = 6;
   times.curves.back().dashed = true;
   Panel force{.title = "Force", .x_label = axis, .y_label = "rms error [N]"};
-  force.curves = {curve("", [](const Timed& t) { return t.run["force_rmse"]; })};
+  force.curves = {curve("", [](const RateTimes& t) { return t.run["force_rmse"]; })};
   Panel path{.title = "Path", .x_label = axis, .y_label = "rms error [mm]"};
   path.curves = {
-      curve("", [](const Timed& t) { return shown("position_rmse", t.run["position_rmse"]); })};
-  Figure figure{.name = "rates", .plot = {.title = "What a higher rate of plans takes and gives"}};
+      curve("", [](const RateTimes& t) { return shown("position_rmse", t.run["position_rmse"]); })};
+  Figure figure{.name = "rates",
+                .plot = {.title = "Computing times and errors over the rate of plans"}};
   figure.plot.panels = {times, force, path};
   return figure;
 }
@@ -105,22 +108,24 @@ Figure rates_figure(const std::vector<Timed>& timed) {
 ExperimentReport perform_tick(const ExperimentSpec& spec) {
   ExperimentReport report{.title = "Computing times"};
   std::vector<RunFigures> figures;
-  const std::vector<Timed> timed = perform_rates(spec, figures);
+  const std::vector<RateTimes> timed = perform_rates(spec, figures);
   report.tables = {rates_table(timed)};
   report.figures = {rates_figure(timed)};
   double highest = 0.0;
-  for (const Timed& each : timed)
+  for (const RateTimes& each : timed)
     if (each.holds(timed.front().run)) highest = std::max(highest, each.rate);
   const std::string slowest = std::to_string(std::lround(timed.front().rate));
   report.findings.push_back(
       highest > 0.0
-          ? "The highest rate that holds is " + std::to_string(std::lround(highest)) +
-                " Hz: 99 % of its plans take less than the time between two, and the force is no "
-                "worse than at " +
+          ? "The highest rate that works in real time is " + std::to_string(std::lround(highest)) +
+                " Hz: 99 % of the plans take less than the time between two plans, and the force "
+                "error is not larger than at " +
                 slowest + " Hz."
-          : "No rate holds: 99 % of its plans do not fit between two.");
+          : "No rate works in real time: at every rate, more than 1 % of the plans take longer "
+            "than the time between two plans, or the force error is larger than at " +
+                slowest + " Hz.");
   report.findings.push_back(
-      "Times depend on the machine and on what else runs on it; the errors do not.");
+      "Times depend on the machine and on its other load; the errors do not.");
   note_failures(spec, figures, report);
   return report;
 }

@@ -1,15 +1,18 @@
-// A surface that leans by a few degrees unknown to the controller, with and without a torque loop.
+// Experiment tilt: the surface is tilted by a few degrees, which the controller does not model.
+// Runs with and without a torque loop are compared.
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "polishing/experiments/aims.hpp"
 #include "polishing/experiments/batch.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-/// The protocol of Kleff et al., "Force Feedback in Model-Predictive Control": 50 N at 3 rad/s,
-/// plans 5 ms late, friction in the joints, factors and offsets of torques, noise on states.
+/// Returns the task of the experiment in Kleff et al., "Force Feedback in Model-Predictive
+/// Control": 50 N at 3 rad/s, plans that are 5 ms late, joint friction, torque factors and offsets,
+/// noise on states.
 Task task_of(const ExperimentSpec& spec, const std::string& surface, double tilt, bool loop) {
   ExperimentSpec whole = spec;
   whole.overrides = {"force=50", "path.rate=3", "controller.update_rate=200",
@@ -32,7 +35,7 @@ Task task_of(const ExperimentSpec& spec, const std::string& surface, double tilt
 
 struct TiltGroup {
   bool loop;
-  double tilt;  ///< degrees
+  double tilt;  ///< Tilt of the surface [deg].
   std::vector<RunFigures> runs = {};
 };
 
@@ -74,23 +77,23 @@ ResultTable summary_table(const std::vector<TiltGroup>& groups) {
   return table;
 }
 
-/// The mean over all runs and the tilt that is worst by the mean of its seeds, as the protocol
-/// counts; a run without a figure is not passed over.
+/// Returns a table of errors: the mean over all runs, and the worst tilt by the mean of its seeds,
+/// as in the paper by Kleff et al. If a run lacks a figure, the result is NaN.
 ResultTable aims_table(const std::vector<TiltGroup>& groups, ExperimentReport& report) {
-  struct Held {
+  struct Criterion {
     const char* figure;
     bool mean;
-    double limits[2];  ///< with the torque loop, without
+    double limits[2];  ///< Limits with and without the torque loop.
   };
-  const Held all[] = {{"force_rmse", true, {0.4, 0.8}},
-                      {"force_rmse", false, {0.6, 1.2}},
-                      {"position_rmse", true, {0.3, 0.4}}};
-  ResultTable table{.name = "aims", .title = "Beside the aims"};
+  const Criterion all[] = {{"force_rmse", true, {0.4, 0.8}},
+                           {"force_rmse", false, {0.6, 1.2}},
+                           {"position_rmse", true, {0.3, 0.4}}};
+  ResultTable table{.name = "aims", .title = "Comparison with the aims"};
   table.columns = {{"torque loop"}, {"figure"},     {"over the tilts"}, {"unit"},
                    {"value"},       {"aim", "", 2}, {"room", "%", 0},   {"verdict"}};
   int met = 0, count = 0;
   for (const bool loop : {true, false})
-    for (const Held& held : all) {
+    for (const Criterion& held : all) {
       std::vector<double> means;
       for (const TiltGroup& group : groups) {
         if (group.loop != loop) continue;
@@ -101,7 +104,7 @@ ResultTable aims_table(const std::vector<TiltGroup>& groups, ExperimentReport& r
       double value = 0.0;
       for (const double mean : means)
         value = held.mean ? value + mean / static_cast<double>(means.size())
-                          : (mean <= value ? value : mean);  // NaN stays
+                          : (mean <= value ? value : mean);  // NaN persists
       const Aim aim{held.figure, held.limits[loop ? 0 : 1]};
       const std::string words = verdict(value, aim);
       met += words == "met" ? 1 : 0;
@@ -118,7 +121,7 @@ ResultTable aims_table(const std::vector<TiltGroup>& groups, ExperimentReport& r
 
 Figure force_over_tilt(const std::vector<TiltGroup>& groups) {
   Figure figure{.name = "force_over_tilt",
-                .plot = {.title = "Force error over the unknown tilt", .columns = 1}};
+                .plot = {.title = "Force error over the tilt", .columns = 1}};
   Panel panel{.x_label = "tilt [deg]", .y_label = "force, rms error, mean of the seeds [N]"};
   for (const bool loop : {true, false}) {
     std::vector<double> x, y;
@@ -128,7 +131,7 @@ Figure force_over_tilt(const std::vector<TiltGroup>& groups) {
       y.push_back(mean_of(collect(group.runs, "force_rmse")));
     }
     const auto size = static_cast<Eigen::Index>(x.size());
-    Curve curve{.name = loop ? "torque loop" : "without",
+    Curve curve{.name = loop ? "torque loop" : "without torque loop",
                 .x = Eigen::Map<Eigen::VectorXd>(x.data(), size),
                 .y = Eigen::Map<Eigen::VectorXd>(y.data(), size)};
     curve.color = loop ? 0 : 1;
@@ -141,7 +144,7 @@ Figure force_over_tilt(const std::vector<TiltGroup>& groups) {
 }  // namespace
 
 ExperimentReport perform_tilt(const ExperimentSpec& spec) {
-  ExperimentReport report{.title = "A surface that leans, unknown to the controller"};
+  ExperimentReport report{.title = "A tilted surface that the controller does not model"};
   const std::string surface = spec.surfaces.empty() ? "table" : spec.surfaces.front();
   const std::vector<double> tilts = spec.quick
                                         ? std::vector<double>{-6.0, 0.0}
@@ -160,7 +163,7 @@ ExperimentReport perform_tilt(const ExperimentSpec& spec) {
   const std::vector<RunFigures> figures = run_batch(spec, runs);
   if (!spec.reports()) return report;
   for (std::size_t i = 0; i < figures.size(); ++i)
-    groups[i / static_cast<std::size_t>(seeds)].runs.push_back(figures[i]);
+    groups[i / to_size(seeds)].runs.push_back(figures[i]);
   report.tables = {runs_table(groups), summary_table(groups)};
   report.tables.push_back(aims_table(groups, report));
   report.figures = {force_over_tilt(groups)};

@@ -19,7 +19,8 @@ Json cell_json(const ResultCell& cell) {
   return value != nullptr && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-/// Columns may share a name, such as "worst": rows are lists.
+/// Returns the table as JSON. Rows are lists, because several columns may have one name, such as
+/// "worst".
 Json table_json(const ResultTable& table) {
   Json json{{"name", table.name}, {"title", table.title}};
   json["columns"] = Json::array();
@@ -69,7 +70,7 @@ std::vector<std::string> experiment_files(const ExperimentReport& report) {
 void write_experiment(const ExperimentReport& report, const std::string& name,
                       const std::string& command, const fs::path& folder) {
   std::string text = experiment_text(report, command);
-  text.pop_back();  // write_text() ends the last line
+  text.pop_back();  // removes the newline, because write_text() adds one
   write_text(folder / "results.md", text);
   write_text(folder / "results.json", json_text(report_json(report, name, command)));
   if (!report.tables.empty()) {

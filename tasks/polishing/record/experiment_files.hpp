@@ -1,4 +1,4 @@
-// What burnish experiment leaves behind.
+// Files that `burnish experiment` writes.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,14 @@
 
 namespace burnish::polishing {
 
-/// results.md: findings, failures and the tables that are for people, with the command that
-/// repeats it all.
+/// Returns the text of results.md: findings, failures, tables for readers, and `command`, which
+/// repeats the experiment.
 std::string experiment_text(const ExperimentReport& report, const std::string& command);
 
-/// results.md, results.json (everything), results.csv (the first table), the figures and the tasks.
+/// Returns the names of the files: results.md, results.json (all numbers), results.csv (the first
+/// table), figures and tasks.
 std::vector<std::string> experiment_files(const ExperimentReport& report);
-/// Writes them.
+/// Writes the files of experiment_files() into `folder`.
 void write_experiment(const ExperimentReport& report, const std::string& name,
                       const std::string& command, const std::filesystem::path& folder);
 

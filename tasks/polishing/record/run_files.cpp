@@ -9,16 +9,17 @@
 namespace burnish::polishing {
 namespace {
 
-/// What came, and what was wanted of it; the force's error in N and as a share of the force.
+/// Returns the metrics of the verdict with their limits. The force error is written twice: in N,
+/// and as a fraction of the force.
 Json verdict_json(const Task& task, const VerdictFigures& figures) {
   Json json;
   each_verdict_figure([&](const FigureEntry& entry, auto member, auto wanted, bool at_least) {
-    const double value = figures.*member, most = task.verdict.*wanted;
-    const bool share = !*entry.unit.unit;
+    const double value = figures.*member, limit = task.verdict.*wanted;
+    const bool is_fraction = !*entry.unit.unit;
     Json& of = json[entry.name];
-    of["value"] = number_json(share ? value : value / task.force);
-    of[at_least ? "at_least" : "at_most"] = number_json(most);
-    if (!share) of[std::string("value_") + entry.unit.unit] = number_json(value);
+    of["value"] = number_json(is_fraction ? value : value / task.force);
+    of[at_least ? "at_least" : "at_most"] = number_json(limit);
+    if (!is_fraction) of[std::string("value_") + entry.unit.unit] = number_json(value);
   });
   return json;
 }

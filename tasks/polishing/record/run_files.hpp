@@ -1,4 +1,4 @@
-// What a polishing run leaves: tables, plots, reports, its page and recording.
+// Files that a polishing run writes: tables, plots, reports, page and recording.
 #pragma once
 
 #include <filesystem>
@@ -10,23 +10,23 @@
 
 namespace burnish::polishing {
 
-/// A run that is to be, or was, made.
+/// Planned or completed run with its name.
 struct PolishJob {
-  std::string name;          ///< of its folder, such as table_mpc
-  std::string place;         ///< of the task, such as table
-  std::string command = {};  ///< that makes this run alone; empty: of its task.yaml
+  std::string name;          ///< Name of the run's folder, such as "table_mpc".
+  std::string place;         ///< Name of the task's surface, such as "table".
+  std::string command = {};  ///< Command that repeats this run; empty: `burnish polish task.yaml`.
   RunSpec spec;
 };
 
-/// See write_run_files().
+/// Writes the files of a run into `folder` by write_run_files(). Returns the names of the files.
 std::vector<std::string> write_run(const PolishJob& job, const RunResult& result,
                                    const RunFilesOptions& options,
                                    const std::filesystem::path& folder, PageWriter& pages);
 
-/// Everything in numbers.
+/// Returns all numbers of a run, for metrics.json.
 nlohmann::ordered_json run_json(const PolishJob& job, const RunResult& result);
 
-/// All that the page of a run shows. Its rows are among those of a table of every `record_every`th.
+/// Returns the contents of a run's HTML page, with every `record_every`th row of the trace.
 RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_every);
 
 }  // namespace burnish::polishing

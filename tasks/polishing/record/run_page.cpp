@@ -1,4 +1,4 @@
-// The page of a polishing run: facts, scene, path, plans and all that its trace shows.
+// HTML page of a polishing run: facts, scene, path, plans and the curves of its trace.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -41,8 +41,8 @@ void add_path(RunPage& page, const Task& task, const Setting& setting) {
       surface_placement(setting.robot.model, setting.q_start, setting.scene.surface) *
       setting.p_center;
   const Path path(task.path);
-  constexpr int most_points = 4000;
-  const int points = std::clamp(static_cast<int>(task.polish_duration / 0.01), 2, most_points);
+  constexpr int max_points = 4000;
+  const int points = std::clamp(static_cast<int>(task.polish_duration / 0.01), 2, max_points);
   page.path_u.resize(points);
   page.path_w.resize(points);
   for (int i = 0; i < points; ++i) {
@@ -52,7 +52,7 @@ void add_path(RunPage& page, const Task& task, const Setting& setting) {
   }
 }
 
-/// That makes the run again in its folder.
+/// Returns the command that repeats the run, to be called in the folder of the run.
 std::string command_of(const RunSpec& spec) {
   return "burnish polish task.yaml --controller " + name_of(spec.controller) + " --plant " +
          name_of(spec.plant) + (spec.check_reach ? "" : " --unchecked");
@@ -76,7 +76,8 @@ RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_
     page.solver = PageSolver{.period_ms = 1e3 / task.update_rate};
     if (std::isfinite(task.limits.deadline)) page.solver->deadline_ms = 1e3 * task.limits.deadline;
   }
-  SceneSpec scene = result.setting.scene;  // what the robot carries is drawn where it starts
+  // A surface that a frame carries is drawn at its initial placement.
+  SceneSpec scene = result.setting.scene;
   if (!scene.surface.frame.empty())
     scene.surface = in_world(
         scene.surface,

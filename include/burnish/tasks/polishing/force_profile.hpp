@@ -15,21 +15,22 @@ struct ForceProfile {
   /// @described polishing.ForceProfileKind
   enum class Kind {
     Constant,
-    Steps,  ///< Jump to the force of a point at the time of that point
+    Steps,  ///< At the time of each point, the force jumps to the force of the point
     Lines,  ///< Straight lines between points
     Sine,   ///< Sine about the force of the task
   };
   Kind kind = Kind::Constant;  ///< Shape of the force over time: constant, steps, lines or sine
   /// Points of steps and lines: [[time on the path in s, force in N], ...]
-  /// @more Before the first point, kind steps uses the task's force. Kind lines interpolates from
-  /// the task's force at time 0.
+  /// @more Kind steps uses the task's force until the first point. Kind lines starts with a line
+  /// from the task's force at time 0 to the first point.
   std::vector<Eigen::Vector2d> points = {};
   double amplitude = 5.0;  ///< Amplitude of the sine about the force of the task [N], >= 0
   double frequency = 1.0;  ///< Frequency of the sine [Hz], > 0
   /// Time on the path when the sine begins [s], >= 0
-  /// @more Until then the force is constant.
+  /// @more Before this time the force is constant.
   double start = 0.0;
-  /// Plans know the future target force; false: plans assume that the present target force stays
+  /// Whether plans use the future target force; false: plans assume a constant target force
+  /// @more The assumed constant is the target force at the present time.
   bool preview = true;
 
   bool is_constant() const { return kind == Kind::Constant; }
@@ -37,9 +38,9 @@ struct ForceProfile {
   /// returns `force`, which is the force of the task. Does not allocate.
   double at(double force, double t) const noexcept;
   /// Returns the smallest target force of the profile [N]. `force` is the force of the task [N].
-  double least(double force) const;
+  double min_force(double force) const;
   /// Returns the largest target force of the profile [N]. `force` is the force of the task [N].
-  double most(double force) const;
+  double max_force(double force) const;
   /// Throws Error if steps or lines have no points, if the times of the points do not increase or
   /// begin below 0, or if a target force is not positive. `force` is the force of the task [N].
   void check(double force) const;

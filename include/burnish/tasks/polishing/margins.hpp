@@ -1,5 +1,5 @@
-// Stability margins of a polishing task's control loop against delay and wrong joint torques, and
-// a choice of controller gains that meets required margins.
+// Stability margins of a polishing task's control loop, against extra delay and against wrong joint
+// torques. Functions that choose controller gains with sufficient margins.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,13 @@
 
 namespace burnish::polishing {
 
-/// Stability margins that fit_gains() requires, in addition to the delays and filters of the loop.
+/// Stability margins that the gains from fit_gains() must have, in a control loop that already
+/// contains the usual delays and filters.
 /// @described polishing
 struct RequiredMargins {
-  double delay = 2e-3;  ///< Delay of the commands that the loop must tolerate [s], >= 0
-  /// Factor on the torque of any single joint that the loop must tolerate, > 0
-  /// @more The loop must also tolerate the inverse of the factor.
+  double delay = 2e-3;  ///< Extra delay of commands that the control loop must tolerate [s], >= 0
+  /// Factor on the torque of any one joint that the control loop must tolerate, > 0
+  /// @more The control loop must also tolerate the inverse of the factor.
   double gain = 2.0;
 };
 
@@ -33,26 +34,25 @@ struct TaskMargins {
   std::string text() const;
 };
 
-/// Returns the delays and filters of a control loop that result from `disturbances`. `stiffness`
-/// [N/m] and `damping` [Ns/m] describe the surface.
+/// Returns the delays and filters that `disturbances` cause in a control loop. `stiffness` [N/m]
+/// and `damping` [Ns/m] describe the surface.
 LoopChain chain_of(const Disturbances& disturbances, double stiffness, double damping);
-/// Returns the delays and filters for which gains are fitted. They come from the disturbance preset
-/// `sensors`, with the surface of the task and the motor lag that plans model. Fitted gains do not
-/// depend on the disturbances of the task, because the controller does not know them.
+/// Returns the delays and filters for which fit_gains() chooses gains: those of the disturbance
+/// preset `sensors`, with the task's surface and the motor lag that plans assume. The disturbances
+/// of the task are not used, because the controller does not know them.
 LoopChain usual_chain(const Task& task);
-/// Returns the delays and filters of the control loop that result from the disturbances of the
-/// task.
+/// Returns the delays and filters that the task's disturbances cause in the control loop.
 LoopChain loop_chain(const Task& task);
 
 /// Returns the stability margins of the task's control loop with the delays and filters of
-/// usual_chain(). First fits the gains that the task does not state. Returns nullopt if no plan is
-/// found from the start, or if margins cannot be computed (without_margins() gives the reason).
-/// Throws Error in the same cases as make_mpc().
+/// usual_chain(). Gains without a value in the task are first chosen by fit_gains(). Returns
+/// nullopt if no plan is found from the start, or if margins cannot be computed (without_margins()
+/// returns the reason). Throws Error in the same cases as make_mpc().
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting);
 /// Returns the stability margins of the task's control loop with the delays and filters of `chain`.
-/// First fits the gains that the task does not state, with usual_chain(). Returns nullopt if no
-/// plan is found from the start, or if margins cannot be computed. Throws Error in the same cases
-/// as make_mpc().
+/// Gains without a value in the task are first chosen by fit_gains(), which uses usual_chain()
+/// instead of `chain`. Returns nullopt if no plan is found from the start, or if margins cannot be
+/// computed. Throws Error in the same cases as make_mpc().
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                                    const LoopChain& chain);
 
@@ -64,25 +64,26 @@ struct FittedGains {
   std::string changes = {};
 };
 
-/// Fits five gains of the task to the required margins. Gains that the task states are not changed.
-/// Throws Error in the same cases as make_mpc().
+/// Chooses five gains of the task such that the control loop has the margins `required`. Gains with
+/// a value in the task are not changed. Throws Error in the same cases as make_mpc().
 ///
-/// Three gains are searched: model_error.boost, model_error.bandwidth and weights.position. Their
-/// initial values are 6, 120 rad/s (50 rad/s with model_error.kind force) and 1e4 1/m^2. The search
-/// tries values in this order and takes the first that meet `required`:
-/// - weights.position times 10, 3 and 1, each with the boost from its initial value down to 1,
+/// Three gains are searched: model_error.transient_scale, model_error.bandwidth and
+/// weights.position. Their initial values are 6, 120 rad/s (50 rad/s with model_error.kind force)
+/// and 1e4 1/m^2. The search tries values in the following order and takes the first values that
+/// meet `required`:
+/// - weights.position times 10, 3 and 1, each with transient_scale decreasing to 1,
 /// - lower bandwidths,
 /// - lower weights.position.
 ///
-/// model_error.lag is the delay from commands to velocities in usual_chain(), without the motor
-/// lag. model_error.force_gain is chosen last. It is the largest of 0.5, 0.35, 0.25 and 0 with
-/// which the loop in contact meets `required`. The loop must also meet `required` on a surface that
-/// is three times as stiff.
+/// model_error.lag is set to the delay from commands to velocities in usual_chain(), without the
+/// motor lag. model_error.force_gain is chosen last, as the largest of 0.5, 0.35, 0.25 and 0 with
+/// which the control loop in contact has the margins `required`. The control loop must also have
+/// these margins on a surface that is three times as stiff.
 ///
 /// The lag and the force gain are 0 in three cases:
 /// - model_error.kind is force,
-/// - the task states all three searched gains,
-/// - margins() returns nullopt. Then the searched gains have their initial values.
+/// - all three searched gains have values in the task,
+/// - margins() returns nullopt. In this case the three searched gains have their initial values.
 FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required = {});
 
 }  // namespace burnish::polishing

@@ -1,4 +1,4 @@
-// Paths on a surface: target positions of the tool's centre over time.
+// Paths on a surface: target positions of the tip's centre as functions of time.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,19 +24,18 @@ struct PathSpec {
   PathKind kind = PathKind::Circle;  ///< Shape of the path: circle, spiral, zigzag or points
   double radius = 0.07;  ///< Radius of the circle, or largest radius of the spiral [m], > 0
   double rate = 1.0;     ///< Angular rate of the circle or spiral [rad/s]
-  /// Time until the circle has its full radius, or the spiral its full growth rate [s], > 0
+  /// Time until a circle reaches its full radius, or a spiral its full rate of growth [s], > 0
   double start_up = 2.0;
   /// Mean distance between two turns of the spiral [m], > 0
-  /// @more The mean is taken from the centre to the largest radius.
+  /// @more The mean is computed over all turns from the centre to the largest radius.
   double pitch = 0.01;
   double width = 0.14;   ///< Length of the zigzag along the first tangent [m], > 0
   double height = 0.10;  ///< Length of the zigzag along the second tangent [m], > 0
   int rows = 6;          ///< Number of lines of the zigzag, >= 2
   /// Highest speed along a straight line of the zigzag or between points [m/s], > 0
   double speed = 0.07;
-  /// Points [[u, w], ...] along the tangents [m], or a CSV file with columns u and w
-  /// @code Points (u, w) along the two tangents [m]
-  /// @more Straight lines lead from the centre through the points. The path comes to rest at each
+  /// Points [[u, w], ...] along the two tangents [m]; in files also a CSV file with columns u and w
+  /// @more The path leads from the centre through the points in straight lines, and stops at each
   /// point.
   std::vector<Eigen::Vector2d> points = {};
 };
@@ -62,8 +61,8 @@ class Path {
   /// Returns the point of the path at time `t` after the start [s]. For t < 0, returns the start.
   /// Does not allocate.
   PlanarPoint at(double t) const noexcept;
-  /// Returns the time when the last point is reached [s]. Infinite for circle and spiral, because
-  /// they do not end.
+  /// Returns the time when the path ends [s]. For circle and spiral, which do not end, returns
+  /// infinity.
   double duration() const { return duration_; }
   /// Returns the largest |u| or |w| on the whole path [m].
   double reach() const;

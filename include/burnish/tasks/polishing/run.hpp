@@ -17,7 +17,8 @@ namespace burnish::polishing {
 enum class ControllerKind {
   Mpc,       ///< Model predictive control (MpcController)
   Baseline,  ///< Impedance with force feedback, no optimisation (make_impedance_controller())
-  /// Admittance from force error to targets of joint positions (make_admittance_controller())
+  /// Admittance: the force error moves the targets of the joint positions
+  /// (make_admittance_controller())
   Admittance,
 };
 std::string name_of(ControllerKind kind);  ///< Returns "mpc", "baseline" or "admittance".
@@ -31,9 +32,9 @@ struct RunSpec {
   Task task;
   std::optional<Robot> robot = {};  ///< Robot to use instead of the robot that the task names
   ControllerKind controller = ControllerKind::Mpc;
-  /// Plant to simulate; MuJoCo if this build has it
+  /// Plant to simulate; by default MuJoCo, if this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  /// Check the reach before the run, and throw Error if there is a problem
+  /// Check before the run by statics whether the arm can do the task; throw Error if it cannot
   bool check_reach = true;
   ReachOptions reach = {};
   /// Recording rate of the plans of the MPC (0: no recording) [Hz]
@@ -44,13 +45,13 @@ struct RunSpec {
   RunProgress progress = nullptr;
 };
 
-/// Figures of a run that Verdict compares with its requirements.
+/// Results of a run that are compared with the requirements in Verdict.
 struct VerdictFigures {
   double contact_share = 0.0;  ///< Time in contact, as a fraction of the time on the path.
-  /// RMS error of the mean force over 10 ms, on the whole path [N].
+  /// RMS error of the normal force, averaged over 10 ms, on the whole path [N].
   double force_rmse = 0.0;
   /// Fraction of the path's length on which the tip was over its target. The tip is over its target
-  /// if their distance along the surface is at most the tip's radius.
+  /// if its distance to the target along the surface is at most the tip's radius.
   double path_share = 0.0;
   /// Fraction of the path's length that can be travelled in Task::polish_duration. If the fraction
   /// is below 1, the run is cut short, and the required path_share is multiplied by this fraction.
@@ -58,22 +59,23 @@ struct VerdictFigures {
 };
 
 /// Result of run_task(). `outcome` is one of three texts: "polished: ...", the problem that ended
-/// the run, or "not polished: ..." with the figures that miss their requirements. If the time was
+/// the run, or "not polished: ..." with the results that miss their requirements. If the time was
 /// too short for the path, "cut short: ..." is added.
 struct RunResult : TaskRun {
   Setting setting;
-  ReachReport reach;  ///< Result of the reach check; empty if the reach was not checked.
-  /// Gains that fit_gains() changed, such as "model_error.boost 1 in place of 6, ..."; empty if
-  /// there are none.
+  ReachReport reach;  ///< Result of check_reach(); empty if the reach was not checked.
+  /// Gains that fit_gains() changed, such as "model_error.transient_scale 1 in place of 6, ...";
+  /// empty if there are none.
   std::string fitted;
-  /// True if three conditions are met: the tool followed the path to the end of its time without a
-  /// fault, the figures meet Task::verdict, and no joint was more than 1e-3 rad (m) beyond its
-  /// limits.
+  /// True if three conditions are met: the tool followed the path for the whole time on the path
+  /// without a fault, the results meet the requirements in Task::verdict, and no joint was more
+  /// than 1e-3 rad (m) beyond its limits.
   bool polished = false;
-  /// Metrics on the path without its start-up; none if the path was never reached.
+  /// Metrics of the time on the path, without the start-up of a circle or spiral. None if the path
+  /// was never reached.
   std::optional<Metrics> metrics;
-  /// Figures for Task::verdict, on the part of the path that was run; none if the path was never
-  /// reached.
+  /// Results to compare with Task::verdict, over the part of the path that was run; none if the
+  /// path was never reached.
   std::optional<VerdictFigures> verdict;
 };
 
@@ -84,8 +86,9 @@ struct RunResult : TaskRun {
 RunResult run_task(const RunSpec& spec);
 
 /// Returns warnings for the user about settings that are possible but probably unintended, one
-/// sentence each. One of them says that the plant equals the controller's model; `ideal_is_meant`
-/// leaves it out. Does not throw if check_task() accepts the task.
+/// sentence each. One warning says that the plant equals the controller's model. If
+/// `ideal_is_meant` is true, this warning is left out. Does not throw if check_task() accepts the
+/// task.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
 }  // namespace burnish::polishing

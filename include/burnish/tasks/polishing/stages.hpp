@@ -14,8 +14,8 @@ namespace burnish::polishing {
 
 /// Task with all settings filled in: robot, start, surface, path in the world, phases.
 /// @described polishing
-/// If the robot carries the surface (Task::surface_frame), positions and axes are in the axes of
-/// the frame that carries it, instead of the world.
+/// If the robot carries the surface, positions and axes are in the frame Task::surface_frame
+/// instead of the world.
 struct Setting {
   Robot robot;              ///< Robot of the task @required
   Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
@@ -24,22 +24,22 @@ struct Setting {
   /// @required
   Eigen::Matrix3d surface_axes;
   Eigen::Vector3d p_start;  ///< Position of the tool at the start, in the world [m] @required
-  /// Position of the tool in contact at the path's origin, in the world [m]
+  /// Position of the tool when it touches the surface at the path's origin, in the world [m]
   /// @required
   Eigen::Vector3d p_center;
-  double reach_end = 0.0;  ///< Schedule time at the end of the reach [s]
+  double reach_end = 0.0;  ///< Schedule time at the end of the phase Reach [s]
   double touch = 0.0;      ///< Schedule time of the planned contact [s]
   double ramp_end = 0.0;   ///< Schedule time when the ramp ends and the path begins [s]
   double track_end = 0.0;  ///< Schedule time at the end of the path [s]
-  /// Armature that Task.assume_rotors added to each joint, by joint name [kg m^2 (kg)]
+  /// Rotor inertia that Task.assume_rotors added to joints, by joint name [kg m^2 (kg)]
   std::map<std::string, double> assumed_rotors = {};
   /// Move from Task.home to q_start; none if the run begins at q_start
   std::optional<HomeMove> home = {};
 };
 
-/// Loads the robot of the task. If the robot is a URDF file, it has no settings. Then only the
-/// joints that carry the tool move, and all other joints are held at zero. Throws Error in the same
-/// cases as load_robot().
+/// Loads the robot of the task. If the task names a URDF file, which has no settings, only the
+/// joints that carry the tool move. All other joints are then held at zero. Throws Error in the
+/// same cases as load_robot().
 Robot load_task_robot(const Task& task);
 /// Returns true if the starting posture is searched by find_posture(), and false if it comes from
 /// the robot's settings.
@@ -63,20 +63,21 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
 /// On a curved surface, `point` is projected along the normal at the path's origin.
 TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& point);
 
-/// Returns the specification of the task's model predictive controller. Fits the gains that the
-/// task does not state; see fit_gains(). Throws Error if the start violates
+/// Returns the specification of the task's model predictive controller. Gains without a value in
+/// the task are first chosen by fit_gains(). Throws Error if the start violates
 /// constraints.joint_margin.
 ///
-/// If ForceProfile::preview is false, plans read the present force from a clock inside the
-/// specification. All controllers made from one specification share this clock. Therefore make one
-/// specification for each controller.
+/// If ForceProfile::preview is false, plans read the present time from a clock inside the
+/// specification, to find the present target force. All controllers made from one specification
+/// share this clock. Therefore make one specification for each controller.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
-/// Returns a sentence if the task needs the model predictive controller, because the robot stands
-/// on its feet or carries the surface itself. Returns an empty text if the baseline and admittance
-/// controllers can run the task.
+/// Returns the reason why the task needs the model predictive controller, as one sentence: the
+/// robot stands on its feet or carries the surface. Returns an empty text if the baseline and
+/// admittance controllers can run the task.
 std::string wants_plans(const Task& task);
-/// Returns the task for the baseline and admittance controllers. They move from the start straight
-/// down to the surface, without a reach phase. Throws Error if wants_plans() returns a sentence.
+/// Returns the task for the baseline and admittance controllers. These controllers move from the
+/// start straight to the surface, without a phase Reach. Throws Error if wants_plans() returns a
+/// sentence.
 PressingPath pressing_path(const Task& task, const Setting& setting);
 /// Returns the specification of the impedance controller (`baseline`) for the task. Throws Error in
 /// the same cases as pressing_path().

@@ -18,46 +18,44 @@
 
 namespace burnish::press_hold {
 
-/// Task of pressing at a point while the rest of the arm moves aside: all keys of a task file, with
-/// their defaults.
+/// Task of pressing at a point while the rest of the arm moves aside. The members are all keys of a
+/// task file, with their defaults.
 /// @described press_hold
 struct Task {
   /// Name, folder or settings file of the robot, optionally with :variant
   std::string robot = "arm7";
-  /// Starting posture (search: find one for the surface)
-  /// @more The value is a posture's name in the robot's settings, or search. If empty: the robot's
-  /// default posture, or a search if the robot has none.
+  /// Starting posture: a name from the robot's settings, or search (find one for the surface)
+  /// @more If empty, the robot's default posture is used, or a search if the robot has no default
+  /// posture.
   std::string posture = {};
   double force = 20.0;  ///< Normal force that the tool presses with [N], > 0
-  /// Offsets of joints from the start when the arm is aside [{rad (m)}]: {joint: offset, ...}
+  /// Offsets from the starting posture that move the arm aside [{rad (m)}]: {joint: offset, ...}
   std::map<std::string, double> aside = {};
 
   // @section tool
   /// Frame of the tool; its origin is the centre of the round tip @key frame
   std::string tool = "tool";
-  /// Pressing direction [x, y, z] in the tool's frame (auto: away from the arm), not zero
-  /// @code Pressing direction in the tool's frame (none: away from the arm)
-  /// @more The automatic direction is z or -z of a frame from robot.yaml, else the axis of the last
-  /// joint; see pressing_direction(). The vector need not have unit length. A stated starting
-  /// posture must agree with the direction within search.tilt.
+  /// Pressing direction [x, y, z] in the tool's frame (automatic: away from the arm), not zero
+  /// @more If robot.yaml defines the tool's frame, the automatic direction is the frame's z or -z
+  /// axis. Otherwise it is the axis of the last joint; see pressing_direction(). The vector need
+  /// not have unit length. In a stated starting posture, the angle between the pressing direction
+  /// and the direction into the surface must be at most search.tilt.
   /// @key axis @word auto
   std::optional<Eigen::Vector3d> tool_axis = {};
   double tip_radius = 0.02;  ///< Radius of the round tip [m], > 0
 
   // @section surface The surface lies at the distance `clearance` from the tool at the start. The
-  // controller knows its normal.
+  // controller knows the surface's normal.
 
   /// Normal of the surface [x, y, z] in world axes, towards the robot, not zero
   /// @more The normal points out of the material. It need not have unit length.
   /// @key normal
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
-  /// Width of the surface beyond the point on all four sides (or endless) [m], > 0 or infinite
-  /// @code Width of the surface beyond the point on all four sides [m]
-  /// @more The surface is a square about the point. The value endless (infinite) makes it a whole
-  /// plane.
+  /// Distance from the pressed point to the surface's four edges (or endless) [m], > 0 or infinite
+  /// @more The value endless is infinite: the surface is then a whole plane.
   /// @word endless
   double extent = 0.1;
-  /// Coulomb friction coefficient (replaced by disturbances.surface_friction if stated), >= 0
+  /// Coulomb friction coefficient, unless disturbances.surface_friction states another one, >= 0
   double friction = 0.0;
   double stiffness = 1e5;     ///< Stiffness of the surface in the plant [N/m], > 0
   double damping = 500.0;     ///< Damping of the surface in the plant [Ns/m], >= 0
@@ -66,7 +64,7 @@ struct Task {
   // @section phases Approach until contact, ramp the force, move aside, hold, retreat.
   double clearance = 0.01;       ///< Distance between tool and surface at the start [m], > 0
   double approach_speed = 0.03;  ///< Speed towards the surface [m/s], > 0
-  /// Force that the tool presses with as soon as contact is made [N], >= 0
+  /// Pressing force of the tool right after contact [N], >= 0
   double touch_force = 5.0;
   double ramp_duration = 0.5;   ///< Duration of the ramp from touch_force to force [s], > 0
   double aside_duration = 2.0;  ///< Duration of the move aside [s], > 0
@@ -76,13 +74,13 @@ struct Task {
 
   // @section controller
   double tick_rate = 1000.0;  ///< Rate of torque commands and of new plans [Hz], 100 to 1e4
-  /// Assumed delay from a command to its torque [s], 0 to 0.1
-  /// @more The delay is rounded to ticks. Plans and feedback start from the state that the torques
-  /// already sent lead to.
+  /// Assumed delay from a torque command to the torque in the joint [s], 0 to 0.1
+  /// @more The delay is rounded to ticks. Plans and feedback start from a state that is predicted
+  /// from the torques already sent.
   double command_delay = 0.0;
   /// Assumed delay from a measurement to the tick that receives it [s], 0 to 0.1
   double measurement_delay = 0.0;
-  /// Weight on joint angles relative to their reference [1/rad^2], > 0
+  /// Weight on errors of joint angles relative to the motion aside [1/rad^2], > 0
   /// @more For comparison, the weight on the tool's position is 1e4 1/m^2.
   double posture_weight = 1.0;
 
@@ -91,58 +89,59 @@ struct Task {
   // @section limits Exceeding a limit ends the run and is reported as a fault.\nThe fallback
   // controller then brakes and holds the robot. `never` switches a limit off.
 
-  /// Largest distance that the tool may slide along the surface from its point [m], > 0 or infinite
+  /// Largest distance that the tool may slide away from the pressed point [m], > 0 or infinite
   /// @after contact_threshold
   double slip = 0.01;
   SafetyLimits limits = {};
   ToolLimits tool_limits = {};  ///< @key limits
   /// Normal force above which the tool counts as in contact [N], > 0 or infinite
   /// @more The noise of the force is measured in free air. If six standard deviations of the noise
-  /// exceed the threshold, the mean force over 5 ms is used. Contact then requires that the mean
-  /// exceeds both the threshold and six standard deviations of the mean.
+  /// exceed the threshold, the force is averaged over 5 ms. Contact then requires that the average
+  /// exceeds both the threshold and six standard deviations of the average.
   double contact_threshold = 2.0;
 
   // @section -
 
-  /// Disturbances that the controller does not know.\nOne word can replace all keys: none, sensors,
-  /// mismatch or joint_friction.\nWith the key `preset` and one of these words, only keys that
-  /// differ from the preset are needed.
-  /// @code Disturbances that the controller does not know
+  /// Disturbances that the controller does not know.\nIn a task file, one word can replace all
+  /// keys: none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of these
+  /// words, only keys that differ from the preset are needed.
   Disturbances disturbances = {};
 };
 
 /// Reads a task file, which has the key `task: press_hold`. Missing keys get their defaults;
-/// tasks/press_hold/arm7.yaml states all keys. Then applies `overrides` in order, each
-/// "key.path=value" with a value in YAML. Throws Error that names the file (or override), line and
-/// key, and states the requirement.
+/// tasks/press_hold/arm7.yaml states all keys. Then applies `overrides` in order. Each override is
+/// a text "key.path=value" with a value in YAML. Throws Error with the file (or override), line,
+/// key and requirement.
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 /// Reads a task from the text of a task file, as read_task() does. Error messages use `name` as the
 /// file's name.
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides = {});
-/// Applies `overrides` to a task in order, each "key.path=value" with a value in YAML. Throws Error
-/// that names the override and states the requirement.
+/// Applies `overrides` to a task in order. Each override is a text "key.path=value" with a value in
+/// YAML. Throws Error with the override and the requirement.
 void override_task(Task& task, const std::vector<std::string>& overrides);
-/// Throws Error if a number is out of range or if settings contradict each other. The message is
-/// one sentence.
+/// Checks the settings of a task. Throws Error if a number is out of range or if settings
+/// contradict each other. The message is one sentence.
 void check_task(const Task& task);
 /// Returns the text of a complete task file, with the unit and meaning of every key. Reading this
 /// text returns the same task.
 std::string task_text(const Task& task);
 /// Returns warnings for the user about settings that are probably unintended, one sentence each:
 /// delays that differ from the assumed delays, a surface friction without effect because
-/// disturbances set another one, and a
-/// plant that equals the controller's model. `ideal_is_meant` leaves out the sentence about the
-/// plant.
+/// disturbances set another one, and a plant that equals the controller's model. If
+/// `ideal_is_meant` is true, the sentence about the plant is left out.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
 /// Task with all settings filled in: robot, start, surface, phases.
 /// @described press_hold
 struct Setting {
   Robot robot;  ///< Robot of the task @required
-  /// Configuration at the start, nq; the posture's reference begins there @required
+  /// Configuration at the start, nq entries; also the first reference of the joint angles
+  /// @required
   Eigen::VectorXd q_start;
-  /// Configuration when the arm is aside, nq; the posture's reference ends there @required
+  /// Configuration with the arm moved aside, nq entries, where the reference of the joint angles
+  /// ends
+  /// @required
   Eigen::VectorXd q_aside;
   SceneSpec scene;  ///< Tip and surface as the controller assumes them @required
   /// Axes of the surface in the world; the columns are two tangents and the normal
@@ -150,18 +149,18 @@ struct Setting {
   Eigen::Matrix3d surface_axes;
   Eigen::Vector3d p_hold;  ///< Position of the tool in contact, in the world [m] @required
   double touch = 0.0;      ///< Schedule time of the planned contact [s]
-  double ramp_end = 0.0;   ///< Schedule time at the end of the ramp [s]
+  double ramp_end = 0.0;   ///< Schedule time at the end of the force ramp [s]
   double hold_end = 0.0;   ///< Schedule time at the end of the hold [s]
 };
-/// Loads the robot of the task. If the robot is a URDF file, it has no settings. Then only the
-/// joints that carry the tool move, and all other joints are held at zero. Throws Error in the same
-/// cases as load_robot().
+/// Loads the robot of the task. If the task names a URDF file, which has no settings, only the
+/// joints that carry the tool move. All other joints are then held at zero. Throws Error in the
+/// same cases as load_robot().
 Robot load_task_robot(const Task& task);
 /// Adapts a task that was written for another robot to `robot`, and returns a sentence for each
 /// change. If `robot` does not have the task's posture, a posture is searched instead. If `robot`
-/// has none of the joints in `aside`, the robot's third joint from the base moves instead, by the
-/// first offset in `aside`. The offset is reversed or shortened if the joint would exceed a limit.
-/// Throws Error in the same cases as make_setting().
+/// has none of the joints in Task::aside, the third joint from the base moves aside instead, by the
+/// first offset in Task::aside. The offset is reversed or shortened if it would violate a joint
+/// limit. Throws Error in the same cases as make_setting().
 std::vector<std::string> fit_to_robot(Task& task, const Robot& robot);
 /// Fills in all settings of a task: loads the robot, finds the starting posture, places the
 /// surface, and computes the times of the phases. Throws Error for an unknown robot, posture, tool
@@ -170,8 +169,8 @@ std::vector<std::string> fit_to_robot(Task& task, const Robot& robot);
 Setting make_setting(const Task& task);
 /// Fills in all settings of a task for `robot`, which replaces the robot that the task names.
 Setting make_setting(const Task& task, const Robot& robot);
-/// Checks by statics whether the arm can move from the start down to the surface and press there.
-/// The checks are the same as in polishing::check_reach(). The move aside is not checked.
+/// Checks by statics whether the arm can move from the start to the surface and press there, with
+/// the conditions of polishing::check_reach(). The move aside is not checked.
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options = {});
 /// Throws Error if check_reach() finds a problem.
 void refuse_out_of_reach(const Task& task, const Setting& setting);
@@ -185,9 +184,9 @@ struct RunSpec {
   Task task;
   /// Task with all settings filled in; none: computed by make_setting()
   std::optional<Setting> setting = {};
-  /// Plant to simulate; MuJoCo if this build has it
+  /// Plant to simulate; by default MuJoCo, if this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  /// Check the reach before the run, and throw Error if there is a problem
+  /// Check before the run by statics whether the robot can do the task; throw Error if it cannot
   bool check_reach = true;
   double plan_rate = 20.0;  ///< Recording rate of plans (0: no recording) [Hz]
   /// Callback that is called repeatedly with the simulated time and the run's expected end, in s
@@ -195,21 +194,22 @@ struct RunSpec {
   RunProgress progress = {};
 };
 
-/// Figures of the move aside and of the hold after it, from the end of the ramp on.
+/// Statistics of the move aside and of the hold after the move, from the end of the force ramp on.
 struct HoldFigures {
   /// Largest joint displacement from the end of the ramp to the end of the hold [rad (m)].
   double moved_aside = 0.0;
-  double slip = 0.0;  ///< Largest distance that the tool slid along the surface from its point [m].
+  /// Largest distance that the tool slid away from the pressed point [m].
+  double slip = 0.0;
 };
 
 /// Result of run_task().
 struct RunResult : TaskRun {
   Setting setting;
   bool done = false;  ///< True if the run reached its end without a fault.
-  /// Metrics from 0.2 s after the ramp to 0.02 s before the retreat. None if the run ended less
-  /// than about 0.5 s after the ramp.
+  /// Metrics of the time from 0.2 s after the force ramp to 0.02 s before the retreat. None if the
+  /// run ended less than about 0.5 s after the ramp.
   std::optional<Metrics> metrics;
-  /// Figures of the hold. None if the run ended less than about 0.5 s after the ramp.
+  /// Statistics of the hold. None if the run ended less than about 0.5 s after the force ramp.
   std::optional<HoldFigures> hold;
 };
 /// Runs the task in simulated time. Faults and other problems are in the result, with the data

@@ -39,25 +39,25 @@ struct AdmittanceGains {
   double joint_kp = 10000.0;   ///< Proportional gain of the inner loop [1/s^2], >= 0
   double joint_kd = 150.0;     ///< Derivative gain of the inner loop [1/s], >= 0
   double joint_ki = 150000.0;  ///< Integral gain of the inner loop (0: no integral) [1/s^3], >= 0
-  /// Largest correction by the integral of the inner loop [rad/s^2], >= 0
+  /// Largest correction of joint accelerations by the integral of the inner loop [rad/s^2], >= 0
   double joint_integral_limit = 50.0;
 };
 
-/// Controller in two loops, as for arms with a position interface. The outer loop turns the force
+/// Controller with two loops, as for arms with a position interface. The outer loop turns the force
 /// error into a motion of the tool along the surface's normal n. Inverse kinematics turn this
 /// motion into joint positions q_c, which the inner loop tracks.
 ///
 /// Outer loop: l (mass dv_n/dt + damping v_n) = (f - f_path) + ki * integral of (f - f_path). f is
 /// the low-pass filtered force along n, v_n the commanded speed along n, and l the tool's inertia
 /// along n. The tool's velocity is v_n n along n, and v_path + path_gain (p_path - p) along the
-/// surface. Here p is the tip's position at q_c. Damped least squares compute dq_c/dt from the
-/// tool's velocity.
+/// surface. f_path, p_path and v_path are the targets of force, position and velocity, and p is the
+/// tip's position at q_c. Damped least squares compute dq_c/dt from the tool's velocity.
 ///
 /// Inner loop, `delay` later: tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + joint_ki *
 /// integral of (q_c - q)) + b. M is the mass matrix and b the bias torques. Both integrals are
 /// bounded, restart at contact, and pause while a torque is at its limit.
 /// @described sim
-/// make_admittance_controller() states the whole law.
+/// make_admittance_controller() states the whole control law.
 struct AdmittanceSpec {
   PressingPath path = {};      ///< Approach, force and path of the tool
   AdmittanceGains gains = {};  ///< Gains of both loops
@@ -70,8 +70,9 @@ struct AdmittanceSpec {
 ///   s = posture_gain (posture - q_c).
 /// n is the surface's normal, f the low-pass filtered force along n, and v_n the commanded speed
 /// along n. q_c are the commanded joint positions. J and p are the tip's Jacobian and position at
-/// q_c. l = 1 / (n^T J M^-1 J^T n) is the tip's inertia along n. The path is evaluated `delay`
-/// ahead, because the inner loop receives the command that much later.
+/// q_c. l = 1 / (n^T J M^-1 J^T n) is the tip's inertia along n. f_path, p_path and v_path are the
+/// targets of force, position and velocity. They are evaluated `delay` ahead, because the inner
+/// loop receives the command that much later.
 ///
 /// At every tick the inner loop computes
 ///   tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + joint_ki * integral of (q_c - q)) + b.
@@ -82,8 +83,8 @@ struct AdmittanceSpec {
 /// is at its limit. If a measurement is invalid, the previous command is repeated, and
 /// Command::status gives the reason.
 ///
-/// Throws Error for an unknown frame, an empty task, a posture of the wrong size or a zero normal.
-/// Also throws Error for gains, times and thresholds that are negative or not finite.
+/// Throws Error for an unknown frame, an empty PressingPath::task, a posture of the wrong size or a
+/// zero normal. Also throws Error for gains, times and thresholds that are negative or not finite.
 std::unique_ptr<Controller> make_admittance_controller(const Model& model,
                                                        const AdmittanceSpec& spec);
 

@@ -21,7 +21,7 @@ struct Feet {
   };
   /// Frames of the feet; each origin is the centre of a sole (z up) or of a ball
   std::vector<std::string> frames;
-  /// Frames among `frames` that the description does not have; with_feet() adds them to a robot
+  /// Frames that are named in `frames` but not in the robot's description; with_feet() adds them
   std::vector<Frame> added;
   /// Half the length of a sole, along x of its frame [m]; 0 if the feet are balls
   double half_x = 0.0;
@@ -37,26 +37,26 @@ struct Feet {
 };
 
 /// Finds the feet of a robot at its reference configuration. Feet are the two, four or six lowest
-/// ends of branches that stand opposite each other in pairs. Two legs have soles if each has at
-/// least four joints. Four or six legs have soles if each has at least five joints. All other legs
-/// have point feet.
+/// ends of branches of the robot's kinematic tree. These ends must form pairs that stand opposite
+/// each other. Two legs have soles if each has at least four joints. Four or six legs have soles if
+/// each has at least five joints. All other legs have point feet.
 ///
 /// Frames named after a sole, foot, toe or ankle are preferred. If no frame lies at the centre of
 /// the sole or ball, Feet::added contains a new frame there. Collision geometry comes from
 /// Robot::collisions and from primitives among the visuals; meshes are ignored. If a leg's last
-/// link has neither geometry nor such a frame, the link is modelled as a rod with its mass and
-/// inertia, and the leg ends at the end of the rod. Rotors are not branches.
+/// link has neither geometry nor a frame named after a foot, a rod with the link's mass and inertia
+/// represents the link. The leg then ends at the end of the rod. Rotors do not count as branches.
 ///
-/// Returns nullopt if the robot has no such branches or stands on wheels. The reason is then
-/// written to `why`, unless that is null. A link is a wheel in two cases: its name says so, or it
-/// turns without limits at the end of a leg whose other joints have limits. In the second case the
-/// link is a foot nevertheless if one of its frames is named after a foot.
+/// Returns nullopt if the robot has no feet of this kind or stands on wheels. The reason is then
+/// written to `why`, unless `why` is null. A link counts as a wheel if its name says so. The last
+/// link of a leg also counts as a wheel if it turns without limits while the other joints of the
+/// leg have limits, unless a frame of the link is named after a foot.
 std::optional<Feet> find_feet(const Robot& robot, std::string* why = nullptr);
 
-/// Returns `robot` with the frames Feet::added.
+/// Returns `robot` with the additional frames Feet::added.
 Robot with_feet(Robot robot, const Feet& feet);
 
-/// Returns `standing` with the frames and sizes of `feet`.
+/// Returns the settings `standing` with the frames and sizes of `feet`.
 Standing with_feet(Standing standing, const Feet& feet);
 
 /// Returns a text that describes the feet, such as "left_sole, right_sole (found), soles of 0.2 x

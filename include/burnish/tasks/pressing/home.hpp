@@ -1,4 +1,5 @@
-// Home posture, where a run can begin, and the joint-space move from there to the task's start.
+// Home posture, in which a run can begin, and the joint-space move from home to the start of the
+// task.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,23 +14,19 @@
 
 namespace burnish {
 
-/// Posture at which a run begins. From there the robot moves to the start of its task.
+/// Home posture, in which a run begins. The robot moves from home to the start of its task.
 /// @described pressing
 struct HomeSpec {
-  /// Named posture in which the run begins (none: the run begins at the start of the task)
-  /// @code Named posture in which the run begins (empty: the run begins at the start of the task)
+  /// Named posture in which the run begins (without a name: in the starting posture of the task)
   /// @word none
   std::string posture = {};
-  /// Joint positions that differ from the posture: {joint: rad (m), ...}
-  /// @code Joint positions that differ from the posture, in rad (m)
-  /// @more Without a posture, all other joints are as at the start.
+  /// Joint positions that differ from the named posture, in rad (m): {joint: position, ...}
+  /// @more If no posture is named, all other joints have their positions at the start of the task.
   std::map<std::string, double> joints = {};
-  /// Highest joint speed of the move, as a fraction of the velocity limits, 0.01 to 1
+  /// Highest joint speed of the move from home, as a fraction of the velocity limits, 0.01 to 1
   double speed_ratio = 0.3;
-  /// Duration of the move (auto: as short as the limits allow, at least 1 s) [s], > 0
-  /// @code Duration of the move (none: as short as the limits allow, at least 1 s) [s]
-  /// @more The limits are the fraction speed_ratio of the velocity limits and 0.8 of the effort
-  /// limits.
+  /// Duration of the move (automatic: as short as the limits allow, at least 1 s) [s], > 0
+  /// @more The limits are speed_ratio times the velocity limits and 0.8 times the effort limits.
   /// @word auto
   std::optional<double> duration = {};
 
@@ -45,28 +42,28 @@ struct HomeSpec {
 /// Continuous joints turn in the direction of the smaller angle.
 struct HomeMove {
   /// Configurations at the corners, nq each: home first, the start of the task last
-  /// @more If a straight move would touch the surface, there is a corner between them, where the
-  /// tool is lifted off the surface.
+  /// @more If a straight move would touch the surface, a corner in between lifts the tool off the
+  /// surface.
   std::vector<Eigen::VectorXd> corners = {};
   std::vector<double> durations = {};  ///< Durations of the moves from each corner to the next [s]
   double settle = 0.5;                 ///< Time at rest between the move and the task [s]
-  std::string farthest_joint = {};     ///< Name of the joint that moves farthest (an entry of v)
-  double farthest = 0.0;               ///< Distance that `farthest_joint` moves [rad (m)]
+  std::string farthest_joint = {};     ///< Name of the entry of v that moves farthest
+  double farthest = 0.0;               ///< Distance that the joint `farthest_joint` moves [rad (m)]
 
-  double duration() const;  ///< Returns the duration from home to the start, without `settle` [s].
+  double duration() const;  ///< Returns the duration of the whole move, without `settle` [s].
 };
 
-/// Creates a controller that tracks `move` and then hands over to the controller `then`, which must
-/// outlive it. The tracking law is computed torque with integral action, within the effort limits:
-/// tau = M (a + kp e + kd de/dt + ki * integral of e) + b, with three poles at 20 rad/s. e is the
-/// position error of the joints, a the acceleration of the move, M the mass matrix and b the bias
-/// torques.
+/// Creates a controller that tracks `move` and then hands over to the controller `then`. The
+/// controller `then` must outlive the new controller. The new controller uses computed torque with
+/// integral action, within the effort limits: tau = M (a + kp e + kd de/dt + ki * integral of e) +
+/// b, with three poles at 20 rad/s. e is the position error of the joints, a the acceleration of
+/// the move, M the mass matrix and b the bias torques.
 ///
-/// The handover is due at the time duration() + `settle` after the first tick. If a joint is then
-/// farther than 0.01 rad (m) from the start, the controller waits until all joints are within this
-/// distance, at most 2 s. Before the handover Command::phase is Phase::Home, and no faults are
-/// detected. If a measurement is invalid, the previous command is repeated, and Command::status
-/// gives the reason.
+/// The handover is due at the time HomeMove::duration() + HomeMove::settle after the first tick. If
+/// a joint is then farther than 0.01 rad (m) from the end of the move, the handover waits until all
+/// joints are within this distance, at most 2 s. Before the handover Command::phase is Phase::Home,
+/// and no faults are detected. If a measurement is invalid, the previous command is repeated, and
+/// Command::status gives the reason.
 ///
 /// `tool` is the frame whose planned position is Command::p_target_world, and `normal_world` the
 /// normal of the surface. Throws Error for an unknown frame, fewer than two corners, a wrong number

@@ -14,7 +14,7 @@
 
 namespace burnish {
 
-/// Kind of plant. A plant simulates the robot that a run controls, and its contacts.
+/// Kind of plant. A plant simulates a robot and the contacts of the robot.
 /// @described pressing
 enum class PlantKind {
   Mujoco,  ///< MuJoCo, a physics engine that shares no code with this library
@@ -31,11 +31,11 @@ std::unique_ptr<Plant> make_plant(PlantKind kind, const Model& model, const Scen
 /// largest step of at most 0.5 ms that divides the period.
 double plant_step(double control_period);
 
-/// Callback of a run. It is called repeatedly with the simulated time and the expected end of the
-/// run, in s. If it returns false, the run stops.
+/// Callback of a run, called repeatedly with the simulated time and the expected end of the run, in
+/// s. If the callback returns false, the run stops.
 using RunProgress = std::function<bool(double time, double end)>;
 
-/// Wall-clock times of the ticks of a controller, without the first tick [s].
+/// Computing times of a controller's ticks without the first tick, as wall-clock time [s].
 struct TickTimes {
   int count = 0;  ///< Number of timed ticks; beyond a million ticks, only every nth tick is timed
   double period = 0.0;  ///< Time between two ticks [s]
@@ -44,10 +44,10 @@ struct TickTimes {
   int late = 0;  ///< Number of timed ticks that took longer than `period`
 };
 
-/// Result of a run in closed loop, as all tasks return it.
+/// Result of a run in closed loop that all tasks return.
 struct TaskRun {
   /// Recorded data with one row per plant step. In runs longer than 100 s, only every nth step has
-  /// a row. ClosedLoop lists the columns.
+  /// a row. The comment of ClosedLoop lists the columns.
   Trace trace;
   /// Recorded plans
   PlanRecord plans;
@@ -55,11 +55,12 @@ struct TaskRun {
   Status plant_status = Status::Ok;
   FaultReport fault;         ///< Fault that the MPC detected; FaultKind::None if there was none
   bool interrupted = false;  ///< True if the progress callback stopped the run
-  TickTimes ticks;           ///< Times of all ticks but the first, which solves to convergence
-  double first_tick = 0.0;   ///< Wall-clock time of the first tick [s]
-  double wall_time = 0.0;    ///< Wall-clock time of the simulation [s]
-  std::string outcome;       ///< Outcome of the run in one sentence
-  /// Figures of a robot that stands on its feet; none for other robots
+  /// Computing times of all ticks except the first one, which solves to convergence
+  TickTimes ticks;
+  double first_tick = 0.0;  ///< Wall-clock time of the first tick [s]
+  double wall_time = 0.0;   ///< Wall-clock time of the simulation [s]
+  std::string outcome;      ///< Outcome of the run in one sentence
+  /// Statistics of load, slip and tilt of a robot that stands on its feet; none for other robots
   std::optional<StandingFigures> standing;
 };
 

@@ -1,4 +1,4 @@
-// Task of controllers without a plan: approach a surface, press on it and follow a path.
+// Task of controllers that make no plans: approach a surface, press on it and follow a path.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ struct TaskPoint {
   Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< Velocity, world axes [m/s]
   Eigen::Vector3d a_world = Eigen::Vector3d::Zero();  ///< Acceleration, world axes [m/s^2]
   double force = 0.0;                                 ///< Force along the surface's normal [N]
-  /// Unit normal of the surface at this point; zero: the normal of the controller is used
+  /// Unit normal of the surface at this point; zero: the controller's constant normal is used
   Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();
 };
 
@@ -34,8 +34,9 @@ struct CirclePath {
   TaskPoint at(double t) const noexcept;
 };
 
-/// Task of a controller without a plan, in three phases: approach the surface until contact, ramp
-/// up the force, then follow the path. The phases are Approach, Ramp and Track of Phase.
+/// Task of a controller that makes no plans, in three phases: approach the surface until contact,
+/// ramp up the force, then follow the path. In the enumeration Phase, they are called Approach,
+/// Ramp and Track.
 /// @described sim
 struct PressingPath {
   std::string tool = "tool";  ///< Frame of the tool; its origin follows the path
@@ -45,7 +46,7 @@ struct PressingPath {
   /// @more The function must not throw. During approach and ramp, the target is the start of the
   /// path.
   std::function<TaskPoint(double t)> task;
-  Eigen::VectorXd posture;       ///< Target posture of the null space, nq
+  Eigen::VectorXd posture;       ///< Target posture for the motion in the null space, nq entries
   double period = 1e-3;          ///< Time between two ticks [s], > 0
   double approach_speed = 0.05;  ///< Speed of the approach, against the normal [m/s], >= 0
   /// Measured normal force at which the approach ends [N], >= 0

@@ -1,5 +1,5 @@
 // Task for an MpcController: press a tool on a surface. The task detects contact, monitors forces
-// and distances, and gives the controller its target.
+// and distances, and computes the target.
 #pragma once
 
 #include <functional>
@@ -28,10 +28,11 @@ const std::vector<std::string>& phase_names();
 /// Contact between tool and surface that is expected in a phase.
 /// @described pressing
 enum class Touch {
-  Free,     ///< no contact: a large force is a fault, a smaller force is sensor noise
-  Due,      ///< contact is about to be made; the phase has SchedulePhase.until "contact"
-  Wanted,   ///< the tool presses
-  Leaving,  ///< contact ends: the tool is free once it has come off, or after ToolLimits.release
+  Free,    ///< no contact: a large force is a fault, a smaller force is sensor noise
+  Due,     ///< the tool approaches until contact; the phase has SchedulePhase.until "contact"
+  Wanted,  ///< the tool presses
+  /// the tool leaves the surface; it counts as free without force, or after ToolLimits.release
+  Leaving,
 };
 
 /// Limits on force and motion at the tool. A run is aborted if a limit is exceeded. Infinite: no
@@ -49,17 +50,17 @@ struct ToolLimits {
   /// Longest time without force in phases with contact [s], > 0 or infinite
   double contact_lost = 0.15;
   /// Largest travel along the normal after the planned time of contact [m], > 0 or infinite
-  /// @more The surface may lie this far behind its assumed position. The travel of the tool counts
-  /// from when the schedule's clock stopped to wait for contact. The clock stops at
-  /// SchedulePhase.hold before the planned contact.
+  /// @more The limit is the largest distance of the surface behind its assumed position. The travel
+  /// counts from the time at which the schedule's clock stopped to wait for contact. The clock
+  /// stops at SchedulePhase.hold before the planned contact.
   double late_contact_travel = 0.03;
   /// Longest wait for contact after the planned time of contact [s], > 0 or infinite
-  /// @more The wait counts from when the schedule's clock stopped to wait for contact.
+  /// @more The wait begins when the schedule's clock stops to wait for contact.
   double late_contact_time = 3.0;
   /// Largest mean force in free space over force_window [N], > 0 or infinite
   /// @more The limit applies to phases without contact. It also applies to a retreat after the
-  /// force fell below the contact threshold, or after the time `release`. If noise is larger, the
-  /// limit is six standard deviations of the mean.
+  /// force fell below the contact threshold, or after the time `release`. If six standard
+  /// deviations of the noise of the mean exceed this limit, they replace the limit.
   double unexpected_force = 15.0;
   /// Longest time until a retreating tool counts as free [s], > 0 or infinite
   double release = 0.5;
@@ -79,31 +80,33 @@ struct PlanLimits {
   /// @more The force itself is never negative, with or without this constraint.
   double force_band = std::numeric_limits<double>::infinity();
   /// Largest rate of torques, as a fraction of the effort limits per second [1/s], > 0 or infinite
-  /// @more The constraint requires a torque_cutoff.
+  /// @more The constraint requires plans with a torque lag (torque_cutoff).
   double joint_torque_rate = std::numeric_limits<double>::infinity();
 };
 
-/// Recorded target of the tool at one time of the schedule. The costs of the problem determine the
-/// motion, not this target.
+/// Recorded target of the tool at one time of the schedule. The recorded target has no effect on
+/// the motion, which the costs of the problem determine.
 /// @described pressing
 /// Plans assume friction in proportion to `force`.
 struct TaskTarget {
-  /// Position of the tool in the world; if MpcSpec.base is set, in its axes [m]
+  /// Position of the tool in the frame MpcSpec.base (without such a frame: in the world) [m]
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
   /// Force along the normal (0: no contact) [N]
   /// @more Without contact, plans assume no friction.
   double force = 0.0;
 };
 
-/// Surface that a round tip presses on, as the task assumes it before the surface is estimated.
+/// Assumed position and shape of the surface under a round tip. The online estimate of the surface
+/// starts from these assumptions.
 /// @described pressing
-/// Point and normal are in the axes of MpcSpec::base if that is set, else in world axes.
+/// Point and normal are in the frame MpcSpec::base. If MpcSpec::base is empty, they are in world
+/// axes.
 struct PressedSurface {
-  SurfaceShape shape = {};                                ///< Shape of the surface about its point
-  Eigen::Vector3d point_world = Eigen::Vector3d::Zero();  ///< Point on the surface [m]
+  SurfaceShape shape = {};                               ///< Shape of the surface about its point
+  Eigen::Vector3d point_base = Eigen::Vector3d::Zero();  ///< Point on the surface [m]
   /// Normal of the surface at its point, not zero
   /// @more The normal need not have unit length.
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
   double tip_radius = 0.02;              ///< Radius of the round tip [m], > 0
   SurfaceEstimateOptions estimate = {};  ///< Options of the surface estimate
 };
@@ -113,8 +116,8 @@ struct PressedSurface {
 /// air.
 /// @described pressing
 /// Assign a PressingTask to MpcSpec::task. If six standard deviations of the noise exceed the
-/// threshold, the mean force over 5 ms is used. Contact then requires that the mean exceeds both
-/// the threshold and six standard deviations of the mean. Faults of this task are SpeedLimit,
+/// threshold, the force is averaged over 5 ms. Contact then requires that the average exceeds both
+/// the threshold and six standard deviations of the average. Faults of this task are SpeedLimit,
 /// UnexpectedContact, NoContact, ContactLate, ForceLimit and ContactLost.
 struct PressingTask {
   std::vector<Touch> touch = {};  ///< Expected contact in each phase of the schedule
@@ -122,9 +125,9 @@ struct PressingTask {
   /// @more The function is called at each tick.
   std::function<TaskTarget(double time)> target = {};
   ToolLimits limits = {};  ///< Limits on force and motion at the tool
-  /// Surface that the references of contacts follow; none: references and normal stay constant
-  /// @more The assumed surface is used at first, and the estimated surface as soon as the tool
-  /// slides. The constant references and normal come from the specification.
+  /// Assumed surface, which is estimated during control; none: surface and normal stay constant
+  /// @more Plans use the assumed surface at first, and the estimated surface as soon as the tool
+  /// slides. The constant surface and normal come from the specification.
   std::optional<PressedSurface> surface = {};
 
   /// Creates the state of this task for a controller of `spec`. Throws Error in three cases:

@@ -15,7 +15,7 @@ struct ReachOptions {
   double tolerance = 1e-4;     ///< Largest position error of the tool [m]
   double joint_margin = 0.02;  ///< Smallest distance of joints from their limits [rad (m)]
   /// Largest static torque, as a fraction of the effort limits
-  /// @more Motion and feedback need the rest.
+  /// @more The rest of the torque is left for motion and feedback.
   double torque_share = 0.8;
   /// Radius of the segments that represent the arm in the collision check [m]
   /// @more See check_reach().
@@ -39,25 +39,25 @@ struct ReachReport {
   ReachProblem problem = ReachProblem::None;  ///< Kind of the first problem
   /// Problem in one sentence, with place, joint, value and allowed value; empty without a problem
   std::string text;
-  /// Distance along the path from its start to the problem [m]; negative on the way to the start
+  /// Distance along the path from its start to the problem [m]; negative before the path begins
   /// @more The path of a task that holds a point has length zero.
   double s = 0.0;
   /// Position of the tool at the problem, in the world [m]
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
   /// Joint that causes the problem
-  /// @more Empty if the problem is of kind Position, or if the tool's own link would touch the
-  /// surface.
+  /// @more The name is empty if the problem is of kind Position, or if the tool's own link would
+  /// touch the surface.
   std::string joint;
   /// Value that violates `limit`
-  /// @more Its unit depends on the kind of the problem. Position: position error of the tool, m.
-  /// Joint: position of the joint, rad (m). Torque: torque of the joint, Nm (N). Collision:
-  /// distance from the surface, m.
+  /// @more The value depends on the kind of the problem. Position: position error of the tool, in
+  /// m. Joint: position of the joint, in rad (m). Torque: torque of the joint, in Nm (N).
+  /// Collision: distance from the surface, in m.
   double value = 0.0;
   double limit = 0.0;  ///< Allowed value, in the unit of `value`
 
   int points = 0;  ///< Number of checked points
   /// Length of the path [m]
-  /// @more For a path that repeats itself, the length of one turn.
+  /// @more For a path that repeats itself, this is the length of one turn.
   double path_length = 0.0;
   double joint_margin = 0.0;   ///< Smallest distance of a joint from its limit [rad (m)]
   std::string tightest_joint;  ///< Joint with the smallest distance from its limit
@@ -65,13 +65,13 @@ struct ReachReport {
   /// Joint with the largest static torque, as a fraction of its effort limit
   std::string tightest_torque;
   /// Ratio of the standard deviations of estimated force and joint torques [1/m]
-  /// @more The force is estimated along the normal from joint torques with independent errors, in N
-  /// per Nm. The ratio is the largest over the points on the surface. It matters for tasks without
-  /// a force sensor.
+  /// @more The force along the normal is estimated from joint torques with independent errors. The
+  /// ratio in N per Nm is the largest one over the points on the surface. The ratio matters for
+  /// tasks without a force sensor.
   double force_per_torque = 0.0;
   std::string force_joint;  ///< Joint that contributes most to force_per_torque
-  /// Smallest distance between the surface and the arm without its tool link [m]
-  /// @more Infinite if only the tool link moves.
+  /// Smallest distance between the surface and the arm, except the tool's link [m]
+  /// @more The distance is infinite if only the tool's link moves.
   double clearance = 0.0;
   std::string tightest_clearance;  ///< Joint of the arm that comes closest to the surface
 
@@ -86,11 +86,11 @@ struct PostureLimits {
   /// @more In m for prismatic joints.
   double joint_margin = 0.15;
   /// Smallest distance of the last link from the robot's body [m], >= 0
-  /// @more For parts that are close to each other along the arm, a smaller distance is enough.
+  /// @more Parts that are close to each other along the arm may have a smaller distance.
   double body_distance = 0.25;
 };
 
-/// Word that replaces a posture's name in a task. find_posture() then finds the posture.
+/// Word that stands for a posture's name in a task. find_posture() then searches for a posture.
 inline constexpr const char* searched_posture = "search";
 
 /// Options of find_posture(): start points of the search and conditions on its result.
@@ -104,16 +104,16 @@ struct PostureOptions {
   double tilt_limit = 1.0;
   double joint_margin = 0.15;  ///< Smallest distance of joints from limits at the start [rad (m)]
   /// Smallest distance between the last link and the robot's body [m]
-  /// @more Three points between the last joint and the tool represent the last link. The lines
-  /// between the earlier joints of the arm represent the body, together with the origins of all
-  /// links that are not carried by the last two joints. For two places on the arm, a distance of
-  /// `bend` times the arm's length between them is enough, as in a compact wrist. This test is
-  /// coarse and does not replace a collision check.
+  /// @more Three points between the last joint and the tool represent the last link. The body is
+  /// represented by the lines between the earlier joints of the arm, and by the origins of all
+  /// links that the last two joints do not carry. Between two places on the arm, a distance of
+  /// `body_distance_fraction` times the arm's length between them is enough, as in a compact wrist.
+  /// The test is coarse and does not replace a collision check.
   double body_distance = 0.25;
   /// Upper limit of body_distance for two places on the arm, as a fraction of the arm's length
   /// between them
   /// @more With 0.55, two links of equal length may enclose an angle as small as 67 degrees.
-  double bend = 0.55;
+  double body_distance_fraction = 0.55;
   int checked = 48;  ///< Number of candidates whose whole path is checked, best first
   /// Options of the reach check
   ReachOptions reach = {};

@@ -1,5 +1,4 @@
-// Task: a robot stands on its feet, its trunk follows a prescribed sway, and it comes to rest
-// again.
+// Task: a robot stands on its feet, sways its trunk as prescribed, and comes to rest again.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +17,7 @@
 namespace burnish::stand {
 
 /// Sway of the trunk: a sine in each direction that begins and ends smoothly. The axes of the sway
-/// are level: x forwards as the base points at the start, y to the left, z up.
+/// are level: x points forwards (as the base does at the start), y to the left, and z up.
 /// @described stand
 struct Sway {
   /// Amplitudes of the motion of the centre of mass along x, y and z [m]
@@ -30,36 +29,38 @@ struct Sway {
   /// Frequencies of the rotation of the base in roll, pitch and yaw [Hz], >= 0
   Eigen::Vector3d turn_rate = Eigen::Vector3d(0.4, 0.6, 0.3);
   /// Time until the sway has its full amplitude [s], > 0
-  /// @more The sway fades out in the same time.
+  /// @more At the end, the sway fades out in the same time.
   double rise = 1.5;
-  /// Reduce amplitudes that feet or joints do not allow; false: reject such a sway with an error
+  /// Reduce amplitudes that feet or joints do not allow; false: reject such amplitudes with an
+  /// error
   /// @more An amplitude is reduced to 0 if needed.
   bool fit = true;
 };
 
-/// Cost weights, per second of horizon.
+/// Cost weights. Costs are integrated over the horizon in seconds.
 /// @described stand
 struct Weights {
-  double posture = 0.1;   ///< Weight on joint angles relative to the start [1/rad^2], >= 0
+  /// Weight on joint angles relative to the starting posture [1/rad^2], >= 0
+  double posture = 0.1;
   double velocity = 0.1;  ///< Weight on joint velocities [s^2/rad^2], >= 0
-  /// Weight on torques relative to the torques that hold the start [1/Nm^2], >= 0
+  /// Weight on torques relative to the torques that hold the starting posture [1/Nm^2], >= 0
   double torque = 1e-4;
-  /// Duration by which the weights are multiplied for the terminal cost [s], >= 0
+  /// Duration that multiplies the weights in the terminal cost [s], >= 0
   double terminal = 0.1;
 };
 
-/// Task of standing on the feet while the trunk sways: all keys of a task file, with their
-/// defaults.
+/// Task of standing on the feet while the trunk sways. The members are all keys of a task file,
+/// with their defaults.
 /// @described stand
 struct Task {
   /// Name, folder or settings file of the robot, optionally with :variant
   std::string robot = "quadruped";
-  /// Starting posture (search: find one with bent legs)
-  /// @more The value is a posture's name in the robot's settings, or search. If empty: the robot's
-  /// default posture, or a search if the robot has none.
+  /// Starting posture: a name from the robot's settings, or search (find one with bent legs)
+  /// @more If empty, the robot's default posture is used, or a search if the robot has no default
+  /// posture.
   std::string posture = {};
   /// Drop of the base in a searched posture, as a fraction of the base's height, 0 to below 1
-  /// @more The height is measured above the feet, with straight legs.
+  /// @more The base's height is measured from the feet, with straight legs.
   double crouch = 0.2;
 
   /// Feet and ground of a robot with a floating base.
@@ -70,8 +71,8 @@ struct Task {
                        .balance = 1e4,
                        .base = 1e3};
 
-  /// Sway of the trunk: a sine in each direction that begins and ends smoothly.\nIts axes are
-  /// level: x forwards as the base points at the start, y to the left, z up.
+  /// Sway of the trunk: a sine in each direction that begins and ends smoothly.\nThe axes are
+  /// level: x points forwards (as the base does at the start), y to the left, z up.
   Sway sway = {};
 
   // @section phases Stand, sway, then stand at the start again.
@@ -82,11 +83,11 @@ struct Task {
   // @section controller
   double tick_rate = 1000.0;   ///< Rate of torque commands [Hz], 100 to 1e4
   double update_rate = 200.0;  ///< Rate of new plans, tick_rate divided by an integer [Hz], > 0
-  /// Time from a measurement to the use of the plan that starts from it [s], >= 0
+  /// Time from a measurement to the use of the plan computed from the measurement [s], >= 0
   double solver_delay = 0.005;
-  /// Assumed delay from a command to its torque [s], 0 to 0.1
-  /// @more The delay is rounded to ticks. Plans and feedback start from the state that the torques
-  /// already sent lead to.
+  /// Assumed delay from a torque command to the torque in the joint [s], 0 to 0.1
+  /// @more The delay is rounded to ticks. Plans and feedback start from a state that is predicted
+  /// from the torques already sent.
   double command_delay = 0.0;
   /// Assumed delay from a measurement to the tick that receives it [s], 0 to 0.1
   double measurement_delay = 0.0;
@@ -96,11 +97,12 @@ struct Task {
   /// @more The steps between knots grow to cover the horizon.
   int knots = 20;
   // @section -
-  /// Cost weights, per second of horizon. Only their ratios matter.\nA larger weight reduces the
-  /// error of its own term and increases the errors of the other terms.
+  /// Cost weights; costs are integrated over the horizon in seconds. Only ratios of weights
+  /// matter.\nA larger weight reduces the error of its own term and increases the errors of the
+  /// other terms.
   Weights weights = {};
   /// Estimation of model errors from measurements. Each plan includes the estimate.
-  ModelErrorOptions model_error = {.bandwidth = 60.0, .boost = 2.0, .fading = 0.2};
+  ModelErrorOptions model_error = {.bandwidth = 60.0, .transient_scale = 2.0, .decay_time = 0.2};
 
   PlanLimits constraints = {};  ///< Hard constraints of plans; `never` switches a constraint off.
 
@@ -110,8 +112,8 @@ struct Task {
   /// Largest distance that a foot may slide [m], > 0 or infinite
   /// @more Rolling of point feet does not count.
   double slip = 0.03;
-  /// Largest relative drop of the centre of mass below its target, > 0 or infinite
-  /// @more The drop is divided by the height of the centre of mass above the feet.
+  /// Largest drop of the centre of mass below its target, divided by its height, > 0 or infinite
+  /// @more The height of the centre of mass is measured from the feet.
   double sink = 0.3;
   /// Largest allowed angle between the base and its target [rad], > 0 or infinite
   double tilt = 0.5;
@@ -119,34 +121,33 @@ struct Task {
 
   // @section -
 
-  /// Disturbances that the controller does not know.\nOne word can replace all keys: none, sensors,
-  /// mismatch or joint_friction.\nWith the key `preset` and one of these words, only keys that
-  /// differ from the preset are needed.
-  /// @code Disturbances that the controller does not know
+  /// Disturbances that the controller does not know.\nIn a task file, one word can replace all
+  /// keys: none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of these
+  /// words, only keys that differ from the preset are needed.
   Disturbances disturbances = {};
 };
 
 /// Reads a task file, which has the key `task: stand`. Missing keys get their defaults;
-/// tasks/stand/quadruped.yaml states all keys. Then applies `overrides` in order, each
-/// "key.path=value" with a value in YAML. Throws Error that names the file (or override), line and
-/// key, and states the requirement.
+/// tasks/stand/quadruped.yaml states all keys. Then applies `overrides` in order. Each override is
+/// a text "key.path=value" with a value in YAML. Throws Error with the file (or override), line,
+/// key and requirement.
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 /// Reads a task from the text of a task file, as read_task() does. Error messages use `name` as the
 /// file's name.
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides = {});
-/// Applies `overrides` to a task in order, each "key.path=value" with a value in YAML. Throws Error
-/// that names the override and states the requirement.
+/// Applies `overrides` to a task in order. Each override is a text "key.path=value" with a value in
+/// YAML. Throws Error with the override and the requirement.
 void override_task(Task& task, const std::vector<std::string>& overrides);
-/// Throws Error if a number is out of range or if settings contradict each other. The message is
-/// one sentence.
+/// Checks the settings of a task. Throws Error if a number is out of range or if settings
+/// contradict each other. The message is one sentence.
 void check_task(const Task& task);
 /// Returns the text of a complete task file, with the unit and meaning of every key. Reading this
 /// text returns the same task.
 std::string task_text(const Task& task);
 /// Returns warnings for the user about settings that are probably unintended, one sentence each:
-/// delays that differ from the assumed delays, and a plant that equals the controller's model.
-/// `ideal_is_meant` leaves out the sentence about the plant.
+/// delays that differ from the assumed delays, and a plant that equals the controller's model. If
+/// `ideal_is_meant` is true, the sentence about the plant is left out.
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
 /// Task with all settings filled in: robot, start, feet, trunk, phases.
@@ -154,8 +155,8 @@ std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = fals
 struct Setting {
   Robot robot;  ///< Robot of the task @required
   /// Feet and ground that the robot stands on
-  /// @more Detected feet replace the feet of the task if the task states auto, or only frames that
-  /// the robot does not have.
+  /// @more If the task states auto, or only frames that the robot lacks, detected feet replace the
+  /// feet of the task.
   /// @required
   /// @note `robot` contains the frames added for detected feet.
   Standing standing = {};
@@ -164,18 +165,21 @@ struct Setting {
   std::vector<std::string> notes = {};
   Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
   /// Scene as the controller assumes it: the feet are supports, the ground is the surface
-  /// @more The tip is a small ball in the base that never touches the ground.
+  /// @more The scene's tool tip has no effect: it is a small ball in the base and never touches the
+  /// ground.
   /// @required
   SceneSpec scene;
-  std::string base;  ///< Frame on the body of the floating base @required
-  /// Axes of the sway in the world; the columns are forwards (as the base points at the start),
-  /// left and up
+  std::string base;  ///< Name of a frame on the body of the floating base @required
+  /// Axes of the sway in the world, as columns: forwards (as the base points at the start), left,
+  /// up
   /// @required
   Eigen::Matrix3d heading;
   Eigen::Matrix3d R_base;  ///< Axes of the frame `base` at the start, in the world @required
   Eigen::Vector3d p_base;  ///< Origin of the frame `base` at the start, in the world [m] @required
   Eigen::Vector3d com;     ///< Centre of mass at the start, in the world [m] @required
-  Sway sway = {};  ///< Sway of the task, reduced to what feet and joints allow if `fit` is true
+  /// Sway of the task; if Sway.fit is true, the amplitudes are reduced to what feet and joints
+  /// allow
+  Sway sway = {};
   double sway_end = 0.0;  ///< Schedule time at the end of the sway [s]
 };
 /// Loads the robot of the task with a floating base, even if the description of the robot fixes the
@@ -183,14 +187,14 @@ struct Setting {
 /// the same cases as load_robot().
 Robot load_task_robot(const Task& task);
 /// Fills in all settings of a task: loads the robot, finds the feet and the starting posture, and
-/// computes the placement of the trunk at the start and the times of the phases. Throws Error for
-/// an unknown robot, posture or foot, and for a planar foot that does not lie flat on the ground.
-/// Also throws Error if a search finds no posture.
+/// computes the starting position of the trunk and the times of the phases. Throws Error for an
+/// unknown robot, posture or foot, and for a planar foot that does not lie flat on the ground. Also
+/// throws Error if a search finds no posture.
 Setting make_setting(const Task& task);
 /// Fills in all settings of a task for `robot`, which replaces the robot that the task names.
 Setting make_setting(const Task& task, const Robot& robot);
 
-/// Target of the trunk at one time.
+/// Target of the trunk at one time: centre of mass, and orientation of the base.
 struct Trunk {
   Eigen::Vector3d com;           ///< Position of the centre of mass in the world [m].
   Eigen::Vector3d com_velocity;  ///< Velocity of the centre of mass in the world [m/s].
@@ -199,7 +203,7 @@ struct Trunk {
 /// Returns the target of the trunk at the schedule time `time` [s].
 Trunk trunk_at(const Task& task, const Setting& setting, double time);
 
-/// Checks by statics whether the robot can stand at the start and along its whole sway. Throws
+/// Checks by statics whether the robot can stand at the start and during the whole sway. Throws
 /// Error if no posture brings the trunk to its target, or if feet and joints cannot support the
 /// weight within the constraints of plans. Robots with closed kinematic chains are not checked.
 void refuse_out_of_reach(const Task& task, const Setting& setting);
@@ -207,8 +211,8 @@ void refuse_out_of_reach(const Task& task, const Setting& setting);
 /// violates constraints.joint_margin.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
 /// Returns sentences for the user about differences between the task and the run with this robot.
-/// They report replaced settings, a smaller sway, ground that is too stiff for the feet, foot
-/// directions that are not constrained, a softer fallback controller, and less sensor noise.
+/// The sentences report replaced settings, a smaller sway, ground that is too stiff for the feet,
+/// foot directions that are not constrained, a softer fallback controller, and less sensor noise.
 std::vector<std::string> setting_notes(const Task& task, const Setting& setting);
 
 /// Options of run_task().
@@ -219,7 +223,7 @@ struct RunSpec {
   std::optional<Setting> setting = {};
   /// Plant to simulate; must not be ideal, because the ideal plant has no feet
   PlantKind plant = PlantKind::Mujoco;
-  /// Check the reach before the run, and throw Error if there is a problem
+  /// Check before the run by statics whether the robot can do the task; throw Error if it cannot
   bool check_reach = true;
   double plan_rate = 20.0;  ///< Recording rate of plans (0: no recording) [Hz]
   /// Callback that is called repeatedly with the simulated time and the run's expected end, in s
@@ -227,19 +231,19 @@ struct RunSpec {
   RunProgress progress = {};
 };
 
-/// Figures of the sway, from the true state of the plant. They cover the time from the beginning of
-/// the sway to the end of the run, or to the fault if there is one.
+/// Statistics of the sway, from the true state of the plant. They cover the time from the beginning
+/// of the sway to the end of the run. If a fault occurs, they end at the fault.
 struct SwayFigures {
   double com_rmse = 0.0;   ///< RMS distance between the centre of mass and its target [m].
   double com_peak = 0.0;   ///< Largest distance between the centre of mass and its target [m].
   double turn_rmse = 0.0;  ///< RMS angle between the base and its target [rad].
   double turn_peak = 0.0;  ///< Largest angle between the base and its target [rad].
   /// RMS distance between the true and the estimated position of the base [m].
-  double believed_place = 0.0;
+  double position_estimate_rmse = 0.0;
   /// RMS angle between the true and the estimated orientation of the base [rad].
-  double believed_turn = 0.0;
-  /// Largest distance that a foot slid along the ground from its start, without the rolling of
-  /// point feet [m].
+  double orientation_estimate_rmse = 0.0;
+  /// Largest distance that a foot slid along the ground from its position at the start [m]. Rolling
+  /// of point feet does not count.
   double foot_slip = 0.0;
   /// Distance between the centre of mass at the end of the run and at the start [m].
   double com_end = 0.0;
@@ -252,7 +256,7 @@ struct RunResult : TaskRun {
   /// True if the robot had fallen when the run ended. A robot has fallen if its true centre of mass
   /// lost more than half of its height above the feet, or if its base turned by more than 1 rad.
   bool fell = false;
-  std::optional<SwayFigures> sway;  ///< Figures of the sway; none if the sway did not begin.
+  std::optional<SwayFigures> sway;  ///< Statistics of the sway; none if the sway did not begin.
 };
 /// Runs the task in simulated time. Faults and other problems are in the result, with the data
 /// recorded until then. Throws Error for contradictory settings, for feet that cannot support the

@@ -1,4 +1,4 @@
-// What is not carried over: one sentence for each kind, however often it occurs.
+// Notes about ignored content: one sentence per kind, with the number of occurrences.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace burnish::mjcf {
 
-class Said {
+class OmissionNotes {
  public:
-  /// `what` is a whole sentence about several; `example` one of them.
+  /// Adds an occurrence. `what` is a sentence about the kind, `example` one element of it.
   void note(const std::string& what, const std::string& example) {
     const auto same = std::find_if(kinds_.begin(), kinds_.end(),
                                    [&](const Kind& kind) { return kind.what == what; });

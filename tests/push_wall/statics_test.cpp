@@ -1,5 +1,5 @@
-// What a robot on its feet can bear at rest, against what levers and cones say by hand.
-#include "pressing/bearing.hpp"
+// Largest static force of a standing robot, compared with lever arms and friction cones by hand.
+#include "pressing/statics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,18 +11,18 @@
 namespace burnish::push_wall {
 namespace {
 
-using pressing::Bearing;
-using pressing::BearingSpec;
+using pressing::Statics;
+using pressing::StaticsSpec;
 
-struct Stand {
+struct TalosAtTheWall {
   Task task = read_task(BURNISH_TASKS_DIR "/push_wall/talos.yaml",
                         {std::string("robot=") + BURNISH_ROBOTS_DIR "/talos"});
   Setting setting = make_setting(task);
   RigidBody body{setting.robot.model};
-  BearingSpec spec;
+  StaticsSpec spec;
   double weight = setting.robot.model.total_mass() * setting.robot.model.gravity.norm();
 
-  Stand() {
+  TalosAtTheWall() {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(setting.robot.model.nv);
     EXPECT_EQ(body.update(setting.q_start, rest), Status::Ok);
     spec = {.feet = setting.scene.supports,
@@ -32,31 +32,31 @@ struct Stand {
     spec.feet.resize(2);
     for (SupportSpec& foot : spec.feet) foot.friction = 1.0;
   }
-  double most() {
-    Bearing bearing(setting.robot.model, spec);
-    const double force = bearing.most(body);
-    limit = bearing.name(bearing.limit());
+  double max_force() {
+    Statics statics(setting.robot.model, spec);
+    const double force = statics.max_force(body);
+    limit = statics.name(statics.limit());
     return force;
   }
   std::string limit;
 };
 
-/// F = mu W / 2 where nothing else matters.
-TEST(Bearing, is_what_the_friction_of_the_feet_holds) {
-  Stand stand;
+/// If only friction limits the force, F = mu W / 2 per hand.
+TEST(Statics, FrictionOfTheFeet_LimitsTheForce) {
+  TalosAtTheWall stand;
   for (SupportSpec& foot : stand.spec.feet) {
     foot.friction = 0.3;
     foot.half_x = foot.half_y = 10.0;
   }
-  EXPECT_NEAR(stand.most(), 0.3 * stand.weight / 2.0, 0.5);
+  EXPECT_NEAR(stand.max_force(), 0.3 * stand.weight / 2.0, 0.5);
   EXPECT_EQ(stand.limit.rfind("friction of ", 0), 0U) << stand.limit;
-  stand.spec.hand_friction = 0.2;  // hands that push up load the feet: N = W + 2 mu_h F
-  EXPECT_NEAR(stand.most(), 0.3 * stand.weight / 2.0 / (1.0 - 0.3 * 0.2), 0.5);
+  stand.spec.hand_friction = 0.2;  // friction of the hands loads the feet: N = W + 2 mu_h F
+  EXPECT_NEAR(stand.max_force(), 0.3 * stand.weight / 2.0 / (1.0 - 0.3 * 0.2), 0.5);
 }
 
-/// About the heels: 2 F h = W (x_com - x_heel).
-TEST(Bearing, is_what_tips_the_robot_over_its_heels) {
-  Stand stand;
+/// Moments about the heels balance: 2 F h = W (x_com - x_heel).
+TEST(Statics, TippingOverTheHeels_LimitsTheForce) {
+  TalosAtTheWall stand;
   const Model& model = stand.setting.robot.model;
   const Eigen::Isometry3d sole =
       frame_placement(model, stand.setting.q_start, stand.spec.feet[0].frame);
@@ -64,37 +64,39 @@ TEST(Bearing, is_what_tips_the_robot_over_its_heels) {
   const double height =
       frame_placement(model, stand.setting.q_start, stand.task.hands[0]).translation().z() -
       sole.translation().z();
-  EXPECT_NEAR(stand.most(), stand.weight * (stand.body.com().x() - heel) / (2.0 * height), 0.1);
+  EXPECT_NEAR(stand.max_force(), stand.weight * (stand.body.com().x() - heel) / (2.0 * height),
+              0.1);
   EXPECT_EQ(stand.limit.rfind("pressure of ", 0), 0U) << stand.limit;
 }
 
-TEST(Bearing, names_the_joint_whose_torque_ends_it) {
-  Stand stand;
-  const double before = stand.most();
+TEST(Statics, WeakElbow_LimitsTheForceAndIsNamed) {
+  TalosAtTheWall stand;
+  const double before = stand.max_force();
   const Model& model = stand.setting.robot.model;
   int elbow = 0;
   while (model.v_name(elbow) != "arm_left_4_joint") ++elbow;
   stand.spec.torque_limit[elbow] = 3.0;
-  EXPECT_LT(stand.most(), 0.8 * before);
+  EXPECT_LT(stand.max_force(), 0.8 * before);
   EXPECT_EQ(stand.limit, "torque limits/arm_left_4_joint");
 }
 
-TEST(Bearing, is_negative_where_it_cannot_even_stand) {
-  Stand stand;
-  for (SupportSpec& foot : stand.spec.feet) foot.half_x = 0.01;  // the centre of mass is beyond
-  EXPECT_GT(stand.most(), 0.0) << "it can lean on the wall";
+TEST(Statics, UnstableStance_GivesANegativeForce) {
+  TalosAtTheWall stand;
+  // The centre of mass is beyond the soles.
+  for (SupportSpec& foot : stand.spec.feet) foot.half_x = 0.01;
+  EXPECT_GT(stand.max_force(), 0.0) << "the wall supports the robot";
   stand.spec.hands.clear();
-  EXPECT_LT(stand.most(), 0.0);
+  EXPECT_LT(stand.max_force(), 0.0);
   for (SupportSpec& foot : stand.spec.feet) foot.half_x = 0.1;
-  EXPECT_EQ(stand.most(), 0.0);
+  EXPECT_EQ(stand.max_force(), 0.0);
 }
 
-TEST(Bearing, allocates_nothing) {
+TEST(Statics, MaxForce_AllocatesNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
-  Stand stand;
-  Bearing bearing(stand.setting.robot.model, stand.spec);
+  TalosAtTheWall stand;
+  Statics statics(stand.setting.robot.model, stand.spec);
   const AllocationGuard guard;
-  const double force = bearing.most(stand.body);
+  const double force = statics.max_force(stand.body);
   EXPECT_EQ(guard.count(), 0);
   EXPECT_GT(force, 0.0);
 }

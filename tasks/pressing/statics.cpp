@@ -1,30 +1,32 @@
-#include "pressing/bearing.hpp"
+#include "pressing/statics.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "base/to_size.hpp"
 #include "burnish/dynamics/reference.hpp"
 
 namespace burnish::pressing {
 namespace {
 
 constexpr int octagon = 8;
-constexpr double moment_arm = 0.1;  // m, of the unit of moments
+constexpr double moment_arm = 0.1;  // arm by which moments are scaled to forces [m]
 constexpr int base_rows = 6;
 
-/// A vector's largest step that keeps it positive, of 1 at most and a little less than all.
-double room(const Eigen::VectorXd& at, const Eigen::VectorXd& step) {
-  double most = 1.0;
+/// Returns the step ratio that keeps a positive vector positive: 0.99 of the ratio that reaches the
+/// boundary, at most 1.
+double step_ratio(const Eigen::VectorXd& at, const Eigen::VectorXd& step) {
+  double ratio = 1.0;
   for (Eigen::Index i = 0; i < at.size(); ++i)
-    if (step[i] < 0.0) most = std::min(most, -0.99 * at[i] / step[i]);
-  return most;
+    if (step[i] < 0.0) ratio = std::min(ratio, -0.99 * at[i] / step[i]);
+  return ratio;
 }
 
 }  // namespace
 
-Bearing::Bearing(const Model& model, const BearingSpec& spec) : spec_(spec), nv_(model.nv) {
+Statics::Statics(const Model& model, const StaticsSpec& spec) : spec_(spec), nv_(model.nv) {
   const RigidBody body(model);
   weight_ = model.total_mass() * model.gravity.norm();
   for (const SupportSpec& foot : spec.feet) feet_.push_back(body.frame(foot.frame));
@@ -35,10 +37,11 @@ Bearing::Bearing(const Model& model, const BearingSpec& spec) : spec_(spec), nv_
   forces_ = 0;
   for (const SupportSpec& foot : spec.feet) forces_ += foot.is_sole() ? 6 : 3;
   if (spec.hand_friction > 0.0) forces_ += 2 * static_cast<int>(hands_.size());
-  ++forces_;                                  // F
-  const Eigen::Index unknowns = forces_ + 1;  // and by how much all rows give way
+  ++forces_;  // for the force F of each hand
+  // The last unknown is the violation that all rows share.
+  const Eigen::Index unknowns = forces_ + 1;
   const auto rows = static_cast<Eigen::Index>(names_.size());
-  bears_ = RowMatrix::Zero(nv_, forces_);
+  force_map_ = RowMatrix::Zero(nv_, forces_);
   A_ = Eigen::MatrixXd::Zero(base_rows, unknowns);
   G_ = Eigen::MatrixXd::Zero(rows, unknowns);
   KKT_ = Eigen::MatrixXd::Zero(unknowns + base_rows, unknowns + base_rows);
@@ -47,17 +50,18 @@ Bearing::Bearing(const Model& model, const BearingSpec& spec) : spec_(spec), nv_
   h_ = w_ = z_ = dw_ = dz_ = rows_ = Eigen::VectorXd::Zero(rows);
   rhs_ = solution_ = Eigen::VectorXd::Zero(unknowns + base_rows);
   loads_.assign(names_.size(), -1);
-  for (RowMatrix* part :
+  for (RowMatrix* matrix :
        {&at_.jacobian, &at_.velocity_dq, &at_.acceleration_dq, &at_.acceleration_dv})
-    part->setZero(6, nv_);
+    matrix->setZero(6, nv_);
   lu_ = Eigen::PartialPivLU<Eigen::MatrixXd>(unknowns + base_rows);
-  constexpr double dear = 100.0;  // giving way, beside force
+  // Cost of the violation relative to the force, chosen by hand.
+  constexpr double violation_cost = 100.0;
   if (!hands_.empty()) c_[forces_ - 1] = -1.0;
-  c_[forces_] = dear;
+  c_[forces_] = violation_cost;
 }
 
-/// In the order in which fill() makes them.
-void Bearing::name_rows(const Model& model) {
+/// Sets the names of the rows of G, in the order in which fill() writes them.
+void Statics::name_rows(const Model& model) {
   const auto add = [&](int count, const std::string& name) {
     for (int i = 0; i < count; ++i) names_.push_back(name);
   };
@@ -69,56 +73,58 @@ void Bearing::name_rows(const Model& model) {
   if (spec_.hand_friction > 0.0)
     for (const std::string& hand : spec_.hands) add(octagon, "friction of " + hand);
   for (const int k : limited_) add(2, "torque limits/" + model.v_name(k));
-  add(2, "force");  // of some size, and giving way is none that pushes
+  add(2, "force");  // rows for an upper bound of F and for a violation of at least 0
 }
 
-void Bearing::fill_cone(Eigen::Index x, Eigen::Index y, Eigen::Index z, double friction,
+void Statics::fill_cone(Eigen::Index x, Eigen::Index y, Eigen::Index z, double friction,
                         Eigen::Index& row) noexcept {
   for (int side = 0; side < octagon; ++side, ++row) {
-    const double angle = (side + 0.5) * 2.0 * M_PI / octagon;  // corners on x and y
+    // The octagon has corners on the axes x and y.
+    const double angle = (side + 0.5) * 2.0 * M_PI / octagon;
     G_(row, x) = std::cos(angle);
     G_(row, y) = std::sin(angle);
     G_(row, z) = -friction * std::cos(M_PI / octagon);
-    loads_[static_cast<std::size_t>(row)] = z;
+    loads_[to_size(row)] = z;
   }
 }
 
-void Bearing::fill_foot(const RigidBody& body, std::size_t foot, Eigen::Index column,
+void Statics::fill_foot(const RigidBody& body, std::size_t foot, Eigen::Index column,
                         Eigen::Index& row) noexcept {
   const SupportSpec& support = spec_.feet[foot];
   const int held = support.is_sole() ? 6 : 3;
   body.frame_derivatives(feet_[foot], Reference::centered(), at_);
-  // A sole's forces are along its axes, a ball's along the world's.
+  // The force on a sole is in the axes of the sole's frame, the force on a point foot in world
+  // axes.
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   if (held == 6) R = body.placement(feet_[foot]).linear();
-  for (int part = 0; part < held / 3; ++part)
+  for (int half = 0; half < held / 3; ++half)  // first the force, then the moment
     for (int i = 0; i < 3; ++i) {
-      const double unit = part == 0 ? weight_ : moment_arm * weight_;
+      const double unit = half == 0 ? weight_ : moment_arm * weight_;
       for (int k = 0; k < nv_; ++k) {
         double sum = 0.0;
-        for (int j = 0; j < 3; ++j) sum += at_.jacobian(3 * part + j, k) * R(j, i);
-        bears_(k, column + 3 * part + i) = unit * sum;
+        for (int j = 0; j < 3; ++j) sum += at_.jacobian(3 * half + j, k) * R(j, i);
+        force_map_(k, column + 3 * half + i) = unit * sum;
       }
     }
   fill_cone(column, column + 1, column + 2, support.friction, row);
   G_(row, column + 2) = -1.0;
-  h_[row++] = -spec_.least_load / weight_;
+  h_[row++] = -spec_.min_load / weight_;
   if (held < 6) return;
-  const std::array<double, 3> most{
+  const std::array<double, 3> max_arms{
       support.half_y, support.half_x,
       support.friction * std::hypot(support.half_x, support.half_y) / 3.0};
   for (int i = 0; i < 3; ++i)
     for (const double sign : {-1.0, 1.0}) {
       G_(row, column + 3 + i) = sign;
-      G_(row, column + 2) = -most[static_cast<std::size_t>(i)] / moment_arm;
-      loads_[static_cast<std::size_t>(row++)] = column + 2;
+      G_(row, column + 2) = -max_arms[to_size(i)] / moment_arm;
+      loads_[to_size(row++)] = column + 2;
     }
 }
 
-void Bearing::fill(const RigidBody& body) noexcept {
+void Statics::fill(const RigidBody& body) noexcept {
   G_.setZero();
   h_.setZero();
-  bears_.setZero();
+  force_map_.setZero();
   Eigen::Index row = 0, column = 0;
   for (std::size_t foot = 0; foot < feet_.size(); ++foot) {
     fill_foot(body, foot, column, row);
@@ -128,42 +134,43 @@ void Bearing::fill(const RigidBody& body) noexcept {
   const Eigen::Matrix3d axes = Reference::surface_with_normal(spec_.normal_world).rotation;
   for (const int hand : hands_) {
     body.frame_derivatives(hand, Reference::centered(), at_);
-    const bool rubs = spec_.hand_friction > 0.0;
+    const bool has_friction = spec_.hand_friction > 0.0;
     for (int k = 0; k < nv_; ++k) {
       const Eigen::Vector3d moves(at_.jacobian(0, k), at_.jacobian(1, k), at_.jacobian(2, k));
-      bears_(k, force) += weight_ * moves.dot(axes.col(2));
-      if (!rubs) continue;
-      bears_(k, column) = weight_ * moves.dot(axes.col(0));
-      bears_(k, column + 1) = weight_ * moves.dot(axes.col(1));
+      force_map_(k, force) += weight_ * moves.dot(axes.col(2));
+      if (!has_friction) continue;
+      force_map_(k, column) = weight_ * moves.dot(axes.col(0));
+      force_map_(k, column + 1) = weight_ * moves.dot(axes.col(1));
     }
-    if (!rubs) continue;
+    if (!has_friction) continue;
     fill_cone(column, column + 1, force, spec_.hand_friction, row);
     column += 2;
   }
   const VectorView gravity = body.gravity_torque();
   for (int k = 0; k < base_rows; ++k) {
-    for (Eigen::Index j = 0; j < forces_; ++j) A_(k, j) = bears_(k, j) / weight_;
+    for (Eigen::Index j = 0; j < forces_; ++j) A_(k, j) = force_map_(k, j) / weight_;
     b_[k] = gravity[k] / weight_;
   }
   for (const int k : limited_) {  // tau = g - J^T f
-    const double most = spec_.torque_limit[k];
+    const double limit = spec_.torque_limit[k];
     for (const double sign : {-1.0, 1.0}) {
-      for (Eigen::Index j = 0; j < forces_; ++j) G_(row, j) = -sign * bears_(k, j) / most;
-      h_[row++] = 1.0 - sign * gravity[k] / most;
+      for (Eigen::Index j = 0; j < forces_; ++j) G_(row, j) = -sign * force_map_(k, j) / limit;
+      h_[row++] = 1.0 - sign * gravity[k] / limit;
     }
   }
   G_.col(forces_).head(row).setConstant(-1.0);
-  constexpr double largest = 100.0;  // weights, so that there is an end
+  constexpr double max_weights = 100.0;  // upper bound of F in units of the weight
   G_(row, force) = 1.0;
-  h_[row++] = largest;
+  h_[row++] = max_weights;
   G_(row++, forces_) = -1.0;
 }
 
-bool Bearing::step() noexcept {
+bool Statics::step() noexcept {
   const Eigen::Index n = x_.size(), m = w_.size();
   const double mean = w_.dot(z_) / static_cast<double>(m);
+  // Centring ratio and regularization of the interior-point step, chosen by hand.
   constexpr double centre = 0.15, damping = 1e-11;
-  // What a row asks of z beside D G dx, D = z / w.
+  // Part of the step of z that does not depend on dx; the other part is D G dx with D = z / w.
   for (Eigen::Index i = 0; i < m; ++i) rows_[i] = G_.row(i).dot(x_) + w_[i] - h_[i];
   for (Eigen::Index i = 0; i < m; ++i)
     dz_[i] = centre * mean / w_[i] - z_[i] + z_[i] / w_[i] * rows_[i];
@@ -196,7 +203,7 @@ bool Bearing::step() noexcept {
     dw_[i] = -rows_[i] - moved;
     dz_[i] += z_[i] / w_[i] * moved;
   }
-  const double primal = room(w_, dw_), dual = room(z_, dz_);
+  const double primal = step_ratio(w_, dw_), dual = step_ratio(z_, dz_);
   x_ += primal * dx_;
   w_ += primal * dw_;
   y_ += dual * solution_.tail(base_rows);
@@ -204,42 +211,43 @@ bool Bearing::step() noexcept {
   return true;
 }
 
-bool Bearing::solve() noexcept {
-  constexpr int most = 60;
-  constexpr double enough = 1e-6;
+bool Statics::solve() noexcept {
+  constexpr int max_iterations = 60;
+  constexpr double tolerance = 1e-6;
   x_.setZero();
   y_.setZero();
   w_.setOnes();
   z_.setOnes();
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     if (!step()) return false;
-    if (w_.dot(z_) < enough && rows_.cwiseAbs().maxCoeff() < enough &&
-        rhs_.tail(base_rows).cwiseAbs().maxCoeff() < enough)
+    if (w_.dot(z_) < tolerance && rows_.cwiseAbs().maxCoeff() < tolerance &&
+        rhs_.tail(base_rows).cwiseAbs().maxCoeff() < tolerance)
       return true;
   }
   return false;
 }
 
-double Bearing::amount(Eigen::Index row) const noexcept {
-  const Eigen::Index load = loads_[static_cast<std::size_t>(row)];
+double Statics::amount(Eigen::Index row) const noexcept {
+  const Eigen::Index load = loads_[to_size(row)];
   if (load >= 0) return std::abs(G_(row, load)) * x_[load];
-  constexpr double whole = 1.0;  // a torque's
-  return names_[static_cast<std::size_t>(row)].starts_with("load") ? -h_[row] : whole;
+  constexpr double torque = 1.0;  // rows of torques are scaled by their limits
+  return names_[to_size(row)].starts_with("load") ? -h_[row] : torque;
 }
 
-double Bearing::most(const RigidBody& body) noexcept {
+double Statics::max_force(const RigidBody& body) noexcept {
   fill(body);
   limit_ = static_cast<int>(names_.size()) - 1;
   if (!solve()) return -std::numeric_limits<double>::infinity();
-  // The limit of which a percent more would bring the most.
-  double dearest = 0.0;
+  // Selects the limiting row: the force grows most per relative increase of its limit.
+  double max_gain = 0.0;
   for (Eigen::Index row = 0; row + 2 < z_.size(); ++row) {
-    const double brings = z_[row] * amount(row);
-    if (brings > dearest) limit_ = static_cast<int>(row);
-    dearest = std::max(dearest, brings);
+    const double gain = z_[row] * amount(row);
+    if (gain > max_gain) limit_ = static_cast<int>(row);
+    max_gain = std::max(max_gain, gain);
   }
-  constexpr double none = 1e-4;
-  if (x_[forces_] > none) return -weight_ * x_[forces_];
+  // Largest violation that counts as feasible, in units of the weight.
+  constexpr double max_violation = 1e-4;
+  if (x_[forces_] > max_violation) return -weight_ * x_[forces_];
   return hands_.empty() ? 0.0 : weight_ * x_[forces_ - 1];
 }
 

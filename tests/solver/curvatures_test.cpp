@@ -1,5 +1,5 @@
-// Rows with limits that say how they bend: what they say is their second derivative, and solves
-// take few iterations by it and end where they would without.
+// Tests of constraint curvatures: they equal the second derivatives of their rows, reduce the
+// number of iterations, and leave the solution unchanged.
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr int reach_knots = 40;
 Eigen::VectorXd one(double x) { return Eigen::VectorXd::Constant(1, x); }
 
-/// Three slides: positions and forces are linear in the state and the controls.
+/// Robot of three prismatic joints: positions and forces are linear in the state and the controls.
 Model gantry() {
   std::mt19937_64 generator(4);
   TreeSpec tree;
@@ -30,7 +30,7 @@ Model gantry() {
   return build_model(tree);
 }
 
-/// A stage that costs the least that a problem must.
+/// Problem with the smallest regular costs.
 ProblemSpec gantry_problem(const std::vector<Constraint>& constraints) {
   ProblemSpec spec{.model = gantry()};
   spec.initial_state = Eigen::VectorXd::Zero(6);
@@ -44,14 +44,15 @@ ProblemSpec gantry_problem(const std::vector<Constraint>& constraints) {
   return spec;
 }
 
-/// By how much what the bends of a knot say differs from differences of the rows' derivatives.
-double error_of_bends(Problem& problem, int knot) {
+/// Returns the largest deviation of the curvatures of a knot from finite differences of the row
+/// derivatives.
+double error_of_curvatures(Problem& problem, int knot) {
   std::mt19937_64 generator(9);
   OcpHorizon at(problem, generator);
   at.expand(problem);
   const auto k = static_cast<std::size_t>(knot);
   const StateLayout& layout = problem.layout();
-  const RowMatrix bends = at.bends[k];
+  const RowMatrix curvatures = at.curvatures[k];
   const double h = 1e-5;
   double largest = 0.0;
   for (int c = 0; c < layout.nz(); ++c) {
@@ -65,24 +66,25 @@ double error_of_bends(Problem& problem, int knot) {
     at.expand(problem);
     change = (change - at.rows[k]) / (2.0 * h);
     entry = middle;
-    for (const RowBend& bend : problem.row_bends(knot)) {
-      const auto b = bends.middleRows(bend.first, bend.count);
-      const Eigen::VectorXd said = bend.sign * (b.transpose() * b.col(c));
-      largest = std::max(largest, (said - change.row(bend.row).transpose()).cwiseAbs().maxCoeff());
+    for (const RowCurvature& curvature : problem.row_curvatures(knot)) {
+      const auto b = curvatures.middleRows(curvature.first, curvature.count);
+      const Eigen::VectorXd claimed = curvature.sign * (b.transpose() * b.col(c));
+      largest = std::max(largest,
+                         (claimed - change.row(curvature.row).transpose()).cwiseAbs().maxCoeff());
     }
   }
   return largest;
 }
 
-TEST(Bends, OfLengthsAreTheirSecondDerivativesWhereTheRestIsLinear) {
-  const Eigen::Matrix3d leaning =
+TEST(Curvatures, LinearPositions_CurvaturesEqualSecondDerivatives) {
+  const Eigen::Matrix3d tilted =
       Reference::surface_with_normal(Eigen::Vector3d(0.2, -1.0, 0.5)).rotation;
   const Eigen::Vector3d centre(0.4, -0.7, 1.5);
   ProblemSpec spec = gantry_problem(
       {{.name = "ball", .residual = residual::FrameDistance{"tool", centre}, .upper = one(0.1)},
        {.name = "tube",
         .residual = residual::FrameDistance{"tool", centre, Directions::x() | Directions::z(),
-                                            Reference::world(leaning)},
+                                            Reference::world(tilted)},
         .upper = one(0.1)},
        {.name = "grip", .residual = residual::FrictionCone{"hold", 0.4}}});
   ContactSpec hold{.name = "hold",
@@ -93,24 +95,24 @@ TEST(Bends, OfLengthsAreTheirSecondDerivativesWhereTheRestIsLinear) {
   spec.contacts = {hold};
   spec.stages[0].contacts = {"hold"};
   Problem problem(spec);
-  ASSERT_EQ(problem.row_bends(0).size(), 3U);
-  EXPECT_EQ(problem.max_bends(), 5);
+  ASSERT_EQ(problem.row_curvatures(0).size(), 3U);
+  EXPECT_EQ(problem.max_curvatures(), 5);
   for (const int knot : {0, 1, reach_knots - 1})
-    EXPECT_LE(error_of_bends(problem, knot), 1e-5) << knot;
+    EXPECT_LE(error_of_curvatures(problem, knot), 1e-5) << knot;
 }
 
-TEST(Bends, AreNotAskedForWhereALimitPushesAlongWithThem) {
+TEST(Curvatures, LowerDistanceLimitAndPlane_HaveNoCurvature) {
   const Eigen::Vector3d centre(1.0, 1.0, 1.0);
   const Problem problem(gantry_problem(
       {{.name = "clear", .residual = residual::FrameDistance{"tool", centre}, .lower = one(0.1)},
        {.name = "plane",
         .residual = residual::FrameDistance{"tool", centre, Directions::x()},
         .upper = one(2.0)}}));
-  EXPECT_EQ(problem.max_bends(), 0);
-  EXPECT_TRUE(problem.row_bends(0).empty());
+  EXPECT_EQ(problem.max_curvatures(), 0);
+  EXPECT_TRUE(problem.row_curvatures(0).empty());
 }
 
-/// The same row as FrameDistance, with its derivative alone.
+/// Same row as FrameDistance, but without curvature.
 struct PlainDistance {
   Eigen::Vector3d centre;
   int rows = 1;
@@ -129,16 +131,17 @@ struct PlainDistance {
   }
 };
 
-/// A goal 20 cm outside of where the tool has to stay.
-ProblemSpec pulled_out(Model model, const Eigen::VectorXd& q, double radius, bool says_bends,
-                       double price = std::numeric_limits<double>::infinity()) {
+/// Problem with a goal 20 cm outside the sphere in which the tool must stay.
+ProblemSpec reach_beyond_sphere(Model model, const Eigen::VectorXd& q, double radius,
+                                bool with_curvatures,
+                                double l1_weight = std::numeric_limits<double>::infinity()) {
   const Eigen::Vector3d start = frame_placement(model, q, "tool").translation();
   ProblemSpec spec = gantry_problem({});
   spec.model = model;
   spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
   spec.initial_state.head(model.nq) = q;
   Residual inside = residual::FrameDistance{"tool", start};
-  if (!says_bends) inside = residual::custom(PlainDistance{start});
+  if (!with_curvatures) inside = residual::custom(PlainDistance{start});
   const Eigen::Vector3d goal = start + Eigen::Vector3d(-0.1, 0.15, -0.1);
   spec.terminal = {{.residual = residual::FramePosition{"tool", goal}, .weight = 10.0}};
   spec.stages[0].costs.push_back(spec.terminal[0]);
@@ -146,12 +149,12 @@ ProblemSpec pulled_out(Model model, const Eigen::VectorXd& q, double radius, boo
                         .residual = inside,
                         .upper = one(radius),
                         .scale = one(radius),
-                        .price = price};
+                        .l1_weight = l1_weight};
   spec.stages[0].constraints = spec.terminal_constraints = {stay};
   return spec;
 }
 
-class PulledOut : public ::testing::TestWithParam<StepUpdate> {
+class ConstrainedReach : public ::testing::TestWithParam<StepUpdate> {
  protected:
   DdpSolver solved(Problem& problem, double tolerance = 1e-9, int threads = 1) const {
     DdpOptions options{.update = GetParam(), .max_iterations = 400, .threads = threads};
@@ -171,37 +174,37 @@ class PulledOut : public ::testing::TestWithParam<StepUpdate> {
   Eigen::VectorXd q = (Eigen::VectorXd(7) << 0.1, 0.4, 0.0, -1.6, 0.0, 0.8, 0.0).finished();
 };
 
-TEST_P(PulledOut, FewIterationsKeepAToolInASmallSphere) {
-  for (const double price : {std::numeric_limits<double>::infinity(), 0.2}) {
-    Problem problem(pulled_out(arm7, q, 0.02, true, price));
+TEST_P(ConstrainedReach, ToolInASmallSphere_ConvergesInFewIterations) {
+  for (const double l1_weight : {std::numeric_limits<double>::infinity(), 0.2}) {
+    Problem problem(reach_beyond_sphere(arm7, q, 0.02, true, l1_weight));
     DdpSolver solver = solved(problem);
-    EXPECT_LE(solver.summary().iterations, 40) << price;
-    EXPECT_GT(solver.summary().pushing, reach_knots / 2) << price;
-    EXPECT_LE(solver.optimality_error(), 1e-4) << price;
+    EXPECT_LE(solver.summary().iterations, 40) << l1_weight;
+    EXPECT_GT(solver.summary().active_constraints, reach_knots / 2) << l1_weight;
+    EXPECT_LE(solver.optimality_error(), 1e-4) << l1_weight;
   }
 }
 
-TEST_P(PulledOut, TheSolutionIsTheOneOfARowThatSaysNothing) {
+TEST_P(ConstrainedReach, Curvature_LeavesTheSolutionAndSavesIterations) {
   const Eigen::VectorXd middle = Eigen::VectorXd::Zero(3);
-  Problem bent(pulled_out(gantry(), middle, 0.1, true));
-  Problem straight(pulled_out(gantry(), middle, 0.1, false));
-  EXPECT_EQ(straight.max_bends(), 0);
-  const DdpSolver with = solved(bent, 1e-15), without = solved(straight, 1e-15);
-  const RowMatrix difference = with.xs() - without.xs();
-  EXPECT_LE(difference.leftCols(3).cwiseAbs().maxCoeff(), 1e-8) << "m";
-  EXPECT_LE(difference.rightCols(3).cwiseAbs().maxCoeff(), 1e-7) << "m/s";
-  EXPECT_LT(2 * with.summary().iterations, without.summary().iterations);
+  Problem has_curvature(reach_beyond_sphere(gantry(), middle, 0.1, true));
+  Problem without_curvature(reach_beyond_sphere(gantry(), middle, 0.1, false));
+  EXPECT_EQ(without_curvature.max_curvatures(), 0);
+  const DdpSolver curved = solved(has_curvature, 1e-15), plain = solved(without_curvature, 1e-15);
+  const RowMatrix difference = curved.xs() - plain.xs();
+  EXPECT_LE(difference.leftCols(3).cwiseAbs().maxCoeff(), 1e-8) << "positions [m]";
+  EXPECT_LE(difference.rightCols(3).cwiseAbs().maxCoeff(), 1e-7) << "velocities [m/s]";
+  EXPECT_LT(2 * curved.summary().iterations, plain.summary().iterations);
 }
 
-TEST_P(PulledOut, AnyNumberOfThreadsGivesTheSameBits) {
-  Problem problem(pulled_out(arm7, q, 0.02, true));
-  const DdpSolver alone = solved(problem), shared = solved(problem, 1e-9, 2);
-  EXPECT_EQ(alone.xs(), shared.xs());
-  EXPECT_EQ(alone.us(), shared.us());
-  EXPECT_EQ(alone.summary().iterations, shared.summary().iterations);
+TEST_P(ConstrainedReach, AnyNumberOfThreads_GivesTheSameBits) {
+  Problem problem(reach_beyond_sphere(arm7, q, 0.02, true));
+  const DdpSolver single = solved(problem), parallel = solved(problem, 1e-9, 2);
+  EXPECT_EQ(single.xs(), parallel.xs());
+  EXPECT_EQ(single.us(), parallel.us());
+  EXPECT_EQ(single.summary().iterations, parallel.summary().iterations);
 }
 
-INSTANTIATE_TEST_SUITE_P(Updates, PulledOut,
+INSTANTIATE_TEST_SUITE_P(Updates, ConstrainedReach,
                          ::testing::Values(StepUpdate::Rollout, StepUpdate::MultipleShooting),
                          [](const auto& update) {
                            return update.param == StepUpdate::Rollout ? "rollout" : "shooting";
