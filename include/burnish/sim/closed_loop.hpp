@@ -92,12 +92,12 @@ class ClosedLoop {
 
   /// From the next reset() on, replaces the floating base's entries in measurements by estimates.
   /// The estimator uses the joints, the feet and an inertial measurement unit at
-  /// `estimator.imu_frame`. The initial estimate is the plant's true state. `known` is the
+  /// `estimator.imu_frame`. The initial estimate is the plant's true state. `nominal` is the
   /// controller's model of the robot.
   ///
   /// Throws Error in the same cases as EstimatedBase. Also throws Error if the controller carries a
   /// payload (MpcController::set_payload), because the estimator would ignore the payload.
-  void estimate_base(const Model& known, const BaseEstimatorOptions& estimator,
+  void estimate_base(const Model& nominal, const BaseEstimatorOptions& estimator,
                      const FootContactOptions& feet = {});
 
   /// Sets the plant's state to (q, v) and restarts controller, sensors and actuation. Delay and lag
