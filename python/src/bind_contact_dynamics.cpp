@@ -351,25 +351,8 @@ void bind_inverse(DynamicsClass& of) {
           "Raises EvaluationError if the last evaluation was not acceleration().");
 }
 
-void bind_results(DynamicsClass& of) {
+void bind_result_derivatives(DynamicsClass& of) {
   using D = ContactDynamics;
-  result(of, "a", &D::a, any, false,
-         "Joint accelerations, shape (nv,) [rad/s^2 or m/s^2]: result of forward(), or argument "
-         "of inverse() or acceleration().");
-  result(of, "lambda_", &D::lambda, forward | inverse, false,
-         "Contact forces, shape (rows,) [N or Nm]: result of forward(), or argument of inverse().");
-  result(of, "tau", &D::tau, inverse, false,
-         "Torques, shape (nv,) [Nm or N]: result of inverse().");
-  result(of, "alpha", &D::alpha, acceleration, false,
-         "Contact acceleration with its stabilization, shape (rows,) [m/s^2 or rad/s^2]: result "
-         "of acceleration().");
-  result(of, "bias", &D::bias, any, false,
-         "Bias b(q, v) of the last evaluation: Coriolis, centrifugal and gravity torques, shape "
-         "(nv,) [Nm or N].");
-  result(of, "mass_matrix", &D::mass_matrix, any, false,
-         "Mass matrix with armature, shape (nv, nv).");
-  result(of, "jacobian", &D::jacobian, any, false,
-         "Jacobian of the active contacts, shape (rows, nv).");
   result(of, "da_dq", &D::da_dq, forward, true,
          "da/dq with respect to the right tangent increment of q, shape (nv, nv): result of "
          "forward_derivatives().");
@@ -391,6 +374,27 @@ void bind_results(DynamicsClass& of) {
          "dalpha/dq, shape (rows, nv): result of acceleration_derivatives().");
   result(of, "dalpha_dv", &D::dalpha_dv, acceleration, true,
          "dalpha/dv, shape (rows, nv): result of acceleration_derivatives().");
+}
+
+void bind_results(DynamicsClass& of) {
+  using D = ContactDynamics;
+  result(of, "a", &D::a, any, false,
+         "Joint accelerations, shape (nv,) [rad/s^2 or m/s^2]: result of forward(), or argument "
+         "of inverse() or acceleration().");
+  result(of, "lambda_", &D::lambda, forward | inverse, false,
+         "Contact forces, shape (rows,) [N or Nm]: result of forward(), or argument of inverse().");
+  result(of, "tau", &D::tau, inverse, false,
+         "Torques, shape (nv,) [Nm or N]: result of inverse().");
+  result(of, "alpha", &D::alpha, acceleration, false,
+         "Contact acceleration with its stabilization, shape (rows,) [m/s^2 or rad/s^2]: result "
+         "of acceleration().");
+  result(of, "bias", &D::bias, any, false,
+         "Bias b(q, v) of the last evaluation: Coriolis, centrifugal and gravity torques, shape "
+         "(nv,) [Nm or N].");
+  result(of, "mass_matrix", &D::mass_matrix, any, false,
+         "Mass matrix with armature, shape (nv, nv).");
+  result(of, "jacobian", &D::jacobian, any, false,
+         "Jacobian of the active contacts, shape (rows, nv).");
   result(of, "contact_velocity", &D::contact_velocity, any, false,
          "Contact velocity nu of the active rows at the last state, shape (rows,) [m/s or rad/s].");
   result(of, "contact_error", &D::contact_error, any, false,
@@ -596,6 +600,7 @@ void bind_contact_dynamics(py::module_& m) {
   bind_forward(of);
   bind_inverse(of);
   bind_results(of);
+  bind_result_derivatives(of);
   bind_forces(of);
 }
 

@@ -77,15 +77,12 @@ Returns
 -------
 list of str)";
 
-void bind_node_view(py::module_& m) {
-  py::class_<NodeHandle, std::shared_ptr<NodeHandle>>(
-      m, "NodeView",
-      "View of one knot for a user-defined residual. It is valid only during the call. Frames and "
-      "contacts are selected by name, or by index in the lists of the residual. Arrays are "
-      "copies.")
-      .def_property_readonly(
-          "layout", [](const NodeHandle& at) { return at.view().layout(); },
-          "StateLayout with the first columns of the parts of z = (du, dq, dv, dtau).")
+using NodeClass = py::class_<NodeHandle, std::shared_ptr<NodeHandle>>;
+
+void bind_node_state(NodeClass& of) {
+  of.def_property_readonly(
+        "layout", [](const NodeHandle& at) { return at.view().layout(); },
+        "StateLayout with the first columns of the parts of z = (du, dq, dv, dtau).")
       .def_property_readonly(
           "time", [](const NodeHandle& at) { return at.view().time(); }, "s.")
       .def_property_readonly(
@@ -101,13 +98,16 @@ void bind_node_view(py::module_& m) {
       .def_property_readonly(
           "acceleration", [](const NodeHandle& at) { return copied(at.view().acceleration()); },
           "Joint accelerations, shape (nv,) [rad/s^2 or m/s^2]; zero for impacts and at the end "
-          "of the horizon.")
-      .def(
-          "placement",
-          [](const NodeHandle& at, const NodeHandle::Place& frame) {
-            return at.view().placement(at.frame(frame));
-          },
-          py::arg("frame"), "Returns the placement of a frame in the world, shape (4, 4) [m].")
+          "of the horizon.");
+}
+
+void bind_node_frames(NodeClass& of) {
+  of.def(
+        "placement",
+        [](const NodeHandle& at, const NodeHandle::Place& frame) {
+          return at.view().placement(at.frame(frame));
+        },
+        py::arg("frame"), "Returns the placement of a frame in the world, shape (4, 4) [m].")
       .def(
           "velocity",
           [](const NodeHandle& at, const NodeHandle::Place& frame, const Reference& reference) {
@@ -141,6 +141,16 @@ void bind_node_view(py::module_& m) {
           py::arg("contact"),
           "Returns d(force)/dz of a contact, shape (rows, nz); only in jacobian().")
       .def("__repr__", [](const NodeHandle&) { return "<NodeView>"; });
+}
+
+void bind_node_view(py::module_& m) {
+  NodeClass of(
+      m, "NodeView",
+      "View of one knot for a user-defined residual. It is valid only during the call. Frames and "
+      "contacts are selected by name, or by index in the lists of the residual. Arrays are "
+      "copies.");
+  bind_node_state(of);
+  bind_node_frames(of);
 }
 
 void bind_check(py::module_& m) {
