@@ -35,7 +35,7 @@ std::string status_name(Status status) {
   return "unknown";
 }
 
-/// Evaluation of a request, which processes one state after the other.
+/// Evaluation of a request, one state after the other.
 class Evaluation {
  public:
   explicit Evaluation(const EvalRequest& request)

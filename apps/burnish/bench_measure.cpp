@@ -63,7 +63,7 @@ BenchLine repeat(std::string group, std::string name, double seconds, int pieces
   return line;
 }
 
-/// Returns the contact of the tool along world z, with the loops of the robot.
+/// Returns a contact of the tool along world z, and the contacts that close the robot's loops.
 std::vector<ContactSpec> pressing(const Model& model, const std::string& tool) {
   ContactSpec contact{.name = "surface", .tool = tool, .directions = Directions::z()};
   return with_loops(model, {contact.with_gains(0.0, 50.0)});

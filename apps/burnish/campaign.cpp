@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using document::Reader;
 using polishing::PlantKind;
 
-/// Calls see(key, member) for each word of a campaign, in their order on the command line.
+/// Calls see(key, member) for each word of a campaign, in the order of the command line.
 template <class See>
 void each_word(const See& see) {
   see("seeds", &Campaign::seeds);

@@ -29,7 +29,7 @@ struct Campaign {
 /// Contents of campaign.json, which records the experiment whose runs are in the folder.
 struct CampaignFile {
   static constexpr const char* name = "campaign.json";
-  /// Value of the experiment's name if `burnish sweep` made the runs; other members are then unset.
+  /// Value of campaign.name if `burnish sweep` made the runs; `campaign` then has no other values.
   static constexpr const char* sweep = "sweep";
   Campaign campaign;
   std::string version;

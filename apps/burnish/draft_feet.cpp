@@ -33,7 +33,7 @@ std::string numbers(const Eigen::Vector3d& v) {
   return fmt::format("[{:g}, {:g}, {:g}]", rounded(v.x()), rounded(v.y()), rounded(v.z()));
 }
 
-/// Returns the line of a settings file that defines a frame, relative to a link of its body.
+/// Returns the line of a settings file that defines a frame relative to a link of the same body.
 std::string frame_line(const Model& model, const Frame& frame) {
   const auto parent =
       std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& other) {

@@ -35,7 +35,7 @@ std::string angle(double value) {
 /// Returns a number with four significant digits, for values that users will edit.
 std::string brief(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
 
-/// Returns the value nearest to zero that keeps a tenth of the joint's range to both limits.
+/// Returns the value nearest to zero, at least a tenth of the joint's range away from its limits.
 double away_from_limits(const JointSpec& joint) {
   if (joint.type == JointType::Continuous) return 0.0;
   const double lower = joint.lower, upper = joint.upper;
@@ -117,8 +117,8 @@ std::string default_posture_text(const DraftInput& drafted, const DraftedFeet& f
   return text + held_values(drafted) + "}\n";
 }
 
-/// Returns axes for the frame `tool` in its parent frame. The tool then presses along z or -z of
-/// these axes, in the direction of pressing::tool_direction().
+/// Returns the rotation of the frame `tool` relative to its parent. With this rotation, the tool
+/// presses along its z or -z axis, in the direction of pressing::tool_direction() for the parent.
 Eigen::Matrix3d tool_axes(const Model& model, const std::string& parent) {
   const auto [along, decided] = pressing::tool_direction(parent, std::nullopt, model);
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -221,8 +221,8 @@ void check_tool(const Model& model, const std::string& tool) {
                     model.name));
 }
 
-/// Returns the link of a body that is most likely at its end. Its name decides, or else the largest
-/// distance from the joint; of equally distant links, the last one is returned.
+/// Returns the link that is most likely at the end of a body. Names such as "tcp" decide, or else
+/// the largest distance from the joint; of equally distant links, the last one.
 std::string outermost_link(const Model& model, int body) {
   constexpr double same = 1e-3;  // distances that differ by less count as equal [m]; chosen by hand
   const Frame* outermost = nullptr;

@@ -31,9 +31,9 @@ struct DraftPlace {
 std::string draft_settings(const Robot& robot, const TreeSpec& tree, const DraftPlace& place);
 
 /// Writes robot.yaml into `folder` and returns the path of the file. The robot must have been
-/// loaded from a URDF or MJCF file. The frame `tool` is placed at the frame with the given name;
-/// empty: at a likely link. Throws Error for a robot read from a pipe, a robot that has settings,
-/// an unknown frame, and if robot.yaml exists.
+/// loaded from a URDF or MJCF file. `tool`: name of the frame at which the frame `tool` is placed;
+/// empty: a likely link. Throws Error for a robot read from a pipe, a robot that has settings, an
+/// unknown frame, and if robot.yaml exists.
 std::filesystem::path write_settings(const Robot& robot, const RobotArguments& arguments,
                                      const std::filesystem::path& folder, const std::string& tool);
 

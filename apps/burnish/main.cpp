@@ -86,7 +86,7 @@ int run(int count, char** words) {
   CLI::App app(
       "Contact dynamics, optimal control and polishing: robots that press, slide and walk.",
       "burnish");
-  // Set before the commands are added, because they inherit the formatter.
+  // Sets the formatter before the commands are added, because they inherit it.
   app.formatter(std::make_shared<HelpFormatter>());
   app.get_formatter()->column_width(34);
   app.set_help_flag("-h,--help", "Print this help and exit");
@@ -127,7 +127,7 @@ class Output {
   }
   [[noreturn]] void refuse(int reason) const {
     [[maybe_unused]] const bool cut = begin_ >= 0 && ftruncate(STDOUT_FILENO, begin_) == 0;
-    // Redirects the rest of the buffer to /dev/null, because it is written when the program ends.
+    // Redirects standard output to /dev/null, because its buffer is written when the program ends.
     if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
       dup2(nowhere, STDOUT_FILENO);
     throw Error(std::string("the output could not be written") +

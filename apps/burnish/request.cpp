@@ -27,7 +27,7 @@ struct RequestCache {
   std::size_t state_bytes = 0;
 };
 
-/// Returns the memory that a state needs, its numbers and the overhead of allocation [bytes].
+/// Returns the memory of a state: the state's numbers, and the overhead of allocations [bytes].
 std::size_t bytes_of_state(const Model& model, std::size_t rows) {
   const auto numbers = to_size(model.nq + 3 * model.nv) + rows;
   return sizeof(EvalState) + 5 * 32 + numbers * sizeof(double);
@@ -115,13 +115,14 @@ void read_contacts(const Reader& reader, const Eigen::VectorXd& q, EvalRequest& 
           std::string("key 'target' is missing, and ") +
           (pulls ? "kp is not 0" : "compute lists contact_error") +
           "; wanted \"target\": \"here\" for the placement of the tool in the first state, "
-          "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base', as until version 0.2");
+          "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base', the default until version "
+          "0.2");
     request.contacts.push_back(spec);
   }
 }
 
-/// Reads a reference, a list of references, or an object. References in a list are named after
-/// their contents, references in an object by the keys that the user chooses.
+/// Reads one reference, a list of references, or an object whose keys name references. Without
+/// keys, references are named after their contents.
 void read_forces_in(const Reader& reader, EvalRequest& request) {
   const auto add = [&](const std::string& own_name, const Reader& entry) {
     const Reference reference = files::read_reference(entry);
@@ -159,14 +160,14 @@ std::string forces_of(const EvalRequest& request, const Reader& reader) {
       "; wanted \"inverse\" in compute for the forces that a and lambda require, or \"forward\" "
       "for the forces that tau causes";
   if (wants("acceleration") || wants("acceleration_derivatives"))
-    reader.refuse("compute lists forces, and an acceleration, from which no forces follow" +
+    reader.refuse("compute lists forces and an acceleration, but an acceleration gives no forces" +
                   wanted);
   const auto states = reader.find("states");
   if (!states || !states->is_list()) return "forward";
   for (const Reader& state : states->entries())
     for (const char* key : {"a", "lambda"})
       if (state.has(key))
-        state[key].refuse(std::string("it is given, and compute lists only forces, which do not "
+        state[key].refuse(std::string("it is given, but the forces that compute lists do not "
                                       "use it") +
                           wanted);
   return "forward";

@@ -111,8 +111,7 @@ void print_notes(const RunArguments& a, const std::string& name, const RunSpec& 
     print_margins(name, spec.task, make_mpc(spec.task, *spec.setting), !a.quiet && !a.json);
 }
 
-/// Returns the run with one seed, after checking it. All checks are made before a folder is
-/// created.
+/// Returns the run with one seed, after all checks of the task and the robot. Creates no folder.
 template <class TaskType>
 auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) {
   using RunSpec = typename TaskType::RunSpec;

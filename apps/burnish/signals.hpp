@@ -1,10 +1,10 @@
 // Handling of the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP, which all end the program. SIGHUP
-// stays ignored if the program was started that way, as by nohup.
+// stays ignored if it is ignored at the start of the program, as under nohup.
 #pragma once
 
 namespace burnish::app {
 
-/// Makes these signals end the program immediately, with a sentence on the standard error.
+/// Makes all three signals end the program immediately, with a sentence on the standard error.
 void end_on_signals();
 
 /// Graceful stop on signals, for the lifetime of this object. The first signal makes asked() true;

@@ -7,7 +7,7 @@
 
 namespace burnish::app {
 
-/// Prints a row for each run, followed by a row for those of its ticks that computed a plan.
+/// Prints a row for all ticks of each run and, with MPC, a row for the ticks that computed a plan.
 void print_times(const std::vector<polishing::PolishJob>& jobs,
                  const std::vector<polishing::RunResult>& results);
 

@@ -221,7 +221,7 @@ Error
 
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 
-/// Evaluations, and their derivatives. Results belong to the last evaluation.
+/// Bits for the kinds of evaluation, and for their derivatives.
 enum : unsigned { forward = 1, inverse = 2, acceleration = 4, derivatives = 8 };
 constexpr unsigned any = forward | inverse | acceleration;
 
@@ -261,7 +261,8 @@ struct Dynamics {
       if ((by & bit) != 0)
         wanted += (wanted.empty() ? "" : " or ") + std::string(call) +
                   (differentiated ? "_derivatives()" : "()");
-    throw EvaluationError("ContactDynamics." + std::string(name) + ": a result of " + wanted +
+    throw EvaluationError("ContactDynamics." + std::string(name) + ": this is a result of " +
+                          wanted +
                           ", which was not called since the last evaluation or change of contacts");
   }
 

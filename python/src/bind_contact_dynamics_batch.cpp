@@ -137,7 +137,7 @@ struct Batch {
   }
   void require_result(const char* name, bool of_derivatives) const {
     if (states > 0 && (differentiated || !of_derivatives)) return;
-    throw EvaluationError("ContactDynamicsBatch." + std::string(name) + ": a result of " +
+    throw EvaluationError("ContactDynamicsBatch." + std::string(name) + ": this is a result of " +
                           (of_derivatives ? "forward_with_derivatives()"
                                           : "forward() or forward_with_derivatives()") +
                           ", which was not the last call");
@@ -156,7 +156,7 @@ struct Batch {
 using BatchClass = py::class_<Batch>;
 constexpr py::ssize_t number_size = sizeof(double);
 
-/// Binds a property with a view of a result of all states, in the memory of the batch.
+/// Binds a property with a result of all states, as a view of the memory of the batch.
 template <class View>
 void result(BatchClass& of, const char* name, View (ContactDynamicsBatch::*view)(int) const,
             bool of_derivatives, const char* text) {

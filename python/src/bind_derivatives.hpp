@@ -19,7 +19,7 @@ using NumberOrName = std::variant<int, std::string>;
 /// Throws Error("ContactDynamics.forward: tau has 5 entries; wanted 6") unless the sizes are equal.
 void require_size(const char* what, const char* argument, Eigen::Index entries, int wanted);
 
-/// Index of a contact. Throws Error with the known contacts for an unknown one.
+/// Returns the index of a contact. Throws Error for an unknown contact.
 int contact_number(const char* what, const NumberOrName& contact,
                    const std::vector<std::string>& names);
 

@@ -308,7 +308,7 @@ py::object equals(const Machine& self, const py::object& other) {
   return py::bool_(equal(self, py::cast<const Machine&>(other)));
 }
 
-/// f(row of a, row of b), with `size` entries, for one state or for rows of states.
+/// Returns f(a, b), a vector of `size` entries: for one state, or for each row of two arrays.
 template <class Function>
 py::array_t<double> by_rows(const py::array_t<double, py::array::c_style | py::array::forcecast>& a,
                             const py::array_t<double, py::array::c_style | py::array::forcecast>& b,

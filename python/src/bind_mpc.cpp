@@ -321,7 +321,7 @@ void bind_feedback_plan(py::module_& m) {
             const LinearFeedback sizes = self.make_feedback();
             if (xs.rows() <= self.knots() || xs.cols() != sizes.state.size() ||
                 machine.solver.us().cols() != sizes.feedforward.size())
-              throw Error("FeedbackPlan.load: the solver is of another problem");
+              throw Error("FeedbackPlan.load: the solver belongs to another problem");
             self.load(machine.solver, time);
           },
           py::arg("solver"), py::arg("time"), plan_load_doc)

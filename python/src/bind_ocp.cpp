@@ -135,7 +135,8 @@ void bind_node_frames(NodeClass& of) {
           [](const NodeHandle& at, const NodeHandle::Place& contact) {
             const int place = at.contact(contact);
             if (!at.with_derivatives())
-              throw Error("NodeView.force_derivative: called in value(); only jacobian() has it");
+              throw Error(
+                  "NodeView.force_derivative: called in value(); wanted a call in jacobian()");
             return copied(at.view().force_derivative(place));
           },
           py::arg("contact"),

@@ -204,7 +204,7 @@ int term_index(const Problem& problem, const char* call, int knot, const Name& t
   const int index = std::get<int>(term);
   if (index < 0 || index >= terms)
     throw Error(std::string(call) + ": term " + std::to_string(index) + "; " +
-                problem.knot_name(knot) + " has " + std::to_string(terms));
+                problem.knot_name(knot) + " has " + std::to_string(terms) + " terms");
   return index;
 }
 
@@ -230,8 +230,8 @@ py::array_t<double> by_rows(const char* call, const Numbers& a, int a_size, cons
     throw Error(
         std::string(call) +
         ": the arrays do not match; wanted two vectors, or two arrays with equal numbers of rows");
-  check_size(call, "a row of the first", a.shape(a.ndim() - 1), a_size);
-  check_size(call, "a row of the second", b.shape(b.ndim() - 1), b_size);
+  check_size(call, "a row of the first array", a.shape(a.ndim() - 1), a_size);
+  check_size(call, "a row of the second array", b.shape(b.ndim() - 1), b_size);
   const py::ssize_t count = rows ? a.shape(0) : 1;
   py::array_t<double> result(rows ? std::vector<py::ssize_t>{count, size}
                                   : std::vector<py::ssize_t>{size});

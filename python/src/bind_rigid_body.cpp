@@ -204,9 +204,10 @@ void derivative(BodyClass& of, const char* name, View (RigidBody::*get)() const,
       [=](Body& self) {
         const Busy::Lock lock(self.busy, name);
         if (!self.differentiated)
-          throw EvaluationError("RigidBody." + std::string(name) +
-                                ": a result of update_derivatives(), which was not called since "
-                                "the last update()");
+          throw EvaluationError(
+              "RigidBody." + std::string(name) +
+              ": this is a result of update_derivatives(), which was not called since "
+              "the last update()");
         return copied((self.machine.*get)());
       },
       text);

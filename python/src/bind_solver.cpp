@@ -224,8 +224,8 @@ void of_solve(SolverClass& c, const char* name, Get get, const char* text) {
       },
       text);
 }
-/// Binds a result of the last solve at a knot. `after` is 1 if the terminal knot has it too, else
-/// 0.
+/// Binds a function that returns a result of the last solve at a knot. `after`: 1 if the terminal
+/// knot has such a result too, else 0.
 template <class Get>
 void of_knot(SolverClass& c, const char* name, int after, Get get, const char* text) {
   c.def(

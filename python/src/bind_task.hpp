@@ -105,7 +105,7 @@ struct TaskName {
   std::string result;   ///< Class of its results, such as "HoldResult"
   std::string outcome;  ///< Docstring of RunResult.outcome
   std::string setting;  ///< Condition under which make_setting() raises Error
-  /// Condition under which run_task() raises Error, besides a contradictory task
+  /// Condition under which run_task() raises Error, in addition to a contradictory task
   std::string refused;
 };
 
@@ -232,7 +232,7 @@ void bind_task_functions(py::module_& m, const TaskName& name) {
       py::arg("spec"), (task_run_doc + name.refused).c_str());
 }
 
-/// All bindings of a task, which is then known as a task of task files.
+/// Adds all bindings of a task, and its name to the list of tasks that task files can name.
 template <class Spec, class Own>
 void bind_task(py::module_& m, const TaskName& name, const Own& own) {
   bind_task_result<Spec>(m, name, own);

@@ -139,8 +139,8 @@ struct ExpansionRoom {
   std::vector<KnotExpansion> out;
 };
 
-/// Writes the dynamics of one knot, ndx x nz, from either form; columns of missing controls are
-/// zero.
+/// Writes the linearized dynamics of one knot as a dense matrix (ndx x nz), from either
+/// DynamicsForm. Columns of missing controls are zero.
 void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int max_nu,
                     Eigen::Ref<RowMatrix> F) {
   using Strided = Eigen::Map<const RowMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;

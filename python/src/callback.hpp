@@ -34,8 +34,8 @@ inline void let_signals_through() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-/// Checks for signals periodically, only in the main thread, which receives them, and rarely enough
-/// that fast solves do not wait for the GIL.
+/// Periodic check for signals in the main thread, which receives the signals. The period is long
+/// enough that fast solves do not wait for the GIL.
 class SignalWatch {
  public:
   /// Must be called with the GIL.

@@ -1,5 +1,4 @@
-// Conversion of entries whose types descriptions do not support: annotations and defaults in
-// Python.
+// Types of entries that descriptions do not support, with their annotations and defaults in Python.
 #include "specs_files.hpp"
 #include "specs_polishing.hpp"
 

@@ -40,7 +40,7 @@ class BoundController {
   BoundController(const BoundController&) = delete;
   BoundController& operator=(const BoundController&) = delete;
   virtual ~BoundController() = default;
-  /// Takes the exception of functions of the specification since the last call.
+  /// Returns and clears the exception that functions of the specification have thrown.
   virtual std::exception_ptr take_exception() noexcept { return nullptr; }
 
   std::unique_ptr<Controller> controller;
@@ -85,7 +85,7 @@ std::unique_ptr<BoundController> bound(const Model& model, Spec spec,
 }
 
 /// Plant of a loop: a plant of the library, or an adaptor for a Python object with the attributes
-/// of burnish.Plant. It must be constructed with the GIL; the plant can be used without it.
+/// of burnish.Plant. The constructor needs the GIL; plant() can be used without the GIL.
 class PlantPart {
  public:
   /// Throws Error if the object lacks an attribute.
@@ -96,7 +96,7 @@ class PlantPart {
 
   Plant& plant() const { return *plant_; }
   const py::object& object() const { return object_; }
-  /// Takes the exception of Python code in reset() or step() since the last call.
+  /// Returns and clears the exception that Python code has thrown in reset() or step().
   std::exception_ptr take_exception() noexcept;
   /// Locks a plant of the library while a loop uses it.
   std::optional<Busy::Lock> lock(const char* what) const;

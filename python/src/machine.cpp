@@ -9,8 +9,7 @@ void require(Status status, const char* what) {
 
 Busy::Lock::Lock(Busy& busy, const char* what) : busy_(busy) {
   if (busy.taken_.test_and_set(std::memory_order_acquire))
-    throw Error(std::string(what) +
-                ": in use by another thread; make one object per thread, they share nothing");
+    throw Error(std::string(what) + ": in use by another thread; wanted one object per thread");
 }
 
 }  // namespace burnish::python

@@ -14,7 +14,7 @@
 
 namespace burnish::python {
 
-/// Python object of a view. Python can keep it longer than the call; it then throws Error.
+/// Python object of a view. If Python keeps the object after the call, view() throws Error.
 class NodeHandle {
  public:
   NodeHandle(const NodeView& view, const residual::Custom& names, bool with_derivatives)
@@ -22,16 +22,15 @@ class NodeHandle {
 
   const NodeView& view() const {
     if (view_ == nullptr)
-      throw Error(
-          "NodeView: used after the call that it came with; copy what is needed from it instead");
+      throw Error("NodeView: used after the call that received it; wanted a copy of its values");
     return *view_;
   }
   bool with_derivatives() const { return with_derivatives_; }
   void end() { view_ = nullptr; }
 
   using Place = std::variant<int, std::string>;
-  /// Index of a frame or contact, by index in the lists of the residual or by name. Throw Error for
-  /// an unknown one.
+  /// Return the index of a frame or contact, given by name or by index in the lists of the
+  /// residual. Throw Error for an unknown name or index.
   int frame(const Place& at) const { return place(at, "frame", &residual::Custom::frames); }
   int contact(const Place& at) const { return place(at, "contact", &residual::Custom::contacts); }
 
@@ -43,8 +42,8 @@ class NodeHandle {
     const std::string who = "residual '" + names_->name + "': ";
     if (const int* index = std::get_if<int>(&at)) {
       if (*index < 0 || *index >= static_cast<int>(known.size()))
-        throw Error(who + "there is no " + what + " " + std::to_string(*index) + "; it declares " +
-                    std::to_string(known.size()));
+        throw Error(who + "there is no " + what + " " + std::to_string(*index) +
+                    "; the number of declared " + what + "s is " + std::to_string(known.size()));
       return *index;
     }
     const auto& name = std::get<std::string>(at);
@@ -60,7 +59,7 @@ class NodeHandle {
   bool with_derivatives_;
 };
 
-/// Lends a view to Python during its own lifetime. Must be used with the GIL.
+/// Lends a view to Python for the lifetime of this object. Must be used with the GIL.
 class NodeLease {
  public:
   NodeLease(const NodeView& view, const residual::Custom& names, bool with_derivatives)

@@ -110,8 +110,8 @@ class EnumTable {
       : class_(std::move(module), std::move(name)), words_(std::move(words)) {}
   const std::vector<std::string>& words() const { return words_; }
   std::string full_name() const { return class_.full_name(); }
-  /// Reads a member, or its name in lower case. Returns false for another object. Throws Error for
-  /// an unknown name.
+  /// Reads a member of the enumeration, or the name of a member as text. Returns false for another
+  /// type. Throws Error for an unknown name.
   bool load(py::handle from, int& value) const;
   py::object make(int value) const;
 
@@ -131,7 +131,7 @@ struct KnownSpec {
   py::object (*make_default)();             ///< Dataclass of the defaults of the struct
   py::object (*round_trip)(py::handle of);  ///< Converts to the struct and back
 };
-/// Structs that bindings use; below, enumerations and described structs.
+/// Lists of the types that bindings use: structs and enumerations, without and with descriptions.
 std::vector<KnownSpec>& known_specs();
 std::vector<const EnumTable& (*)()>& known_enums();
 std::vector<const Description& (*)()>& known_descriptions();
@@ -162,7 +162,7 @@ template <class Value>
 bool value_set(void* at, py::handle from) {
   py::detail::make_caster<Value> caster;
   if (!caster.load(from, true)) return false;
-  // A copy, because a caster can return an object that Python keeps using.
+  // Copies the value, because the caster can return an object that Python keeps using.
   const Value& loaded = py::detail::cast_op<Value&>(caster);
   *static_cast<Value*>(at) = loaded;
   return true;
@@ -186,8 +186,8 @@ class SpecTable {
     return *this;
   }
 
-  /// Adds an entry with another form in C++: functions that read and write it. The previous entries
-  /// are written first.
+  /// Adds an entry that C++ stores in another form, with functions that read and write the entry.
+  /// When `set` is called, the entries added before are already set.
   template <class Spec>
   SpecTable& field(const char* name, std::string (*what_is_wanted)(),
                    py::object (*get)(const Spec& spec), bool (*set)(Spec& spec, py::handle value)) {

@@ -9,7 +9,7 @@
 namespace burnish::python {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-/// Array from the answer of a Python function; null for an answer that is not numeric.
+/// Converts the return value of a Python function to an array; null if the value is not numeric.
 Numbers numbers_of(const py::object& answer);
 /// Text of an object for messages.
 std::string what_came(const Numbers& numbers);

@@ -62,7 +62,7 @@ py::object function_for_python(const Function& function, Empty empty) {
   });
 }
 
-/// Sets `function` to a Given of a Python function, or to null for None.
+/// Sets `function` to a Given that calls the Python function `value`, or to null for None.
 template <class Given, class Function>
 bool function_from_python(const residual::Custom& custom, py::handle value, Function& function) {
   if (value.is_none()) {

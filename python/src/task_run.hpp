@@ -16,8 +16,8 @@ struct MadeRun {
   Result result = {};
 };
 
-/// Whether a run continues after the answer of a progress function; None means True. Must be called
-/// with the GIL.
+/// Returns whether a run continues, from the return value of a progress function; None means True.
+/// Must be called with the GIL.
 inline bool goes_on(const py::object& answer) { return answer.is_none() || py::cast<bool>(answer); }
 
 /// Returns the entry `progress` of a spec, or None. Throws TypeError for an object of another

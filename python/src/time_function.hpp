@@ -9,7 +9,7 @@
 
 namespace burnish::python {
 
-/// Python function. Its exceptions pass to the caller. Throws Error for an answer of another type.
+/// Python function. Its exceptions pass to the caller. Throws Error if the result is not a Value.
 template <class Value>
 struct TimeFunction {
   Kept function;

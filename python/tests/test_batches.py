@@ -124,7 +124,7 @@ class TestBatches:
 
     def test_results_of_an_earlier_call_raise(self) -> None:
         batch = ContactDynamicsBatch(MODEL, [TIP, PAD], 10)
-        with pytest.raises(burnish.EvaluationError, match="ContactDynamicsBatch.a: a result of"):
+        with pytest.raises(burnish.EvaluationError, match="ContactDynamicsBatch.a: this is a result of"):
             batch.a
         batch.forward(*states(MODEL, 10))
         with pytest.raises(burnish.EvaluationError, match="forward_with_derivatives"):

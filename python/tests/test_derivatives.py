@@ -186,7 +186,7 @@ class TestContactDynamics:
     def test_results_of_an_earlier_evaluation_raise(self) -> None:
         dynamics = ContactDynamics(MODEL, [TIP])
         q, v, tau = state()
-        with pytest.raises(burnish.EvaluationError, match="ContactDynamics.a: a result of forward"):
+        with pytest.raises(burnish.EvaluationError, match="ContactDynamics.a: this is a result of forward"):
             dynamics.a
         with pytest.raises(burnish.EvaluationError, match="last evaluation"):
             dynamics.forward_derivatives()

@@ -233,7 +233,7 @@ class TestSetting:
         setting = polishing.make_setting(task)
         again = polishing.make_setting(task, setting.robot, setting.q_start)
         np.testing.assert_array_equal(again.p_center, setting.p_center)
-        with pytest.raises(burnish.Error, match="come together"):
+        with pytest.raises(burnish.Error, match="wanted both or neither"):
             polishing.make_setting(task, robot=setting.robot)
 
     def test_setting_gives_the_specs_of_both_controllers(self):

@@ -405,7 +405,7 @@ def test_invalid_python_plant_or_controller_raises_with_the_reason(robot, q, sce
         run(object(), Posture(model, [0.0]))
     with pytest.raises(burnish.Error, match="Controller: PointMass has no 'nv'"):
         run(PointMass(model), PointMass(model))
-    with pytest.raises(burnish.Error, match="7 torques; wanted the plant's 1"):
+    with pytest.raises(burnish.Error, match="7 torques; wanted 1, as the plant has"):
         run(PointMass(model), Posture(robot.model, q))
     with pytest.raises(TypeError, match="abstract"):
         burnish.Plant()  # type: ignore[abstract]

@@ -8,8 +8,8 @@
 namespace burnish {
 
 /// Thread that runs a given function at each start(). It does not allocate after construction. Only
-/// one thread may call start(), is_busy() and wait(). Its writes before start() are visible to the
-/// work. Writes of the work are visible as soon as is_busy() returns false.
+/// one thread, the caller, may call start(), is_busy() and wait(). The work sees the writes of the
+/// caller before start(). The caller sees the writes of the work once is_busy() returns false.
 class BackgroundWork {
  public:
   /// `work` must not throw. Throws std::system_error if the system cannot create a thread.

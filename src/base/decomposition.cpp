@@ -24,8 +24,8 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& A) {
 
 namespace {
 
-/// Returns solve(Cholesky factor of A). Returns NaN if A has no such factor. Eigen does not report
-/// a NaN in A as a failure, so the factor is checked too.
+/// Returns solve(factor) for the Cholesky factor of A, or NaN if A is not positive definite. Eigen
+/// does not report a NaN in A as a failure, so the diagonal of the factor is checked too.
 template <class Solve>
 Eigen::MatrixXd by_factor(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Solve&& solve) {
   const Eigen::LLT<Eigen::MatrixXd> factor(A);

@@ -27,7 +27,7 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& A);
 /// Returns A^-1 B (n x k) for a symmetric positive definite A (n x n). Only the lower triangle of A
 /// is read. All entries are NaN if A is not positive definite or not finite.
 Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-/// Returns L^-1 B, where L is the Cholesky factor of A = L L^T. A and errors: see solve_positive().
+/// Returns L^-1 B for the Cholesky factor L of A = L L^T. Conditions on A: see solve_positive().
 Eigen::MatrixXd solve_positive_half(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 /// Returns x = J^T (J J^T + diag(damping))^-1 error, the damped least-squares step for J x = error,

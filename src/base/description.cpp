@@ -43,7 +43,7 @@ int Words::value_of(const std::string& word) const {
 
 namespace {
 
-/// Returns begin and end of the unit between the braces of `meaning`, or {0, 0}.
+/// Returns the begin and end indices of the unit in the braces of `meaning`, or {0, 0}.
 std::pair<std::size_t, std::size_t> place_of_unit(const std::string& meaning) {
   const std::size_t begin = meaning.find('{'), end = meaning.find('}');
   const std::string inside =

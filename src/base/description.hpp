@@ -73,8 +73,8 @@ concept Worded = std::is_enum_v<T> && requires(T value) {
   { words_of(value) } -> std::same_as<const Words&>;
 };
 
-/// Type of an entry, and access to a value by its address. Comments name the kinds for which a
-/// member is set.
+/// Type of an entry, and access to a value by its address. The comment of a member names the kinds
+/// for which the member is set.
 struct ValueType {
   enum class Kind { Number, Count, Flag, Word, Text, Array, List, Map, Optional, Struct, Other };
   Kind kind = Kind::Other;
@@ -99,7 +99,7 @@ struct ValueType {
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
 };
 
-/// Removes const from an address, for functions of ValueType that take void* but only read here.
+/// Removes const from an address, to read a value through functions of ValueType with a void*.
 inline void* to_read(const void* at) {
   return const_cast<void*>(at);  // NOLINT(cppcoreguidelines-pro-type-const-cast): read only
 }
@@ -119,7 +119,7 @@ struct Field {
   /// Kind of object that a text, or each text of a list, must name: "frame", "joint" or "contact";
   /// empty: any text.
   std::string name_of = {};
-  /// Words in files for the counts 0, 1, ..., separated by spaces; empty: files have the number.
+  /// Words that files use for the counts 0, 1, ..., separated by spaces; empty: files use numbers.
   std::string words = {};
   bool required = false;    ///< Python: users must pass it, it has no default
   bool stated = false;      ///< Files: the entry must be stated
@@ -297,7 +297,7 @@ const ValueType& type_of() {
 }
 
 namespace detail {
-// Functions that do not depend on the type of the specification; compiled once.
+// Functions that do not depend on the type of the specification and are compiled only once.
 void add_field(Description& description, const char* name, const char* means, const Range& numbers,
                std::size_t offset, const ValueType& type);
 void add_group(Description& description, const char* means, const char* section);

@@ -113,7 +113,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   constexpr std::size_t max_length = 200;
   if (name.size() > max_length) return "";
   std::string best;
-  // Accepts one edit, and one more for every three letters. Farther names are other words.
+  // Accepts one edit, plus one for every three letters. A name with more edits is another word.
   std::size_t best_distance = 1 + name.size() / 3 + 1;
   for (const std::string& candidate : known) {
     const std::size_t longer = std::max(name.size(), candidate.size());

@@ -13,7 +13,7 @@ namespace burnish {
 /// List of the problems and warnings about one description.
 class Findings {
  public:
-  /// `origin` begins every sentence: name of the file, or name of the robot without a file.
+  /// `origin` begins every sentence: the name of the file, or the name of a robot that has no file.
   explicit Findings(std::string origin) : origin_(std::move(origin)) {}
 
   void problem(const std::string& what) { problems_.push_back(what); }
@@ -51,8 +51,8 @@ class Findings {
   const std::string& origin() const { return origin_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   bool has_problems() const { return !problems_.empty(); }
-  /// Returns true for fewer than 50 problems and warnings. Beyond that, readers skip the search
-  /// for similar names.
+  /// Returns true for fewer than 50 problems and warnings. With more, readers do not search for
+  /// similar names.
   bool are_few() const { return problems_.size() + warnings_.size() < 50; }
   /// Throws an Error that lists all problems, if there are any.
   void refuse_problems() const;

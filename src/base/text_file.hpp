@@ -7,8 +7,7 @@
 
 namespace burnish {
 
-/// Maximum size of an input file [MB]. Larger inputs are probably mistakes, such as endless
-/// devices.
+/// Maximum size of an input file [MB]. A larger input is probably a mistake, such as /dev/zero.
 inline constexpr int max_megabytes = 64;
 
 /// Reads a whole file. Throws Error if the file is a folder, cannot be opened or is too large.

@@ -16,9 +16,9 @@ namespace burnish {
 /// Assignment of the threads of a pool to processor cores.
 enum class Pinning {
   None,  ///< The system chooses the cores
-  /// Worker i > 0 runs only on the i-th of the cores allowed to the calling thread at construction.
-  /// Worker 0 is the calling thread. The pool keeps core 0 of these free but does not pin worker 0
-  /// to it; the caller can do so. Linux only.
+  /// Worker i > 0 runs only on core i of the cores that the calling thread may use at construction.
+  /// Worker 0 is the calling thread. The pool does not pin it, but keeps core 0 free, so that the
+  /// caller can pin it there. Linux only.
   Cores,
 };
 

@@ -10,9 +10,9 @@
 
 namespace burnish {
 
-/// Entry of v that moves the tool's body, the base's body or the bodies of the reference. Each of
-/// them moves along its own axis (or sum of axes, tree.hpp); -1 if the entry does not move it. The
-/// axes differ only for followers.
+/// Entry of v that moves the tool's body, the base's body or the bodies of the reference. Each body
+/// moves along its own axis (or sum of axes, tree.hpp). The axis is -1 if the entry does not move
+/// the body. The axes differ only for followers.
 struct ContactSupport {
   int v;
   int tool_axis, base_axis;

@@ -24,8 +24,8 @@ class ConstrainedDynamics {
   /// Activates or deactivates a contact. All contacts are active at first. Does not allocate.
   void set_active(int contact, bool active);
 
-  /// Replaces the rotation of a contact's reference, per lane. Columns of `rotation`: the axes of
-  /// the reference, in the frame that they are fixed in. Takes effect at the next set_state().
+  /// Replaces the rotation of a contact's reference in each lane, from the next set_state() on. The
+  /// columns of `rotation` are the axes of the reference, in the frame to which they are fixed.
   void set_reference_rotation(int contact, const Mat3<S>& rotation);
 
   /// Replaces the surface that a contact's reference follows, from the next set_state() on.
@@ -48,7 +48,7 @@ class ConstrainedDynamics {
   /// an error status and is computed at the neutral posture.
   void set_state(const S* q, const S* v);
 
-  /// Computes a and lambda at joint torques tau (nv), eq. (3). J^T lambda then includes friction
+  /// Computes a and lambda at joint torques tau (nv), eq. (3). J^T lambda includes any friction
   /// (friction_coupling.hpp). A tool that jams gets status SingularContacts. Requires set_state().
   void forward(const S* tau);
 
@@ -97,7 +97,7 @@ class ConstrainedDynamics {
   std::vector<ContactState<S>> contact_states;  ///< One state per contact of the set
   int proximal_iterations = 0;                  ///< Largest count of a lane: forward, impact
   std::vector<S> lane_iterations;               ///< Proximal iterations of each lane (1 entry)
-  /// Largest |mu (lambda - previous lambda)| of each lane (1 entry): forward, impact [m/s^2, m/s]
+  /// Largest |mu (lambda - previous lambda)| per lane (1 entry): forward [m/s^2], impact [m/s]
   std::vector<S> proximal_residual;
 
   // Intermediate results, for the derivatives.
@@ -116,8 +116,8 @@ class ConstrainedDynamics {
   /// Returns the rows that contradict each other in the last forward() or impact().
   const Contradiction<S>& contradiction() const { return contradiction_; }
   InverseDynamics<S>& inverse_dynamics() { return id_; }
-  /// Loads `a` into the inverse dynamics and applies the contact forces lambda to its bodies. With
-  /// `more` (rows), applies lambda + more, but the friction of lambda alone.
+  /// Loads `a` into the inverse dynamics and applies the contact forces lambda to its bodies. Also
+  /// applies the forces `more` (rows), if given; they cause no friction.
   void apply_forces(const S* more = nullptr);
   /// Zeroes the lanes whose status is above NotConverged; their values are finite but meaningless.
   void clear_failed(std::vector<S>& results) const;
@@ -137,8 +137,8 @@ class ConstrainedDynamics {
   void for_each_solved(const auto& visit);
   /// Runs proximal iterations for the lanes in `open`. Returns the lanes that did not converge.
   auto refine(auto open);
-  /// Solves the lanes in `open` whose rows contradict each other again, without the null-space
-  /// component of the right-hand side. Returns the lanes in `open` that did not converge.
+  /// Solves again for lanes in `open` with contradictory rows, without the null-space component of
+  /// the right-hand side. Returns the lanes in `open` that did not converge.
   auto settle_contradiction(const auto& open);
   void update_friction();
   void add_friction();

@@ -79,8 +79,7 @@ ContactForce ContactForce::in(const Reference& other) const {
   };
   if (!is_recorded(other.axes, reference.axes) || !is_recorded(other.origin, reference.origin))
     throw Error(
-        "contact force of '" + contact +
-        "': the record of this force does not contain the poses of the frames of the reference '" +
+        "contact force of '" + contact + "': it was recorded without the pose of reference '" +
         other.name() +
         "'; wanted a reference at tool, base or world, or ContactDynamics::force, which computes "
         "the force in any reference");
@@ -91,7 +90,7 @@ ContactForce ContactForce::in(const Reference& other) const {
     const bool of_base = other.axes == Anchor::Base;
     if (!of_base && other.axes != Anchor::World)
       throw Error("contact force of '" + contact +
-                  "': the record of this force does not contain the pose of the surface fixed to " +
+                  "': it was recorded without the pose of the surface fixed to " +
                   other.axes.text() +
                   "; wanted a surface fixed to base or world, or ContactDynamics::force, which "
                   "computes the force in any reference");

@@ -86,8 +86,8 @@ template <class S>
 Force<S> wrench_of_rows(const CompiledContact& contact, const S* lambda,
                         const ContactState<S>& state);
 
-/// Fills state.force_world with the wrench of lambda (constrained rows) and its friction, and
-/// state.sliding.normal_force.
+/// Fills state.sliding.normal_force, and state.force_world with the wrench of lambda (constrained
+/// rows) and of its friction.
 template <class S>
 void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state);
 
@@ -98,9 +98,9 @@ BURNISH_INLINE Force<S> held_force(const CompiledContact& contact, const Contact
   return state.force_world - state.sliding.per_normal * state.sliding.normal_force;
 }
 
-/// Returns the derivative of the friction wrench by entry k of q, at constant lambda. Entry k moves
-/// tool and base along the axes with these indices (-1: does not move it). w_axes is the angular
-/// velocity of the reference axes at a unit rate of entry k.
+/// Returns the derivative of the friction wrench by entry k of q, at constant lambda. tool_axis and
+/// base_axis: axes along which entry k moves tool and base; -1 if the body does not move. w_axes is
+/// the angular velocity of the reference axes at a unit rate of entry k.
 template <class S>
 BURNISH_INLINE Force<S> friction_by_q(const CompiledContact& contact, const ContactState<S>& state,
                                       int tool_axis, int base_axis, const Vec3<S>& w_axes,

@@ -14,7 +14,7 @@
 namespace burnish {
 namespace {
 
-/// Returns make(). Puts the name of the contact and `what` in front of messages of its errors.
+/// Returns make(). Puts the contact's name and `what` in front of the Error of make().
 auto compiled(const ContactSpec& spec, const char* what, const auto& make) {
   try {
     return make();
@@ -31,8 +31,8 @@ void check(const ContactSpec& spec) {
   reference.check("contact '" + spec.name + "'");
   if (reference.quadric && (reference.origin != Anchor::Tool || reference.axes != Anchor::Base))
     throw Error(who +
-                "the curved surface of a contact needs axes of the base at the tool, but the "
-                "reference is '" +
+                "a contact on a curved surface needs a reference at the tool with axes of the "
+                "base, but its reference is '" +
                 reference.name() + "'; wanted a reference from Reference::on");
   const Eigen::Matrix3d T = spec.target.linear();
   if (!spec.target.matrix().allFinite() ||

@@ -85,8 +85,8 @@ void find_null_space(const Tree& tree, const ContactSet& set, const ActiveContac
     }
   }
   contradiction_detail::orthonormalize(of, active.rows);
-  // Each pass shrinks rounding errors outside the null space by mu / (mu + s), as a proximal
-  // iteration does. s is the eigenvalue of G.
+  // Each pass multiplies rounding errors outside the null space by mu / (mu + s), as a proximal
+  // iteration does, where s is an eigenvalue of G.
   for (int pass = 0; pass < 2; ++pass) {
     solve_delassus(compliant, active.rows, std::span<const int>(of.listed), n, m);
     for (int k = 0; k < active.rows; ++k)

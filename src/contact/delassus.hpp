@@ -38,8 +38,8 @@ struct Delassus {
 /// these lanes the factor is finite but meaningless, and inverse_diagonal is zero at those rows.
 ///
 /// With mu = 0, a row is dependent if the length of its independent component is at most
-/// independence_tolerance of its attainable length (row_size.hpp). With mu > 0, a row is dependent
-/// if its pivot is at most 1e-12 of its diagonal entry.
+/// independence_tolerance times its attainable length (row_size.hpp). With mu > 0, a row is
+/// dependent if its pivot is at most 1e-12 times its diagonal entry.
 template <class S>
 auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContacts& active,
                      const std::vector<ContactState<S>>& states, const MassMatrix<S>& mass,

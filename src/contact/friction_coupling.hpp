@@ -65,7 +65,7 @@ void choose_sliding(const ContactSet& set, const ActiveContacts& active, Frictio
   std::fill(f.transformed.begin(), f.transformed.end(), S(0.0));
 }
 
-/// Factorizes the small system. Returns the lanes in which a contact jams.
+/// Factorizes the system of the normal forces. Returns the lanes in which a contact jams.
 template <class S>
 auto factorize_friction(FrictionCoupling<S>& f) {
   const int k = f.size();
@@ -86,8 +86,8 @@ auto factorize_friction(FrictionCoupling<S>& f) {
   return bad;
 }
 
-/// Solves the small system in place: f.normal holds lambda_0 at the normal rows, then
-/// lambda_normal.
+/// Solves the system of the normal forces in place. Before the call, f.normal holds lambda_0 at the
+/// normal rows; after the call, lambda_normal.
 template <class S>
 void solve_friction(FrictionCoupling<S>& f) {
   const int k = f.size();

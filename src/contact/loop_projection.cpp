@@ -87,7 +87,7 @@ class Descent {
     return joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic;
   }
 
-  /// Scales the step so that no joint moves by more than 1 rad or 1 m, where linearization is poor.
+  /// Scales the step to at most 1 rad or 1 m per joint. Linearization is poor for larger steps.
   static Eigen::VectorXd shortened(const Eigen::VectorXd& step) {
     return step / std::max(1.0, step.cwiseAbs().maxCoeff());
   }
@@ -157,7 +157,7 @@ LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eig
   LoopRows rows(model);
   Descent descent(model, rows, options, moves);
   descent.set_range(q);
-  // At a dead point the gradient of the error vanishes, so later attempts start nearby.
+  // At a dead point the gradient of the error vanishes, so later attempts start beside q.
   constexpr int attempts = 6;
   constexpr double spread = 0.1;  // increase per attempt of the largest offset, by hand [rad, m]
   std::mt19937_64 generator(20260102);

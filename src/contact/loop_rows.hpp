@@ -39,9 +39,9 @@ struct IndependentRows {
   std::vector<int> rows;  ///< Indices, ascending
   double weakest = 1.0;   ///< Smallest length of a chosen row without its dependent component, <= 1
 };
-/// Chooses independent rows of J one by one. Each choice orthogonalizes the remaining rows. The
-/// next choice is the first row with at least half the length of the longest remaining row. Stops
-/// when no remaining row is longer than `min_length`.
+/// Chooses independent rows of J one by one. After each choice, the remaining rows are made
+/// orthogonal to the chosen row. The next choice is the first row with at least half the length of
+/// the longest remaining row. Stops when no remaining row is longer than `min_length`.
 IndependentRows independent_rows(const Eigen::MatrixXd& J, double min_length);
 
 }  // namespace burnish

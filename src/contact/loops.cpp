@@ -35,8 +35,8 @@ Eigen::MatrixXd picked(const Eigen::MatrixXd& J, const std::vector<int>& rows) {
   return result;
 }
 
-/// Returns Jacobians at five postures with closed loops: one near the neutral posture, the others
-/// from random postures with a fixed seed. Skips postures whose projection fails.
+/// Returns Jacobians at up to five postures with closed loops: one near the neutral posture, the
+/// others near random postures with a fixed seed. Skips postures whose projection fails.
 std::vector<Eigen::MatrixXd> jacobians_on_the_loops(const Model& model, LoopRows& rows) {
   constexpr int postures = 5;
   std::mt19937_64 generator(20260101);
@@ -51,9 +51,9 @@ std::vector<Eigen::MatrixXd> jacobians_on_the_loops(const Model& model, LoopRows
   return result;
 }
 
-/// Returns directions whose rows are independent away from dead points of the mechanism. Chooses
-/// the rows at each sample posture, and returns the choice whose worst rating over all postures is
-/// best.
+/// Returns directions whose rows are independent except at dead points of the mechanism. Chooses
+/// rows at each sample posture. Returns the choice whose smallest rating over all postures is
+/// largest.
 std::vector<Directions> independent_directions(const Model& model) {
   LoopRows rows(model);
   const std::vector<Eigen::MatrixXd> jacobians = jacobians_on_the_loops(model, rows);

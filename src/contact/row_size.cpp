@@ -1,5 +1,5 @@
-// Lengths of the robot, from the placements of its joints: the distance from a joint axis to the
-// tool along the tree. It bounds the lever arm at all postures, apart from sliding joints.
+// Path lengths from joint axes to the tool along the tree, from the placements of the joints. They
+// bound the lever arms at all postures, except for large travels of sliding joints.
 #include "contact/row_size.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-/// Travel of a sliding joint without limits or with larger limits, chosen by hand [m].
+/// Largest travel that is assumed for a joint that slides, chosen by hand [m].
 constexpr double usual_travel = 1.0;
 
 /// Returns the length that the motion of a joint adds to the path through it [m].
@@ -33,7 +33,7 @@ double travel(const Model& model, const Joint& joint) {
 }
 
 /// Returns the path length from the axis of joint `from` to a point of `body` [m]. `body` is the
-/// body of the joint or a descendant, and `offset` is the distance of the point from its origin.
+/// body of the joint or a descendant. `offset` is the distance of the point from the body's origin.
 double path_length(const Model& model, int from, int body, double offset) {
   double length = offset;
   for (int j = body; j != from; j = model.joints[j].parent)
@@ -97,8 +97,8 @@ void set_reaches(const Model& model, CompiledContact& contact) {
     }
     contact.support[i].per_reach = distance > 0.0 ? 1.0 / distance : 1.0;
   }
-  // Lever arms about another origin grow with the distance from that origin. Otherwise only
-  // rounding errors grow, with the distance from the world's origin.
+  // Lever arms about an origin away from the tool grow with the tool's distance from it. Otherwise,
+  // only rounding errors grow, with the distance from the world's origin.
   const double per_distance = elsewhere ? 1.0 / longest_arm : 1e-8 / shortest_arm;
   contact.offset_weight = per_distance * per_distance;
 }

@@ -1,5 +1,5 @@
 // Size of a row of a contact's Jacobian, relative to the size that the lengths of the robot allow
-// at other postures. The comparison separates rows with a motion from rounding errors.
+// at other postures. A tiny relative size shows that the row consists of rounding errors.
 #pragma once
 
 #include "burnish/contact/contact_set.hpp"

@@ -47,8 +47,8 @@ BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coe
   at.per_normal = {force, cross(at.c, force)};
 }
 
-/// Returns the change of the friction force per unit of lambda for a change of v across the normal,
-/// at constant n and c.
+/// Returns the change of the friction force, per unit of lambda, when the tangential velocity
+/// changes by dv_across at constant n and c.
 template <class S>
 BURNISH_INLINE Vec3<S> friction_force_change(const Sliding<S>& at, const Vec3<S>& dv_across) {
   const Vec3<S> ds = (dv_across - at.s * dot(at.s, dv_across)) * at.per_speed;

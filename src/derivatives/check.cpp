@@ -38,7 +38,7 @@ struct CheckSubject {
   std::optional<SurfaceShape> surface = {};  ///< Surface that the only contact follows
 };
 
-/// Normal of the tilted reference and of surfaces at the tool in the neutral posture.
+/// Normal of the tilted reference, and of each curved surface at the tool in the neutral posture.
 const Eigen::Vector3d tilted_normal(-0.4, 0.3, 0.8);
 
 /// Returns the contacts of each row of the report.
@@ -141,7 +141,7 @@ std::string singular_mass(const Model& model, std::uint64_t seed) {
 
 CheckRow check_row(const Model& model, const CheckOptions& options, const CheckSubject& checked,
                    bool forward, const TamperWithBlocks& tamper) {
-  // The loops of the robot are constrained too. Random postures leave them open, so the gains must
+  // The loops of the robot are constrained too. They are open at random postures, so the gains must
   // be soft.
   const std::vector<ContactSpec> contacts = with_loops(model, checked.contacts, {100.0, 20.0});
   CheckRow row = describe_row(checked);
@@ -157,7 +157,7 @@ CheckRow check_row(const Model& model, const CheckOptions& options, const CheckS
     throw Error("check: contact '" + contacts.front().tool +
                 "': too few random postures can be checked: the tool's rotation must be within pi "
                 "- 0.1 rad of the target, and the surface's normal at the tool within 154 degrees "
-                "of its normal at the start; wanted another target or surface");
+                "of the surface's normal at the start; wanted another target or surface");
   }
   CheckValues values(model, dynamics.contacts(), {.mu = row.mu});
   row.states = options.states;

@@ -25,10 +25,10 @@ struct DifferenceGroup {
   double noise = 0.0;  ///< Rounding error of differences; smaller errors need no smaller step
 };
 
-/// Computes m x n derivatives. Each entry is the extrapolation of central differences with the
-/// smallest estimated error (C. Ridders, Accurate computation of F'(x), 1982).
+/// Computes m x n derivatives by extrapolation of central differences. Each entry comes from the
+/// steps with the smallest estimated error (C. Ridders, Accurate computation of F'(x), 1982).
 ///
-/// Smaller steps follow while the estimated error of a group exceeds both its noise and `wanted`
+/// Smaller steps are tried while the estimated error of a group exceeds both its noise and `wanted`
 /// times its largest entry. Rows after the last group form a group of their own. `finer` scales all
 /// steps.
 Eigen::MatrixXd extrapolated_differences(const AllMovedValues& values,

@@ -10,12 +10,12 @@
 namespace burnish {
 namespace {
 
-/// Step of central differences of quadratic functions, which are exact, in units of the argument;
-/// chosen by hand.
+/// Step of central differences of quadratic functions, in units of the argument; chosen by hand.
+/// Such differences have no truncation error.
 constexpr double exact_step = 0.5;
 
-/// Returns the rounding error of central differences with this step, of sums of this size. The
-/// factor 16 includes the amplification by the extrapolation.
+/// Returns the rounding error of central differences of sums whose terms have this size. The factor
+/// 16 includes the amplification by the extrapolation.
 double noise_of(double size, double step) {
   return 16.0 * std::numeric_limits<double>::epsilon() * size / step;
 }
@@ -69,7 +69,7 @@ class Differences {
                                                               1e-8, finer);
     return rows.asDiagonal() * in_units * units.motion.cwiseInverse().asDiagonal();
   }
-  /// Returns the derivatives by another argument, in which the values are at most quadratic.
+  /// Returns the derivatives by an argument in which the values are at most quadratic.
   Eigen::MatrixXd by(Eigen::MatrixXd CheckColumns::*argument, const Eigen::VectorXd& steps,
                      const Evaluations& wanted) {
     const auto moved = [&](double h) {
@@ -90,7 +90,7 @@ class Differences {
 };
 
 /// Returns the lower bound of the scale of relative errors: a thousandth of the largest value, in
-/// units. Smaller entries consist of rounding errors.
+/// its unit. Smaller entries consist of rounding errors.
 double floor_of(const Eigen::VectorXd& values, const Eigen::VectorXd& units) {
   return std::max(
       1e-12, 1e-3 * (values.size() > 0 ? values.cwiseQuotient(units).cwiseAbs().maxCoeff() : 0.0));

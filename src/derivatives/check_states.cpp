@@ -108,7 +108,7 @@ double CheckStates::compliance(ContactDynamics& dynamics) {
   for (Eigen::Index r = 0; r < rows.relative_size.size(); ++r)
     if (rows.relative_size[r] > 0.0)
       sum += rows.Y.row(r).squaredNorm() / std::min(1.0, rows.relative_size[r]);
-  // Rows that no joint moves do not add to the sum. The default makes the compliance positive.
+  // Rows that no joint moves add nothing to the sum. If no joint moves any row, the result is 1e-2.
   return sum > 0.0 ? 1e-2 * sum / static_cast<double>(rows.relative_size.size()) : 1e-2;
 }
 

@@ -42,7 +42,7 @@ class CheckStates {
  private:
   Eigen::VectorXd uniform(Eigen::Index size, double reach);
   bool far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q) const;
-  /// Returns the quadric that osculates, at the tool, a random surface of the shape near it.
+  /// Returns the quadric that osculates, at the tool, a surface placed at random near the tool.
   Quadric surface_near(const ContactSpec& contact, const Eigen::VectorXd& q);
 
   const Model& model_;

@@ -1,5 +1,5 @@
-// Units that make the numbers of a robot of any size and mass about one. Steps of differences,
-// random states and comparisons of blocks use them.
+// Units in which the values of a robot of any size and mass are of order one. Steps of differences,
+// random states and comparisons of blocks use these units.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 namespace burnish {
 
 /// Units per entry of v and per row of the contacts. The unit of angles is 1 rad, the unit of
-/// lengths is the robot's length, and the unit of forces is its weight.
+/// lengths is the robot's length, and the unit of forces is the robot's weight.
 struct CheckUnits {
   explicit CheckUnits(const Model& model, const ContactSet& set = {});
 

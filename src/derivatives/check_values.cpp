@@ -58,7 +58,7 @@ Eigen::MatrixXd CheckValues::at(const CheckColumns& states, int n, const Evaluat
     load(states.a, first, n, a_);
     load(states.lambda, first, n, lambda_);
     dynamics_.set_state(q_.data(), v_.data());
-    // Forward dynamics runs last, because its status remains with the state.
+    // Forward dynamics runs last, because SingularMass remains until the next set_state().
     if (wanted.inverse) {
       dynamics_.inverse(a_.data(), lambda_.data());
       store(dynamics_.tau, nv(), nv() + m, first, result);
@@ -81,8 +81,8 @@ void CheckValues::set_surface(const Quadric& surface) {
       0, {lift<NativePack>(from_eigen(surface.Q)), lift<NativePack>(from_eigen(surface.b))});
 }
 
-/// Returns bounds of the bias torques: for each axis, the products of the vector lengths in its
-/// scalar product.
+/// Returns bounds of the bias torques. Each torque is a sum of scalar products of vectors; its
+/// bound has the products of their lengths instead.
 Eigen::VectorXd CheckValues::bias_sizes() const {
   const Tree& tree = dynamics_.tree();
   Eigen::VectorXd sizes = Eigen::VectorXd::Zero(nv());

@@ -20,8 +20,8 @@ struct CheckColumns {
   Eigen::MatrixXd q, v, tau, a, lambda;
 };
 
-/// Sizes of the terms whose sums are the values of a state, in units of the check. They determine
-/// the rounding errors where terms cancel.
+/// Sizes of the terms that add up to the values of a state, in units of the check. The sizes
+/// determine the rounding errors where terms cancel.
 struct CheckSizes {
   double a = 0.0, lambda = 0.0, tau = 0.0, alpha = 0.0;
 };

@@ -51,9 +51,9 @@ class ConstrainedDerivatives {
   void subtract_friction(ConstrainedDynamics<S>& dynamics);
   /// Corrects the results of the system without friction for friction.
   void add_friction(ConstrainedDynamics<S>& dynamics);
-  /// Add the effect of rows that contradict each other to the derivatives by q (contradiction.hpp).
-  /// The first function computes shifted_, at other forces and accelerations, before rhs_q is
-  /// filled. The second function adds the effect to d_dq.
+  /// Add the effect of rows that contradict each other to d_dq (contradiction.hpp).
+  /// fill_shifted_rows() computes shifted_ at changed forces and accelerations, before rhs_q is
+  /// filled. add_contradiction() then corrects d_dq.
   void fill_shifted_rows(ConstrainedDynamics<S>& dynamics);
   void add_contradiction(const ConstrainedDynamics<S>& dynamics);
   /// Fills rhs_q and rhs_v for an impact.
@@ -83,7 +83,7 @@ class ConstrainedDerivatives {
   std::vector<S> lambda_by_tau_;   ///< (dlambda/dtau)^T, nv x rows
   std::vector<S> by_friction_;     ///< da per unit of normal force, nv entries per contact
   std::vector<S> solved_, before_, frozen_;
-  /// Change of rhs_q, and copy of a, for contradictions; empty if the solver cannot detect any
+  /// Change of rhs_q due to contradictory rows, and a copy of a; empty without proximal iterations
   std::vector<S> shifted_, a_;
 };
 

@@ -128,8 +128,8 @@ struct ContactDynamicsBatch::Impl {
     }
   }
 
-  /// Records the causes of a failure in `out`, for each entry of v and then for each row: 1 for an
-  /// entry that moves no mass or a dependent row, 2 for the normal row of a tool that jams, else 0.
+  /// Records the causes of a failure in `out`, first for each entry of v, then for each row. 1: the
+  /// entry moves no mass, or the row is dependent; 2: normal row of a tool that jams; 0: no cause.
   void record_causes(const ConstrainedDynamics<NativePack>& dynamics, int lane, char* out) const {
     for (int k = 0; k < nv; ++k) out[k] = dynamics.moves_no_mass(k, lane) ? 1 : 0;
     for (int r = 0; r < dynamics.rows(); ++r) out[nv + r] = dynamics.is_dependent(r, lane) ? 1 : 0;

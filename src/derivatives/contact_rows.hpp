@@ -23,8 +23,8 @@ ContactDiagnosis diagnose_rows(const ContactSet& set, const ContactRows& rows,
                                const std::vector<int>& active, double tolerance);
 
 /// Returns the condition number of J M^-1 J^T with rows scaled to length min(1,
-/// sqrt(relative_size)). It is large also if the joints hardly move along a row. Infinite for
-/// redundant rows, 1 without rows.
+/// sqrt(relative_size)). It is also large if the joints hardly move along a row, infinite for
+/// redundant rows, and 1 without rows.
 double condition_by_reach(const ContactSet& set, const ContactRows& rows);
 
 }  // namespace burnish

@@ -42,7 +42,7 @@ struct OrthogonalRows {
   std::vector<double> uncertain;  ///< Relative rounding error of each squared length before scaling
 
   /// Subtracts from a row its projection onto the basis. Returns the rounding error of the squared
-  /// length of the remainder as a pivot of a factorization (delassus.hpp).
+  /// length of the remainder, if it is computed as a pivot (delassus.hpp).
   double reduce(Eigen::VectorXd& row, Eigen::VectorXd& combination) const {
     double rounding = pivot_rounding * row.squaredNorm();
     // Two passes make the row orthogonal up to rounding.
@@ -57,8 +57,7 @@ struct OrthogonalRows {
   }
 };
 
-/// Returns the condition number of Y Y^T for scaled rows. The largest eigenvalue counts as at least
-/// 1.
+/// Returns the condition number of Y Y^T for scaled rows. A largest eigenvalue below 1 counts as 1.
 double condition_of(const Eigen::MatrixXd& Y) {
   const Eigen::VectorXd values = symmetric_eigen(Y * Y.transpose()).values;
   return std::max(1.0, values.maxCoeff()) / values.minCoeff();

@@ -30,8 +30,8 @@ void clear(RowMatrix& matrix, int rows, int columns) {
   matrix.setZero();
 }
 
-/// Returns true if quaternions and (cos, sin) pairs have unit length to within 1e-6, as in the
-/// contact kernels.
+/// Returns true if quaternions and (cos, sin) pairs have unit length within 1e-6, the tolerance of
+/// the contact kernels.
 bool is_normalized(const Tree& tree, const ConstVectorRef& q) {
   for (const TreeJoint& joint : tree.joints) {
     const int size = unit_entries(joint.kind);

@@ -26,7 +26,7 @@ void wrench_entries(const Tree& tree, const CompiledContact& contact,
 /// `pose`. `dlambda` is the world wrench of the derivative of lambda.
 ///
 /// The wrench of lambda moves with the contact's reference: V_k x* W. Friction has its own
-/// derivative. Both are relative to the requested reference.
+/// derivative. Both derivatives are taken relative to the requested reference.
 template <class S>
 Force<S> wrench_rate(const CompiledContact& contact, const ReferencePose<S>& pose,
                      const WrenchEntry& entry, const ContactState<S>& state,

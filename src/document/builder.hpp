@@ -1,4 +1,4 @@
-// Builds a tree of nodes from the events of a YAML or JSON parser, and checks the limits of both.
+// Builds a tree of nodes from events of a YAML or JSON parser and checks limits of both formats.
 #pragma once
 
 #include <string>
@@ -63,7 +63,7 @@ class Builder {
 
 /// Returns "line 3: a.b[2]: ", without the line or the path if it is not available.
 std::string place_text(Place place, const std::string& path);
-/// Returns the path of the value at `index` of Node::values of `holder`.
+/// Returns the path of the value holder.values[index], where `path` is the path of `holder`.
 std::string path_into(const std::string& path, const Node& holder, std::size_t index);
 
 }  // namespace burnish::document

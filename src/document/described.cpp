@@ -78,8 +78,8 @@ struct DescribedReader {
     return type.element != nullptr ? can_read(type.element()) : type.kind != Type::Other;
   }
 
-  /// Reads a struct. With `all`, as for entries of a list, every key must be stated unless it has a
-  /// word for its absence.
+  /// Reads a struct. With `all`, which is set for entries of lists, every key must be stated unless
+  /// it has a word for its absence.
   void structure(const Description& description, void* spec, const Reader& reader, bool all,
                  const std::vector<std::string>& also = {}) const {
     std::vector<const Field*> fields;

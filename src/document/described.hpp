@@ -17,7 +17,7 @@ namespace burnish::document {
 
 /// Additions to a description for reading a file: readers by type, checks of names, further keys.
 struct Reading {
-  /// Readers of values by their C++ type. A reader here replaces the reading by description.
+  /// Readers of values by their C++ type. They replace the reading by description for these types.
   std::map<std::type_index, std::function<void(void* value, const Reader& reader)>> types = {};
   /// Checks of a text or a list of texts, by Field::name_of: "frame", "joint" or "contact".
   std::map<std::string, std::function<void(const Reader& names)>> names = {};

@@ -70,7 +70,7 @@ class JsonEvents {
   bool parse_error(std::size_t /*at*/, const std::string& token, const json::exception& error) {
     if (dynamic_cast<const json::out_of_range*>(&error) != nullptr)
       tree_.refuse(next(), in_quotes(token) + " is too large; wanted a magnitude below 1.8e308");
-    // "parse error at line 1, column 2: ..." without the error code of the library in front.
+    // Removes the library's error code before "parse error at line 1, column 2: ...".
     const std::string sentence = error.what();
     const std::size_t bracket = sentence.find("] ");
     refuse(name_, bracket == std::string::npos ? sentence : sentence.substr(bracket + 2));

@@ -4,7 +4,7 @@
 // Rigid Body Dynamics Algorithms, chapter 7). The articulated inertia at entry k, projected on the
 // axis, stores row k of the factor of M = L^T L as one force: L_kj = S_j . row_force_k for all
 // ancestors j. An entry of a row then costs 6 multiplications, and a solve costs 24 per entry of v,
-// for any depth. With L itself, both cost about half the depth of the tree, which is less for
+// for any depth. With L itself, both costs grow with the depth of the tree, and are smaller for
 // shallow trees.
 #pragma once
 

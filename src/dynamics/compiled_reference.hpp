@@ -26,7 +26,8 @@ struct CompiledReference {
 };
 
 /// Axes (tree.hpp) by which an entry of v moves the origin of a reference, the body of its axes,
-/// and the tool; -1: does not move it. The tool matters only for axes that follow a surface.
+/// and the tool; -1: the entry does not move it. The tool matters only for axes that follow a
+/// surface.
 struct ReferenceAxes {
   int origin = -1, axes = -1, tool = -1;
 };

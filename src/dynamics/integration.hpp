@@ -9,7 +9,7 @@
 namespace burnish {
 
 /// Computes out = q (+) dq: moves every joint with its constant twist dq for unit time. q and out
-/// have nq entries. dq has nv entries, in the body axes of each joint, as v. Quaternions and
+/// have nq entries. dq has nv entries, in the body axes of each joint, like v. Quaternions and
 /// (cos, sin) pairs of the result have unit length even if rounding changed their length in q.
 /// `out` may be q.
 template <class S>
@@ -20,7 +20,7 @@ void integrate_configuration(const Tree& tree, const S* q, const S* dq, S* out);
 template <class S>
 void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq);
 
-/// Non-Euclidean tangent block: entries of a joint whose entries of v do not commute. Such joints
+/// Non-Euclidean tangent block: entries of v of one joint whose motions do not commute. Such joints
 /// are free-flyers (6, SE(3)), planar joints (3, SE(2)) and balls (3, SO(3)). All other joints have
 /// one entry and trivial derivatives:
 /// d(q (+) dq)/dq = d(q (+) dq)/d(dq) = d(q1 (-) q0)/dq1 = 1, d(q1 (-) q0)/dq0 = -1.

@@ -1,4 +1,4 @@
-// Conversion between the entries of v of a joint with several entries and a twist in body axes.
+// Conversion between a twist in body axes and the entries of v of a joint with several entries.
 #pragma once
 
 #include "burnish/model/model.hpp"
@@ -17,7 +17,7 @@ BURNISH_INLINE Motion<S> load_twist(JointKind kind, const S* from, int stride = 
   return {first, {from[3 * stride], from[4 * stride], from[5 * stride]}};
 }
 
-/// Writes the entries of the joint for the twist m. Other components of m are ignored.
+/// Writes the twist m into the joint's entries, without components that the joint does not have.
 template <class S>
 BURNISH_INLINE void store_twist(JointKind kind, const Motion<S>& m, S* to, int stride = 1) {
   const Vec3<S>& first = kind == JointKind::Ball ? m.angular : m.linear;

@@ -30,7 +30,7 @@ struct AxisState {
   Motion<S> rate_sum;     ///< psi'_k + dS_k/dt
 };
 
-/// State of all bodies, and of all axes of the tree followed by its sums of axes (Tree::sums).
+/// State of all bodies and axes: first the axes of the tree, then its sums of axes (Tree::sums).
 template <class S>
 struct Kinematics {
   explicit Kinematics(const Tree& tree)

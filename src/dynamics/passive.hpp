@@ -23,9 +23,9 @@ struct PassiveJoints {
   double slip;  ///< Velocity at which friction reaches tanh(1) = 76 %, positive [rad/s or m/s]
 };
 
-/// Computes the torques of damping and friction at v (nv) into tau (nv) [Nm or N]. Computes their
-/// derivatives d(tau_k)/dv_k into dtau_dv (nv), the diagonal of a diagonal matrix. `step_ratio`, at
-/// most 1, widens the smoothing of friction from slip to slip / step_ratio.
+/// Computes the torques of damping and friction at v (nv) into tau (nv) [Nm or N], and their
+/// derivatives d(tau_k)/dv_k into dtau_dv (nv). `step_ratio`, at most 1, widens the smoothing of
+/// friction from slip to slip / step_ratio.
 template <class S>
 void passive_torque(const PassiveJoints& joints, const S* v, S* tau, S* dtau_dv,
                     const S& step_ratio = S(1.0)) {

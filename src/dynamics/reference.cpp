@@ -80,8 +80,8 @@ Reference Reference::on(const Quadric& surface, const Eigen::Vector3d& near,
   const Eigen::Vector3d n = result.rotation.col(2);
   const Eigen::Vector3d tangent = along - n.dot(along) * n;
   if (!along.allFinite() || !(tangent.norm() > 1e-6 * along.norm()))
-    throw Error("on: the direction [" + number(along.x()) + ", " + number(along.y()) + ", " +
-                number(along.z()) +
+    throw Error("Reference::on: the direction [" + number(along.x()) + ", " + number(along.y()) +
+                ", " + number(along.z()) +
                 "] has no tangential part; wanted a direction that is not parallel to the normal");
   const Eigen::Vector3d x = tangent.normalized();
   result.rotation << x, n.cross(x), n;
@@ -95,8 +95,8 @@ Reference Reference::at(const Eigen::Vector3d& point) const {
   if (n0.dot(n) < -1.0 + 1e-9)
     throw Error("the surface's normal at [" + number(point.x()) + ", " + number(point.y()) + ", " +
                 number(point.z()) +
-                "] is opposite to the normal of the axes, so the smallest rotation between them is "
-                "not unique");
+                "] is opposite to the normal of the reference, so the smallest rotation between "
+                "the two is not unique");
   Reference result = *this;
   result.quadric.reset();
   result.rotation = Eigen::Quaterniond::FromTwoVectors(n0, n).toRotationMatrix() * rotation;

@@ -248,7 +248,7 @@ BURNISH_INLINE Motion<S> reference_twist(const ReferenceAxes& by, const Referenc
   return V;
 }
 
-/// Derivative of the twist of a body by q_k. `k` is the axis by which the entry moves the body.
+/// Derivative of the twist of a body by an entry of q that moves the body along axis `k`.
 template <class S>
 BURNISH_INLINE Motion<S> twist_by_q(int body, int k, const Kinematics<S>& kinematics) {
   if (k < 0) return Motion<S>::zero();
@@ -277,9 +277,9 @@ BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference
 }
 
 /// Derivative by q_k of the twist of a reference, including the rotation of axes that follow a
-/// surface. Let A be the body of the axes, and w_C the angular velocity of the axes relative to A.
-/// w_C changes with A, and with position x and velocity u of the tool's point relative to A. u
-/// changes by du/dq_k + w_u x dx, where w_u is the angular velocity of the tool relative to A.
+/// surface. A is the body of the axes. Relative to A, w_C and w_u are the angular velocities of the
+/// axes and the tool, and x and u are position and velocity of the tool's point. w_C changes with
+/// A, x and u. The velocity u changes by du/dq_k + w_u x dx.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference,
                                               const ReferenceAxes& by, const ReferencePose<S>& at,

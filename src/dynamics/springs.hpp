@@ -59,8 +59,8 @@ struct Springs {
 template <class S>
 void add_spring_torque(const Springs& springs, const S* q, const S* v, S* tau);
 
-/// Computes d(tau)/dq, by right tangent increments, into by_q with one number for each of `places`.
-/// (d(tau)/dv is the constant Place::by_v.)
+/// Computes d(tau)/dq by right tangent increments. Writes one number into by_q for each of
+/// `places`. (d(tau)/dv is the constant Place::by_v.)
 template <class S>
 void spring_slopes(const Springs& springs, const S* q, S* by_q);
 

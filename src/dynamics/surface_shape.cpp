@@ -129,7 +129,7 @@ std::string name_of(Kind kind) { return words_of(kind).words[to_size(kind)].word
 std::vector<std::string> surface_kinds() { return words_of(Kind{}).list(); }
 
 namespace {
-/// Returns the numbers that follow the name of a kind in a text, in this order.
+/// Returns the numbers that follow the name of the kind in a text, in the order of the text.
 std::vector<double*> stated_of(SurfaceShape& shape) {
   switch (shape.kind) {
     case Kind::Sphere:
@@ -200,7 +200,7 @@ void SurfaceShape::check(const std::string& who) const {
     case Kind::Saddle:
       if (hollow)
         throw Error(what +
-                    ": a saddle cannot be hollow; wanted both curvatures with the opposite sign");
+                    ": a saddle cannot be hollow; wanted the signs of both curvatures changed");
       if (!curvature.allFinite())
         throw Error(what + ": its curvatures are not finite; wanted numbers in 1/m");
       return;
@@ -209,8 +209,8 @@ void SurfaceShape::check(const std::string& who) const {
         throw Error(what + ": the distance to its edge is not finite; wanted a number in m");
       if (!(slope > 0.0 && slope < 1.5))
         throw Error(what + ": its slope is " + number(slope) +
-                    " rad; wanted above 0 and below 1.5, and a hollow ridge if the surface rises "
-                    "behind its edge");
+                    " rad; wanted above 0 and below 1.5 (a ridge whose surface rises behind its "
+                    "edge is hollow)");
       return;
     case Kind::Ellipsoid:
       for (const double length : semi_axes) check_length(what, "semi-axis", length);

@@ -88,7 +88,7 @@ struct LoadedBody {
   InertiaSpec inertia;  ///< Inertia of the body with its load, in body axes
 };
 /// Adds the load `carried`, given in `frame`, to the body of this frame in the model. Earlier loads
-/// are not included. Throws Error if frame_on_body does. Does not allocate otherwise.
+/// are not included. Throws Error if frame_on_body does, and allocates only then.
 LoadedBody loaded_body(std::string_view call, const Model& model, std::string_view frame,
                        const InertiaSpec& carried);
 

@@ -157,7 +157,7 @@ void BaseEstimator::Impl::start(const ConstVectorRef& q_start, const ConstVector
   innovation = {};
 }
 
-/// Updates the noise covariance of the poses of feet seen from the IMU.
+/// Updates the noise covariance of the foot poses relative to the IMU.
 void BaseEstimator::Impl::update_foot_noise() noexcept {
   for (int k = 0; k < filter.feet(); ++k)
     jacobian.middleRows(filter.first_seen(k), filter.rows(k)) =

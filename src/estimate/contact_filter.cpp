@@ -244,8 +244,8 @@ bool ContactFilter::correct_by_chosen() noexcept {
   return true;
 }
 
-/// Applies the correction: replaces X^ by exp(change) X^, and corrects biases and rotations of
-/// soles.
+/// Applies the correction: replaces X^ by exp(change) X^, and corrects the rotations of soles and
+/// the biases.
 void ContactFilter::correct() noexcept {
   const Vec3<double> turn = segment(change_, R);
   const RotationSeries<double> c = rotation_series(turn);

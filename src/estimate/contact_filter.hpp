@@ -83,9 +83,9 @@ class ContactFilter {
 
   /// Corrects the estimate with the poses of the standing feet in `asked`. `seen`: pose of each
   /// foot, seen from the IMU. `noise`: covariance of (n_h, n_Q) of all feet, with seen_size() rows.
-  /// A foot is not used if its own squared innovation exceeds gates[k]; the function returns the
-  /// set of these feet. If an update is numerically impossible, the estimate stays unchanged and
-  /// `good` becomes false.
+  /// Rejects each foot k whose own squared innovation exceeds gates[k], and returns the rejected
+  /// feet. If an update is numerically impossible, the estimate stays unchanged and `good` becomes
+  /// false.
   FootSet update(FootSet asked, const std::vector<SeenFoot>& seen, const Eigen::MatrixXd& noise,
                  const Eigen::VectorXd& gates, bool& good) noexcept;
   /// Adds standing feet whose poses are those in `seen`.
@@ -112,7 +112,7 @@ class ContactFilter {
   int seen_size() const { return seen_size_; }                    ///< Measurement rows of all feet.
   int rows(int k) const { return feet_[index(k)].sole ? 6 : 3; }  ///< Measurement rows of a foot.
   int first_seen(int k) const { return feet_[index(k)].row; }  ///< First measurement row of a foot.
-  /// Returns the index in xi of a foot's first entry; its d precedes its C.
+  /// Returns the index in xi of the first entry of a foot: of d, which precedes C.
   int at(int k) const { return feet_[index(k)].at; }
 
   /// Returns the squared innovation r^T S^-1 r of the last update; innovation_rows() returns its
@@ -138,7 +138,7 @@ class ContactFilter {
     double squared;
   };
   /// Three rows of the measurement matrix H, with +1 at the entry `plus` and -1 at the entry
-  /// `minus`. `seen`: index of the first of these rows.
+  /// `minus`. `seen`: index of the first of these rows among the measurement rows of all feet.
   struct Rows {
     int plus, minus, seen;
   };

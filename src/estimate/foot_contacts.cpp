@@ -9,9 +9,9 @@
 namespace burnish {
 namespace {
 
-/// Throws Error if noise of the smoothed force could switch a contact. White noise with a given
-/// density, after a first-order low-pass, has the standard deviation density / sqrt(2 smoothing).
-/// The reason is the two-sided noise bandwidth of the filter, 1/(2 smoothing).
+/// Throws Error if noise of the smoothed force could switch a contact. A first-order low-pass has
+/// the two-sided noise bandwidth 1/(2 smoothing). White noise after this low-pass has the standard
+/// deviation density / sqrt(2 smoothing).
 void check_noise(const FootContactOptions& options, double weight) {
   if (options.smoothing == 0.0) return;
   const double deviation = options.force_noise / std::sqrt(2.0 * options.smoothing);

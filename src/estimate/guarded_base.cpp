@@ -106,8 +106,8 @@ struct GuardedBase::Impl {
   double tipping = 0.0;     ///< Remaining time for which the robot counts as tipping [s].
   double lost = 0.0, agreed = 0.0;
   int takeovers = 0;
-  /// Offset of the reported pose from the pose by the feet: rotation [rad] and displacement [m], in
-  /// the world. It avoids jumps when the source of the pose changes, and decays.
+  /// Decaying offset of the reported pose from the pose by the feet, in the world: rotation [rad]
+  /// and displacement [m]. It avoids jumps when the source of the pose changes.
   Vector3d off_turn = Vector3d::Zero(), off_place = Vector3d::Zero();
   FootSet out = 0;         ///< Feet that contradict the other feet and are not used.
   Eigen::VectorXd rested;  ///< Time for which the feet in `out` have been at rest [s].
@@ -206,8 +206,8 @@ double GuardedBase::Impl::encoder_place() const noexcept {
 }
 
 /// Takes a snapshot. Each threshold is the value in the options plus three standard deviations due
-/// to noise, biases and tilt. The deviations are those of three axes together; for a single axis,
-/// they correspond to about five.
+/// to noise, biases and tilt. Each deviation combines three axes: three such deviations are about
+/// five of a single axis.
 void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose& unit) noexcept {
   const BaseEstimatorOptions& o = filter.options();
   moment.feet.put(feet, unit, kinematics.all_seen());

@@ -1,5 +1,5 @@
-// Comparison of an inertial measurement unit (IMU) with standing feet. It is the difference between
-// both motions over the last time window.
+// Comparison of an inertial measurement unit (IMU) with standing feet: the difference between their
+// motions over the last time window.
 #pragma once
 
 #include "burnish/estimate/imu.hpp"
@@ -43,7 +43,7 @@ class UnitWatch {
   Eigen::Vector3d sped() const { return speed_ - speed_by_feet_; }
   /// Answer of tips_over(). Yes: both sensors agree that the IMU turns about `point`, unlike the
   /// feet, so that the robot tips over. No: the rotation is below `min_turn` [rad], or the sensors
-  /// do not agree. Unclear: the displacement to be expected is below `min_place` [m].
+  /// do not agree. Unclear: the expected displacement is below `min_place` [m].
   enum class Tips { No, Unclear, Yes };
   Tips tips_over(const Eigen::Vector3d& point, double min_turn, double min_place) const noexcept;
   /// Returns for how long the IMU has repeated identical readings [s].

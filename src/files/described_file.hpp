@@ -27,9 +27,9 @@ class DescribedFile {
   DescribedFile(const Description& description, std::string head, std::string task,
                 bool says_task = true);
   /// Reads a key of a section with the function `reading`. If the key is an entry of the
-  /// description, this function replaces the entry's own reading. Otherwise the key is new and not
-  /// written: it can set several entries at once, and is read before the other keys of its section.
-  /// Section "" is the top level of the file.
+  /// description, `reading` replaces the entry's own reading. A new key can set several entries at
+  /// once, is read before the other keys of its section, and is not written. Section "" is the top
+  /// level of the file.
   template <class Spec>
   DescribedFile& reads(const std::string& section, const std::string& name,
                        void (*reading)(Spec& spec, const Reader& value)) {
@@ -37,13 +37,13 @@ class DescribedFile {
       reading(*static_cast<Spec*>(spec), value);
     });
   }
-  /// Lets a single word replace the section's map. The word is the value of this key.
+  /// Accepts a single word in place of the section's map. The word is the value of the key `name`.
   DescribedFile& word(const std::string& section, const std::string& name);
   /// Refuses a key that was removed. The message names its replacement.
   DescribedFile& gone(const std::string& section, const std::string& name,
                       const std::string& instead);
-  /// Excludes keys of the description that have no effect in this file. They are not written, and
-  /// refused with the reason when stated. A reason is "the robot stands on no feet".
+  /// Excludes keys of the description that have no effect in this file. They are not written. A
+  /// stated key is refused with `reason`, such as "the robot stands on no feet".
   DescribedFile& without(const std::string& section, const std::vector<std::string>& names,
                          const std::string& reason);
   /// Calls `settle` after reading, with the specification and the texts that changed it: a file, or
@@ -67,7 +67,7 @@ class DescribedFile {
   /// Sets the entries of the specification that the file, or an override, states. Throws Error with
   /// the place.
   void read(void* spec, const Reader& file) const;
-  /// Calls the function from settles(). All these texts must have been read.
+  /// Calls the function from settles(). read() must have read all `texts` before.
   void settle(void* spec, const std::vector<Reader>& texts) const {
     if (settle_) settle_(spec, texts);
   }

@@ -11,9 +11,9 @@ Eigen::VectorXd center_of_mass(const Model& model, const Eigen::VectorXd& q);
 /// Returns the position (3) [m] and the quaternion (4) of a frame in the world.
 Eigen::VectorXd placement_here(const Model& model, const Eigen::VectorXd& q,
                                const std::string& frame);
-/// Returns the quaternion (4) of a frame's rotation relative to the axes of `reference`, the
-/// reference of a cost at one time. The tool of the reference is the frame, and its base is the
-/// world. Throws Error with the nearest known name.
+/// Returns the quaternion (4) of a frame's rotation relative to the axes of `reference`, whose
+/// rotation must be constant. The tool of the reference is the frame, and its base is the world.
+/// Throws Error with the nearest known name.
 Eigen::VectorXd rotation_here(const Model& model, const Eigen::VectorXd& q,
                               const std::string& frame, const Reference& reference);
 /// Coordinates of the target and axes of the residual, for a cost of a frame's position.
@@ -21,15 +21,15 @@ struct PositionAxes {
   Eigen::Isometry3d numbers;  ///< Transform from coordinates of targets to the world
   Eigen::Matrix3d rows;       ///< Rotation from axes of the residual's rows to the world
 };
-/// Returns the coordinates and axes of residual::FramePosition at `q`. `reference` is the reference
-/// of the cost at one time. Throws Error with the nearest known name.
+/// Returns the coordinates and axes of residual::FramePosition at `q`. The rotation of `reference`
+/// must be constant. Throws Error with the nearest known name.
 PositionAxes position_axes(const Model& model, const Eigen::VectorXd& q, const std::string& frame,
                            const Reference& reference);
 
-/// Target of a frame's position with zero residual at one configuration.
+/// Target for which a frame's position has zero residual at one configuration.
 struct PositionHere {
   Eigen::Vector3d target;  ///< Target [m]
-  /// Rotation from axes of the residual's rows to coordinates of targets
+  /// Rotation from the axes of the residual's rows to the coordinates of targets
   Eigen::Matrix3d offsets;
 };
 PositionHere position_here(const Model& model, const Eigen::VectorXd& q, const std::string& frame,

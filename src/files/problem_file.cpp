@@ -80,7 +80,7 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
       // Each segment has at least one knot. This check avoids building a horizon that is too long.
       if (to_size(times) > max_knots / once.size())
         entry.refuse("the repeated entries have more than " + std::to_string(max_knots) +
-                     " knots; wanted at most that many");
+                     " knots, the maximum number");
       for (int i = 1; i < times; ++i) horizon.insert(horizon.end(), once.begin(), once.end());
       // The last repetition is moved instead of copied, which keeps nested repeats cheap.
       if (horizon.empty())
@@ -97,7 +97,7 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
     }
     if (horizon.size() > max_knots)
       reader.refuse("the horizon has more than " + std::to_string(max_knots) +
-                    " knots; wanted at most that many");
+                    " knots, the maximum number");
   }
   if (horizon.empty())
     reader.refuse("the horizon has no knots; wanted stages with their numbers of knots");
@@ -196,7 +196,7 @@ std::vector<std::string> first_contacts(const Reader& top, const ProblemScope& s
   return stage ? read_stage_contacts(*stage, scope) : std::vector<std::string>();
 }
 
-/// Reads everything that does not depend on the stages. The words `hold` and `here` refer to it.
+/// Reads the parts that do not depend on stages. The words `hold` and `here` refer to them.
 void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemFile& result) {
   ProblemSpec& spec = result.spec;
   const Model& model = spec.model;
@@ -237,7 +237,7 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
     terms += spec.stages.back().costs.size() + spec.stages.back().constraints.size();
     if (terms > max_terms)
       stage.refuse("the stages up to this one have more than " + std::to_string(max_terms) +
-                   " costs and constraints; wanted at most that many");
+                   " costs and constraints, the maximum number");
   }
   read_horizon(top["horizon"], known, spec.horizon);
   // Terminal terms can use forces of the last stage's contacts, if the state has filtered torques.

@@ -115,8 +115,8 @@ HeldForces read_held_forces(const ProblemScope& scope, const std::vector<std::st
     forces[name] = value.is_number() ? Eigen::VectorXd::Constant(1, value.number())
                                      : Eigen::VectorXd(value.numbers(rows));
     if (forces[name].size() != rows)
-      value.refuse("it is a single number; wanted a list of " + std::to_string(rows) + " (" +
-                   contact.directions.text() + ")");
+      value.refuse("it is a single number; wanted a list of " + std::to_string(rows) +
+                   " numbers (" + contact.directions.text() + ")");
   }
   return forces;
 }

@@ -40,8 +40,8 @@ struct Holding {
 std::vector<std::string> force_state_columns(const ProblemSpec& spec);
 /// Returns the force states for these contact forces; 0 for contacts without a force.
 Eigen::VectorXd force_states_of(const ProblemSpec& spec, const HeldForces& forces);
-/// Computes controls and contact forces at rest at `q`, with these active contacts. Forces in
-/// `prescribed` are given. Throws Error if the dynamics cannot be evaluated.
+/// Computes controls and contact forces that keep the robot at rest at `q`. `contacts` are active,
+/// and `prescribed` contains the known forces. Throws Error if the dynamics cannot be evaluated.
 Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
              const Eigen::VectorXd& q, const HeldForces& prescribed);
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path in `folder` of a robot path that exists there, and other names unchanged.
+/// Returns the path in `folder` if `name` is a robot path that exists there, else `name`.
 std::string locate(const std::string& name, const fs::path& folder) {
   const std::string bare = name.substr(0, name.rfind(':'));
   if (!is_robot_path(name) && !is_robot_path(bare)) return name;

@@ -13,8 +13,8 @@ std::string robot_name(const Reader& reader, const std::filesystem::path& folder
 /// overrides.
 Robot read_robot(const Reader& reader, const std::filesystem::path& folder,
                  const RobotOverrides& overrides = {});
-/// Returns the contacts of {name: contact, ...}, or of a list of contacts with an optional key
-/// `name`. Names from a list are empty here; read_contact() reads their key.
+/// Returns the contacts of {name: contact, ...}, or of a list of contacts. Names from a list are
+/// empty here; read_contact() reads the optional key `name` of such a contact.
 std::vector<std::pair<std::string, Reader>> contacts_in(const Reader& reader);
 /// Reads a contact. Its default target is the tool's placement at q. If `name` is empty, the
 /// contact may have a key `name`. `tables` is the folder of tables, as in

@@ -50,10 +50,10 @@ Residual residual_of(const Reader& type) {
   const std::string name = type.word(known);
   for (const Residual& candidate : all)
     if (type_of_residual(candidate) == name) return candidate;
-  type.refuse("is not a type of residual");
+  type.refuse("it is not a type of residual");
 }
 
-/// Returns the keys that state a part of the reference and replace the key `reference`.
+/// Returns the keys that state a part of a reference and replace the key `reference`, if any.
 std::vector<std::string> shorter_keys(const auto& /*of*/) { return {}; }
 std::vector<std::string> shorter_keys(const residual::FramePosition& /*of*/) { return {"axes"}; }
 std::vector<std::string> shorter_keys(const residual::FrameDistance& /*of*/) { return {"axes"}; }

@@ -24,8 +24,8 @@ bool starts_here(const Reader& reader) {
   return reader.is("here") || (reader.is_map() && reader.has("here"));
 }
 
-/// Converts offsets (columns) to the coordinates of the numbers. Offsets from `here` are along the
-/// axes of the residual; offsets from numbers are in the coordinates of the numbers.
+/// Converts offsets (columns) to the coordinates of targets. Offsets from `here` are along the axes
+/// of the residual. Offsets from numbers are in the coordinates of targets already.
 Eigen::MatrixXd offsets_from(const Reader& origin, const TargetSpace& space,
                              const Eigen::MatrixXd& offsets) {
   if (!space.offsets || !starts_here(origin)) return offsets;

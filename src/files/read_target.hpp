@@ -17,12 +17,12 @@ struct TargetSpace {
   std::vector<RowGroup> rows = {};
   std::optional<Eigen::VectorXd> here = {};  ///< Value at the start, if the residual has one
   Kind kind = Kind::Plain;
-  /// Axes of offsets from `here`, as columns in the coordinates of the numbers. Without a value,
-  /// the axes are those of the numbers.
+  /// Axes of offsets from `here`, as columns in the coordinates of targets. Without a value,
+  /// offsets are in the coordinates of targets.
   std::optional<Eigen::Matrix3d> offsets = {};
 
   int size() const { return rows_of(rows); }
-  /// Returns the number of entries of the quaternion at the end: 4 or 0.
+  /// Returns the number of entries of the quaternion at the end of a target: 4, or 0 without one.
   int quaternion_entries() const { return kind == Kind::Plain ? 0 : 4; }
 };
 

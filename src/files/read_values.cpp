@@ -19,7 +19,7 @@ Eigen::Matrix3d columns_of(const Reader& reader, std::vector<std::string> others
   const auto normal = reader.find("normal");
   if (!normal) return document::axes_in(reader);
   if (reader.has("rpy") || reader.has("quaternion") || reader.has("matrix"))
-    reader.refuse("key 'normal' excludes 'rpy', 'quaternion' and 'matrix'; wanted one of them");
+    reader.refuse("key 'normal' excludes 'rpy', 'quaternion' and 'matrix'; wanted one of the four");
   return normal->named([&] { return Reference::surface_with_normal(normal->vector3()).rotation; });
 }
 

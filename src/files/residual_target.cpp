@@ -98,8 +98,8 @@ struct TargetReader {
     if (!is_hold(given())) return read({groups()});
     if (r.reference)
       given().refuse(
-          "'hold' is a force in the contact's own reference, but this residual states another one; "
-          "wanted no key 'reference'");
+          "'hold' is a force in the contact's own reference, but this residual states another "
+          "reference; wanted no key 'reference'");
     const HeldForces forces = holding().forces;
     const auto found = forces.find(r.contact);
     if (found == forces.end()) given().refuse("the contact is not active in this stage");

@@ -21,8 +21,8 @@ Fit fit(const Regression& regression);
 /// torques changes x as well.
 void add_bias(const Regression& regression, const Regression& longer, double fraction, Fit& fit);
 
-/// Adds the error from residuals that noise does not explain, as if all residuals lay along each
-/// parameter in turn.
+/// Adds to the covariance the error from residuals that noise does not explain. Each parameter in
+/// turn is assumed to cause all residuals.
 void add_misfit(const Regression& regression, Fit& fit);
 
 }  // namespace burnish::identify_detail

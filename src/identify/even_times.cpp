@@ -11,7 +11,7 @@ namespace burnish::identify_detail {
 namespace {
 
 constexpr double even_within = 0.01;  // Fraction of a period
-/// Longest gap that a cubic bridges. For a motion of 4 Hz its error is 1e-3 of the amplitude [s].
+/// Longest gap that a cubic bridges [s]. The error for a motion of 4 Hz is 1e-3 of its amplitude.
 constexpr double max_gap = 0.03;
 constexpr double min_bridged_periods = 3.5;  // Gaps up to this length are always bridged [periods]
 constexpr double missing_above = 1.75;       // Longer steps miss a sample [periods]
@@ -108,7 +108,7 @@ Nodes nodes_about(const Eigen::VectorXd& time, double t, double distance) {
   return nodes;
 }
 
-/// Returns the polynomial through the nodes at t. Steps of an `angle` take the shorter direction.
+/// Evaluates at t the polynomial through the nodes. Steps of an `angle` take the shorter direction.
 double between(const Eigen::VectorXd& time, const RowMatrix& values, Eigen::Index column,
                const Nodes& nodes, double t, bool angle) {
   constexpr double turn = 2.0 * std::numbers::pi;

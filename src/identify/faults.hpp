@@ -31,8 +31,9 @@ class FaultSearch {
   FaultSearch(const Model& model, const MotionRecord& record, const Windows& windows,
               std::span<const Unknown> unknowns, const IdentificationSpec& spec);
 
-  /// Returns the fault with the smallest residual beyond `expected`, the rms that noise explains
-  /// (nv). Returns none unless the residual is below a fifth of the residual of estimate x.
+  /// Returns the fault that explains the residual of estimate x best, if it leaves less than a
+  /// fifth of the residual beyond noise (half for a mild fault). `expected`: rms that noise
+  /// explains (nv).
   std::optional<Fault> best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected);
 
  private:
@@ -56,7 +57,7 @@ class FaultSearch {
 
   void consider(const std::string& sentence, double squares, bool is_mild = false);
   static Rows rows(const Regression& of);
-  /// Returns the weighted sum of squared residuals; `solution` receives the parameters.
+  /// Fits the rows. Returns the weighted sum of squared residuals; `solution` gets the parameters.
   double left(const Rows& rows, Eigen::VectorXd* solution = nullptr) const;
   double weighted(const Eigen::VectorXd& residual) const;
   Regression regression(const Model& model, const MotionRecord& record,

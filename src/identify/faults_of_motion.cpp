@@ -1,4 +1,4 @@
-// Faults of the other side of the equation: positions, times, gravity, payload and friction.
+// Faults outside the measured torques: positions, times, gravity, payload and friction.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,8 +21,8 @@ Rows with_column(const Rows& rows, const Eigen::MatrixXd& columns) {
 
 }  // namespace
 
-/// Tries other gravity vectors by Gauss-Newton steps. Residuals are linear in gravity, except for
-/// its product with the masses.
+/// Tries other gravity vectors by Gauss-Newton steps. Residuals contain products of gravity and
+/// masses, and are otherwise linear.
 void FaultSearch::try_gravity() {
   std::vector<Regression> along;
   for (int i = 0; i < 3; ++i) {

@@ -32,7 +32,7 @@ double median(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-/// Tries measured = gain * true for each torque: linear in the parameters and in 1 / gain.
+/// Tries measured = gain * true for each torque. This is linear in the parameters and in 1 / gain.
 void FaultSearch::try_gains() {
   const int nv = base_.nv;
   const Eigen::VectorXd known = base_.measured - base_.rest;
@@ -51,7 +51,7 @@ void FaultSearch::try_gains() {
         with.b[row] += torque(s, k);
     }
   }
-  // In units of the model, the rows of all torques have the weights of the model's torques.
+  // The rows are in units of the model, so their weights come from the model's torques.
   const Eigen::VectorXd weight = weight_;
   const Eigen::Map<const RowMatrix> model_torque(known.data(), base_.samples, nv);
   const Eigen::ArrayXd size =
@@ -162,7 +162,7 @@ void FaultSearch::try_lags() {
   }
 }
 
-/// Tries whether all torques except one fit; then that column has the fault, whatever it is.
+/// Tries whether all torques except one fit; that column then has a fault of any kind.
 void FaultSearch::try_single_torques() {
   const Eigen::VectorXd weight = weight_;
   for (int k = 0; k < base_.nv; ++k) {

@@ -117,7 +117,8 @@ std::string joined(const std::vector<std::string>& phrases) {
 void judge(Identification& result, const identify_detail::Misfit& misfit,
            const std::optional<identify_detail::Fault>& fault,
            const std::vector<std::string>& oddities, const std::string& column) {
-  // A residual can hide an error of a mass of about the residual's relative size. Chosen by hand.
+  // Maximum ratio of the residual to the torques of the unknown masses, chosen by hand. A ratio of
+  // 0.3 can hide an error of a mass of about 30 %.
   constexpr double max_unexplained = 0.3;
   if (!misfit.is_suspicious) {
     for (const std::string& oddity : oddities)
@@ -207,7 +208,7 @@ Identification identify_by_angles(const Model& model, const MotionRecord& record
       {model, checked.record, windows, regression, longer, fraction, spec.torque_noise}, fit.x);
   const Misfit misfit = misfit_of(regression, fit, expected);
   add_bias(regression, longer, fraction, fit);
-  // Estimated friction has one form, and real joints have other forms, so a residual remains.
+  // Real friction differs from the estimated form, so with estimated friction a residual is normal.
   if (misfit.is_suspicious && !spec.friction) add_misfit(regression, fit);
 
   Identification result;

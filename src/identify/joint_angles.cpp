@@ -13,11 +13,11 @@ namespace burnish::identify_detail {
 namespace {
 
 constexpr double whole_turn = 2.0 * std::numbers::pi;
-/// Largest difference of a wrap from whole turns; a larger one is a jump. No joint turns this far
-/// between two samples [rad].
+/// Largest deviation of a wrap from whole turns [rad]; a larger deviation means a jump. No joint
+/// turns this far between two samples.
 constexpr double wrap_tolerance = 0.5 * std::numbers::pi;
 
-/// Visits the joints of `model` with their index in the q of `angles`.
+/// Visits the joints of `model`, each with its index in the q of the model `angles`.
 template <typename Visit>
 void each_joint(const Model& model, const Model& angles, const Visit& visit) {
   for (std::size_t i = 0; i < model.joints.size(); ++i)
@@ -88,8 +88,8 @@ MotionRecord with_angles(const Model& model, const MotionRecord& record, Eigen::
   if (angles.nq == model.nq) return result;
   if (!has_pairs && record.q.cols() != angles.nq)
     throw Error("identify: q has " + std::to_string(record.q.cols()) + " columns; wanted " +
-                std::to_string(angles.nq) + ", an angle for each continuous joint, or " +
-                std::to_string(model.nq) + ", its cosine and sine");
+                std::to_string(angles.nq) + ", with the angle of each continuous joint, or " +
+                std::to_string(model.nq) + ", with its cosine and sine");
   if (has_pairs) result.q.resize(record.q.rows(), angles.nq);
   each_joint(model, angles, [&](const Joint& joint, int to) {
     if (has_pairs && !is_circle(joint))

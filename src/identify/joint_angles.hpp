@@ -14,9 +14,9 @@ inline bool is_circle(const Joint& joint) {
 Model angle_model(const Model& model);
 
 /// Returns the record with q in the format of angle_model(). Angles continue beyond half a turn.
-/// `record` has q in the format of `model` or of angle_model(model). Throws Error with columns and
-/// time for a (cos, sin) whose length is not one, from sample `first` on, or for another number of
-/// columns.
+/// `record` has q in the format of `model` or of angle_model(model). Throws Error for a wrong
+/// number of columns. Throws Error with columns and time if a pair (cos, sin), from sample `first`
+/// on, does not have length 1.
 MotionRecord with_angles(const Model& model, const MotionRecord& record, Eigen::Index first = 0);
 
 }  // namespace burnish::identify_detail

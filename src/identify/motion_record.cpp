@@ -33,7 +33,7 @@ std::optional<std::string> angle_column(const Trace& trace, const std::string& j
               in_quotes("q_" + joint + ".cos") + " and " + in_quotes("q_" + joint + ".sin"));
 }
 
-/// Returns the measured column of an entry of q, or else the plain column.
+/// Returns the measured column of an entry of q, or the plain column if there is no measured one.
 Trace::Column position_column(const Trace& trace, const std::string& entry) {
   const std::string measured = position_prefixes[0] + entry;
   return trace.column(trace.has(measured) ? measured : position_prefixes[1] + entry);

@@ -166,8 +166,9 @@ void check_frozen(const Model& model, CheckedRecord& checked) {
   constexpr double max_standstill = 0.1;      // exactly equal samples within a motion [s]
   constexpr Eigen::Index before = 10;         // Samples that give the speed before and after
   constexpr double min_speed_fraction = 0.1;  // Of the joint's fastest 10 samples
-  // At a turning point, a joint stays within one quantum for a while, and moves by at most three
-  // quanta in the 10 samples before: a T^2 / 8 is the quantum, and T is at least 10 samples.
+  // At a turning point with acceleration a, a joint stays within one quantum, a T^2 / 8, for a time
+  // T. In the 10 samples before, it moves by at most three quanta if T is at least 20 samples, as
+  // it is at 200 Hz or more.
   constexpr double quanta = 4.0;
   const MotionRecord& record = checked.record;
   for (int k = 0; k < model.nq; ++k) {
@@ -251,9 +252,9 @@ CheckedRecord checked_record(const Model& model, const MotionRecord& record) {
 std::vector<std::string> beyond_limits(const Model& model, const MotionRecord& record) {
   // Usual difference between calibrations; chosen by hand [rad, m]
   constexpr double position_slack = 0.02;
-  // Factors on the limits. Noise exceeds torque limits. A light wrist that swings exceeds speed
-  // limits: UR10 by a factor of 2.1 along an excitation with a payload that its controller did not
-  // model.
+  // Accepted multiples of the limits. Noise exceeds torque limits. A swinging light wrist exceeds
+  // speed limits: UR10 by a factor of 2.1 in an excitation with a payload that its controller did
+  // not model.
   constexpr double torque_slack = 1.25, speed_slack = 3.0;
   Excess position, speed, torque;
   for (const Joint& joint : model.joints) {

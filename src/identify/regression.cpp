@@ -12,7 +12,7 @@ namespace {
 // Velocity scale of the sign of Coulomb friction [rad/s, m/s]
 constexpr double slip_velocity = 0.02;
 
-/// Columns of one instant: the columns of x, then four columns that x does not multiply.
+/// Columns of one instant: the columns that x multiplies, then four other columns.
 class Instant {
  public:
   Instant(const Model& model, std::span<const Unknown> unknowns, const Layout& layout)
@@ -60,7 +60,7 @@ class Instant {
       const auto at = static_cast<Eigen::Index>(10 * b);
       const auto block = of_bodies_.middleCols<10>(at);
       terms_.middleCols<10>(at) = block * unknowns_[b].to_body;
-      // Bodies with unknown own parameters are removed from the known torques.
+      // A body with unknown own parameters adds nothing to the known torques.
       if (unknowns_[b].replaces) left += block * own_[b];
     }
   }

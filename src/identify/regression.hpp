@@ -19,8 +19,8 @@ struct Unknown {
   bool replaces = false;  ///< Replaces the body's own inertia instead of adding to it
 };
 
-/// Layout of x: eta of each inertia, then the linear unknowns. An index is -1 if its unknowns are
-/// not estimated.
+/// Layout of x: eta of each inertia, then the linear unknowns. Members such as `viscous` are first
+/// indices in x, or -1 if their unknowns are not estimated.
 struct Layout {
   Layout(int number, int nv, const IdentificationSpec& spec);
   int inertias, size;
@@ -31,9 +31,9 @@ struct Layout {
 /// Returns the number of instants between the windows of two rows.
 int row_stride(const Windows& windows);
 
-/// Regression torques = nominal + sum of Y_i theta_i(eta_i) + linear x + delay^2 second, with one
-/// row per sample and entry of v; samples are the outer index. All terms are smoothed by the same
-/// window, which keeps the equation exact. Only Y has errors from the smoothed motion.
+/// Regression: torques = nominal + sum of Y_i theta_i(eta_i) + linear x + delay^2 second. There is
+/// one row per sample and entry of v; samples are the outer index. All terms are smoothed by the
+/// same window, which keeps the equation exact. Only Y has errors from the smoothed motion.
 struct Regression {
   Regression(const Model& model, const SmoothedMotion& motion, const Windows& windows,
              std::span<const Unknown> unknowns, const IdentificationSpec& spec);

@@ -22,7 +22,7 @@ double quantile(std::vector<double> values, double fraction) {
   return values[to_size(at)];
 }
 
-/// Returns the median of the four steps on either side, without the step itself.
+/// Returns the median of up to eight neighbouring steps, four before and four after step i.
 double usual_step(const Eigen::VectorXd& step, Eigen::Index i) {
   std::array<double, 8> near{};
   std::size_t count = 0;
@@ -110,7 +110,8 @@ void bridge(Eigen::VectorXd& signal, const Outlier& outlier) {
 }
 
 double white_noise(const Eigen::VectorXd& signal) {
-  // Cubic through the four neighbours; its error has 1 + 34/36 times the variance of white noise.
+  // Error of the cubic through the four neighbours. Its variance is 1 + 34/36 times the variance of
+  // the white noise.
   const Eigen::Index n = signal.size();
   if (n < 5) return 0.0;
   const Eigen::VectorXd error =

@@ -27,9 +27,10 @@ struct Steps {
 /// constant.
 double quantum_of(const Eigen::VectorXd& signal);
 
-/// Finds sudden steps. A step is sudden if its size exceeds eight robust standard deviations (or
-/// eight quanta of the converter) plus twice the 95th percentile of all steps. A normal
-/// distribution exceeds eight standard deviations once in 1e15 samples.
+/// Finds sudden steps, whose difference from the median of their neighbours exceeds a tolerance.
+/// The tolerance is eight robust standard deviations (at least eight quanta of the converter) plus
+/// twice the 95th percentile of all steps. A normal distribution exceeds eight standard deviations
+/// once in 1e15 samples.
 Steps sudden_steps(const Eigen::VectorXd& signal);
 
 /// Removes the outliers from `steps` and returns them: groups of steps within five samples whose

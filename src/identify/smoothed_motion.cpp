@@ -19,7 +19,7 @@ void check(const Model& model, const MotionRecord& record, const IdentificationS
     if (joint_nv(joint.kind) > 1)
       throw Error(
           "identify: joint " + in_quotes(joint.name) + " is " + std::string(name_of(joint.kind)) +
-          ", whose motion no encoder measures; wanted a robot on a fixed base with joints of "
+          ", and no encoder measures its motion; wanted a robot on a fixed base with joints of "
           "one coordinate");
   if (record.q.cols() != model.nq || record.tau.cols() != model.nv ||
       record.q.rows() != record.tau.rows())

@@ -13,8 +13,8 @@ struct Windows {
   /// Throws Error like identify().
   Windows(const Model& model, const MotionRecord& record, const IdentificationSpec& spec);
 
-  /// Returns windows with fewer instants, `torque` about 16, for searches that do not need full
-  /// precision.
+  /// Returns windows with fewer instants, for searches that do not need full precision. The half
+  /// length `torque` becomes about 16 instants.
   Windows coarse() const;
 
   int motion = 0, longer = 0;          ///< Half lengths of the two motion windows [samples]

@@ -10,8 +10,8 @@ namespace burnish {
 /// polynomials in ad = (xi x):
 ///   SO(3): J^-1 = 1 + ad/2 + so3 ad^2,
 ///   SE(3): J^-1 = 1 + ad/2 + se3_2 ad^2 + se3_4 ad^4.
-/// Both interpolate x/(1 - exp(-x)) at the eigenvalues of ad: 0 and +-i theta. For SE(3), the
-/// eigenvalues +-i theta are double.
+/// The polynomials interpolate x/(1 - exp(-x)) at the eigenvalues of ad: 0 and +-i theta. In SE(3),
+/// the eigenvalues +-i theta are double, so the slopes there are interpolated too.
 template <class S>
 struct LogCoefficients {
   S so3, se3_2, se3_4;
@@ -28,7 +28,7 @@ BURNISH_INLINE LogCoefficients<S> log_coefficients(const S& theta) {
   const S y = -theta * theta;
   const S so3_series =
       S(c1) + y * (S(c2) + y * (S(c3) + y * (S(c4) + y * (S(c5) + y * (S(c6) + y * S(c7))))));
-  // Reduced by x^2 (x^2 + theta^2)^2: y^n = (n-1) y0^(n-2) y^2 - (n-2) y0^(n-1) y.
+  // Series in s = x^2, reduced modulo s (s - y)^2: s^n = (n-1) y^(n-2) s^2 - (n-2) y^(n-1) s.
   const S series_2 =
       S(c1) -
       y * y *

@@ -20,8 +20,8 @@ inline constexpr int native_lanes = 1;
 #endif
 
 namespace detail {
-// Separate trait for the vector types. In GCC 12, a dependent vector_size type inside Pack would
-// collide with its element type in overload resolution.
+// Separate trait for the vector types. If Pack defined a vector_size type that depends on N, GCC 12
+// would confuse this type with its element type in overload resolution.
 template <int N>
 struct Vector {
   using Value [[gnu::vector_size(sizeof(double) * N)]] = double;

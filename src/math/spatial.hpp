@@ -128,8 +128,8 @@ struct ArticulatedInertia {
     angular += b.angular;
     return *this;
   }
-  /// Subtracts f f^T. With f = I S / sqrt(S . I S), this is the inertia when the axis S moves
-  /// freely.
+  /// Subtracts f f^T. With f = I S / sqrt(S . I S), this removes the inertia along an axis S that
+  /// moves freely.
   BURNISH_INLINE void release(const Force<S>& f) {
     linear.subtract_square(f.linear);
     coupling.c0 -= f.linear * f.angular.x;

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr int max_nesting = 1000;  // Nested elements, chosen by hand
 
-/// Element of a body, with the placement of its enclosing <frame> and its class.
+/// Element of a body, with its default class and the placement of its enclosing <frame>.
 struct Within {
   Item item;
   Isometry3d around;
@@ -368,8 +368,7 @@ void read_body(const Child& child, const std::string& parent, bool moves, int de
   const XMLElement& xml = *child.xml;
   if (depth > max_depth || reading.tree.links.size() > max_links)
     refuse_at(xml, "more than " + std::to_string(depth > max_depth ? max_depth : int{max_links}) +
-                       (depth > max_depth ? " nested bodies" : " links") +
-                       "; at most that many are supported");
+                       (depth > max_depth ? " nested bodies" : " links") + ", the maximum number");
   LinkSpec link;
   const char* stated = xml.Attribute("name");
   link.name = stated == nullptr || *stated == '\0' ? reading.links.unique("body") : stated;

@@ -29,8 +29,8 @@ JointSpec& single_joint(const std::string& name, const XMLElement& asking, Readi
 
 // ---- Tendons
 
-/// Reads the spring of a tendon. Its rest length is stated, or follows from the rest of the joints'
-/// springs.
+/// Reads the spring of a tendon. Without a stated rest length, the spring rests at the length
+/// `at_rest`, which the tendon has at the rest positions of the joints' springs.
 void read_spring(const Item& item, double at_rest, TendonSpec& tendon, Reading& reading) {
   const std::vector<double> stiffness = item.overlaid("stiffness", {0.0});
   tendon.stiffness = stiffness[0];
@@ -78,8 +78,8 @@ void read_fixed(const Item& item, Reading& reading) {
   reading.tree.tendons.push_back(std::move(tendon));
 }
 
-/// Spatial tendons, whose length depends on points of bodies, are not part of a tree. Tendons that
-/// affect the motion are listed by name in warnings; for the others there is a note.
+/// Spatial tendons, which a tree cannot represent because their length depends on points of bodies.
+/// Warnings list the tendons that affect the motion by name; a note counts the other tendons.
 class SpatialTendons {
  public:
   void look_at(const Item& item, Reading& reading) {
@@ -141,8 +141,8 @@ bool is_led_by(const std::string& name, const std::string& other, const XMLEleme
   return true;
 }
 
-/// Fixes a joint at a value, and its followers at the resulting values. Tendons lose the joint and
-/// keep their remaining rest length.
+/// Fixes a joint at a value, and its followers at the values that result. Removes the joints from
+/// tendons and subtracts their lengths from the tendons' rest lengths.
 void fix(JointSpec& joint, double value, Reading& reading) {
   joint.placement = joint.placement * displacement(joint, std::vector<double>{value});
   joint.type = JointType::Fixed;
@@ -173,7 +173,7 @@ void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
       example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
 }
 
-/// Holds the other joint of a coupling if one joint is already held; y - y0 = a0 + a1 (x - x0).
+/// Holds the free joint of a coupling at second = multiplier * first + offset.
 void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupling,
                     const Item& item, Reading& reading) {
   if (first.type != JointType::Fixed) {
@@ -275,8 +275,9 @@ Isometry3d at_point(const std::vector<double>& p) {
   return placement;
 }
 
-/// Returns the pose of `relpose`, if it states a rotation. MuJoCo holds the anchor, a point of the
-/// second body, at this position in the first body, and the second body's axes at this rotation.
+/// Returns the pose `relpose` in the first body; nothing if it states no rotation. MuJoCo holds the
+/// anchor, a point of the second body, at the pose's position, and the axes of the second body at
+/// the pose's rotation.
 std::optional<Isometry3d> stated_pose(const Item& item) {
   const auto pose = item.numbers("relpose", 7);
   const bool is_stated =
@@ -304,7 +305,7 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
     loop.second_link = link_of(item, "body2", reading);
     const auto anchor = item.numbers("anchor", 3);
     if (!is_weld && !anchor) refuse_at(item.xml(), "it has no anchor; a point of body1 is needed");
-    // Pose of the second body in the first one's frame, as the file places them.
+    // Pose of the second body in the first body's frame at qpos0.
     const Isometry3d drawn = reading.link_at_start.at(loop.first_link).inverse() *
                              reading.link_at_start.at(loop.second_link);
     const Isometry3d at = at_point(anchor.value_or(std::vector<double>(3, 0.0)));
@@ -331,8 +332,8 @@ void read_equality(const Item& item, Reading& reading) {
                              example_of(item.xml()));
 }
 
-/// Returns the item of an equality. Equalities of joints or tendons have the element name of joints
-/// and tendons, but other defaults.
+/// Returns an equality with the defaults of equalities. Element names such as "joint" and "tendon"
+/// alone would select the defaults of joints and tendons.
 Item equality_item(const XMLElement& element, const Reading& reading) {
   return {element, reading.item(element).defaults(), "equality"};
 }
@@ -351,7 +352,7 @@ void read_tendons(const std::vector<const XMLElement*>& elements, Reading& readi
 }
 
 void read_equalities(const std::vector<const XMLElement*>& elements, Reading& reading) {
-  // Tendons first, because their lengths count all of their joints, before some joints are held.
+  // Equalities of tendons come first, because holding a joint removes it from its tendons.
   for (const bool of_tendons : {true, false})
     for (const XMLElement* element : elements)
       if ((std::string_view(element->Name()) == "tendon") == of_tendons)

@@ -1,4 +1,4 @@
-// <attach> and <replicate>: copies of bodies under new names, and of the elements that name them.
+// Expansion of <attach> and <replicate>: copies bodies and the elements that refer to them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -84,7 +84,7 @@ void gather(const Elements& elements, NamesByKind& found, Reading& reading) {
 
 // ---- Elements that name copied elements
 
-/// Number of names in an element (and in the joints of a tendon) that are copied, and of others.
+/// Numbers of copied and of other elements to which an element (or a part of a tendon) refers.
 struct Reach {
   int among = 0, others = 0;
   void add(const XMLElement& element, const NamesByKind& copied) {
@@ -150,7 +150,7 @@ void copy_naming_elements(NamesByKind copied, const std::vector<Renaming>& renam
   }
 }
 
-/// Removes the elements that name an element of which only copies are left.
+/// Removes the elements that refer to an element in `gone`, of which only copies are left.
 void drop_naming_elements(NamesByKind gone, Part& part, Reading& reading) {
   for (const std::string section : naming_sections) {
     Elements& elements = part.elements[section];
@@ -225,8 +225,8 @@ XMLElement& frame_at(const XMLElement& at, const Eigen::Isometry3d& placement, E
   return frame;
 }
 
-/// Copy i is rotated by i times the angles. It is displaced from the copy before by the offset, in
-/// the axes of that copy.
+/// Rotates copy i by i times the angles. The offset from copy i - 1 to copy i is in the axes of
+/// copy i - 1.
 Elements replicate(const XMLElement& at, Reading& reading) {
   const int count = count_of(at);
   const Vector3d offset = three(at, "offset"), euler = three(at, "euler");
@@ -256,7 +256,7 @@ Elements replicate(const XMLElement& at, Reading& reading) {
 
 // ---- <attach>
 
-/// Element to attach, and the class of its elements that state none; "": the outermost class.
+/// Element to attach, and the default class that it inherits; "": the outermost class.
 struct Found {
   const XMLElement* element = nullptr;
   std::string inherited;

@@ -68,7 +68,7 @@ void check_sizes(const GeomSource& geom) {
   for (int i = 0; i < count; ++i)
     if (!(geom.solid.size[i] > 0.0))
       refuse_at(geom.item.xml(), "a " + geom.type + " needs " + std::to_string(count) +
-                                     " positive sizes; number " + std::to_string(i + 1) + " is " +
+                                     " positive sizes; size " + std::to_string(i + 1) + " is " +
                                      number(geom.solid.size[i]));
 }
 
@@ -209,8 +209,8 @@ void draw_mesh(const GeomSource& geom, VisualSpec visual, Reading& reading,
   const MeshAsset& mesh = *mesh_of(geom, reading);
   if (mesh.file.empty()) return;
   visual.shape = MeshShape{mesh.file, mesh.scale};
-  // The mesh is moved to the origin first, then scaled. A rotated mesh has the same scale along all
-  // axes.
+  // MuJoCo moves the mesh to the origin, then scales it; a MeshShape is scaled first. Both orders
+  // agree unless a rotated mesh has different scales along its axes.
   Isometry3d back = mesh.reference.inverse();
   back.translation() = mesh.scale.cwiseProduct(back.translation());
   visual.placement = visual.placement * back;

@@ -17,7 +17,7 @@ namespace burnish::mjcf {
 struct DefaultClass {
   std::string name;
   const DefaultClass* around = nullptr;
-  /// Default elements by their kind. If several state an attribute, the last one counts.
+  /// Default elements by kind. If several of one kind state an attribute, the last one counts.
   std::map<std::string, std::vector<const XMLElement*>, std::less<>> elements;
 };
 
@@ -31,8 +31,8 @@ class DefaultClasses {
   /// name or a name that already exists.
   void read(const XMLElement& section, Source& source);
 
-  /// Reads the <default>s of another model, whose classes are already renamed. The outermost class
-  /// is also named `main`. The classes do not inherit from the classes of this model.
+  /// Reads the <default>s of another model, whose classes are already renamed. `main` becomes a
+  /// second name of the outermost class. The classes do not inherit from the classes of this model.
   void attach(const std::string& main, const std::vector<const XMLElement*>& sections,
               Source& source);
 
@@ -66,8 +66,8 @@ class Item {
   /// Returns exactly `count` numbers, if the attribute is stated.
   std::optional<std::vector<double>> numbers(const char* attribute, std::size_t count) const;
   double number(const char* attribute, double otherwise) const;
-  /// Returns numbers that overlay each other from the left: the element's own, then those of the
-  /// classes, then `otherwise`. Numbers beyond the size of `otherwise` are ignored.
+  /// Returns as many numbers as `otherwise` has. Each number comes from the first list that is long
+  /// enough: the element's own, then those of its classes (inner before outer), then `otherwise`.
   std::vector<double> overlaid(const char* attribute, std::vector<double> otherwise) const;
   bool flag(const char* attribute, bool otherwise) const;
   /// Returns true or false; nothing for auto or if the attribute is not stated.

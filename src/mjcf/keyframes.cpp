@@ -8,7 +8,7 @@
 namespace burnish::mjcf {
 namespace {
 
-/// Returns whether a posture has a value for the joint; followers and held joints do not.
+/// Returns whether postures contain the joint; they do not contain followers and held joints.
 bool moves_by_itself(const JointSpec& joint) {
   return joint.type != JointType::Fixed && !joint.mimic;
 }

@@ -191,8 +191,8 @@ Piece piece_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, MeshIner
   double measure = shell ? 0.5 * (b - a).cross(c - a).norm() : a.dot(b.cross(c)) / 6.0;
   if (how == MeshInertia::Legacy) measure = std::abs(measure);
   const Vector3d sum = a + b + c;
-  // Integral of x x^T over a simplex with corners p_i, one of them the origin for a tetrahedron:
-  // measure / (n (n + 1)) (sum p_i p_i^T + sum p_i sum p_i^T) with n corners.
+  // Integral of x x^T over a simplex with n corners p_i; for a tetrahedron, one is the origin:
+  // measure / (n (n + 1)) (sum p_i p_i^T + sum p_i sum p_i^T).
   const Eigen::Matrix3d squares =
       a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose();
   return {measure, sum / (shell ? 3.0 : 4.0), measure / (shell ? 12.0 : 20.0) * squares};
@@ -261,7 +261,7 @@ Triangles read_triangles(const std::filesystem::path& file) {
 }
 
 InertiaSpec inertia_of(const Triangles& mesh, MeshInertia how, const std::string& source) {
-  // First the centre, relative to the centroid of the surface; then the inertia about the centre.
+  // Sums the centre of mass about the surface's centroid, the inertia about the centre of mass.
   const Sum about_surface = sum_of(mesh, how, surface_centre(mesh));
   const Sum sum = sum_of(mesh, how, about_surface.centre);
   constexpr double no_volume = 1e-15;

@@ -81,8 +81,8 @@ class Source {
 
   void append(const XMLElement& element, bool expands, std::vector<const XMLElement*>& children);
   const std::vector<const XMLElement*>& expansion(const XMLElement& element);
-  /// Returns the root of the file that an element names: a separate model, or part of the naming
-  /// one.
+  /// Returns the root of the file that the element `naming` names: a separate model (`is_model`),
+  /// or a part of the same model.
   const XMLElement& opened(const XMLElement& naming, bool is_model);
   File& parse(const std::string& xml, const std::string& name, const File* included_by);
   File& file_of(const XMLElement& element) const;

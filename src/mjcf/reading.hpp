@@ -73,8 +73,8 @@ struct Part {
   Compiler compiler;
   std::filesystem::path folder;  ///< Folder of its file, relative to the folder of the main file
   Sections sections;
-  /// Elements of the sections that name bodies, joints or sites, by section. When named elements
-  /// are copied, copies of the naming elements are added.
+  /// Tendons, equalities and actuators by section. Copying a body, joint, geom or site adds copies
+  /// of the elements that refer to it.
   Sections elements;
 };
 
@@ -117,8 +117,8 @@ struct Reading {
   Item item(const XMLElement& xml, const DefaultClass* around = nullptr) const;
   /// Returns the class for the children of an element: `childclass`, or else `around`.
   const DefaultClass* class_inside(const XMLElement& xml, const DefaultClass* around) const;
-  /// Returns the end of a message about a missing name: the nearest known name, or that bodies of
-  /// <composite> and <flexcomp> are not read.
+  /// Returns the end of a message about a missing name: the nearest known name, or else
+  /// a hint that bodies of <composite> and <flexcomp> are not read.
   std::string hint(const std::string& name, const std::vector<std::string>& known) const;
   /// Returns the entry of a joint. Throws Error with the nearest known name.
   Coordinate& coordinate(const std::string& joint, const XMLElement& asking);
@@ -128,8 +128,8 @@ struct Reading {
 Part read_part(const XMLElement& root, Reading& reading);
 
 /// Returns the copies that replace an <attach> or <replicate>: bodies, joints, geoms and sites with
-/// new names. Copies the elements of other sections that name copied elements. Throws Error if the
-/// element is invalid.
+/// new names. Also copies the elements of other sections that refer to copied elements. Throws
+/// Error if `element` is invalid.
 std::vector<const XMLElement*> expand(const XMLElement& element, Reading& reading);
 
 /// Reads an element of <asset>: a mesh, or the colour of a material. Does not open files.

@@ -11,13 +11,13 @@ using std::numbers::pi;
 
 Vector3d about_z(double across, double along) { return {across, across, along}; }
 
-/// Returns the sums of the two other entries; for half lengths h, the moments of a box are m (h_j^2
-/// + h_k^2) / 3.
+/// Returns, for each entry, the sum of the two other entries. For a box with half lengths h,
+/// others(h^2) / 3 are the moments divided by the mass.
 Vector3d others(const Vector3d& x) { return Vector3d::Constant(x.sum()) - x; }
 
-/// Moments of a sphere (filled or hollow) whose halves are moved apart by h on each side;
-/// `fraction` is its fraction of the mass. The centre of a half is `lever` from the cut, and the
-/// sphere's own moment is `own`.
+/// Moments of the two caps (half spheres, filled or hollow) of a solid, divided by its mass. Each
+/// cap is moved outwards by h along z. `fraction`: caps' fraction of the mass. `own`: moment of the
+/// sphere divided by its mass. `lever`: distance of a cap's centre of mass from its cut.
 Vector3d caps(double fraction, double own, double lever, double h) {
   const double out = h + lever;
   return fraction * about_z(own + out * out - lever * lever, own);
@@ -54,8 +54,7 @@ Vector3d ellipsoid(const Solid& solid) {
 Vector3d box(const Solid& solid) {
   const Vector3d h2 = solid.size.cwiseAbs2();
   if (!solid.is_shell) return others(h2) / 3.0;
-  // Faces perpendicular to each axis: fraction of the mass, and mean square distance along each
-  // axis.
+  // Mean square of each coordinate on the surface: mean over the faces, weighted by their areas.
   const Vector3d& h = solid.size;
   const Vector3d area(h[1] * h[2], h[2] * h[0], h[0] * h[1]);
   Vector3d mean = Vector3d::Zero();

@@ -265,8 +265,8 @@ void check_options(const TreeSpec& tree, const ModelOptions& options) {
   for (const JointSpec& joint : tree.joints) {
     if (joint.name == root_joint_name) {
       refuse(tree,
-             "joint 'root_joint' of the description has the name of the free-flying base's "
-             "joint; wanted another name, or a fixed base");
+             "joint 'root_joint' of the description has a name that is reserved for the joint of "
+             "a free-flying base; wanted another name, or a fixed base");
     }
   }
 }

@@ -29,8 +29,8 @@ LeaderRange range_of_leader(const JointSpec& spec, const Following& follows) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// Adds a follower's effort limit to its leader's. An infinite limit is not stated and adds
-/// nothing.
+/// Adds a follower's effort limit to its leader's limit. An infinite limit means that none is
+/// stated, and adds nothing.
 void add_effort(double of_follower, double factor, double& limit) {
   if (std::isfinite(of_follower)) limit += factor * of_follower;
 }
@@ -76,8 +76,8 @@ void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const 
       refuse(origin, "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
                          ", and no position is within the limits of both: the follower is at " +
                          number(joint.follows->multiplier) + " times " + in_quotes(leader.name) +
-                         " plus " + number(joint.follows->offset) + ", with limits " +
-                         number(spec.lower) + " to " + number(spec.upper) + ", and " +
+                         " plus " + number(joint.follows->offset) + " and has limits " +
+                         number(spec.lower) + " to " + number(spec.upper) + ", but " +
                          in_quotes(leader.name) + " has limits " + number(model.q_lower[q]) +
                          " to " + number(model.q_upper[q]));
     }
@@ -109,8 +109,8 @@ void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
       if (std::abs(multiplier) != 1.0 || (stiffness > 0.0 && std::abs(rest_difference) > 1e-9)) {
         refuse(origin, "joint " + in_quotes(joint.name) + " has a spring and follows joint " +
                            in_quotes(leader.name) +
-                           ", which is continuous; wanted a multiplier of 1 or -1 and one common "
-                           "rest angle, or a revolute joint " +
+                           ", which is continuous; wanted a multiplier of 1 or -1 and springs with "
+                           "the same rest angle of this joint, or a revolute joint " +
                            in_quotes(leader.name));
       }
     }
@@ -122,8 +122,8 @@ void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
 
 void chain_coupled_entries(Model& model) {
   // Builds the elimination tree of a sparse factorization, from the last entry to the first. The
-  // parent of an entry is the last earlier entry that it is coupled to. The parent inherits its
-  // other couplings.
+  // parent of an entry is the last earlier entry that it is coupled to. The parent inherits the
+  // entry's other couplings.
   std::vector<std::set<int>> before(to_size(model.nv));
   for (const Joint& joint : model.joints) {
     for (const int a : model.support(joint.parent)) {

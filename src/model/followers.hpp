@@ -15,17 +15,17 @@ namespace burnish {
 /// the joint of the description for each joint of the model, nullptr for a free-flying base.
 void couple_followers(const std::vector<const JointSpec*>& spec_of_joint, Model& model);
 
-/// Adds effort, friction, damping and armature of the followers to their leaders'. Restricts the
-/// leaders' limits to positions at which the followers are within theirs. Throws Error with the
-/// names of the joints if no position remains.
+/// Adds effort, friction, damping and armature of the followers to those of their leaders.
+/// Restricts the limits of leaders so that each follower stays within its own limits. Throws Error
+/// with the names of the joints if no position remains.
 void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const std::string& origin,
                       Model& model);
 
 /// Returns true if the joint has a spring. Springs of planar and floating joints are ignored.
 bool has_spring(const JointSpec& spec);
 
-/// Adds the springs of the followers to their leaders'. Throws Error with the names of the joints
-/// if the leader is continuous and one spring cannot represent the sum.
+/// Adds the springs of the followers to the springs of their leaders. Throws Error with the names
+/// of the joints if the leader is continuous and one spring cannot represent the sum.
 void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
                        const std::string& origin, Model& model);
 

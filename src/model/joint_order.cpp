@@ -18,8 +18,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Returns the number of a joint's position entries. A rotation on a circle has one angle, or (cos,
-/// sin) as in q.
+/// Returns the number of a joint's position entries. The position of a continuous joint is one
+/// angle or, as in q, (cos, sin).
 int positions_of(JointKind kind, JointConvention convention) {
   return convention == JointConvention::Same ? joint_nq(kind)
                                              : static_cast<int>(posture_size(kind));

@@ -1,8 +1,8 @@
-// Check of the mass matrix by articulated inertias at one generic posture. S_i are the joint's
-// directions, and A_i is the articulated inertia of body i, with all joints beyond it free to move:
-//   A_i = I_i + sum over children of X^T (A_c - A_c S_c D_c^-1 S_c^T A_c) X,
+// Check of the mass matrix by articulated inertias at one generic posture. S_i are the directions
+// of joint i. A_i is the articulated inertia of body i, with all joints beyond it free to move:
+//   A_i = I_i + sum over children c of X^T (A_c - A_c S_c D_c^-1 S_c^T A_c) X,
 //   D_c = S_c^T A_c S_c + armature.
-// The mass matrix is positive definite if and only if every D is. A quantity that is zero at a
+// The mass matrix is positive definite if and only if every D_c is. A quantity that is zero at a
 // generic posture, without special angles, is zero at all postures.
 #include "model/mass_check.hpp"
 

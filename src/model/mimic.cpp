@@ -85,8 +85,8 @@ Course Courses::through_leader(const JointSpec& joint) {
     refuse(tree_, "joint " + in_quotes(joint.name) + " is at " + number(stated->second[0]) +
                       " in the posture, but follows joint " + in_quotes(leader.name) +
                       ", which is locked at " + number(above.offset) + " and implies " +
-                      number(value) + "; correct one of them, or lock " + in_quotes(joint.name) +
-                      " too, at its own value");
+                      number(value) + "; correct one of the two values, or lock " +
+                      in_quotes(joint.name) + " too, at its own value");
   }
   return {nullptr, 0.0, value};
 }
@@ -122,7 +122,7 @@ void Courses::check_multiplier(const JointSpec& joint, const JointSpec& leader,
                     " with the multiplier " + number(multiplier) + ", but joint " +
                     in_quotes(endless.name) +
                     " is continuous; wanted a revolute joint, or a whole multiplier of at most a "
-                    "million, because an angle on the circle has whole multiples only");
+                    "million, because other multiples of an angle on the circle are not unique");
 }
 
 }  // namespace burnish

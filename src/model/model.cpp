@@ -90,8 +90,8 @@ void agree_with_leader(const Model& model, const Joint& joint, double stated,
   if (std::abs(miss) <= posture_tolerance) return;
   refuse(label_of(model), "posture of joint " + in_quotes(joint.name) + ": its value is " +
                               number(stated) + ", but it follows joint " + in_quotes(leader.name) +
-                              ", which " + (has_value ? "is" : "without a value of its own is") +
-                              " at " + number(joint_value(model, leader, q)) + " and implies " +
+                              ", which is at " + number(joint_value(model, leader, q)) +
+                              (has_value ? "" : " (without a value of its own)") + " and implies " +
                               number(given) + "; correct or omit one of the two values");
 }
 

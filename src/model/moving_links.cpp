@@ -116,7 +116,8 @@ const LinkSpec& root_link(const TreeSpec& tree) {
 }  // namespace
 
 bool MovingLinks::is_far_off(const MovingLink& link) const {
-  // Closer centres of mass may belong to links without a shape. Chosen by hand.
+  // Distance that counts as far off, relative to `skeleton`; chosen by hand. Links without a shape
+  // may have their centre of mass at a shorter distance.
   constexpr double far = 5.0;
   return link.link->inertia.mass > 0.0 && skeleton > 0.0 && joints_in_a_subtree > 1 &&
          link.link->inertia.com.norm() > far * skeleton;

@@ -1,5 +1,5 @@
 // Plausibility checks. Each threshold lies between values in URDF files of about 80 robots and the
-// values that a wrong unit makes of them. A comment beside the threshold states the former.
+// values that a wrong unit makes of them. Comments beside the thresholds state the values in files.
 #include "model/plausibility.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -218,22 +218,22 @@ void check_small_inertias(const MovingLinks& robot, Findings& findings) {
                 "inertia too small?");
 }
 
-/// Warns of an odd mass over reach cubed. Correct files have 2.3 to 117 kg/m^3.
+/// Warns if mass / reach^3 is implausible. Correct files have 2.3 to 117 kg/m^3.
 void check_size(const MovingLinks& robot, Findings& findings) {
   constexpr double thinnest = 0.05, densest = 1e4;  // [kg/m^3]
   const double density = robot.mass / std::pow(robot.reach, 3);
   if (density >= thinnest && density <= densest) return;
   findings.warn("the links weigh " + number(robot.mass) + " kg and reach " + number(robot.reach) +
-                " m, " + number(density) + " kg per cubic metre of reach; " + number(thinnest) +
+                " m: mass over reach cubed is " + number(density) + " kg/m^3; " + number(thinnest) +
                 " to " + number(densest) + " was expected. Are " +
                 (density < thinnest ? "lengths in mm, or masses in t?" : "masses in g?"));
 }
 
 /// Warns of light links with the shape and the inertia of a heavy link.
 void check_light_links(const MovingLinks& robot, Findings& findings) {
-  // Fraction of the robot's mass; check_large_inertias() examines heavier links.
+  // Largest fraction of the robot's mass; check_large_inertias() examines heavier links.
   constexpr double max_mass_fraction = 0.01;
-  // Smallest relevant moment, relative to mass times reach squared of the robot; chosen by hand.
+  // Smallest relevant moment of inertia, relative to the robot's mass * reach^2; chosen by hand.
   constexpr double min_inertia = 1e-4;
   constexpr double lightest = 20.0;  // mass per volume of the shapes, as low as foam [kg/m^3]
   for (const MovingLink& link : robot.links) {
@@ -258,17 +258,17 @@ double weight_torque(const MovingLinks& robot, const MovingLink& link, double gr
   return gravity * link.mass_beyond * robot.reach;
 }
 
-/// Joints with too large and too small effort limits among the examined joints.
+/// Joints with too large and with too small effort limits, and the number of examined joints.
 struct Efforts {
   std::vector<const JointSpec*> large, small;
   std::size_t seen = 0;
 };
 
 void check_efforts(const MovingLinks& robot, const ModelOptions& options, Findings& findings) {
-  // Largest efforts in correct files are 0.01 to 20 times the torque of the robot's weight, without
-  // powers of ten.
+  // The largest effort limit in a correct file is 0.01 to 20 times the torque of the robot's
+  // weight. Powers of ten, which often mean "unknown", are exempt.
   constexpr double strongest = 50.0, weakest = 0.003;
-  // Warns if at least one joint in four is too strong: a robot can have legs and hands.
+  // Warns if one joint in four is too strong, because most joints of a robot can be weak fingers.
   constexpr std::size_t joints_per_strong = 4;
   const double gravity = options.gravity.norm();
   const double whole = gravity * robot.mass * robot.reach;
@@ -303,16 +303,16 @@ void check_armatures(const MovingLinks& robot, Findings& findings) {
     const double scale = slides ? robot.mass : robot.mass * robot.reach * robot.reach;
     if (scale <= 0.0 || joint->armature <= largest * scale) continue;
     findings.warn(label_of(*joint) + " has an armature of " + number(joint->armature) +
-                  (slides ? " kg" : " kg m^2") + ", but the whole robot " +
-                  (slides ? "weighs " : "stretched out has ") + number(scale) +
-                  (slides ? " kg" : " kg m^2") +
+                  (slides ? " kg" : " kg m^2") + ", but " +
+                  (slides ? "the whole robot weighs " : "the inertia of the stretched robot is ") +
+                  number(scale) + (slides ? " kg" : " kg m^2") +
                   "; a smaller armature was expected. Is it in kg cm^2?");
   }
 }
 
 void check_slides(const MovingLinks& robot, Findings& findings) {
-  // Largest plausible limit, relative to the robot's reach; chosen by hand. Skips joints that carry
-  // half of the robot, which may be rails.
+  // Largest plausible position limit, relative to the robot's reach; chosen by hand. Joints that
+  // carry more than half of the robot are skipped, because they may be rails.
   constexpr double max_travel = 20.0;
   for (const MovingLink& link : robot.links) {
     const JointSpec* joint = link.joint;

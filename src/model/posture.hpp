@@ -27,7 +27,7 @@ std::size_t posture_size(JointType type);
 std::size_t posture_size(JointKind kind);
 
 /// Throws Error unless `values` has `size` finite entries. Of 4 or 7 entries, the last four are a
-/// quaternion whose length must be 1 to within 1e-3; its users normalise it.
+/// quaternion whose length must be 1 to within 1e-3. Callers must normalise the quaternion.
 void check_posture_values(const std::string& origin, const std::string& joint,
                           std::span<const double> values, std::size_t size);
 

@@ -319,8 +319,8 @@ Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& genera
 
 namespace {
 
-/// Largest magnitude of an entry of q or v [rad, m, rad/s, m/s]. Larger numbers have a resolution
-/// worse than 1e-7, and products and sums of lengths lose as many digits again.
+/// Largest magnitude of an entry of q or v [rad, m, rad/s, m/s]. Above it, the resolution of double
+/// is worse than 1e-7, and products and sums of lengths lose further digits.
 constexpr double largest_coordinate = 1e9;
 
 template <class Name>
@@ -350,8 +350,8 @@ std::string limits_text(const Model& model, const Joint& joint) {
          (joint.kind == JointKind::Prismatic ? " m" : " rad");
 }
 
-/// Adds a sentence if a position is beyond the limits by more than the range, or by more than one
-/// turn if that is larger.
+/// Adds a sentence if a position lies far beyond its limits: by more than the distance between the
+/// limits, and for angles also by more than one turn.
 void about_position(const Model& model, const Joint& joint, double q,
                     std::vector<std::string>& sentences) {
   const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
@@ -370,7 +370,7 @@ void about_position(const Model& model, const Joint& joint, double q,
   sentences.push_back(sentence);
 }
 
-/// Adds a sentence for each entry that is far above its limit, or above `otherwise` without a
+/// Adds a sentence for each entry that is far above its limit, or above `otherwise` if it has no
 /// limit.
 void about_entries(const Model& model, const ConstVector& x, const char* quantity,
                    const Eigen::VectorXd& limits, double otherwise,

@@ -15,7 +15,7 @@ std::string label_of(const TendonSpec& tendon) {
          in_quotes(tendon.name);
 }
 
-/// Adds a joint with its coefficient. Adds to the coefficient if the joint is in `parts`.
+/// Adds a joint to `parts`, or adds to the coefficient of a joint that is already there.
 void add_part(const std::string& joint, double coefficient, Parts& parts) {
   const auto same = std::find_if(parts.begin(), parts.end(),
                                  [&](const auto& part) { return part.joint == joint; });
@@ -62,7 +62,7 @@ struct HeldTendon {
     std::erase_if(parts, [](const auto& part) { return part.coefficient == 0.0; });
   }
 
-  /// Removes joints that are locked by themselves, and subtracts their lengths from `rest`.
+  /// Removes locked joints without a leader, and subtracts their lengths from `rest`.
   void remove_locked() {
     std::erase_if(parts, [&](const TendonSpec::Part& part) {
       const bool locked = is_listed(options.locked, part.joint) || !is_free(part.joint);
@@ -118,8 +118,8 @@ TreeSpec with_held_tendons(const TreeSpec& tree, const ModelOptions& options) {
     if (!held.can_follow(parts[1].joint, parts[0].joint)) std::swap(parts[0], parts[1]);
     if (!held.can_follow(parts[1].joint, parts[0].joint)) {
       refuse(tree, label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
-                       ", but neither joint can follow the other; wanted one of them without a "
-                       "leader of its own, and locked only together with the other");
+                       ", but neither joint can follow the other; wanted one of the two without a "
+                       "leader, and locked or left free only together with the other");
     }
     // c_0 q_0 + c_1 q_1 = rest
     changed.at(parts[1].joint)->mimic =

@@ -73,8 +73,8 @@ void check_one_root(const TreeSpec& tree, const std::vector<int>& above, Finding
   }
 }
 
-/// Reports cycles and trees that are too deep. Finds the depth of each link by a walk up to a link
-/// whose depth is computed. A walk longer than the number of links is a cycle.
+/// Reports cycles, and trees that are too deep. Finds the depth of each link by a walk up to a link
+/// of known depth. A walk longer than the number of links is a cycle.
 void check_depths(const TreeSpec& tree, const IndexByName& links, const std::vector<int>& above,
                   Findings& findings) {
   std::vector<int> depth(tree.links.size(), 0);
@@ -143,9 +143,9 @@ struct ValueCheck {
   }
 };
 
-/// Returns the inertia that counts as zero for this body [kg m^2]: a small fraction of its inertia
-/// and of the inertia of its mass at a small distance. At least the inertia of a speck of dust. All
-/// constants were chosen by hand.
+/// Returns the inertia that counts as zero for this body [kg m^2]: the inertia of a speck of dust,
+/// plus small fractions of the body's inertia and of the inertia of its mass at a small distance.
+/// All constants were chosen by hand.
 double negligible_inertia(const InertiaSpec& inertia) {
   constexpr double fraction = 1e-6, smallest_size = 0.01, dust = 1e-20;  // [1, m, kg m^2]
   return dust + fraction * (inertia.inertia_at_com.cwiseAbs().maxCoeff() +

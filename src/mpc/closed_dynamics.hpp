@@ -1,5 +1,5 @@
-// Dynamics of a robot with its closed loops and with the supports that it stands on. Estimators and
-// the fallback use them.
+// Dynamics of a robot with its closed loops and with the supports that it stands on, for estimators
+// and for the fallback.
 #pragma once
 
 #include "burnish/derivatives/contact_dynamics.hpp"

@@ -33,8 +33,8 @@ class ContactForceEstimate {
                 const Eigen::VectorXd& tau, Eigen::Vector3d& out) noexcept;
 
  private:
-  /// Rotates the references of contacts to their rotations at `time` [s]. Returns false if a
-  /// rotation cannot be evaluated.
+  /// Sets the rotations of the contacts' references to their values at `time` [s]. Returns false if
+  /// a rotation cannot be evaluated.
   bool set_rotations(double time) noexcept;
 
   /// Rotation of each contact's reference over time; empty if the rotation is constant.

@@ -76,8 +76,8 @@ bool DelayedState::predict(ContactForceEstimate& dynamics, const MeasurementGate
   // Each tick without a measurement extends the prediction by one tick.
   const int missed = ticks_of(gate.now() - m.time, tick_period_);
   int left = std::min(max_ticks_, ticks_ + std::max(0, missed));
-  // Adds the measured force in directions that no contact of the model holds: along the surface as
-  // friction, in free air in all directions.
+  // Adds the measured force that the contact model lacks. In free air, this is the whole force.
+  // During contact, it is the force along the surface, unless the contact has a friction model.
   Eigen::Vector3d felt_world = m.tool_force_world;
   if (holds) felt_world -= input.normal_world * input.normal_world.dot(felt_world);
   const bool feels = !(holds && input.has_friction);

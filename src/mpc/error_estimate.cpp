@@ -107,7 +107,7 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
 }
 
 /// Returns the force for the observer. A light arm that touches the surface slowly may rest on it
-/// with a force below the contact threshold. The plans do not yet contain the surface then, and
+/// with a force below the contact threshold. In this case, plans do not yet contain the surface and
 /// push no harder. While contact is due, the observer therefore does not receive the normal force
 /// and treats it as a model error. Plans push against this error until the contact is detected.
 Eigen::Vector3d ErrorEstimate::observed_force(const Measurement& m, double dt,
@@ -186,8 +186,8 @@ void ErrorEstimate::follow_lasting(double dt) noexcept {
 /// Measured velocities would close a loop through friction.
 Eigen::Vector3d ErrorEstimate::friction_along_plan(double dt, double bandwidth) noexcept {
   if (friction_) return friction_force_;  // plans already contain the change of direction
-  // Lower bound of |slid_|^2. If the tool moves more slowly, the direction of friction is
-  // uncertain.
+  // Lower bound of |slid_|^2. A shorter slid_ belongs to a slow motion, in which the direction of
+  // friction is uncertain.
   constexpr double min_squared_slide = 0.25;
   const Eigen::Vector3d& n = normal_world_;
   const double weight = -std::expm1(-2.0 * dt / smoothing_);
@@ -203,7 +203,7 @@ Eigen::Vector3d ErrorEstimate::friction_along_plan(double dt, double bandwidth) 
 
 /// Returns the part of the force along the surface that the friction model of the contacts explains
 /// [N]. Plans already contain this part. When the coefficient changes, friction_force_ is corrected
-/// so that the sum of both parts stays the same.
+/// so that its sum with the explained part stays the same.
 Eigen::Vector3d ErrorEstimate::explained_friction(const MeasurementGate& gate,
                                                   const Eigen::Vector3d& across) noexcept {
   if (!friction_) return Eigen::Vector3d::Zero();

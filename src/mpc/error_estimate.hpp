@@ -120,8 +120,8 @@ class ErrorEstimate {
   double waits_for_ = 0.0;     ///< Time for which the schedule has waited for contact [s].
   double smoothing_;           ///< Time constant of the filters of between_ and v_tool_ [s].
   double nominal_delay_;       ///< Stated delay of commands plus stated delay of measurements [s].
-  /// Tool velocity for v_ahead_, low-pass filtered once (between_) and twice (v_tool_) [m/s].
-  /// v_tool_ is the planned velocity at the time when torques act.
+  /// Planned tool velocity from v_ahead_, low-pass filtered once (between_) and twice (v_tool_)
+  /// [m/s]. v_tool_ is the planned velocity at the time when torques act.
   Eigen::Vector3d between_ = Eigen::Vector3d::Zero(), v_tool_ = between_;
   /// Direction of v_tool_ at the time of the force measurement.
   Eigen::Vector3d slid_ = between_;

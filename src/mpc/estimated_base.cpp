@@ -112,8 +112,8 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   result.time = measured.time;
   result.tool_force_world = measured.tool_force_world;
   result.imu = measured.imu;
-  // The memory for the wrenches was reserved at the start. Without sensors, the columns of the
-  // wrenches are removed for good.
+  // Copies the wrenches of all feet into memory that was reserved at the start. Without wrenches of
+  // all feet, the result has none.
   if (measured.support_wrenches.cols() >= d.feet_count)
     result.support_wrenches = measured.support_wrenches;
   else

@@ -11,7 +11,7 @@ namespace {
 
 // Time constants, chosen by hand.
 
-// Time at the start during which the whole sum counts as model error [s].
+// Learning time in free air before which the observed sum d + J^T f counts as model error [s].
 constexpr double first_look = 0.1;
 constexpr double memory = 0.2;  // averaging time in free air [s]
 

@@ -17,8 +17,8 @@ struct GroundTerm {
 /// Returns the ground terms of each stage of the problem.
 std::vector<std::vector<GroundTerm>> ground_terms(const MpcSpec& spec);
 
-/// Friction and sole size of a support in plans, from the first terms of the problem that define
-/// them.
+/// Friction and sole size of a support in plans. Each figure is from the first term of the problem
+/// that defines it.
 struct GroundFigures {
   double friction;        ///< Coefficient of the friction cone; infinite: no cone.
   double half_x, half_y;  ///< Half sides of the sole [m]; 0: no pressure limit with friction.

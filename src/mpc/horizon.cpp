@@ -28,7 +28,7 @@ const Signal* place_of(const Residual& given, const MpcSpec& spec) {
              : nullptr;
 }
 
-/// Returns the name of the frame that carries the surface, as contacts spell it.
+/// Returns the frame of the surface as in ContactSpec::base; "world" for a fixed surface.
 const std::string& base_of(const MpcSpec& spec) {
   static const std::string world = "world";
   return spec.base.empty() ? world : spec.base;

@@ -60,7 +60,7 @@ class JointFriction {
   struct Joint {
     bool driven = false;
     double prior = 1.0;  ///< Initial standard deviation of F [Nm or N].
-    /// Planned velocity: as read (ahead), low-pass filtered once (between) and twice (v) [rad/s].
+    /// Planned velocity: raw (ahead), low-pass filtered once (between) and twice (v) [rad/s].
     double ahead = 0.0, between = 0.0, v = 0.0;
     Late sign, speed, given;
     Late actual, foreseen;  ///< Measured and planned velocity, low-pass filtered alike [rad/s].

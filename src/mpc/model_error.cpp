@@ -71,8 +71,9 @@ class ChangeDetector {
     constexpr double smoothing = 4e-3, first = 0.1, decay_time = 0.15;
     // Thresholds for the squared rate relative to its usual mean, averaged over the joints. Below
     // `noise` the rate is noise, above `certain` it is a jump; chosen by hand. The thresholds are
-    // high for two reasons. Noise of the force along one direction affects all joints by the same
-    // ratio. Also, hundreds of such samples per second must not cause a false alarm.
+    // high for two reasons. Averaging does not reduce noise of the force along one direction, which
+    // affects all joints by the same ratio. With hundreds of samples per second, false alarms must
+    // be rare.
     constexpr double noise = 8.0, certain = 14.0;
     rate_ += std::min(1.0, dt / smoothing) * (change * rate - rate_);
     double ratio = 0.0;
@@ -89,9 +90,9 @@ class ChangeDetector {
         seen_ < first ? 0.0 : std::clamp((ratio - noise) / (certain - noise), 0.0, 1.0);
     level_ = std::max(level, level_ * std::exp(-dt / decay_time));
   }
-  /// Detects a drift: the rate of some joint keeps its sign for longer than noise does. The rate
-  /// passes a low-pass filter. Steps of encoders change their sign, so that only a fraction of
-  /// about dt divided by the filter's time constant remains. Of a drift, most remains.
+  /// Detects a drift: the rate of some joint keeps its sign for longer than noise does. A low-pass
+  /// filter keeps most of a drift. Of encoder steps, which change their sign, it keeps only a
+  /// fraction of about dt divided by the filter's time constant.
   void detect_drift(const Eigen::VectorXd& change, double rate, double dt, double weight) noexcept {
     // Smoothing time, and time until detection starts [s].
     constexpr double smoothing = 0.02, first = 0.5;
@@ -153,8 +154,8 @@ struct TorqueErrorObserver::Impl {
     if (!(given.limit > 0.0))
       throw Error("model error: limit is " + number(given.limit) + "; wanted a positive number");
     for (const std::string& at : measured) sensors.push_back(body.frame(at));
-    // Largest error of the base, as a fraction of the robot's weight, because the base carries all
-    // other joints; chosen by hand.
+    // Largest error in the entries of the base, relative to the robot's weight, which the base
+    // carries; chosen by hand.
     constexpr double weight_fraction = 0.06;
     const Joint& first = model.joints.front();
     if (first.kind == JointKind::FreeFlyer)

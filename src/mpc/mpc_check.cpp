@@ -109,8 +109,8 @@ int checked_ticks_per_update(const MpcSpec& spec) {
   if (!spec.problem.force_states.empty())
     throw Error(
         "MPC: force_states do not work with MPC, because they are the forces of the previous step "
-        "of a plan, and the controller starts plans at ticks, which are shorter than steps; wanted "
-        "no force_states");
+        "of a plan, but a plan starts at each tick, and ticks are shorter than steps; wanted no "
+        "force_states");
   if (!spec.normal_base.allFinite() || !(spec.normal_base.norm() > 0.0))
     throw Error("MPC: the normal is not finite or has no length; wanted a direction");
   if (!(spec.settle >= 0.0) || !std::isfinite(spec.settle))

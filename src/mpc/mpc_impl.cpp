@@ -388,8 +388,8 @@ const Eigen::VectorXd& MpcController::Impl::measured_state() noexcept {
   const Measurement& m = gate.last();
   x_.head(layout.nq) = m.q;
   x_.segment(layout.nq, layout.nv) = m.v;
-  // The torque error contains the torque offset. Subtracting the offset gives the torque that the
-  // filter computes from the command alone.
+  // Subtracts the torque offset, which the torque error already contains, from the measured
+  // torques. The differences are the torques that the filter computes from the command alone.
   for (int i = 0; i < layout.filtered; ++i) {
     const int k = layout.actuated[to_size(i)];
     x_[layout.nq + layout.nv + i] = m.tau[k] - error.torque_offset()[k];

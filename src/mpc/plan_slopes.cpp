@@ -26,8 +26,8 @@ MpcSpec filled(MpcSpec spec) {
   return spec;
 }
 
-/// Repeated solver of one problem. Each solve starts from the same solution, with a different
-/// initial state or torque error.
+/// Solver of one problem with many initial states and torque errors. Each solve starts from the
+/// same solution.
 class Differences {
  public:
   Differences(const MpcSpec& spec, int phase)

@@ -16,8 +16,8 @@ class Policy {
 
   void reset() noexcept;
   /// Loads the solver's solution as the next plan. The plan begins at `time` [s]; `times` are the
-  /// times of its knots after that. It comes into use at `done` [s] or later. `measured`: time of
-  /// the measurement from which the plan was computed [s].
+  /// times of its knots relative to `time`. The plan comes into use at `done` [s] or later.
+  /// `measured`: time of the measurement from which the plan was computed [s].
   void load(const DdpSolver& solver, double time, const KnotTimes& times,
             double done = -std::numeric_limits<double>::infinity(),
             double measured = -std::numeric_limits<double>::infinity()) noexcept;

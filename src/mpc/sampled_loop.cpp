@@ -142,8 +142,8 @@ void SampledLoop::observe(LoopState& s, const Case& with) const {
 }
 
 /// Computes the command of a tick. `start`: initial state of the plan in use. The controller
-/// predicts the state in which a plan comes into use, so that the plan starts in this state. The
-/// torque error in the plan is as old as its measurement.
+/// predicts the state in which a plan comes into use, so that the plan starts in this state. A plan
+/// with a delay assumes the older torque error plan_error.
 void SampledLoop::control(LoopState& s, int tick, double force_gain, Eigen::MatrixXd& start) const {
   const StateLayout& layout = plan_.layout;
   const int ndx = layout.ndx();

@@ -36,10 +36,9 @@ Schedule::Schedule(std::vector<SchedulePhase> phases, std::vector<std::string> e
       throw Error("phase " + std::to_string(i) + " of a schedule lasts " + number(duration) +
                   " s; wanted a positive time");
     if (std::isinf(duration) && i + 1 < phases_.size())
-      throw Error(
-          "phase " + std::to_string(i) +
-          " of a schedule never ends; wanted it last, but the number of phases after it is " +
-          std::to_string(phases_.size() - i - 1));
+      throw Error("phase " + std::to_string(i) +
+                  " of a schedule never ends; wanted no phases after it, but their number is " +
+                  std::to_string(phases_.size() - i - 1));
     const std::string& until = phases_[i].until;
     const auto event = std::find(events_.begin(), events_.end(), until);
     if (!until.empty() && event == events_.end())

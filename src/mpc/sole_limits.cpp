@@ -44,8 +44,8 @@ SoleLimits::SoleLimits(const MpcSpec& spec) {
   // Limits, chosen by hand.
   // - `near`: largest distance of an ankle from its sole, relative to the height of the centre of
   //   mass.
-  // - `upright`: largest cosine between joint axis and vertical, because a yaw joint does not move
-  //   the pressure.
+  // - `upright`: largest cosine between ankle axis and vertical, to exclude yaw joints, which do
+  //   not move the centre of pressure.
   // - `stretch`: spring deflection whose torque is allowed for a foot without load [rad].
   constexpr double near = 0.3;
   constexpr double upright = 0.8;

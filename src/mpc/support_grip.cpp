@@ -54,8 +54,8 @@ std::size_t SupportGrip::longest_name() const {
   return max_length;
 }
 
-/// Updates displacement and speed of a support along the ground. On a spherical foot, they are
-/// those of the sphere's lowest point.
+/// Updates displacement and speed of a support along the ground. For a spherical foot, uses the
+/// lowest point of the sphere.
 void SupportGrip::follow(Support& support, const MeasurementGate& gate) const noexcept {
   constexpr double memory = 1.0, brief = 5e-3;  // time constants of displacement and speed [s]
   const Vector6 v = gate.body().velocity(support.frame, Reference::centered());

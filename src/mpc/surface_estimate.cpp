@@ -182,8 +182,8 @@ void SurfaceEstimator::measure(double distance, double force, double travel) noe
   if (!(x_.segment<2>(s_).norm() <= max_tilts * trust_ * options_.tilt)) begin_anew();
 }
 
-/// Raises trust_ towards 1 while the tip travels. The cause of an implausible slope may be over by
-/// then, such as a tip that sank in at first.
+/// Raises trust_ towards 1 while the tip travels, because the cause of an implausible slope may be
+/// temporary, such as a tip that sinks in at first.
 void SurfaceEstimator::recover(double travel) noexcept {
   constexpr double length = 0.15;  // travel after which trust_ has recovered [m]
   const double before = trust_;

@@ -75,7 +75,7 @@ std::vector<Eigen::Vector3d> points_of(const Loop& loop) {
   const Directions held = loop.directions;
   const int turns = (held.has(3) ? 1 : 0) + (held.has(4) ? 1 : 0) + (held.has(5) ? 1 : 0);
   if ((held.bits & Directions::linear().bits) != Directions::linear().bits || turns == 1)
-    throw Error("the MuJoCo plant closes loops at points, which holds x, y and z, but loop " +
+    throw Error("the MuJoCo plant closes loops at points and thus holds x, y and z, but loop " +
                 in_quotes(loop.name) + " holds " + held.text() +
                 "; wanted x,y,z, alone or with two or three of rx,ry,rz");
   if (turns == 0) return {Eigen::Vector3d::Zero()};
@@ -187,7 +187,7 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   result.bodies[tip.body] += R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
                              " size=\"" + numbers(scene.tip.radius) + "\"" + common +
                              " contype=\"1\" conaffinity=\"2\"/>\n";
-  // Upper bound of constraint rows: friction and limits of every entry, followers, loops, contacts.
+  // Upper bound of the number of constraint rows: friction, limits, followers, loops and contacts.
   const std::size_t contacts = 8 + 4 * scene.supports.size();
   const auto rows =
       4 * to_size(model.nv) + model.joints.size() + 9 * model.loops.size() + 5 * contacts;
@@ -221,8 +221,9 @@ void load_contact(double stiffness, double damping, mjtNum d, mjModel& m, int pl
 }
 
 /// Sets the damping and Coulomb friction of the joints. In MuJoCo, a joint under friction creeps
-/// with the speed R/B per unit of torque. An impedance close to 1 and a rate that halves the creep
-/// in a step keep the creep of a light joint below 1e-3 rad/s per Nm.
+/// with the speed R/B per unit of torque (R: regularization, B: damping of the constraint). An
+/// impedance close to 1, and a B that halves the creep in a step, keep the creep of a light joint
+/// below 1e-3 rad/s per Nm.
 void load_joint_friction(const Model& model, const Coordinates& coordinates, mjModel& m) {
   constexpr mjtNum d = 0.999;
   for (int k = 0; k < model.nv; ++k) {
@@ -281,8 +282,8 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
     supports.push_back({id(mjOBJ_GEOM, support_name(i)), id(mjOBJ_GEOM, support_name(i) + "_plane"),
                         id(mjOBJ_SITE, site_name(robot.frame_index(support.frame)))});
     const double corners = support.is_sole() ? 4.0 : 1.0;  // contact points of the foot
-    // A foot is light compared with its load, so its damping is stiff and needs implicit steps.
-    // MuJoCo's steps are the more implicit, the closer the impedance is to 1. Chosen by hand.
+    // The damping of a foot is stiff and needs implicit steps, because the foot is light compared
+    // with its load. An impedance closer to 1 makes MuJoCo's steps more implicit. Chosen by hand.
     constexpr double impedance = 0.95;
     load_contact(support.stiffness / corners, support.damping / corners, impedance, *m,
                  supports.back().plane, supports.back().geom);
@@ -290,7 +291,7 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
 }
 
 void Engine::stiffen_equalities() const {
-  // MuJoCo's bound on the impedance alone gives an error of 1e-4 of the acceleration.
+  // The largest impedance that MuJoCo accepts leaves an error of 1e-4 of the acceleration.
   constexpr mjtNum compliance_scale = 1e-4;
   for (int row = 0; row < d->nefc; ++row) {
     if (d->efc_type[row] != mjCNSTR_EQUALITY) continue;

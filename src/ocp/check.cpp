@@ -139,8 +139,8 @@ class ProblemCheck {
       return;
     }
     throw Error("check: " + problem_.knot_name(knot) +
-                " cannot be evaluated near its state, or its contacts are close to singular near "
-                "it; wanted another trajectory to check at, or a compliance mu > 0");
+                " cannot be evaluated near its state, or has contacts that are close to singular "
+                "there; wanted another trajectory, or a compliance mu > 0");
   }
 
   void add(std::size_t place, int index, const std::string& term, int state,

@@ -16,7 +16,7 @@ constexpr double max_angle = std::numbers::pi - 0.1;
 /// Step of the finest extrapolated differences (check_differences.cpp), in units of z.
 constexpr double difference_step = 2e-4;
 
-/// Returns the size below which errors of a derivative count as absolute.
+/// Returns the magnitude of a derivative below which its error is absolute rather than relative.
 double floor_of(const Eigen::VectorXd& values) {
   return std::max(1e-9, 1e-3 * (values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff()));
 }
@@ -227,7 +227,7 @@ bool CheckPoint::near_breakpoint(int term) const {
 
 std::vector<DerivativeBlock> CheckPoint::cost(int term) {
   if (near_breakpoint(term)) return {};
-  // A stage with only this term, so that the usual code computes its gradient.
+  // Builds a stage with only this term, so that the usual code computes the term's gradient.
   auto& impl = ProblemInside::of(problem_);
   CompiledStage alone = impl.stage(knot_);
   alone.terms = {term_at(term)};

@@ -215,8 +215,8 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   terminal.terminal = true;
   terminal.solves_contacts = false;
   terminal.active.assign(to_size(contacts.size()), 0);
-  // With filtered torques in the state, the terminal state determines contact forces. Its contacts
-  // are those of the last stage.
+  // With filtered torques in the state, the terminal state determines contact forces. The terminal
+  // stage then has the contacts of the last stage.
   if (layout.acts_from_state() && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;

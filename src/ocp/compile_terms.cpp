@@ -91,8 +91,8 @@ void TermBuilder::find_entries() {
   if (!alone) stage.coefficient_rows += term.rows;
 }
 
-/// Adds the curvature if the row has the limit at which the curvature makes the Hessian larger: the
-/// upper limit for sign 1, the lower limit for sign -1.
+/// Adds the curvature of a row if it can make the Hessian larger. This requires an upper limit for
+/// sign 1, and a lower limit for sign -1.
 void TermBuilder::find_curvatures() {
   std::visit(
       [&](const auto& compiled) {

@@ -125,7 +125,7 @@ struct CompiledProblem {
   std::optional<TorqueModel> torque_model;
   std::optional<PassiveJoints> passive;
   std::vector<double> torque_bias;  ///< Constant torque beside the actuators, nv entries [Nm or N]
-  /// Torque beside the actuators, times KnotTime::decaying, nv entries [Nm or N]
+  /// Decaying torque beside the actuators: factor of KnotTime::decaying, nv entries [Nm or N]
   std::vector<double> decaying_torque;
   std::vector<CompiledStage> stages;  ///< The terminal stage is the last one
   int largest_rows = 0;               ///< Largest number of rows of a term
@@ -150,8 +150,8 @@ void store_surface(const Quadric& surface, double* out);
 /// Adds the surface that a reference follows to the stage's targets and returns its first entry; -1
 /// if the reference follows no surface. `followed` names the contact or the term.
 int add_surface(const Reference& reference, CompiledSurface followed, CompiledStage& stage);
-/// Adds the rotation over time of a reference to the stage's targets and returns its first entry;
-/// -1 for a constant reference.
+/// Adds a reference's rotation to the stage's targets if it depends on time, and returns its first
+/// entry; -1 for a constant reference.
 int add_turning(const Reference& reference, int contact, const std::string& of,
                 CompiledStage& stage);
 

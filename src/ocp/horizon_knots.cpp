@@ -59,8 +59,8 @@ void append_steps(const HorizonSegment& segment, const Stage& stage, std::vector
   const double min_duration = geometric_sum(1.0 / max_growth, segment.knots) * first;
   const double max_duration = geometric_sum(max_growth, segment.knots) * first;
   if (!(segment.duration >= min_duration) || !(segment.duration <= max_duration))
-    refuse(segment, " has a duration of " + number(segment.duration) + " s in " +
-                        std::to_string(segment.knots) + " knots, which begin with a step of " +
+    refuse(segment, " has a duration of " + number(segment.duration) + " s with " +
+                        std::to_string(segment.knots) + " knots and a first step of " +
                         number(first) + " s; wanted " + number(min_duration) + " to " +
                         number(max_duration) +
                         " s, so that each step is between half and twice the step before");

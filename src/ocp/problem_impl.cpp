@@ -267,7 +267,7 @@ void Problem::Impl::check_point(int knot, const ConstVectorRef& x, const ConstVe
 const ocp::StageDynamics<double>& Problem::Impl::evaluate_one(int knot, const ConstVectorRef& x,
                                                               const ConstVectorRef& u) {
   check_point(knot, x, u);
-  // values() would leave the last point of a Runge-Kutta step in the dynamics.
+  // Avoids values(), which would leave the dynamics at the last point of a Runge-Kutta step.
   ocp::NodeKernel<double>& kernel = worker(0).one;
   kernel.evaluate_dynamics(stage(knot), x.data(), u.data(), targets_of(knot), when(knot));
   return kernel.dynamics();

@@ -22,12 +22,12 @@ struct ResidualRows {
   Eigen::VectorXd lower = {}, upper = {};
 };
 
-/// Returns the rows of a residual. A State has none here, since its rows are the problem's states.
+/// Returns the rows of a residual; none for a State, whose rows are the states of the problem.
 /// Throws Error with the nearest known name for an unknown joint or contact.
 ResidualRows residual_rows(const ProblemSpec& spec, const Residual& residual);
 
-/// Returns one name for each row: the name of the group, or of the entry of v of a joint with
-/// several.
+/// Returns one name for each row: the name of its group or, for a joint with several entries of v,
+/// the name of its entry.
 std::vector<std::string> row_names(const Model& model, const std::vector<RowGroup>& groups);
 
 /// Returns one group for each direction that is set: "x", "y", "z", "rx", "ry", "rz".

@@ -10,9 +10,9 @@
 namespace burnish::ocp {
 namespace {
 
-/// Returns a scale from the kind of the row: the robot's limit of the quantity, the robot's weight
-/// for forces, the limit itself for distances, half the width of a support polygon. Returns 0 for
-/// other kinds.
+/// Returns a scale that depends on the kind of the row: the robot's limit of the quantity, the
+/// robot's weight for forces, the limit itself for distances, half the width of a support polygon.
+/// Returns 0 for other kinds.
 double derived_scale(const Residual& residual, const CompiledTerm& term,
                      const CompiledProblem& problem, std::size_t row) {
   const Model& model = problem.model;
@@ -57,7 +57,7 @@ double scale_of(const Residual& residual, const CompiledTerm& term, const Compil
   if (!is_valid(derived))
     throw Error(where + ": row " + in_quotes(term.row_names[row]) +
                 " needs a scale, because the distance between its limits is 0 or infinite and the "
-                "robot has no limit for it; wanted scale: a typical size of the row, in its unit");
+                "robot has no limit for it; wanted scale, a typical size of the row in its unit");
   return derived;
 }
 
@@ -73,7 +73,7 @@ void check_weights(const Constraint& constraint, const std::string& where) {
                 ": l1_weight and quadratic_weight are 0, so a violation costs nothing; wanted "
                 "one of them above 0");
   if (std::isinf(l1_weight) && quadratic_weight > 0.0)
-    throw Error(where + ": the constraint is hard, so a quadratic_weight of " +
+    throw Error(where + ": l1_weight is infinite, so a quadratic_weight of " +
                 number(quadratic_weight) +
                 " has no effect; wanted a finite l1_weight beside it, or l1_weight 0 for the "
                 "quadratic weight alone");

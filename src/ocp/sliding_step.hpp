@@ -20,8 +20,8 @@ struct SlidingStep {
   double speed() const { return coefficient * force * step / mass; }
 };
 
-/// Returns the longest explicit step of a stage's knots [s]; 0 for impacts. Knots longer than the
-/// stage's step count as the stage's step, because KnotTime::step_ratio slows their gains down.
+/// Returns the longest explicit step of a stage's knots [s]; 0 for impacts. A knot longer than the
+/// stage's step counts as one stage step, because KnotTime::step_ratio reduces its contact gains.
 double explicit_step(const ProblemSpec& spec, const Stage& stage);
 
 /// Returns the effect of a contact's friction in a stage with this contact, at the initial posture.

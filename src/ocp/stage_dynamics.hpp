@@ -34,8 +34,8 @@ class StageDynamics {
   /// derivative() (nv x nz, nonzero in the columns of q and v).
   void impact(const CompiledStage& stage, bool with_derivatives);
 
-  /// Sets the mass distribution of a body for the next evaluations. The problem's tree must have it
-  /// already.
+  /// Sets the mass distribution of a body for the next evaluations. The problem's tree must already
+  /// have the new distribution.
   void set_body_inertia(int body, const BodyInertia& inertia) {
     momentum_.set_mass(problem_->tree);
     dynamics_.set_body_inertia(body, inertia);

@@ -21,8 +21,8 @@ constexpr double min_velocity_limit = 0.1;   // rad/s, m/s
 constexpr double max_delay = 0.025;          // limit of a position error / largest speed, s
 constexpr double max_speed_fraction = 0.1;   // limit of a velocity error / largest speed
 
-/// Largest difference between the results of n and of 2 n small steps, as a fraction of the error
-/// or of its limit; chosen by hand.
+/// Largest difference between the results of n and of 2 n small steps, relative to the larger of
+/// the error and its limit; chosen by hand.
 constexpr double convergence = 0.02;
 /// Largest number of small steps of a knot; chosen by hand.
 constexpr int max_small_steps = 256;
@@ -164,7 +164,7 @@ class StepCheck {
     return true;
   }
 
-  /// Loads the knots of a range: start_, and the controls and targets of the worker.
+  /// Loads the knots of a range: states into start_, controls and targets into worker_.
   void load(KnotRange range) {
     impl_.gather(worker_, range, {xs_.data(), us_.data()}, times_);
     for (int l = 0; l < native_lanes; ++l)
@@ -220,8 +220,8 @@ class StepCheck {
     }
   }
 
-  /// Sets sufficient_step: the longest of 1/2, 1/4, ... of the worst knot's step whose error is at
-  /// most half the limits, rounded down to one digit.
+  /// Sets sufficient_step to the longest of 1/2, 1/4, ... of the worst knot's step with errors of
+  /// at most half their limits. Rounds it down to one digit.
   void find_step() {
     const auto ratio = [](const StepError& e) { return e.knot < 0 ? 0.0 : e.error / e.limit; };
     const StepError& worst_error =

@@ -21,7 +21,7 @@ struct Mode {
   double rate = 0.0;       ///< Damping per mass [1/s]
 };
 
-/// Returns the largest amplification of an error of the mode by one step of an integrator.
+/// Returns the largest factor by which one step of an integrator amplifies an error of the mode.
 double growth(const Mode& mode, double step, Integrator integrator) {
   using Complex = std::complex<double>;
   const auto roots = [](double trace, double determinant) {
@@ -48,7 +48,7 @@ bool grows(const Mode& mode, double step, Integrator integrator) {
   return growth(mode, step, integrator) > 1.0 + rounding;
 }
 
-/// Returns the longest stable step [s], by bisection below an unstable one.
+/// Returns the longest stable step [s], by bisection between 0 and the unstable `step`.
 double longest_step(const Mode& mode, double step, Integrator integrator) {
   double low = 0.0;
   for (int i = 0; i < 40; ++i) {
@@ -121,8 +121,8 @@ class StageSteps {
         number(two_digits(step_ * speed / sliding->speed(), false)) + " s");
   }
 
-  /// Warns about damping, friction and springs of the joints. The inertia of each joint is computed
-  /// with the other joints free. The rates are then lower bounds.
+  /// Warns about damping, friction and springs of the joints. The rate of each joint, with the
+  /// other joints free, is a lower bound of the robot's fastest rate.
   void about_joints(std::vector<std::string>& sentences) const {
     const ocp::CompiledProblem& compiled = ocp::ProblemInside::of(problem_).compiled;
     if (!compiled.passive) return;

@@ -35,22 +35,22 @@ struct TermBuilder {
   static std::vector<int> columns(int first, const std::vector<int>& entries);
   std::vector<int> support_columns(int frame) const;
   int frame(const std::string& name);
-  /// Compiles a reference at the start time. Adds its rotation over time and its surface to the
-  /// stage's targets, if it has them.
+  /// Compiles a reference at the start time. If the reference rotates over time or follows a
+  /// surface, adds the rotation or the surface to the stage's targets.
   TurningReference turning(const Reference& reference, const CompiledFrame& tool,
                            const CompiledFrame& base);
-  /// Compiles a reference whose tool is the frame and whose base is the world.
+  /// Compiles `reference` with the frame as its tool and the world as its base.
   FrameView view(int frame, const Reference& reference);
   WrenchView wrench(int contact, const std::optional<Reference>& reference);
   int contact(const std::string& name);
 
-  // In compile_terms.cpp: parts of a cost or a constraint other than the residual.
+  // Defined in compile_terms.cpp: the parts of a cost or a constraint other than the residual.
 
   bool is_margin() const;
   void finish_penalty(const CostTerm& cost);
   void finish_weights(const CostTerm& cost);
   void finish_constraint(const Constraint& constraint);
-  /// Sets the lower and upper limit of each row. `of` begins messages, such as "the penalty's ".
+  /// Sets the limits of each row. In messages, `of` precedes a limit's name: "the penalty's ".
   void finish_limits(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                      const std::string& of);
   /// Finds out whether every row is an entry of z that no other row uses. Such rows need no

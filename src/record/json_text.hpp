@@ -23,7 +23,7 @@ Json matrix_json(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 /// Returns {"xyz": [x, y, z] [m], "quaternion": [x, y, z, w]} with w >= 0.
 Json placement_json(const Eigen::Isometry3d& placement);
 
-/// Returns indented text, with lists of plain values on one line. Numbers are written without loss.
+/// Returns indented text with full precision. Lists of plain values are on one line.
 std::string json_text(const Json& value);
 
 }  // namespace burnish

@@ -35,7 +35,7 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, ignored);
 }
 
-/// Returns a file of a package. A package is a folder with the package's name, or contains one.
+/// Returns the file `rest` of a package in `folder`, or of the package `folder`; empty: none.
 fs::path file_in_package(const fs::path& folder, const std::string& package, const fs::path& rest) {
   if (is_file(folder / package / rest)) return folder / package / rest;
   if (folder.filename() == package && is_file(folder / rest)) return folder / rest;

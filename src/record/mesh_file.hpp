@@ -10,16 +10,16 @@
 
 namespace burnish {
 
-/// Returns the folders in which to search the meshes of a robot, by its name for load_robot(): the
-/// folder of the robot's description, then the folder of its settings. Empty if the robot is
+/// Returns the folders in which to search for the meshes of a robot: the folder of its description,
+/// then the folder of its settings. `robot` is a name for load_robot(). Empty if the robot is
 /// unknown.
 std::vector<std::filesystem::path> mesh_folders(const std::string& robot);
 
 /// Returns the file of a mesh uri; empty if there is none. `folder` is the folder of the
 /// description, and a plain uri is relative to it.
 /// A package:// uri is searched in folders named like the package: above `folder`, in
-/// $ROS_PACKAGE_PATH, and in the share folders of $AMENT_PREFIX_PATH. If none is found, the path
-/// without the package's name is searched in `folder` and the two folders above.
+/// $ROS_PACKAGE_PATH, and in the share folders of $AMENT_PREFIX_PATH. If no such file exists, the
+/// path without the package's name is searched in `folder` and the two folders above.
 std::filesystem::path mesh_file(const std::string& uri, const std::filesystem::path& folder);
 
 /// Loads the meshes of a model, by uri, each from the first folder that contains it. Omits meshes

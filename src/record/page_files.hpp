@@ -22,8 +22,8 @@ class PageWriter {
                                  const std::function<RunPage()>& make);
   /// Returns whether runs have a page, which makes plots as separate files unnecessary.
   bool makes_pages() const;
-  /// Finishes after the last run: writes comparison.html to the folder of all runs if there are
-  /// several. Returns a line for the user about the pages; empty: none.
+  /// Called after the last run. If there are several runs, writes comparison.html to their common
+  /// folder. Returns a line for the user about the pages; empty: none.
   std::string finish(const std::filesystem::path& folder) const;
   /// Returns a sentence about meshes that are missing in the pages of these runs; empty: none.
   std::string missing_meshes() const;

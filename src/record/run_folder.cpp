@@ -147,7 +147,8 @@ RunFolder::~RunFolder() {
   if (lock_ >= 0) close(lock_);
 }
 
-/// Falls back to overwriting the state in place, because a full disk can prevent a new file.
+/// Marks the run as failed. If a full disk prevents a new marker file, overwrites the state in the
+/// old one.
 void RunFolder::mark_as_failed() noexcept {
   try {
     write_mark(path_, failed, claimed_);
@@ -224,8 +225,8 @@ void RunFolder::replace() {
   made_ = true;
 }
 
-/// Locks the folder. If two programs start at the same time, only the one whose folder is still at
-/// the path gets the lock.
+/// Locks the folder. Throws Error if another program holds the lock, or if the path meanwhile leads
+/// to another folder.
 void RunFolder::lock() {
   lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0)
@@ -238,8 +239,8 @@ void RunFolder::lock() {
   lock_ = -1;
   made_ = false;
   throw Error(
-      fmt::format("another run writes into '{}'; wanted another folder, or to wait for the end "
-                  "of that run",
+      fmt::format("another run writes into '{}'; wanted another folder, or the end of that "
+                  "run",
                   path_.string()));
 }
 

@@ -230,8 +230,8 @@ class Recorder {
                                             frames[to_size(main)]));
     write(transforms_, time, {{"transforms", std::move(transforms)}});
   }
-  /// Returns the pose of the tip's centre for a point of the path, with the surface as at the
-  /// start.
+  /// Returns the target pose of the tip's centre for a point of the path, with the surface at its
+  /// initial placement.
   Eigen::Isometry3d target_at(const Eigen::Vector2d& place) const {
     Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
     target.linear() = run_.surface.axes;

@@ -23,14 +23,14 @@ struct PlotSignals {
 };
 PlotSignals followed(const ProblemSpec& spec);
 
-/// Returns one row per state: time, stage, q, v, tau, u, contact forces and positions of frames,
-/// both with their targets. Forces are in the reference of their contact. Values that do not exist
-/// are NaN.
+/// Returns one row per state: time, stage, q, v, tau, u, contact forces and their targets, frame
+/// positions and their targets. Forces are in the reference of their contact. Values that do not
+/// exist are NaN.
 Trace solution_trace(Problem& problem, const MatrixView& xs, const MatrixView& us);
 
 /// Returns the policy of each knot, u = u_k + feedforward + gain (x (-) x_k): feedforward, gain,
 /// x_k and u_k, with the names of rows and columns. If the solver did not converge, its last policy
-/// belongs to an earlier trajectory, so the policy of this one is computed.
+/// belongs to an earlier trajectory. In this case, computes the policy of the current trajectory.
 nlohmann::ordered_json gains_json(Problem& problem, DdpSolver& solver);
 
 /// Text of limits.csv: one line per constraint row and knot at which the row is active or violated.
@@ -38,8 +38,8 @@ nlohmann::ordered_json gains_json(Problem& problem, DdpSolver& solver);
 /// `multiplier` is in cost per unit of the row.
 std::string limits_csv(const Problem& problem, const CostReport& report);
 
-/// Time intervals in which a constraint row is active, by the name of the row: [[from, to], ...],
-/// the times of the first and the last of consecutive knots [s].
+/// Returns the time intervals in which each constraint row is active, by the name of the row:
+/// [[from, to], ...] [s]. An interval lasts from the first to the last of consecutive knots.
 std::map<std::string, nlohmann::ordered_json> active_times(const Problem& problem,
                                                            const CostReport& report);
 

@@ -127,7 +127,7 @@ Json gains_json(Problem& problem, DdpSolver& solver) {
     json["knots"] = knots_json(problem, solver, x_view, u_view);
     return json;
   }
-  // Solves for one direction from this trajectory; the resulting step is not used.
+  // Computes the policy at this trajectory by one iteration, whose step is not used.
   DdpOptions options = solver.options();
   options.max_iterations = 1;
   options.time_budget = std::numeric_limits<double>::infinity();

@@ -158,8 +158,8 @@ PlotSpec paths(const Problem& problem, const Trace& trace) {
   return plot;
 }
 
-/// Plots the rows with the largest multipliers over time. Multiplied by its scale, the multiplier
-/// of any row has the unit of cost.
+/// Plots the rows with the largest multipliers over time. Each multiplier is multiplied by the
+/// scale of its row, so that all curves have the unit of cost.
 PlotSpec limits(const Problem& problem, const CostReport& report) {
   constexpr std::size_t most = 7;
   std::vector<CostReport::Row> rows = report.active_constraints();

@@ -22,7 +22,7 @@ std::string shown(const ShownFigure& figure) {
   return formatted(extreme ? "%.2e" : size < 10.0 ? "%.3f" : "%.2f", size == 0.0 ? 0.0 : value);
 }
 
-/// Returns the text for "{mean}" in meanings: the width of the mean, or nothing without a mean.
+/// Returns the text for "{mean}" in meanings: the averaging time, or nothing without averaging.
 std::string mean_of(const std::optional<Metrics>& metrics) {
   if (!metrics || metrics->average <= 0.0) return "";
   return formatted("'s mean over %.4g ms", 1e3 * metrics->average);

@@ -68,15 +68,15 @@ struct PagePatch {
   std::vector<float> points;  ///< x, y, z of each point, row by row [m]
 };
 
-/// Surface of the workpiece. The columns of axes are two tangents and the normal towards the robot;
-/// for a curved surface, at its point.
+/// Surface of the workpiece. The columns of `axes` are two tangents and the normal towards the
+/// robot, on a curved surface at `point`.
 struct PageSurface {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   Eigen::Vector3d true_point = Eigen::Vector3d::Zero();     ///< Point in the plant
   Eigen::Matrix3d true_axes = Eigen::Matrix3d::Identity();  ///< Axes in the plant
   double friction = 0.0;  ///< Coefficient of friction in the plant
-  /// Half the side of the surface, about the origin of the path; infinite: no edges [m]
+  /// Half the side length of the square surface around the path's origin; infinite: no edges [m]
   double extent = std::numeric_limits<double>::infinity();
   std::optional<PagePatch> patch = {};  ///< Part of a curved surface in the plant
   /// Curved surface of the controller's model. The contact point is at the tip's radius from the
@@ -160,10 +160,10 @@ struct PageSize {
   int max_plans = 4000;        ///< Entries of PageSolver
 };
 
-/// Returns the part of a surface around the surface point nearest to `middle` [m]. The part is the
-/// projection of a square with sides 2 `half` in the tangent plane onto the surface. If the square
-/// cannot be projected, it is a square measured along the surface, with a half side of at most two
-/// radii of curvature at that point.
+/// Returns the part of a surface around the surface point nearest to `middle` [m]. The part is a
+/// square in the tangent plane, with sides of 2 `half`, projected onto the surface. If the square
+/// cannot be projected, the part is measured along the surface, up to at most two radii of
+/// curvature from that point.
 PagePatch surface_patch(const Surface& surface, const Eigen::Vector3d& middle, double half);
 /// Adds the curved surface of a plant to a page with a path: the part around the path, and the
 /// heights of the path.
@@ -179,12 +179,10 @@ int page_stride(const Trace& trace, const Model& model, int record_every,
 /// ClosedLoop. Robot, surface and path_origin_world must be set before; for a standing robot, also
 /// supports.
 ///  - Forces are along the true axes of the surface.
-///  - The path is that of the contact point, along the surface axes of the controller's model. For
-///  a
-///    surface that the robot carries, it is relative to the surface.
-///  - For a standing robot, columns of the supports' wrenches, the centre of mass and the
-///  centroidal
-///    momentum are added. They are NaN in rows without a valid state of the plant.
+///  - The path is that of the contact point, along the surface axes of the controller's model.
+///    It is relative to the surface if the robot carries the surface.
+///  - For a standing robot, adds columns of the supports' wrenches, the centre of mass and the
+///    centroidal momentum. They are NaN in rows without a valid state of the plant.
 /// Throws Error if a column is missing.
 void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSize& size = {});
 

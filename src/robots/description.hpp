@@ -21,8 +21,8 @@ struct RobotDescription {
 /// Reads a URDF or MJCF file once. Throws Error for files that read_description() rejects.
 RobotDescription read_robot_description(const std::filesystem::path& file);
 
-/// Returns the key of the settings that names such a file: "urdf" or "mjcf". Throws Error if the
-/// file cannot be read.
+/// Returns the settings key for a description file: "urdf" or "mjcf". Throws Error if the file
+/// cannot be read.
 std::string description_key(const std::filesystem::path& file);
 
 }  // namespace burnish

@@ -120,8 +120,8 @@ class Branches {
     return index;
   }
 
-  /// Returns true for the rotor of a motor next to the link that it drives: a tip that is named a
-  /// rotor, or a tip without mass next to a branch with mass.
+  /// Returns true if a tip represents the rotor of a motor: its name contains "rotor", or it has no
+  /// mass and a branch beside it has mass.
   bool is_rotor(int child, const Node& carrier) const {
     const Node& node = nodes_[to_size(child)];
     if (!node.children.empty()) return false;

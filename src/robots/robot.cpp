@@ -157,8 +157,9 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
   return options;
 }
 
-/// Adds frames and postures of the description to those of the settings. Settings take precedence
-/// over a frame or posture of the same name.
+/// Adds postures of the description to the settings, except those that the settings replace.
+/// Removes frames that the settings replace from the description. If the settings have no default
+/// posture, it becomes `home` or `qpos0` of the description.
 void take_over(TreeSpec& tree, RobotSettings& settings) {
   const auto is_stated = [&](const FrameSpec& frame) {
     return std::any_of(settings.frames.begin(), settings.frames.end(),

@@ -94,7 +94,7 @@ std::vector<Named> read_named(const Reader& reader,
   return all;
 }
 
-/// Returns readers for the types that a description alone cannot read.
+/// Returns readers for the types that read_described() cannot read by itself.
 document::Reading forms() {
   using document::read_by;
   return {.types = {read_by([](const Reader& at) { return document::read_placement(at); }),

@@ -116,8 +116,8 @@ RobotSettingsFile parse_robot_settings(const std::string& text, const std::strin
 /// Returns `common` overwritten by the keys that `variant` states; named entries are merged.
 RobotSettings with_variant(RobotSettings common, const RobotSettings& variant);
 
-/// SRDF file of a robot, if there is one. A file that was not asked for must not prevent loading:
-/// its problems become warnings.
+/// SRDF file of a robot, if there is one. If the file was not asked for, its problems become
+/// warnings, because they must not prevent loading.
 struct SrdfFile {
   std::filesystem::path file;
   bool asked_for = false;  ///< Whether the settings or the command line name the file

@@ -131,7 +131,7 @@ int rows_for(const ClosedLoopOptions& options, double dt) {
                 "; wanted at least 1 step");
   if (!(options.max_duration >= 0.0 && options.max_duration / dt < 1e9))
     throw Error("max_duration is " + number(options.max_duration) +
-                " s; wanted 0 to less than 1e9 plant steps of " + number(dt) + " s");
+                " s; wanted at least 0, and less than 1e9 plant steps of " + number(dt) + " s");
   return static_cast<int>(std::ceil(options.max_duration / dt)) / options.record_every + 2;
 }
 
@@ -213,8 +213,8 @@ struct ClosedLoop::Impl {
   int hung;  ///< Frame that hangs on the hoist; -1: none
   /// Placement of the hanging frame at the start.
   Eigen::Isometry3d hung_world = Eigen::Isometry3d::Identity();
-  /// Factor on the wrench of the hoist's spring and damper. If they are stiff relative to the
-  /// plant's step, it is the factor of an implicit step; otherwise it is the identity.
+  /// Factor on the wrench of the hoist's spring and damper. It makes the step implicit if they are
+  /// stiff relative to the plant's step; otherwise it is the identity.
   Matrix6 implicit_factor = Matrix6::Identity();
   Eigen::VectorXd total;
   Trace trace;
@@ -235,8 +235,8 @@ ClosedLoop::ClosedLoop(Plant& plant, Controller& controller, const Disturbances&
                        const ClosedLoopOptions& options)
     : impl_(std::make_unique<Impl>(plant, controller, disturbances, options)) {
   if (controller.nv() != plant.model().nv)
-    throw Error("the controller has " + std::to_string(controller.nv()) +
-                " torques; wanted the plant's " + std::to_string(plant.model().nv));
+    throw Error("the controller has " + std::to_string(controller.nv()) + " torques; wanted " +
+                std::to_string(plant.model().nv) + ", as the plant has");
 }
 ClosedLoop::~ClosedLoop() = default;
 ClosedLoop::ClosedLoop(ClosedLoop&&) noexcept = default;
@@ -313,8 +313,8 @@ void ClosedLoop::Impl::hang() {
   const HoistGains gains(body.mass());
   const double dt = plant->dt();
   const Matrix6 step = (dt * gains.damping + dt * dt * gains.stiffness).asDiagonal();
-  // Largest gain of one step for explicit steps. Explicit steps are accurate up to a gain of 0.5,
-  // and unstable from 2 on.
+  // Largest gain per step for which the step is explicit. Explicit steps are accurate up to a gain
+  // of 0.5, and unstable from 2 on.
   constexpr double max_explicit_gain = 0.5;
   const Matrix6 stepped = step * mobility_of(plant->model(), body, hung, plant->q());
   implicit_factor.setIdentity();

@@ -10,10 +10,9 @@ namespace burnish {
 /// Friction in the joints, and of the tip on a surface. The friction impulses p and the velocity at
 /// the end of the step, u = v + W p, satisfy Coulomb's law:
 /// - For each entry of v, p is in -h (viscous u + coulomb Sgn u).
-/// - For the tip, the same law holds for the two sliding velocities together; the interval Sgn
-///   becomes a disc.
-/// Projected Gauss-Seidel iterations solve these equations, starting from the impulses of the last
-/// step. Only the constructor allocates.
+/// - For the tip, the law couples the two sliding velocities: a disc replaces the interval Sgn.
+/// Projected Gauss-Seidel iterations solve these equations, starting from the impulses of the
+/// previous step. Only the constructor allocates.
 class CoulombStep {
  public:
   explicit CoulombStep(int nv);

@@ -46,8 +46,8 @@ void check_surface(const SceneSpec& scene) {
         "MuJoCo as the plant");
 }
 
-/// Returns the contact of the tip: one row along the normal, active when the tip's centre is at the
-/// distance of its radius.
+/// Returns the contact of the tip: one row along the normal, active when the tip's centre is one
+/// tip radius above the surface.
 ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options) {
   ContactSpec spec;
   spec.name = "tip";
@@ -218,8 +218,8 @@ Status IdealPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_w
   return status;
 }
 
-/// Simulates one time step. If the tip reaches the surface during the step, the step is divided,
-/// with an impact between both parts.
+/// Simulates one time step. If the tip reaches the surface during the step, the step is divided at
+/// the impact.
 Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
   const double h = options_.dt;
   impulse_ = 0.0;
@@ -234,7 +234,7 @@ Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& pus
   double normal_force = force_sum_;
   const double gap_before = touching_ ? 0.0 : gap_at(q_);
   const double gap_after = touching_ ? 0.0 : gap_at(q_next_);
-  // Contact begins only from above the surface. From the side, the gap is infinite.
+  // Contact begins only from above the surface. Beside the surface, the gap is infinite.
   if (gap_after < 0.0 && gap_after < gap_before && std::isfinite(gap_before)) {
     // The time of contact follows from linear interpolation of the gap.
     const double free_time = h * std::clamp(gap_before / (gap_before - gap_after), 0.0, 1.0);
@@ -365,7 +365,7 @@ Status IdealPlant::respond_freely() {
 }
 
 /// Computes the response to work_.normal of a robot with loops, including the impulses in the
-/// loops. It follows from da/dtau without the surface.
+/// loops: da/dtau without the surface contact, times work_.normal.
 Status IdealPlant::respond_with_loops() {
   set_touching(false);
   Status status = dynamics_.forward(q_, v_, work_.tau);

@@ -10,10 +10,10 @@
 namespace burnish {
 namespace {
 
-/// Largest speed during a run, as a multiple of the speed's standard deviation before control
+/// Ratio of the largest speed during a run to the standard deviation of the speed before control
 /// reacts. A normal variable exceeds four deviations once in 16 000 draws, about the number of
-/// draws in a run. The factor 1.6 is the further growth of the speed, because the control by an MPC
-/// is late (xArm7 1.4, SO-101 1.4 to 1.6).
+/// draws in a run. The speed grows further by up to the factor 1.6 because MPC reacts late (xArm7
+/// 1.4, SO-101 1.4 to 1.6).
 constexpr double deviations = 4.0 * 1.6;
 /// Time in which a typical motor accelerates its own rotor from rest to its speed limit [s]; chosen
 /// by hand.

@@ -89,7 +89,7 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
   return seen;
 }
 
-/// Returns the measurement of measurement_delay ago, with the current time.
+/// Returns the measurement from measurement_delay ago, with the current time as its time.
 const Measurement& Sensing::delayed() noexcept {
   if (late_.empty()) return measurement_;
   if (!started_)

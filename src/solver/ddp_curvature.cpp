@@ -1,9 +1,9 @@
 // Curvature of constraint rows. The linear-quadratic problem of an iteration contains only the
-// linearized rows. The curvature of an active row enters the Hessian of the Lagrangian as
+// linearized rows. In the Hessian of the Lagrangian, the curvature of an active row is
 //   multiplier * d2(row)/dz2,
-// and is added to the Hessian of the cost. The multiplier is the one of the previous iteration,
-// zero in the first. Problems provide curvature with its sign (RowCurvature). Only positive
-// contributions are added, so the Hessian stays as definite as it was.
+// with the multiplier of the previous iteration, or zero in the first iteration. This curvature is
+// added to the Hessian of the cost. Problems provide curvature with its sign (RowCurvature). Only
+// positive contributions are added, so the Hessian stays as definite as it was.
 
 #include "base/to_size.hpp"
 #include "solver/ddp_impl.hpp"

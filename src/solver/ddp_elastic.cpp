@@ -19,18 +19,18 @@
 namespace burnish {
 
 namespace {
-/// Violations decrease with the weight if a weight `raise` times as large leaves less than this
-/// fraction of them. Chosen by hand.
+/// Factor `raise` on the penalty weight. Violations decrease with the weight if a raise leaves less
+/// than the fraction `fall` of them. Chosen by hand.
 constexpr double fall = 0.1, raise = 100.0;
-/// Violations stand still if, for `still_patience` iterations, the linear model leaves at least
-/// `still_fraction` of their sum, and the steps leave at least `still_decrease` of it. Chosen by
+/// Violations stand still if, for `still_patience` iterations, the linear model leaves at least the
+/// fraction `still_fraction` of their sum, and the steps leave at least `still_decrease`. Chosen by
 /// hand.
 constexpr double still_fraction = 0.5, still_decrease = 0.9;
 constexpr int still_patience = 8;
 
 }  // namespace
 
-/// Switches to elastic mode. Returns false if elastic mode is already on or cannot apply.
+/// Switches to elastic mode. Returns false if it is on, its weight is too large, or no row is hard.
 bool DdpSolver::Impl::become_elastic() {
   if (elastic.on || elastic.weight > options.limits.max_l1_weight) return false;
   bool has_hard_row = false;
@@ -40,7 +40,7 @@ bool DdpSolver::Impl::become_elastic() {
   if (!has_hard_row) return false;
   elastic.on = true;
   limited_before = false;
-  // The multipliers of bounds balanced the multipliers that elastic mode removes.
+  // Elastic mode drops the rows' multipliers, so bounds drop the multipliers that balanced them.
   for (int k = 0; k < N; ++k)
     std::fill_n(row_views[to_size(k)].multiplier, controls[to_size(k)], 0.0);
   return true;

@@ -7,11 +7,11 @@
 
 namespace burnish {
 
-/// Iterations without expected improvement but with violations, before elastic mode begins. Newton
-/// steps reduce violations in their last digits first. Chosen by hand.
+/// Number of iterations without expected improvement but with violations, after which elastic mode
+/// begins. Until then, Newton steps can reduce violations in their last digits. Chosen by hand.
 static constexpr int patience_violated = 4;
-/// Steps are corrected if violations are below this fraction of their scale; far from the limits,
-/// curvature says little about their position. Chosen by hand.
+/// Largest violation at which a rejected step is corrected, relative to the scale. Farther from the
+/// limits, curvature says little about the position of the limits. Chosen by hand.
 static constexpr double near_limits = 0.1;
 
 bool DdpSolver::Impl::increase_regularization() {
@@ -73,7 +73,7 @@ bool DdpSolver::Impl::judge_direction(bool& again) {
     if (again || elastic.on) return !out_of_time() || stop(StopReason::TimeBudget);
   }
   const bool feasible = current.feasible && (!limited || keeps_limits(current));
-  // An improvement below the resolution of the merit function gets one more Newton step.
+  // Takes one more Newton step if the constraint tolerance alone could cause the improvement.
   const bool gains = summary.expected_improvement >= options.stop_tolerance;
   const bool unresolved = gains && !std::exchange(at_resolution, true);
   if (!feasible || summary.expected_improvement >= options.stop_tolerance + limit_resolution)

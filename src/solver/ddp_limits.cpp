@@ -31,7 +31,7 @@ void DdpSolver::Impl::allocate_rows() {
          problem.row_scale(k) == nullptr || problem.row_l1_weight(k) == nullptr ||
          problem.row_quadratic_weight(k) == nullptr))
       throw Error(problem.knot_name(k) +
-                  " has constraint rows without limits, scales or weights; wanted all of them");
+                  " has constraint rows without limits, scales or weights; wanted all three");
   limited = std::make_unique<LimitedLq>(state, N, nu_max, rows_max);
   row_counts.assign(to_size(N) + 1, 0);
   coefficient_counts = row_counts;
@@ -270,8 +270,7 @@ void DdpSolver::Impl::take_limited_step() {
   point_policies();
 }
 
-/// Sets the feedforwards so that the policies reproduce the direction, which may be shorter than
-/// their own step.
+/// Sets the feedforwards so that the policies reproduce the direction, even if it was shortened.
 void DdpSolver::Impl::point_policies() {
   for (int k = 0; k < N; ++k) {
     const PolicyStorage p = policy(k);
@@ -361,7 +360,7 @@ void DdpSolver::Impl::model_of_limited() {
     const double fraction = 1.0 - options.line_search.merit_fraction;
     const double needed =
         (direction.slope + 0.5 * std::max(0.0, curvature)) / (fraction * current.gap_sum);
-    // Gaps at rounding level could ask for any penalty; the multipliers bound the penalty.
+    // Gaps at rounding level would make the penalty arbitrarily large; the multipliers bound it.
     if (needed > penalty)
       penalty = std::max(penalty, std::min(needed, largest_multiplier() / fraction));
   }

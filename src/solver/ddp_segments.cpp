@@ -13,10 +13,10 @@ void DdpSolver::Impl::check_segments(int segments) const {
                 "; wanted fewer segments than knots");
 }
 
-/// Computes the first knot of each segment. The last segment is swept once, the others twice. The
-/// first of two sweeps costs about twice as much per knot, except in the first segment, where no
-/// start value is needed. With lengths 1 : 1 : ... : 1 : 2, all threads take about equally long in
-/// both sweeps.
+/// Computes the first knot of each segment. The first sweep omits the first segment, and the second
+/// sweep omits the last one. The first sweep costs about twice as much per knot, except in the last
+/// segment, whose end is no parameter. With lengths 1 : 1 : ... : 1 : 2, all threads take about
+/// equally long in both sweeps.
 void DdpSolver::Impl::cut_horizon(int segments) {
   if (segments == static_cast<int>(parts.size()) || (segments < 3 && parts.empty())) return;
   parts.clear();
@@ -31,8 +31,8 @@ void DdpSolver::Impl::cut_horizon(int segments) {
   steps.resize(to_size(N));
 }
 
-/// Returns whether the recursion can run in segments. Bounds make the dependence on the multiplier
-/// of a segment's end piecewise, which a parametric value function cannot represent.
+/// Returns whether the recursion can run in segments. With bounds, the solution of a segment is
+/// piecewise in the multiplier at its end, which a parametric value function cannot represent.
 bool DdpSolver::Impl::can_be_cut() const {
   if (parts.empty()) return false;
   for (std::size_t k = 0; k < to_size(N); ++k)
@@ -64,7 +64,7 @@ bool DdpSolver::Impl::sweep_segments(bool& usable) {
   const int segments = static_cast<int>(parts.size());
   const int last = segments - 1;
   std::fill(failures.begin(), failures.end(), -1);
-  // The last segment takes as long as all others with their ends, so it starts first.
+  // First sweep: the last segment, and the segments 1 to last - 1, whose ends are parameters.
   pool->for_each(segments - 1, [&](int /*worker*/, int piece) {
     const int j = last - piece;
     const auto i = to_size(j);

@@ -29,7 +29,7 @@ void check_shape(const ShootingProblem& problem) {
     require(b.first >= 0 && b.size >= 1 && b.size <= max_tangent_size && b.first + b.size <= s.nv,
             "a non-Euclidean tangent block has " + std::to_string(b.size) + " entries at " +
                 std::to_string(b.first) + "; wanted 1 to " + std::to_string(max_tangent_size) +
-                " entries within the " + std::to_string(s.nv) + " of dq");
+                " entries within the " + std::to_string(s.nv) + " entries of dq");
   for (int k = 0; k <= problem.knots(); ++k) {
     const int nu = problem.controls(k);
     require(nu >= 0 && nu <= problem.max_controls() && (k < problem.knots() || nu == 0),

@@ -114,7 +114,7 @@ void DdpSolver::Impl::take_trial(double length) {
     trial.gap_entry = current.gap_entry;
   }
   std::swap(current, trial);
-  // A gap can lower the cost without progress, even a gap below the tolerance.
+  // Compares merits, because even a gap below the tolerance can lower the cost without progress.
   const Iterate& rival = best_is_current ? trial : best;
   const bool better =
       current.feasible ? !rival.feasible || merit(current) <= merit(rival) : !rival.feasible;

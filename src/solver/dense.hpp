@@ -133,8 +133,8 @@ void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
 
 namespace detail {
 
-/// C vectors of out += x^T B. A single row has few sums, and each addition would wait for the one
-/// before. The products of each vector are therefore spread over `parts` independent sums.
+/// Adds x^T B to C vectors of `out`. Few sums would make each addition wait for the one before. The
+/// products of each vector are therefore spread over `parts` independent sums.
 template <int C>
 void row_tile(const double* x, Rows b, int count, double* out) {
   constexpr int parts = C == 1 ? 4 : 2;

@@ -29,14 +29,14 @@ Lane limit_of(const RowArrays& rows, double sign, int r) {
 Lane distance(const RowArrays& rows, double sign, int r, const Lane& y) {
   return Lane(sign) * (limit_of(rows, sign, r) - y);
 }
-/// Returns 1 for rows that have this side: a weight, a finite limit, and unequal limits.
+/// Returns 1 for rows with a weight, unequal limits, and a finite limit on this side.
 Lane exists(const RowArrays& rows, double sign, int r) {
   const Lane weighted = select(less(zero(), load(rows.weight + r)), Lane(1.0), zero());
   const Lane limited =
       select(less(absolute(limit_of(rows, sign, r)), Lane(infinite_limit)), weighted, zero());
   return select(less(zero(), meets(rows, r)), zero(), limited);
 }
-/// Returns the quadratic weight, which `beyond` stores as a fraction (row_force.hpp).
+/// Returns the quadratic weight, computed from `beyond`, its fraction of the sum of both weights.
 Lane quadratic_weight_of(const RowArrays& rows, int r) {
   const Lane beyond = load(rows.beyond + r), weight = load(rows.weight + r), one(1.0);
   const auto is_fraction = less(beyond, one);
@@ -70,7 +70,7 @@ void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale
     const Lane m =
         select(has_l1_weight, select(less(wanted, max_multiplier), wanted, max_multiplier), wanted);
     const Lane n = select(has_l1_weight, l1_weight - m, target / scale);
-    // Start with the multiplier in balance with the derivative of the violation's cost.
+    // If `infeasible`, a violated row starts with m + n equal to the derivative of its cost.
     const Lane violation = s - d, lowest = infeasible ? zero() : Lane(-infinite_l1_weight);
     const auto begins = mask_and(mask_and(elastic, has_l1_weight), less(d, lowest));
     const Lane rest = clip(target / violation, Lane(min_fraction) * l1_weight, max_multiplier);
@@ -84,7 +84,7 @@ void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale
   store(equality_ + at, zero());
 }
 
-/// Step of a side as a function of the change dy of its row: dm = weight sign dy + rest.
+/// Step of one side of a row for the change dy of the row: dm = weight sign dy + rest.
 struct InteriorRows::Step {
   Lane weight, rest;
   Lane violation, by_multiplier;  ///< dv = violation + by_multiplier dm

@@ -21,17 +21,17 @@ class InteriorRows {
  public:
   explicit InteriorRows(int rows);
 
-  /// Target of a Newton step: products equal to `mu`. If `corrected`, the second-order terms of the
-  /// predictor step before are subtracted (Mehrotra).
+  /// Target of a Newton step: products s m and v n equal to `mu`. If `corrected`, the second-order
+  /// terms of the preceding predictor step are subtracted (Mehrotra).
   struct Target {
     double mu = 0.0;
     bool corrected = false;
     double equality = 1.0;  ///< Factor on the weights of equality rows
   };
 
-  /// Initialises the rows. All functions treat the vector of rows that starts at index `at` (r
-  /// within `rows`). If `infeasible`, rows outside their limits start with their actual violation,
-  /// else with a small one.
+  /// Initialises the rows. All functions process one vector of rows, which starts at entry `at` of
+  /// the row variables and entry `r` of `rows`. If `infeasible`, rows outside their limits start
+  /// with their actual violation, else with a small one.
   void start(int at, const RowArrays& rows, int r, const dense::Lane& scale, const dense::Lane& y,
              double mu, bool infeasible);
   /// Returns the rows' contribution to the cost gradient, as a linear function of the next values.

@@ -145,7 +145,7 @@ void LimitedLq::row_values(const LqHorizon& h, int knot) {
                        h.rows[i], y);
 }
 
-/// Computes z from the policies and the linear dynamics with gaps, and the values of the rows.
+/// Computes z from the policies and the linear dynamics with gaps, then the values of the rows.
 void LimitedLq::follow_policy(const LqHorizon& h) {
   const int ndx = state_.ndx;
   std::copy_n(h.gaps, ndx, knot_at(0).z + h.controls[0]);
@@ -183,7 +183,7 @@ int LimitedLq::vectors_end(const LqHorizon& h, int knot) const {
   return h.rows[i] > 0 ? first_row_ + h.rows[i] : h.controls[i] + state_.ndx;
 }
 
-/// Finds the piece of each value. Returns the last knot with a changed piece, or -1.
+/// Finds the piece of each row value. Returns the last knot with a changed piece, or -1.
 int LimitedLq::find_pieces(const LqHorizon& h) {
   int last = -1;
   for (int k = 0; k <= N_; ++k) {
@@ -300,8 +300,8 @@ void LimitedLq::sweep(const LqHorizon& h, RiccatiRecursion& recursion) {
   }
 }
 
-/// Returns the change from the current multipliers to `next`, over weight and scale; 0 for rows
-/// without multipliers.
+/// Returns the change from the current multipliers to `next`, divided by weight and scale; 0 for
+/// rows without multipliers.
 Lane LimitedLq::change_of(const Knot& mine, int r, const Lane& next) {
   const Lane weight = load(mine.weight + r), zero(0.0);
   const auto has_one = mask_and(less(zero, weight), less(zero, load(mine.l1_weight + r)));
@@ -309,8 +309,8 @@ Lane LimitedLq::change_of(const Knot& mine, int r, const Lane& next) {
   return select(has_one, absolute(next - load(mine.multiplier + r)) / unit, zero);
 }
 
-/// Updates the multipliers. Returns the largest change, over weight and scale. A multiplier that
-/// changes by more than `jump_threshold` jumps to its L1 weight.
+/// Updates the multipliers. Returns the largest change, divided by weight and scale. A multiplier
+/// that changes by more than `jump_threshold` jumps to its L1 weight.
 double LimitedLq::update_multipliers(const LqHorizon& h, double jump_threshold) {
   Lane largest(0.0);
   for (int k = 0; k <= N_; ++k) {
@@ -391,7 +391,8 @@ bool LimitedLq::begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm
   return factor(h, recursion, N_, result);
 }
 
-/// Updates the multipliers at a minimum of the pieces and makes a step. Returns false at the end.
+/// Updates the multipliers at a minimum of the objective of the pieces, and computes new policies.
+/// Returns false if the solve has ended.
 bool LimitedLq::update(const LqHorizon& h, RiccatiRecursion& recursion,
                        const LimitedLqBudget& budget, GrowthWatch& growth, bool& whole,
                        LimitedLqResult& result) {
@@ -450,8 +451,8 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
   }
 }
 
-/// Ends a solve whose budget is used up. Returns the interior-point solution, with the policies of
-/// its pieces, if its residual is smaller.
+/// Ends a solve whose budget is used up. If the interior-point solution has a smaller residual,
+/// takes this solution, with the policies of its pieces.
 void LimitedLq::cut_short(const LqHorizon& h, RiccatiRecursion& recursion,
                           LimitedLqResult& result) {
   result.residual = residual_left(h);

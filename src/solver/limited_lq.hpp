@@ -34,14 +34,14 @@ struct LqHorizon {
 };
 
 struct LimitedLqBudget {
-  /// Maximum number of factorizations, over the whole horizon or its first part. Factorizations of
-  /// the interior-point method are not counted.
+  /// Maximum number of factorizations, each over the whole horizon or only its first part.
+  /// Factorizations of the interior-point method are not counted.
   int factorizations = 100;
   int sweeps = 200;  ///< Maximum number of sweeps that reuse a factorization
   /// Number of factorizations after which the interior-point method detects the active rows, if at
   /// least 20 remain in the budget. With 0, a cold start begins with the interior-point method.
   int interior_after = 8;
-  /// Tolerance of multiplier changes over their weight, relative to a row's scale.
+  /// Tolerance of multiplier changes, divided by the weight and the scale of the row.
   double tolerance = 1e-9;
 };
 
@@ -79,8 +79,8 @@ class LimitedLq {
   /// Resets multipliers and pieces.
   void forget() noexcept;
   /// Shifts the warm start by one knot, for a horizon that starts one knot later. Each knot takes
-  /// the multipliers, pieces and gains of the next knot. A knot keeps its own if it is the last
-  /// knot or if the next knot has another number of controls. Feedforwards are not shifted.
+  /// the multipliers, pieces and gains of the next knot. The last knot keeps its own data. So does
+  /// a knot whose next knot has another number of controls. Feedforwards are not shifted.
   void shift(std::span<const int> controls) noexcept;
   /// Shifts the warm start for knots of different lengths: knot k takes the data of knot from[k].
   /// from[k] must be at least k and must not decrease with k.

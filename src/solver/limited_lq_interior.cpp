@@ -1,7 +1,7 @@
 // Interior-point method for a cold start of the linear-quadratic problem with limits: predictor and
-// corrector steps (Mehrotra; Nocedal and Wright, Numerical Optimization (2006), algorithm 16.4)
-// with factorizations of the recursion. The number of factorizations hardly depends on the number
-// of active rows. The result gives the semismooth steps the active rows and approximate
+// corrector steps (Mehrotra; Nocedal and Wright, Numerical Optimization (2006), algorithm 16.4),
+// computed by the Riccati recursion. The number of factorizations hardly depends on the number of
+// active rows. The semismooth steps start from the resulting active rows and approximate
 // multipliers.
 #include <algorithm>
 
@@ -17,18 +17,17 @@ using dense::store;
 
 namespace {
 
-/// Products of the first step, relative to a row's weight times the square of its scale. The
-/// constants below are chosen by hand.
+/// Initial products s m and v n (interior_rows.hpp), relative to the mean over the rows of weight
+/// times squared scale. The constants below are chosen by hand.
 constexpr double start_product = 1.0;
-/// Convergence: products below this fraction of their start value, and rows this close to their
-/// slacks, relative to the scale.
+/// Convergence: products and residuals below this fraction of their initial values.
 constexpr double convergence = 1e-8;
-/// Factor on the weights of equality rows, at the start and at most. Larger weights give accurate
+/// Initial and largest factor on the weights of equality rows. Larger weights give accurate
 /// multipliers sooner.
 constexpr double equality_start = 100.0, equality_max = 1e6;
 constexpr int max_steps = 40;
 constexpr double min_length = 1e-8, boundary_fraction = 0.995;
-/// A method with `short_patience` consecutive steps below this length does not progress.
+/// The method makes no progress if `short_patience` consecutive steps are shorter than this.
 constexpr double short_length = 0.1;
 constexpr int short_patience = 3;
 /// Maximum number of steps after the products have become small.
@@ -162,7 +161,7 @@ void LimitedLq::take_kept(const LqHorizon& h) {
 }
 
 /// Takes multipliers and pieces from the row variables after a step of length `length`. Returns the
-/// sum of the changes of pieces.
+/// sum of the absolute changes of the pieces.
 double LimitedLq::take_interior_rows(const LqHorizon& h, double length) {
   Lane changed(0.0);
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {

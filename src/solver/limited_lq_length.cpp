@@ -13,8 +13,8 @@ using dense::lanes;
 using dense::load;
 using dense::store;
 
-/// Returns the sum of e times the change of the rows' values, at a length between the last
-/// trajectory (0) and the current one (1).
+/// Returns the sum over the rows of e (row_force.hpp) times the change of the row's value along the
+/// step. `length` is 0 at the last trajectory and 1 at the current one.
 double LimitedLq::force_along(const LqHorizon& h, double length) const {
   const Lane fraction(length);
   Lane sum(0.0);
@@ -37,10 +37,10 @@ struct LimitedLq::Line {
   double slope = 0.0, cost_curvature = 0.0;
 };
 
-/// Computes the objective along the step. The current trajectory minimises the objective of the
-/// pieces. With d the step and h its Hessian, the slope of that objective at 0 is
-///   -d^T h d = -sum |R (du - K dx)|^2,
-/// and the true objective differs from it at 0 by the rows that are on other pieces there.
+/// Computes the objective along the step d. The current trajectory minimises the objective of the
+/// pieces. With the Hessian h of this objective, its slope at length 0 is
+///   -d^T h d = -sum |R (du - K dx)|^2.
+/// The true objective has another slope at length 0, because some rows are on other pieces there.
 LimitedLq::Line LimitedLq::line(const LqHorizon& h) {
   double curvature = 0.0, of_rows = 0.0, elsewhere = 0.0;
   const int ndx = state_.ndx;

@@ -14,7 +14,7 @@ void transform_tangent(const StateShape& state, const double* tangent_blocks, bo
                        double* row);
 
 /// Computes T^T X of SecondOrder dynamics (riccati.hpp): nv rows from the ndx rows of X. X and
-/// `out` have ndx columns and row distance `stride`.
+/// `out` have ndx columns, and `stride` from row to row.
 void project_rows(const StateShape& state, const KnotExpansion& e, const double* x, int stride,
                   double* out);
 

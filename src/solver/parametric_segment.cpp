@@ -31,7 +31,7 @@ bool solve_rows(double* a, int stride, int n, int columns) {
   const int beside = dense::round_down(n);
   for (int c = n - 1; c >= 0; --c) {
     double* row = a + c * stride;
-    // From the last row on: entries right of the diagonal that this overwrites are no longer
+    // Starts at the last row. The entries right of the diagonal that this overwrites are no longer
     // needed.
     for (int k = n - 1; k > c; --k)
       dense::add_scaled(-row[k], a + k * stride + beside, columns - beside, row + beside);

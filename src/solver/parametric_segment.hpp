@@ -34,8 +34,8 @@ class ParametricSegment {
   /// Extends X, D and r by one knot, after recursion() made the step of this knot.
   void extend(const KnotExpansion& expansion, int controls, const double* gap,
               const PolicyStorage& policy);
-  /// Computes the value function at the start of the segment, from the value function of the
-  /// segment alone and of the rest of the horizon. Returns false if the system is singular or not
+  /// Joins two value functions at the start of the segment: `segment`, of the segment alone, and
+  /// `following`, of the rest of the horizon. Returns false if the system is singular or not
   /// finite.
   bool join(const ValueStorage& segment, const ValueStorage& following);
 

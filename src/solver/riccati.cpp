@@ -328,8 +328,8 @@ void RiccatiRecursion::add_passed_controls_to_states(const Knot& knot) {
   }
 }
 
-/// Solves the knot's box QP. Then replaces the system in Y by one with the solution of the box QP:
-/// a clamped control has a unit row, no gain, and its step k_i as right-hand side.
+/// Solves the knot's box QP. Then changes the system in Y so that it has the solution of the box
+/// QP: a clamped control gets a unit row, no gain, and its step k_i as right-hand side.
 void RiccatiRecursion::clamp(const Knot& knot, const ControlBox& box, double* k,
                              RiccatiStep& result) {
   const int nu = knot.nu;

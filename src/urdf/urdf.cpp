@@ -32,8 +32,8 @@ void check_link_count(const std::string& xml, const std::string& source) {
   }
 }
 
-/// Returns the name of the robot. Without one, returns the name of the file, or "robot" if that is
-/// not a name, as for devices and pipes.
+/// Returns the name of the robot. A robot without a name gets the name of its file, or "robot" for
+/// a device or pipe and if the file's name does not begin with a letter.
 std::string robot_name(const XMLElement& robot, const std::string& source, Findings& findings) {
   const char* stated = robot.Attribute("name");
   if (stated != nullptr && *stated != '\0') return stated;

@@ -54,9 +54,9 @@ void read_axis(const XMLElement& element, const XmlPlace& place, JointSpec& join
   if (joint.axis.norm() > 0.0) joint.axis.normalize();
 }
 
-/// Reads the range of a revolute or prismatic joint. By the format, a missing end is zero. If both
-/// ends are missing, or zero would be beyond the other end, the missing end is taken as unlimited,
-/// with a warning.
+/// Reads the range of a revolute or prismatic joint. URDF defines a missing end as zero. If both
+/// ends are missing, or if zero would be beyond the other end, the missing end is taken as
+/// unlimited, with a warning.
 void read_range(const XMLElement& limit, const XmlPlace& place, JointSpec& joint,
                 Findings& findings) {
   const bool has_lower = limit.Attribute("lower") != nullptr;

@@ -93,7 +93,7 @@ void add_colours(const XMLElement& parent, Colours& colours) {
   }
 }
 
-/// Returns the colour of the first material that has one, either its own or by name.
+/// Returns the colour of the first material with a <color> or with a name in `colours`.
 std::optional<Eigen::Vector4d> colour_of(const XMLElement& visual, const Colours& colours) {
   for (const XMLElement* material = visual.FirstChildElement("material"); material != nullptr;
        material = material->NextSiblingElement("material")) {

@@ -14,8 +14,7 @@ const tinyxml2::XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std
                                       const std::string& source, const std::string& format,
                                       const std::string& wanted);
 
-/// Returns the outermost element, which must be <robot>. Throws Error if parse_xml() does, or for
-/// another outermost element.
+/// Returns the outermost element. Throws Error if it is not <robot>, or as parse_xml() does.
 const tinyxml2::XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::string& xml,
                                             const std::string& source, const std::string& format);
 

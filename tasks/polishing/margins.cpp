@@ -12,7 +12,7 @@
 namespace burnish::polishing {
 namespace {
 
-/// Stiffness ratio, actual over stated stiffness of the surface, that the gains must tolerate; the
+/// Ratio of actual to stated stiffness of the surface that the gains must tolerate, because the
 /// controller cannot measure it. Chosen by hand.
 constexpr double stiffness_factor = 3.0;
 
@@ -36,7 +36,7 @@ std::optional<Loops> loops_of(const Task& task, const Setting& setting, const Lo
   }
 }
 
-/// Returns the joint with the smallest gain margin, in free air or in contact.
+/// Returns the gain range with the smallest margin above (or below), in free air or in contact.
 GainRange narrowest(const TaskMargins& margins, bool above) {
   std::vector<GainRange> all = margins.air.gains;
   all.insert(all.end(), margins.contact.gains.begin(), margins.contact.gains.end());
@@ -70,8 +70,8 @@ double lag_of(const LoopChain& chain, double tick_period) {
 /// Talos.
 Task with_first_gains(Task task) {
   ModelErrorOptions& error = task.model_error;
-  // The estimate of the force error must be slower than the filter of the force sensor, see
-  // ModelErrorOptions.
+  // The estimate of the force error must be slower than the filter of the force sensor
+  // (ModelErrorOptions).
   if (!error.bandwidth) error.bandwidth = error.kind == ModelErrorKind::Force ? 50.0 : 120.0;
   if (!error.transient_scale) error.transient_scale = 6.0;
   const bool observes = error.kind == ModelErrorKind::Torque;
@@ -125,8 +125,8 @@ class Fit {
         if (try_position(factor)) return true;
     return false;
   }
-  /// Sets the largest force gain that the loop tolerates with the other gains, on the stated
-  /// surface and on a stiffer one; 0 if none is tolerated.
+  /// Sets the largest of the tried force gains that the loop tolerates together with the other
+  /// gains, on the stated surface and on a stiffer one; 0 if it tolerates none.
   void find_force_gain() {
     constexpr std::array factors{1.0, 0.7, 0.5};  // tried factors of model_error.force_gain
     LoopChain chain = usual_chain(task_);

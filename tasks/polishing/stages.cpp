@@ -27,8 +27,7 @@ Anchor carrier(const Task& task) {
   return task.surface_frame.empty() ? Anchor(Anchor::World) : Anchor(task.surface_frame);
 }
 
-/// Returns costs for the task Task::waving: the frame that carries the surface should follow its
-/// stated motion.
+/// Returns costs with which the frame that carries the surface follows the motion Task::waving.
 std::vector<CostTerm> waving_costs(const Task& task, const Setting& setting) {
   if (task.surface_frame.empty()) return {};
   const Eigen::Isometry3d start =
@@ -65,8 +64,8 @@ struct Builder {
   const Setting& setting;
   const Model& model;
   std::shared_ptr<const Path> path;
-  /// Latest time of the schedule from which plans may take the target force [s]. Without preview,
-  /// this is the current time. Null: no limit.
+  /// Latest time of the schedule whose target force plans may use [s]. Without preview, this is the
+  /// current time. Null: no limit.
   std::shared_ptr<const std::atomic<double>> preview_end = {};
   /// Contacts of the feet.
   std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);

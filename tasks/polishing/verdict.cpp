@@ -36,7 +36,7 @@ Eigen::Vector3d place(const Trace& trace, int first_column, int row) {
 }
 
 /// Returns the length of the target's path on which the tool was at most its tip radius away from
-/// the target [m]. Both are measured perpendicular to the normal.
+/// the target [m]. Length and distance are measured perpendicular to the normal.
 double covered_length(const Task& task, const Setting& setting, const Trace& trace, double begin,
                       double end) {
   const int tool = trace.index("tool_x_world"), target = trace.index("target_x_world");
@@ -73,14 +73,14 @@ VerdictFigures verdict_figures(const Task& task, const Setting& setting, const T
   const Trace::Column time = trace.column("time");
   const double whole = path_time(task);
   const double step = trace.rows() > 1 ? time[1] - time[0] : whole;
-  // Excludes the last averaging window, because it extends into the retreat.
+  // Ends half an averaging window early, because later windows extend into the retreat.
   spec.end = std::max(std::min(begin + step, end), end - 0.5 * spec.average);
   const Metrics metrics = measure(trace, setting.robot.model, spec);
   VerdictFigures figures;
   figures.contact_share = 1.0 - metrics.without_contact;
   figures.force_rmse = metrics.force_rmse;
   const double length = path_length(task, setting, whole, step);
-  // For a path of zero length, path_share is the fraction of time instead.
+  // For a path of zero length, path_share is the fraction of the path's time instead.
   figures.path_share = length > 0.0 ? covered_length(task, setting, trace, begin, end) / length
                                     : (whole > 0.0 ? (end - begin) / whole : 1.0);
   figures.path_share = std::clamp(figures.path_share, 0.0, 1.0);

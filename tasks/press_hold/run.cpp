@@ -86,7 +86,7 @@ RunResult run_task(const RunSpec& spec) {
                           .mpc = &mpc,
                           .plan_step = 0.01,
                           .plan_rate = spec.plan_rate};
-  // Ends by the time of the schedule, whose clock stops while contact is late.
+  // The run ends by the time of the schedule, whose clock stops while contact is late.
   run.goes_on = [&](double now, const Command&) {
     return mpc.schedule().time() < end && now < max_duration;
   };

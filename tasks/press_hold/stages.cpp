@@ -186,8 +186,8 @@ bool has_joint(const Model& model, const std::string& name) {
                      [&](const Joint& joint) { return joint.nq == 1 && joint.name == name; });
 }
 
-/// Returns the third of the joints that carry the tool, counted from the base; the last one if
-/// there are fewer.
+/// Returns joint number three, counted from the base, of the joints that carry the tool; the last
+/// joint if there are fewer.
 const Joint& third_joint(const Model& model, const std::string& tool) {
   const int body = model.frames[to_size(model.frame_index(tool))].body;
   const Joint* last = nullptr;

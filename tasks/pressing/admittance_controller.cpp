@@ -154,8 +154,8 @@ Status AdmittanceController::run_outer(const Measurement& measurement) noexcept 
   return status;
 }
 
-/// Runs the joint controller. Between two commands, its target moves on with the velocity of the
-/// last command.
+/// Runs the joint controller. Between two commands, the joint targets move on with the velocities
+/// of the last command.
 Status AdmittanceController::run_inner(const Measurement& measurement) noexcept {
   const double dt = spec_.path.period, limit = spec_.gains.joint_integral_limit;
   if (const JointCommand* arrived = line_.arrived(tick_)) {

@@ -90,9 +90,9 @@ double AdmittanceLoop::normal_speed(const TaskPoint& target, double inertia,
   return speed_;
 }
 
-/// Computes the joint velocities step_ [rad/s (m/s)] for a velocity of the tool by damped least
-/// squares. The null space moves towards the posture. If a joint would exceed its velocity limit,
-/// all velocities are scaled down.
+/// Computes the joint velocities step_ [rad/s (m/s)] that move the tool with `v_tool`, by damped
+/// least squares. In the null space, joints move towards the posture. If a joint would exceed its
+/// velocity limit, all velocities are scaled down.
 void AdmittanceLoop::solve_joints(const Eigen::Vector3d& v_tool) noexcept {
   difference_configuration(tree_, q_.data(), posture_.data(), homing_.data());
   homing_ *= gains_.posture_gain;

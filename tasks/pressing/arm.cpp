@@ -135,7 +135,7 @@ void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal,
 std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd& q,
                                             const Disturbances& disturbances,
                                             const LightJointOptions& options) {
-  // Joints up to 1.25 times the inertia of a light joint get an armature too. If one joint is
+  // Joints that would be light with 1/1.25 of their inertia get an armature too. If one joint is
   // light, the description probably states no rotor inertias at all. Chosen by hand.
   constexpr double nearly_light = 1.25;
   std::map<std::string, double> added;

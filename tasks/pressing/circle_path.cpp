@@ -7,8 +7,8 @@
 namespace burnish {
 namespace {
 
-/// Growth from 0 to 1 over unit time, with its first two derivatives. Velocity and acceleration are
-/// zero at both ends.
+/// Smooth step from 0 to 1 over unit time, with its first two derivatives. Velocity and
+/// acceleration are zero at both ends.
 struct Growth {
   double value, rate, acceleration;
 };

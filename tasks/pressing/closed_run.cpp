@@ -82,7 +82,7 @@ double after_fault_of(const ClosedRun& run) {
   return run.standing != nullptr && run.standing->stands() ? run.standing->after_fault : arm_stops;
 }
 
-/// Largest number of rows in a trace: 100 s of the usual plant step, 130 MB for six joints.
+/// Largest number of rows in a trace: 100 s at the usual plant step, and 130 MB for six joints.
 constexpr double max_rows = 200e3;
 
 /// Largest number of recorded plans: 1000 s at the usual 20 Hz.

@@ -24,9 +24,8 @@ struct ClosedRun {
   /// Standing of the task; null for a fixed base. It determines the hoist, the estimation of the
   /// base, the force sensors of the feet, and for how long a run continues after a fault.
   const Standing* standing = nullptr;
-  /// The controller if it is an MpcController, else null. The next three members are used only with
-  /// MPC: step of the knots [s], delay of plans [s], highest rate of recorded plans [Hz].
-  MpcController* mpc = nullptr;
+  MpcController* mpc = nullptr;  ///< The controller if it is an MpcController, else null.
+  /// With MPC: step of the knots [s], delay of plans [s], highest rate of recorded plans [Hz].
   double plan_step = 0.0, solver_delay = 0.0, plan_rate = 0.0;
   std::function<bool(double now, const Command& last)> goes_on = {};
   std::function<double()> end = {};  ///< Approximate end of the run [s].
@@ -49,8 +48,8 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result);
 /// sentence says whether the robot fell.
 std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase);
 
-/// Returns the time by which contact may be late before the run ends [s]: 3 s, or `limit` if it is
-/// finite and longer. `limit`: time for which the controller waits for contact [s].
+/// Returns how late contact may be before the run ends [s]: 3 s, or `limit` if it is finite and
+/// longer. `limit`: longest time for which the controller waits for contact [s].
 double patience(double limit);
 
 }  // namespace burnish::pressing

@@ -43,9 +43,9 @@ void ContactDetector::add(double force, bool in_air) noexcept {
   if (in_air) add_noise(force);
 }
 
-/// Adds differences between a block and the block four blocks earlier. In these differences, an
-/// offset of the sensor cancels, and the sensor's filter does not correlate the two blocks. The
-/// medians of the differences ignore a short touch.
+/// Adds a sample in the air. Compares a complete block with the block four blocks earlier, so that
+/// an offset of the sensor cancels, and the sensor's filter does not correlate the two blocks.
+/// Medians of the differences ignore a short touch.
 void ContactDetector::add_noise(double force) noexcept {
   if (in_block_ == 0) first_ = force;
   block_sum_ += force;
@@ -90,7 +90,7 @@ bool ContactDetector::is_lost(double wanted) const noexcept {
 
 double ContactDetector::above_noise(double limit, int samples) const noexcept {
   if (!knows_noise()) return limit;
-  // The mean over fewer samples has a larger deviation, but at most that of white noise.
+  // Standard deviation of the mean of `samples` samples of white noise [N].
   const double shorter = deviation() / std::sqrt(static_cast<double>(std::max(1, samples)));
   const double strays =
       samples < window_.size() ? std::max(mean_deviation(), shorter) : mean_deviation();

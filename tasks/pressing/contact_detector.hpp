@@ -44,11 +44,11 @@ class ContactDetector {
   /// Returns whether contact is lost while the controller commands the force `wanted` [N]. A force
   /// of half of `wanted` or more always counts as contact.
   bool is_lost(double wanted) const noexcept;
-  /// Returns the largest mean over `samples` samples that noise alone can explain, at least `limit`
-  /// [N].
+  /// Returns the largest mean of `samples` samples that noise alone can cause, but at least `limit`
+  /// [N]. Returns `limit` if the noise is not yet estimated.
   double above_noise(double limit, int samples) const noexcept;
   bool knows_noise() const noexcept;  ///< Whether the noise has been estimated.
-  /// Force to compare with needed(): the newest sample, or the mean of a noisy sensor [N].
+  /// Force to compare with needed(): the mean if the sensor is noisy, else the newest sample [N].
   double felt() const noexcept { return !knows_noise() || is_quiet() ? last_ : mean_; }
   double needed() const noexcept;  ///< Smallest force that counts as contact [N].
 
@@ -62,13 +62,13 @@ class ContactDetector {
   Eigen::VectorXd window_;  ///< Ring buffer of samples.
   long count_ = 0;
   double mean_ = 0.0, last_ = 0.0;  ///< Mean over the window and newest sample [N].
-  // Statistics of the samples in the air, in blocks of the window's length.
+  // Statistics of the samples in the air. A block has as many samples as the window.
   Eigen::Index in_block_ = 0;
   double block_sum_ = 0.0, first_ = 0.0;
   std::array<double, 4> block_means_{};  ///< Ring buffer of the means of blocks [N].
   std::size_t blocks_ = 0;
-  /// Medians of the differences from the mean of the block four blocks earlier [N]. sample_strays_:
-  /// for the first sample of a block; mean_strays_: for the mean of a block.
+  /// Running medians of distances from the mean of the block four blocks earlier [N]:
+  /// sample_strays_ of the first sample of each block, mean_strays_ of the mean of each block.
   RunningMedian sample_strays_, mean_strays_;
 };
 

@@ -67,7 +67,7 @@ class FootSearch {
       return std::nullopt;
     }
     if (!order(ends)) {
-      // If other branches end as low as the feet, keeps only ends with a name like that of a foot.
+      // Keeps only ends that are named like feet, because other branches may end as low.
       const std::string why = why_;
       std::erase_if(ends, [&](const End& end) { return name_score(end) == 0; });
       if (ends.empty() || !order(ends)) {
@@ -260,8 +260,8 @@ class FootSearch {
     return true;
   }
 
-  /// Returns the frame on a body whose name has the best score, the lowest frame if several have
-  /// it; -1: none.
+  /// Returns the frame of a body whose name has the best score, or -1 if the body has no frames. Of
+  /// frames with equal scores, returns the lowest one.
   int named_frame(int body) const {
     int best = -1;
     const auto is_better = [&](int a, int b) {
@@ -307,14 +307,14 @@ class FootSearch {
     return solids;
   }
 
-  /// Adds the frame of a foot at position `p` [m] with the given axes, both in the world. If the
-  /// frame of `end` is within `tolerance` [m] of `p`, uses this frame, otherwise adds a new one.
+  /// Adds a frame of a foot at `p` [m] with the axes `axes`, both in the world. Uses the frame of
+  /// `end` if it is within `tolerance` [m] of `p` and, for a sole, has these axes.
   void put_frame(const End& end, const Eigen::Vector3d& p, const Eigen::Matrix3d& axes,
                  double tolerance, Feet& feet) const {
     const bool turned = feet.has_soles();  // a point foot may have axes of any orientation
     if (end.frame >= 0 && frame(end.frame).kind != FrameKind::Joint) {
       const Eigen::Isometry3d& at = placement(end.frame);
-      // Largest norm of the difference of two rotation matrices, chosen by hand.
+      // Largest difference between rotation matrices that count as equal (norm), chosen by hand.
       constexpr double same = 1e-2;
       if ((at.translation() - p).norm() < tolerance &&
           (!turned || (at.linear() - axes).norm() < same)) {
@@ -389,7 +389,7 @@ class FootSearch {
                            std::sqrt(3.0 * moment / link.mass) * arm.normalized());
   }
 
-  /// Returns whether a foot frame is high above the lowest solid, as the axle of a locked wheel is.
+  /// Returns whether a foot frame is high above the lowest solid, such as the axle of a wheel.
   bool is_above_rounding(const End& end) const {
     constexpr double max_radius = 0.2;  // fraction of the base's height; chosen by hand
     const double radius = end.middle.z() - end.low;

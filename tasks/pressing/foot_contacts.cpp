@@ -11,9 +11,10 @@
 namespace burnish::pressing {
 namespace {
 
-/// Smallest part of a constraint row, as a fraction of its length, that must be independent of the
-/// rows before it. Found postures are level to 1e-4 rad, which leaves this fraction in a dependent
-/// row. For legs that can move a foot in the direction of the row, the fraction is 0.05 or more.
+/// Smallest part of a constraint row that must be independent of the rows before it, as a fraction
+/// of the row's length. Soles in found postures are level to 1e-4 rad, which leaves parts of up to
+/// this size in dependent rows. For legs that can move a foot in the direction of the row, the
+/// fraction is 0.05 or more.
 constexpr double min_independent_fraction = 3e-3;
 
 Directions held_by(const Standing& standing) {
@@ -50,7 +51,7 @@ std::vector<ContactSpec> foot_contacts(const Model& model, const Standing& stand
     feet.push_back(contact.with_gains(0.0, standing.contact_kd));
   }
   if (feet.empty()) return feet;
-  // Loops come first, so that of dependent rows, the rows of feet are left out.
+  // Puts loops before feet: diagnose() reports a row as redundant if rows before it imply it.
   std::vector<ContactSpec> all = loop_contacts(model);
   all.insert(all.end(), feet.begin(), feet.end());
   const ContactSet set(model, all);

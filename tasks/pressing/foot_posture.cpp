@@ -216,8 +216,8 @@ Eigen::Isometry3d level(Eigen::Isometry3d foot) {
   return foot;
 }
 
-/// Returns the posture with the smallest torque in which the base is lower by `crouch`; nothing if
-/// none is found. The search starts at `from`; `last` receives its last iterate.
+/// Returns a posture with the base lowered by `crouch`: of the postures found, the one with the
+/// smallest torques, or nothing. The search starts at `from`; `last` receives its last iterate.
 std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standing& standing,
                                                 const Eigen::VectorXd& from, double crouch,
                                                 Eigen::VectorXd& last) {

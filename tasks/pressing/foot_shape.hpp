@@ -16,8 +16,8 @@ std::vector<Visual> solids_of(const Robot& robot, const std::vector<int>& bodies
 /// leg must have limits, so that files without any limits are excluded.
 bool turns_freely(const Model& model, int body);
 
-/// Returns the height of the lowest point of a solid along z [m]; infinite for meshes. `in_axes`:
-/// placement of the solid, in the axes to which z belongs.
+/// Returns the smallest z coordinate of a solid [m]; infinite for meshes. `in_axes`: placement of
+/// the solid.
 double lowest_of(const Shape& shape, const Eigen::Isometry3d& in_axes);
 
 /// Rectangle that touches level ground.
@@ -42,9 +42,9 @@ struct BallShape {
 /// Returns the lowest of `solids` if it is a sphere, else nothing.
 std::optional<BallShape> ball_of(const std::vector<PlacedShape>& solids);
 
-/// Returns the sides of a box of uniform density with this mass [kg] and this inertia about its
-/// centre [kg m^2]; the sides lie along the axes of `inertia` [m]. A side is zero if no box has
-/// this inertia.
+/// Returns the sides of a box of uniform density, along the axes of `inertia` [m]. The box has the
+/// given mass [kg] and inertia about its centre [kg m^2]. A side is zero if no box has this
+/// inertia.
 Eigen::Vector3d box_of(double mass, const Eigen::Matrix3d& inertia);
 
 }  // namespace burnish::pressing

@@ -19,8 +19,8 @@ double HomeMove::duration() const {
 
 namespace {
 
-// Triple pole of the joint controller [rad/s]. Its crossover is at 60 rad/s, where a delay of 8 ms
-// costs 30 degrees of phase margin.
+// Triple pole of the joint controller [rad/s]. The crossover frequency of the control loop is 60
+// rad/s, where a delay of 8 ms costs 30 degrees of phase margin.
 constexpr double home_pole = 20.0;
 // Limits at the end of the move: largest position error [rad (m)], and longest time to wait until
 // the error is smaller [s]. Chosen by hand.

@@ -202,7 +202,7 @@ ReachReport check_home_move(const HomeMove& move, const Model& model, const Scen
 }
 
 double time_from_home(const std::optional<HomeMove>& move) {
-  // Longest wait at the end [s], max_lateness of make_home_controller().
+  // Longest wait at the end of the move [s]; equals max_lateness in home_controller.cpp.
   constexpr double lateness = 2.0;
   return move ? move->duration() + move->settle + lateness : 0.0;
 }

@@ -13,8 +13,8 @@ namespace burnish::pressing {
 namespace {
 
 /// Smallest inertia of a joint that can be held still [kg m^2 (kg)]. The shipped disturbances have
-/// a white torque noise of 0.05 Nm, and the hold has a damping of 15 1/s. An inertia of this size
-/// then moves with a standard deviation of 1 rad/s.
+/// a white torque noise of 0.05 Nm, and the hold has a damping of 15 1/s. The speed of a joint with
+/// this inertia then has a standard deviation of 1 rad/s.
 constexpr double min_inertia = 3e-4;
 
 /// Returns whether each entry of v (nv) belongs to the base or to a joint between the base and a

@@ -144,7 +144,7 @@ class Search {
     placement_ = body_.placement(tool_);
   }
 
-  /// Returns the target of the tool's centre, if the surface has a point.
+  /// Returns the target of the tool's centre, if the task states a point of the surface.
   std::optional<Eigen::Vector3d> wanted_position() const {
     if (!place_.point_world) return std::nullopt;
     return *place_.point_world - (place_.tip_radius + place_.clearance) * into_;
@@ -197,9 +197,8 @@ class Search {
       }
   }
 
-  /// Adds whole turns to joints. With limits, the angle nearest to the middle of the range is
-  /// chosen, without limits the angle nearest to zero. Joints that other joints follow are
-  /// unchanged.
+  /// Adds whole turns to joint angles. Each angle then is the one nearest to the middle of its
+  /// range, or nearest to zero without limits. Joints that lead other joints are unchanged.
   void unwind(Eigen::VectorXd& q) const {
     constexpr double turn = 2.0 * std::numbers::pi;
     for (const Joint& joint : model_.joints) {
@@ -218,8 +217,8 @@ class Search {
     });
   }
 
-  /// Returns the required margin to the limits of a joint [rad (m)]: the margin of the options, and
-  /// at most a quarter of the range of a prismatic joint, which may be short.
+  /// Returns the required margin to the limits of a joint [rad (m)]: the margin of the options, but
+  /// for a prismatic joint at most a quarter of its range.
   double margin_of(const Joint& joint) const {
     if (joint.kind != JointKind::Prismatic) return options_.joint_margin;
     const double range = model_.q_upper[joint.q_index] - model_.q_lower[joint.q_index];
@@ -242,10 +241,10 @@ class Search {
     return body == other;
   }
 
-  /// Sets body and body_wanted of a candidate (distance between parts of the robot, and required
-  /// distance). Three points of the last link are compared with the links of the arm and with the
-  /// origins of all other links. The pair with the smallest ratio of distance to required distance
-  /// counts.
+  /// Sets `body` and `body_wanted` of a candidate: distance between two parts of the robot, and
+  /// required distance. Three points of the last link are compared with the links of the arm and
+  /// with the origins of all other links. The pair with the smallest ratio of distance to required
+  /// distance is kept.
   void measure_body(Candidate& c) {
     const auto joint = [&](int index) -> const Joint& { return model_.joints[to_size(index)]; };
     const int last = model_.frames[to_size(model_.frame_index(place_.tool))].body;
@@ -264,7 +263,7 @@ class Search {
     };
     for (const double fraction : {1.0 / 3.0, 2.0 / 3.0, 1.0}) {
       const Eigen::Vector3d p = elbow + fraction * (tool - elbow);
-      // Length along the arm from p to the origins of joints, towards the base [m].
+      // Length along the arm from p to the origin of a joint, towards the base [m].
       double along = (p - elbow).norm();
       std::vector<double> to_joint(model_.joints.size(), -1.0);
       for (int j = last; j >= 0; j = joint(j).parent) {
@@ -448,8 +447,7 @@ std::string about_looser_limits(const Eigen::Vector3d& axis, const SearchInput& 
   struct Looser {
     double body_distance, joint_margin;  ///< Limits [m], [rad].
   };
-  // Values that helped arms for which the default limits allow no posture, chosen by hand. Links of
-  // these arms are about 0.05 m thick.
+  // Looser limits, chosen by hand. They helped arms with links about 0.05 m thick.
   for (const Looser& looser : {Looser{0.15, 0.15}, {0.1, 0.15}, {0.1, 0.05}}) {
     PostureOptions options = in.options;
     options.body_distance = std::min(options.body_distance, looser.body_distance);

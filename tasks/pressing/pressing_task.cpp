@@ -126,8 +126,8 @@ class Pressing final : public MpcTask {
   }
 
  private:
-  /// Moves a point along the normal at the origin of the path until it lies on the estimated
-  /// surface.
+  /// Moves a point onto the estimated surface, in the direction of the normal at the start of the
+  /// path.
   void put_on_surface(Eigen::Vector3d& p) const noexcept {
     constexpr double max_step = 0.1;  // largest displacement [m], chosen by hand
     const Quadric& estimated = surface_->surface();

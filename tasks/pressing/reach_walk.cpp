@@ -117,7 +117,7 @@ class ReachWalk::Impl {
     return off_ < options_.tolerance;
   }
 
-  /// Joint motions that keep the feet in place, and a correction of the feet.
+  /// Basis of the joint motions that keep the feet in place, and a step that moves the feet back.
   struct Footing {
     /// Orthonormal basis of the motions that keep the feet in place (nv x freedom).
     Eigen::MatrixXd allowed;
@@ -244,8 +244,8 @@ class ReachWalk::Impl {
                " m away from it; wanted at most " + number(options_.tolerance) + " m");
   }
 
-  /// Collects the joints between the world and the tool link whose origins move, with a frame on
-  /// the body of each.
+  /// Collects the joints that carry the tool, each with a frame on its body. Leaves out the joint
+  /// at the world, because its origin does not move.
   void find_skeleton() {
     const Frame& tip = model_.frames[to_size(model_.frame_index(scene_.tip.frame))];
     int last = tip.body;
@@ -256,7 +256,7 @@ class ReachWalk::Impl {
       if (model_.joints[to_size(j)].parent < 0) break;
       for (const Frame& frame : model_.frames) {
         if (frame.body != j) continue;
-        // model_.frame_index() finds only the first of two frames with one name.
+        // Skips a frame that is not the first one of its name, because lookups find only the first.
         const auto found = to_size(model_.frame_index(frame.name));
         if (&model_.frames[found] != &frame) continue;
         skeleton_.push_back({j, body_.frame(frame.name), frame.placement.inverse().translation()});
@@ -308,7 +308,7 @@ class ReachWalk::Impl {
     for (std::size_t i = 0; i < skeleton_.size(); ++i) {
       double distance = distance_at(origins[i]);
       std::size_t nearest = i;
-      // With an infinite surface, the point of a link nearest to the surface is one of its ends.
+      // The point of a link nearest to an infinite plane is one of the link's ends.
       if (i + 1 < skeleton_.size() && std::isfinite(scene_.surface.extent)) {
         const double fraction = nearest_between(origins[i], origins[i + 1]);
         const double between = distance_at(origins[i] + fraction * (origins[i + 1] - origins[i]));
@@ -365,8 +365,8 @@ class ReachWalk::Impl {
     return true;
   }
 
-  /// Computes the sensitivity of the normal force to torque errors, and keeps the largest one in
-  /// the report. The force is the least-squares force of the joint torques, f = (J J^T)^-1 J tau.
+  /// Computes the change of the normal force per torque error, and keeps the largest one in the
+  /// report. The force f of joint torques tau is the least-squares solution f = (J J^T)^-1 J tau.
   void note_force_sensitivity(const Eigen::Vector3d& normal) {
     // Square of the lever arm below which joint torques cannot determine a force [m^2]. Chosen by
     // hand.

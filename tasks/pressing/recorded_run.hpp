@@ -77,8 +77,8 @@ RecordedRun record_of(const std::string& task, const NamedRun<RunSpec>& run,
           .scene = result.setting.scene};
 }
 
-/// Returns the figures of a task. `each`: function for which each(see) calls each_..._figure(see)
-/// of the task.
+/// Returns the figures of a task as JSON and for the HTML page; empty without figures. `each(see)`
+/// must call see(entry, member) for each figure.
 template <class Figures, class Each>
 OwnFigures own_figures(const std::string& section, const std::optional<Figures>& figures,
                        const Each& each) {

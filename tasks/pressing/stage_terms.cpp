@@ -35,12 +35,11 @@ void check_start(const Model& model, double margin, const Eigen::VectorXd& q) {
     const int k = joint.q_index;
     const double distance = std::min(q[k] - model.q_lower[k], model.q_upper[k] - q[k]);
     if (distance < margin - rounding)
-      throw EntryError(
-          "constraints.joint_margin",
-          "joint " + in_quotes(joint.name) + " starts " + number(std::abs(distance)) +
-              (distance < 0.0 ? " beyond its limit" : " from its limit") +
-              "; wanted a distance of at least " + number(margin) +
-              ": another start posture, or a smaller constraints.joint_margin, or never");
+      throw EntryError("constraints.joint_margin",
+                       "joint " + in_quotes(joint.name) + " starts " + number(std::abs(distance)) +
+                           (distance < 0.0 ? " beyond its limit" : " from its limit") +
+                           "; wanted a distance of at least " + number(margin) +
+                           ": another start posture, a smaller margin, or joint_margin: never");
   }
 }
 }  // namespace

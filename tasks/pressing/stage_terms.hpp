@@ -25,8 +25,7 @@ inline double smooth_rate(double s) {
 Eigen::VectorXd rest_torque(const Model& model, const Eigen::VectorXd& q);
 
 /// Returns constraints on positions and velocities of joints with limits. Throws EntryError if
-/// `q_start` violates a limit, because plans would then ignore all costs to return within the
-/// limit.
+/// `q_start` violates a limit: plans would then ignore all costs until the limit is met.
 std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limits,
                                      const Eigen::VectorXd& q_start);
 /// Returns constraints on the controls; empty without effort limits.

@@ -194,7 +194,7 @@ void set_standing(const Standing& standing, MpcSpec& mpc) {
   mpc.slip.radius = standing.has_soles() ? 0.0 : standing.radius;
   mpc.fallback = standing.fallback;
   // Smallest load of a foot for which a slip is detected, as a fraction of the mean load of the
-  // feet. It is 30 N of 49 N for the shipped quadruped.
+  // feet. For the shipped quadruped, it is 30 N, and the mean load is 49 N.
   constexpr double slip_load = 0.612;
   mpc.slip.load = std::min(mpc.slip.load, slip_load * weight_per_foot(mpc.problem.model, standing));
 }
@@ -202,8 +202,8 @@ void set_standing(const Standing& standing, MpcSpec& mpc) {
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
   if (!standing.stands() || !standing.estimate) return std::nullopt;
   // Noise of a good inertial measurement unit, with some margin. Feet count as fixed unless a slip
-  // is detected. The ground yields by tenths of a millimetre: soles tilt as the load moves, and
-  // they turn in place more than they slide. The positions of the feet therefore determine the yaw
+  // is detected. The ground yields by tenths of a millimetre, and soles tilt as the load moves.
+  // Soles turn in place more than they slide, so that the positions of the feet determine the yaw
   // of the base.
   BaseEstimatorOptions options{.imu_frame = standing.imu_frame,
                                .gyro_noise = 3e-4,
@@ -215,8 +215,8 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
                                .gate = 1.0 - 1e-12,
                                .tilt_deviation = 5e-3,
                                .velocity_deviation = 0.01};
-  // Decay time of the differences between IMU and feet [s]. Faster motions of the base count as
-  // pushes.
+  // Decay time of the jump of the estimate when the feet replace a faulty IMU [s]. Faster motions
+  // of the base would count as pushes.
   options.watch.decay_time = 0.2;
   for (const std::string& foot : standing.feet)
     options.feet.push_back({foot, standing.has_soles() ? FootKind::Sole : FootKind::Ball});
@@ -233,8 +233,8 @@ FootContactOptions foot_contact_options(const Model& model) {
 }
 
 Disturbances for_feet(const Model& model, const Standing& standing, Disturbances disturbances) {
-  // Largest force noise as a fraction of the mean load of the feet: 1 N of 49 N for the shipped
-  // quadruped, rounded up.
+  // Largest force noise as a fraction of the mean load of the feet. For the shipped quadruped, it
+  // is 1 N, rounded up, and the mean load is 49 N.
   constexpr double fraction = 0.022;
   constexpr double arm = 0.1;  // ratio of moment noise to force noise [m], chosen by hand
   const double max_noise = fraction * weight_per_foot(model, standing);
@@ -244,7 +244,7 @@ Disturbances for_feet(const Model& model, const Standing& standing, Disturbances
 }
 
 double min_load_of(const Model& model, const Standing& standing) {
-  // Smallest load as a fraction of the mean load of the feet: 40 N for Talos, which weighs 900 N.
+  // Smallest load as a fraction of the mean load of the feet. For Talos, it is 40 N of 450 N.
   constexpr double fraction = 0.09;
   return standing.min_load.value_or(fraction * weight_per_foot(model, standing));
 }

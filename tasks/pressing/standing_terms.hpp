@@ -31,8 +31,8 @@ std::string ground_note(const Model& model, const Standing& standing);
 /// Returns the hoist that holds the base at the start.
 HoistSpec hoist_of(const Model& model, const Standing& standing);
 
-/// Returns the Jacobian of the directions that supports hold, in world axes at the frames of the
-/// supports, at the state of `body`: 6 rows per sole, 3 rows per point foot.
+/// Returns the Jacobian of the directions that supports hold, at the state of `body`: 6 rows per
+/// sole, 3 rows per point foot. Rows are in world axes, at the frames of the supports.
 Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
                                  const std::vector<SupportSpec>& supports);
 

@@ -170,7 +170,7 @@ bool Statics::step() noexcept {
   const double mean = w_.dot(z_) / static_cast<double>(m);
   // Centring ratio and regularization of the interior-point step, chosen by hand.
   constexpr double centre = 0.15, damping = 1e-11;
-  // Part of the step of z that does not depend on dx; the other part is D G dx with D = z / w.
+  // Residuals of the rows, and the step of z without the term z / w * G dx, which is added below.
   for (Eigen::Index i = 0; i < m; ++i) rows_[i] = G_.row(i).dot(x_) + w_[i] - h_[i];
   for (Eigen::Index i = 0; i < m; ++i)
     dz_[i] = centre * mean / w_[i] - z_[i] + z_[i] / w_[i] * rows_[i];
@@ -238,7 +238,7 @@ double Statics::max_force(const RigidBody& body) noexcept {
   fill(body);
   limit_ = static_cast<int>(names_.size()) - 1;
   if (!solve()) return -std::numeric_limits<double>::infinity();
-  // Selects the limiting row: the force grows most per relative increase of its limit.
+  // Selects the limiting row: an increase of its limit by 1 % raises the force most.
   double max_gain = 0.0;
   for (Eigen::Index row = 0; row + 2 < z_.size(); ++row) {
     const double gain = z_[row] * amount(row);

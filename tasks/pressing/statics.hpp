@@ -13,7 +13,7 @@ namespace burnish::pressing {
 
 /// Limits of a robot that stands and pushes.
 struct StaticsSpec {
-  /// Feet on level ground. The solution stays within their friction and their sides.
+  /// Feet on level ground. The solution stays within the friction and the sides of the feet.
   std::vector<SupportSpec> feet;
   double min_load = 0.0;  ///< Smallest load of each foot [N].
   /// Frames that push, all with equal forces; empty: the robot only stands.
@@ -36,8 +36,8 @@ class Statics {
   Statics(const Model& model, const StaticsSpec& spec);
 
   /// Returns the largest force of each hand with which the robot can stay at rest in the
-  /// configuration of `body` [N]. `body` must be of the same model. Negative if standing alone
-  /// violates a limit. Without hands, the result is zero if standing is within all limits.
+  /// configuration of `body` [N]. `body` must be of the same model. The result is negative if
+  /// standing alone violates a limit. Without hands, it is zero if standing is within all limits.
   double max_force(const RigidBody& body) noexcept;
   /// Returns the index of the limit that bounds the last max_force(). name() returns its name, such
   /// as "friction of left_foot" or "torque limits/arm_left_7_joint".
@@ -69,7 +69,7 @@ class Statics {
   // Linear program min c x with A x = b, G x + w = h, w >= 0. The multipliers are y and z.
   Eigen::MatrixXd A_, G_, KKT_;
   Eigen::VectorXd b_, c_, h_, x_, y_, w_, z_, dx_, dw_, dz_, rhs_, solution_, rows_;
-  /// Returns the value of the limit in a row of G, for the last solution; 1 for torques.
+  /// Returns the limit in a row of G at the last solution, such as friction * load; 1 for torques.
   double amount(Eigen::Index row) const noexcept;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };

@@ -32,8 +32,7 @@ Eigen::VectorXd ground_stiffness(const std::vector<SupportSpec>& feet) {
   return Eigen::Map<const Eigen::VectorXd>(rows.data(), static_cast<Eigen::Index>(rows.size()));
 }
 
-/// Linearized motion of a standing robot about its start while the fallback holds it, computed step
-/// by step.
+/// Simulation of a standing robot that the fallback holds, linearized about the start.
 class HeldMotion {
  public:
   HeldMotion(const MpcSpec& mpc, const std::vector<SupportSpec>& feet)
@@ -58,7 +57,7 @@ class HeldMotion {
     find_gains(mpc, q);
   }
 
-  /// Returns whether the motion decays with the gains of the hold times `scale`.
+  /// Returns whether the motion decays if the gains of the hold are multiplied by `scale`.
   bool is_steady(double scale) const {
     // Averaging window and duration of the simulation [s], chosen by hand.
     constexpr double window = 0.02, end = 0.5;
@@ -116,7 +115,7 @@ class HeldMotion {
 }  // namespace
 
 Fallback steady_fallback(const MpcSpec& mpc, const std::vector<SupportSpec>& feet) {
-  // Gain margins. The second one is used if no scale has the first one. Chosen by hand.
+  // Gain margins, chosen by hand. The second margin is used if no scale reaches the first one.
   constexpr std::array margins{2.0, 1.0};
   constexpr std::array scales{1.0, 0.7, 0.5, 0.35};  // with smaller gains, a robot sags
   Fallback fallback = mpc.fallback;

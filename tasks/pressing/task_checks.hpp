@@ -9,8 +9,8 @@
 
 namespace burnish::pressing {
 
-/// Checks pairs of an entry's name and its duration [s]. Throws EntryError for a duration above 1e4
-/// s.
+/// Throws EntryError for a duration above 1e4 s. `durations`: pairs of an entry's name and its
+/// duration [s].
 void check_durations(const std::vector<std::pair<std::string, double>>& durations);
 
 /// Throws EntryError for `controller.step` if the step of plans [s] is at least 2 / kd. With such a

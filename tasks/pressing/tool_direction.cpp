@@ -11,16 +11,16 @@ namespace {
 
 /// Smallest offset along an axis that can decide the sign of the axis [m]. Chosen by hand.
 constexpr double min_offset = 1e-3;
-/// Distance of a tool from the last joint axis above which it lies beside the axis [m]. Tools
-/// mounted on the axis are nearer.
+/// Distance from the last joint axis beyond which a tool lies beside the axis [m]. Tools mounted on
+/// the axis are nearer.
 constexpr double beside_axis = 0.02;
 
 /// Returns the sign, 1 or -1, with which `axis` points away from the robot; nothing if no offset
 /// decides. All vectors are in the frame of the last joint.
 std::optional<double> outward_side(const Joint& last, const Eigen::Vector3d& offset,
                                    const Eigen::Vector3d& axis) {
-  // Uses only the offset along the last axis, because the rest depends on the angle of the last
-  // joint.
+  // Uses only the offset along the axis of the last joint, because the other components depend on
+  // the angle of this joint.
   const Eigen::Vector3d from_joint_before(0.0, 0.0, -last.placement.inverse().translation().z());
   for (const Eigen::Vector3d& outward : {offset, from_joint_before, last.com}) {
     const double along = outward.dot(axis);
@@ -47,7 +47,7 @@ ToolDirection tool_direction(const std::string& frame, const std::optional<Eigen
   if (offset.head<2>().norm() > beside_axis && std::abs(offset.z()) < 0.5 * offset.norm())
     return {R.transpose() * offset.normalized()};
   const auto side = outward_side(joint, offset, Eigen::Vector3d::UnitZ());
-  // If nothing decides, uses the frame's own z axis, which usually points outwards at a flange.
+  // If no offset decides, uses the z axis of the frame, which usually points outwards at a flange.
   const double by_its_axes = R(2, 2) < 0.0 ? -1.0 : 1.0;
   return {R.transpose() * Eigen::Vector3d(0.0, 0.0, side.value_or(by_its_axes)), side.has_value()};
 }

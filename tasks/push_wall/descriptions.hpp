@@ -1,4 +1,4 @@
-// Description of the specification of push_wall and of its task file.
+// Descriptions of the structs of push_wall, and of its task file.
 #pragma once
 
 #include "files/described_file.hpp"

@@ -107,7 +107,7 @@ unsigned Pushing::sense(const TaskView& view) noexcept {
 /// Returns whether the posture can hold the force with the required reserve while at rest. Returns
 /// false only after the reserve has been missing for 0.1 s.
 bool Pushing::has_static_reserve(const TaskView& view, double force) noexcept {
-  // Period of checks, and time before the force is given up [s]; chosen by hand.
+  // Period of checks, and longest time without the reserve [s]; chosen by hand.
   constexpr double check_period = 0.02, patience = 0.1;
   unchecked_ += view.dt;
   if (unchecked_ < check_period) return true;
@@ -146,7 +146,7 @@ void Pushing::reset_slow_slip(const RigidBody& body) noexcept {
     p_slow_[i] = body.placement(feet_[i]).translation();
 }
 
-/// Returns whether a hand or a foot slides: whether it has moved during about the last second. A
+/// Returns whether a hand or a foot has moved during about the last second, and sets its index. A
 /// high-pass filter removes slow creep.
 bool Pushing::slides(const TaskView& view, int& hand, int& foot) noexcept {
   // Time constant of the high-pass filter [s], chosen by hand.

@@ -17,8 +17,8 @@ enum Phase : int { settle, approach, ramp, hold, force_search, top, release, ret
 /// [s]. Chosen by hand.
 inline constexpr double back_duration = 1.5;
 
-/// Returns the statics of the robot within the limits of plans, to compute the largest force of
-/// each hand at rest.
+/// Returns the statics that compute the largest force of each hand at rest, within the limits of
+/// plans.
 pressing::Statics make_statics(const Task& task, const Setting& setting);
 
 /// Monitor with two events. "contact": the force of both hands exceeds the threshold. "limit": a

@@ -1,4 +1,4 @@
-// Description of the specification of stand and of its task file.
+// Descriptions of the structs of stand, and of its task file.
 #pragma once
 
 #include "files/described_file.hpp"

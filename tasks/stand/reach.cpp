@@ -58,11 +58,11 @@ class Reach {
     Eigen::VectorXd q = setting.q_start;
     for (int i = 0; i <= samples; ++i) {
       const double since = task_.sway_duration * i / samples;
-      const std::string where = number(since) + " s into its sway";
+      const std::string where = number(since) + " s into the sway";
       if (!move(trunk_at(task_, setting, task_.settle_duration + since), 1e-4, q))
         return EntryError("sway",
-                          "no posture on these feet, with joints within their limits, has the "
-                          "trunk at its target " +
+                          "no posture on these feet and within the joints' limits has the trunk at "
+                          "its target " +
                               where + "; wanted a smaller sway");
       if (auto error = check_statics(q, "sway", where)) return error;
     }
@@ -110,13 +110,14 @@ class Reach {
     const std::string& limit = statics_.name(statics_.limit());
     const bool loaded = limit.starts_with("load of ");
     return EntryError(
-        entry,
-        "the robot, which weighs " + number(model_.total_mass() * model_.gravity.norm()) +
-            " N, cannot stand " + where +
-            " within the constraints of plans: it violates the constraint " + in_quotes(limit) +
-            (loaded ? ", at least " + number(pressing::min_load_of(model_, setting_.standing)) +
-                          " N; wanted another posture, or a smaller standing.min_load"
-                    : "; wanted another posture, or a smaller sway"));
+        entry, "the robot, which weighs " + number(model_.total_mass() * model_.gravity.norm()) +
+                   " N, cannot stand " + where +
+                   " within the constraints of plans: it violates the constraint " +
+                   in_quotes(limit) +
+                   (loaded ? ", which must be at least " +
+                                 number(pressing::min_load_of(model_, setting_.standing)) +
+                                 " N; wanted another posture, or a smaller standing.min_load"
+                           : "; wanted another posture, or a smaller sway"));
   }
 
   const Task& task_;
@@ -138,8 +139,8 @@ Sway sway_for_height(const Task& task, const Setting& setting) {
   return sway;
 }
 
-/// Returns the sway with each amplitude reduced to the largest of these fractions that the trunk
-/// reaches in that direction alone; 0 if it reaches none.
+/// Returns the sway with each amplitude scaled separately: by the largest of `fractions` that the
+/// trunk reaches in this direction alone, or by 0.
 Sway reached_one_by_one(const Sway& whole, Reach& reach) {
   constexpr std::array fractions{1.0, 0.7, 0.5, 0.35, 0.25};
   Sway sway = whole;

@@ -13,7 +13,7 @@
 namespace burnish::stand {
 namespace {
 
-/// Pose of the base in the rows of a trace, from the columns with a prefix.
+/// Pose of the base in the rows of a trace, from the columns whose names begin with `prefix`.
 class BaseRows {
  public:
   BaseRows(const Trace& trace, const Model& model, const std::string& prefix)

@@ -62,7 +62,7 @@ TEST(Quadric, InvalidShapeOrUse_IsRefused) {
   reference.axes = Anchor::World;
   const Model model = robot("arm7");
   refused([&] { return ContactDynamics(model, {contact("tool", "world", reference)}); },
-          "needs axes of the base at the tool");
+          "needs a reference at the tool with axes of the base");
   ContactDynamics dynamics(model, {contact("tool")});
   dynamics.acceleration(Eigen::VectorXd::Zero(7), Eigen::VectorXd::Zero(7),
                         Eigen::VectorXd::Zero(7));
@@ -71,7 +71,7 @@ TEST(Quadric, InvalidShapeOrUse_IsRefused) {
   refused([&] { return reference.at(Vector3d(1.0, 0.0, 0.0)); }, "fixed to the tool itself");
   reference.axes = Anchor::Base;
   refused([&] { return reference.at(Vector3d(-1.0, 0.0, 0.0)); },
-          "is opposite to the normal of the axes");
+          "is opposite to the normal of the reference");
   refused([&] { return reference.at(zero); }, "no normal at [0, 0, 0]");
   // A force stores the axes of its tool and base, and of no other frame.
   reference.axes = "link_3";

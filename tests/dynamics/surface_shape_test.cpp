@@ -173,7 +173,7 @@ TEST(SurfaceShape, InvalidDimension_IsRefused) {
   refused({.kind = Kind::Torus, .radius = 0.5, .ring = 0.4}, "less than the radius of its ring");
   refused({.kind = Kind::Cone, .half_angle = 2.0}, "half angle is 2 rad");
   refused({.kind = Kind::Plane, .hollow = true}, "a plane cannot be hollow");
-  refused({.kind = Kind::Saddle, .hollow = true}, "curvatures with the opposite sign");
+  refused({.kind = Kind::Saddle, .hollow = true}, "the signs of both curvatures changed");
   refused({.kind = Kind::Ridge, .slope = -0.1}, "its slope is -0.1 rad");
   refused({.kind = Kind::Ellipsoid, .semi_axes = {0.1, 0.0, 0.1}}, "semi-axis is 0 m");
   EXPECT_NE(testing::refusal([] { Surface({}, place, Vector3d::Zero()); }).find("normal"),

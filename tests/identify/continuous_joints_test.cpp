@@ -172,8 +172,8 @@ TEST(ContinuousJointRecord, MissingPosition_IsRefusedWithPossibleColumns) {
     ADD_FAILURE() << "not refused";
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(),
-                 "identify: q has 9 columns; wanted 7, an angle for each continuous joint, or 11, "
-                 "its cosine and sine");
+                 "identify: q has 9 columns; wanted 7, with the angle of each continuous joint, or "
+                 "11, with its cosine and sine");
   }
 }
 

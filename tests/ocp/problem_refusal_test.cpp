@@ -298,7 +298,7 @@ std::vector<BadSpec> bad_constraints() {
        {"quadratic_weight is -1", "at least 0"}},
       {"constraint_hard_and_quadratic",
        with_weights(none, std::numeric_limits<double>::infinity(), 2.0),
-       {"is hard", "quadratic_weight of 2", "no effect"}},
+       {"l1_weight is infinite", "quadratic_weight of 2", "no effect"}},
       {"constraint_without_limits",
        with(none, none, "box"),
        {"stage 'press'", "constraint 'box'", "no limits", "lower or an upper"}},

@@ -190,10 +190,10 @@ TEST_F(Stand, LightRobotSolo12_StandsAndSways) {
   Task task = short_task(file, {feet});
   task.standing.min_load = 12.0;
   // Left and right feet carry equal loads, so rounding decides which foot the message names.
-  expect_words(
-      refusal([&] { run(task); }),
-      {"posture: the robot, which weighs 24.525 N, cannot stand at the start",
-       "it violates the constraint 'load of ", "_FOOT', at least 12 N", "standing.min_load"});
+  expect_words(refusal([&] { run(task); }),
+               {"posture: the robot, which weighs 24.525 N, cannot stand at the start",
+                "it violates the constraint 'load of ", "_FOOT', which must be at least 12 N",
+                "standing.min_load"});
   task.standing.min_load = std::nullopt;
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
@@ -240,7 +240,7 @@ TEST(StandTrunk, SwayBeyondTheFeetWithoutFit_IsRefused) {
   };
   EXPECT_EQ(refused({}), "");
   expect_words(refused({"sway.shift=[0, 0.2, 0]", "sway.fit=false"}),
-               {"sway: the robot", "cannot stand", "s into its sway", "load of r"});
+               {"sway: the robot", "cannot stand", "s into the sway", "load of r"});
   expect_words(refused({"sway.turn=[0, 0, 0.9]", "sway.fit=false"}),
                {"sway: no posture on these feet"});
   expect_words(refused({"standing.min_load=60"}),

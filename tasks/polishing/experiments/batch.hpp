@@ -49,7 +49,7 @@ class BatchSeries {
   BatchSeries& operator=(const BatchSeries&) = delete;
   /// Makes the first batch by run_batch().
   std::vector<RunFigures> run(const std::vector<BatchRun>& runs);
-  /// Makes all runs of a later batch, including the runs of other shards.
+  /// Makes all runs of a batch after the first, including the runs of other shards.
   std::vector<RunFigures> run_all(const std::vector<BatchRun>& runs);
 
  private:

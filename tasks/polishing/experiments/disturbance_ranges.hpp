@@ -54,7 +54,7 @@ struct NamedRanges {
 
 /// Returns the predefined ranges: usual, wide and curved.
 const std::vector<NamedRanges>& named_ranges();
-/// Returns the ranges of this name; for an empty name, `usual`. Throws Error with the nearest name.
+/// Returns the ranges of this name, or `usual` for an empty name. Throws Error for unknown names.
 const NamedRanges& ranges_named(const std::string& name);
 
 /// Draws the disturbances of a seed and sets them in the task; task.solver_delay is drawn too. Each

@@ -12,7 +12,7 @@
 
 namespace burnish::polishing {
 
-/// Largest number of seeds. All runs are in memory before the first one is made.
+/// Largest number of seeds. Bounds the memory that holds all runs before the first one is made.
 inline constexpr int max_seeds = 10'000;
 
 /// Numbers of runs of an experiment.
@@ -69,7 +69,7 @@ struct ExperimentSpec {
   std::function<void(std::size_t, const std::string& result, const std::string& run)> list =
       nullptr;
 
-  /// Returns whether a report is used: not if runs are only listed, and not for a single shard.
+  /// Returns whether a report is made: not if runs are only listed or split into shards.
   bool reports() const { return !list && shard.count == 1; }
 };
 
@@ -109,15 +109,15 @@ struct Experiment {
 
 /// Returns paper, orientation, frames, seeds, tilt, surfaces, robots, force_test, standing, tick.
 const std::vector<Experiment>& experiments();
-/// Returns the experiment of that name. Throws Error with the nearest name.
+/// Returns the experiment of that name. Throws Error, with the nearest name, for unknown names.
 const Experiment& experiment_named(const std::string& name);
 
-/// Returns the default task on a surface with a preset of disturbances and the overrides of `spec`.
+/// Returns the default task on a surface, with the overrides of `spec`. `disturbances`: a preset.
 /// `duration`: time on the path unless overridden [s]. Throws Error for an invalid override.
 Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
                      const std::string& disturbances, double duration);
 
-/// Returns the number of seeds of `spec`, or `own` if it is 0. Throws Error for more than
+/// Returns the number of seeds of `spec`, or `own` if `spec` has 0. Throws Error for more than
 /// max_seeds.
 int seeds_of(const ExperimentSpec& spec, int own);
 

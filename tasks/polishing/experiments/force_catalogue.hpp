@@ -28,8 +28,8 @@ struct ForceTest {
   double frequency = 0.0;  ///< Frequency in the sine sweep; 0: not part of the sweep [Hz].
 };
 
-/// Returns all tests for the force of the task, and for normal and position of its surface.
-/// `quick`: few and short tests.
+/// Returns all tests, for the target force and the surface of the task. `quick`: fewer and shorter
+/// tests.
 std::vector<ForceTest> force_catalogue(const Task& task, const Setting& setting, bool quick);
 
 }  // namespace burnish::polishing

@@ -1,5 +1,5 @@
 // Experiment frames: compares contact and force in axes of the tool with contact and force in axes
-// of the surface. As soon as the tool rotates, its axes differ from the surface normal.
+// of the surface. The two differ as soon as the tool is tilted.
 #include <cmath>
 #include <limits>
 

@@ -8,7 +8,7 @@ namespace burnish::polishing {
 /// Returns the word that task files use for these axes.
 const char* text_of(ForceAxes axes);
 
-/// Amplitude of the plate's rotation, axes of contact and force, and the runs with both.
+/// Runs with one amplitude of the plate's rotation and one choice of axes of contact and force.
 struct PlateCase {
   double turn = 0.0;  ///< Amplitude of the rotation to both sides [deg].
   ForceAxes axes;

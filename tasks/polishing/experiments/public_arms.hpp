@@ -22,9 +22,9 @@ struct ArmBench {
   double force = 0.0;            ///< Force that the tool presses with [N].
   Eigen::VectorXd q_start = {};  ///< Start posture, nq entries.
 
-  /// Searches a start posture and sets the force, which is the force of the task. If posture or
-  /// motors do not allow this force, the force is the largest allowed whole number of newtons, at
-  /// least least_force.
+  /// Searches a start posture, and sets the force to that of the task. If posture or motors do not
+  /// allow this force, sets the largest whole number of newtons that they allow, at least
+  /// least_force.
   void search();
   /// Smallest force that search() tries, 1.5 times Task::contact_threshold [N].
   static constexpr double least_force = 3.0;

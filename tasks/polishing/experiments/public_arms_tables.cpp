@@ -15,8 +15,8 @@ constexpr const char* arm_presets[] = {"mismatch", "joint_friction"};
 /// Aim for the rms error of the force with the disturbances `mismatch`.
 const Aim force_aim{"force_rmse", 0.2};
 
-/// Tolerance for the claim that MPC is not worse than the baseline. The figure of MPC must be at
-/// most `times` the figure of the baseline, or at most `more` above it.
+/// Tolerance for the claim that MPC is not worse than the baseline. The figure of MPC may exceed
+/// that of the baseline by the factor `times` or by `more`, whichever allows more.
 struct Tolerance {
   const char *figure, *name;
   double times, more;  ///< `more` is in the display unit.
@@ -43,7 +43,7 @@ struct Pair {
   std::vector<RunFigures> mpc, baseline;
 
   bool all_polished() const { return polished_of(mpc) == static_cast<int>(mpc.size()); }
-  /// Returns the figures in which MPC is worse than the baseline; empty: none.
+  /// Returns in what MPC is worse than the baseline; empty if MPC is not worse.
   std::string worse() const;
 };
 
@@ -64,7 +64,7 @@ std::string Pair::worse() const {
   return text;
 }
 
-/// Figures of all runs of a bench (an arm at a surface), by preset of disturbances.
+/// Figures of all runs of a bench (an arm at a surface), and of the runs under each preset.
 struct BenchFigures {
   const ArmBench* bench;
   std::vector<RunFigures> all = {};
@@ -95,8 +95,7 @@ std::string polished_text(const std::vector<RunFigures>& runs) {
   return std::to_string(polished_of(runs)) + " of " + std::to_string(runs.size());
 }
 
-/// Returns the figures in which MPC is worse than the baseline, such as "joint_friction: force
-/// +0.030 N".
+/// Returns where MPC is worse than the baseline, such as "joint_friction: force +0.030 N".
 std::string worse_text(const BenchFigures& bench) {
   std::string text;
   for (std::size_t i = 0; i < std::size(arm_presets); ++i)

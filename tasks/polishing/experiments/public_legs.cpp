@@ -17,7 +17,7 @@ namespace {
 /// an arm 3 s.
 constexpr double min_time_limit = 120.0;
 
-/// Returns the bundled task of the robot's entry, with this robot and its feet.
+/// Returns the bundled task that `robot` selects, changed to this robot and its feet.
 stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
   const auto& texts = shipped_stand_texts();
   const auto found =
@@ -26,7 +26,7 @@ stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
   for (const std::string& foot : robot.feet) feet += (feet.empty() ? "" : ", ") + yaml_word(foot);
   std::vector<std::string> changes{"robot=" + yaml_word(robot.name), "standing.feet=[" + feet + "]",
                                    "disturbances=mismatch"};
-  // Removes a posture named in the file, because it belongs to the bundled robot.
+  // Replaces a posture in the task file by a search, because the posture is the bundled robot's.
   const stand::Task shipped = stand::parse_task(std::string(found->second), robot.task + ".yaml");
   if (!shipped.posture.empty()) changes.emplace_back("posture=search");
   if (spec.quick)
@@ -38,7 +38,7 @@ stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
 }
 
 /// Returns additional measurements of a run: mass, whether the robot fell, amplitudes of the sway
-/// after reduction to the robot's limits, and errors.
+/// within the robot's limits, and errors and slip during the sway.
 std::vector<MeasuredFigure> measured_of(const stand::RunResult& result) {
   const stand::Sway& sway = result.setting.sway;
   std::vector<MeasuredFigure> all{

@@ -22,8 +22,8 @@ struct PublicRobot {
   std::string because = {};               ///< Reason for `changes`; empty without changes.
 
   bool stands() const { return !feet.empty(); }
-  /// Returns the URL of the description at the tested commit; for a file without a repository, its
-  /// path.
+  /// Returns the URL of the description at the tested commit, or the path of a file without a
+  /// repository.
   std::string url() const;
 };
 
@@ -51,9 +51,9 @@ struct PublicRobotFile {
   PublicRobot robot;
   std::optional<std::filesystem::path> file = {};
 };
-/// Returns the robots of a folder, listed in its robots.yaml or else in the bundled list. Throws
-/// Error for a missing folder, for a malformed list, and if the folder contains none of the
-/// descriptions.
+/// Returns the robots of a folder, as listed in its robots.yaml or else in the bundled list. Throws
+/// Error if the folder is missing, if the list is malformed, or if the folder contains none of the
+/// listed descriptions.
 std::vector<PublicRobotFile> public_robots_in(const std::filesystem::path& folder);
 
 /// Returns a table with a row per robot: its source and the settings of its task.

@@ -35,8 +35,8 @@ inline constexpr double largest_push = 480.0;
 std::vector<PushDirection> push_directions(int count);
 
 /// Returns the next push to try, a multiple of `step` [N]. The search begins with first_push,
-/// doubles the push while all pushes are survived, and then bisects. Returns nothing if the
-/// interval is one step wide, or if the last run was not made.
+/// doubles the push up to largest_push while all pushes are survived, and then bisects. Returns
+/// nothing if the search is finished, or if the last run was not made.
 std::optional<double> next_push(const PushDirection& direction, double step);
 
 /// Returns a run in which a push of 0.3 s acts at `frame` of the standing robot, after a third of

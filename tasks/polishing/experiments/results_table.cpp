@@ -13,7 +13,7 @@ namespace {
 std::string rounded(double value, int digits) {
   char text[64];
   const bool readable = std::abs(value) < 1e9;
-  // Replaces a negative value that rounds to zero by zero, so that it has no sign.
+  // Removes the sign of a negative value that is rounded to zero.
   const double unit = std::pow(10.0, -digits);
   if (std::abs(value) < 0.5 * unit) value = 0.0;
   std::snprintf(text, sizeof text, readable ? "%.*f" : "%.*e", digits, value);

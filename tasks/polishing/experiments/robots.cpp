@@ -19,8 +19,8 @@ struct Holder {
   double mass = 0.0;  ///< Moving mass to scale the robot to; 0: not scaled [kg].
 };
 
-/// Returns the bundled robots with the frames of their tools. Some of these robots cannot hold a
-/// tool; their frame is the most likely one.
+/// Returns the bundled robots with the frames of their tools. For a robot that cannot hold a tool,
+/// the frame is the most likely place for a tool.
 std::vector<Holder> shipped() {
   return {{"talos:right_arm", "tool"}, {"talos", "tool"},        {"arm7", "tool"},
           {"arm7:six", "tool"},        {"arm7:wall", "tool"},    {"arm7", "tool", 3.0},
@@ -57,8 +57,8 @@ Robot robot_of(const Holder& holder, const Task& task) {
   return holder.mass > 0.0 ? scaled_robot(std::move(robot), holder.mass) : robot;
 }
 
-/// Returns the run of an entry with a start posture, but without a seed. If the run is impossible,
-/// returns nothing and sets Entry::reason.
+/// Returns the run of an entry, without a seed. If the robot cannot do the task, returns nothing
+/// and sets Entry::reason.
 std::optional<RunSpec> run_of(const ExperimentSpec& spec, Entry& entry) {
   RunSpec run;
   run.plant = spec.plant;
@@ -228,8 +228,7 @@ ExperimentReport perform_robots(const ExperimentSpec& spec) {
                                       [](const RunFigures& run) { return run.polished; });
   report.findings.push_back(std::to_string(polished) + " of " + std::to_string(figures.size()) +
                             " runs polished.");
-  // A bundled robot that cannot hold a tool is not a failure. A robot that the user named and that
-  // cannot hold a tool is one.
+  // Reports a robot that cannot hold a tool as a failure only if the user named this robot.
   for (const Entry& entry : entries)
     if (!spec.robots.empty() && !entry.reason.empty())
       report.failures.push_back(entry.name + ", " + entry.surface + ": " + entry.reason);

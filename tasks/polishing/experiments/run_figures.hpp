@@ -88,7 +88,7 @@ std::vector<ResultCell> run_cells(const RunFigures& run);
 double mean_of(const std::vector<double>& values);
 double largest_of(const std::vector<double>& values);
 double smallest_of(const std::vector<double>& values);
-/// Returns the smallest of the values that at least `fraction` of all values do not exceed.
+/// Returns the smallest value v for which at least `fraction` of the finite values are <= v.
 double quantile_of(std::vector<double> values, double fraction);
 /// Returns one figure of several runs, in its own unit.
 std::vector<double> collect(const std::vector<RunFigures>& runs, const std::string& figure);

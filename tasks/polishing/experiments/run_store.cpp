@@ -243,8 +243,8 @@ std::string model_text(const Model& model) {
   return text + numbers_text(model.gravity);
 }
 
-/// Returns the numbers of the run's robot as text. If loading fails, returns the error message; the
-/// run reports the error.
+/// Returns all numbers that define the run's robot, as text. If the robot cannot be loaded, returns
+/// the error message; the run then reports the error.
 std::string robot_text(const RunSpec& spec) {
   try {
     return numbers_of(spec.robot ? *spec.robot : load_task_robot(spec.task));

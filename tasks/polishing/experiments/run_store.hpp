@@ -37,7 +37,7 @@ class RunStore {
   RunStore(std::string experiment, std::string version, std::vector<std::filesystem::path> folders);
 
   /// Returns the name of a result: a hash of all inputs in 32 hexadecimal digits. The inputs are
-  /// version, experiment, name of the run, task, numbers of the robot, controller and plant.
+  /// version, experiment, name of the run, task, robot (all numbers), controller and plant.
   std::string name_of(const std::string& run, const RunSpec& spec) const;
   /// Returns the name of the result of a run of any task. `depends_on`: text of all inputs of the
   /// result.

@@ -33,8 +33,8 @@ std::string surface_of(const ExperimentSpec& spec, int seed) {
   return surfaces[to_size(seed) % surfaces.size()];
 }
 
-/// Returns the task of a seed. Overrides apply to all keys except the drawn ones. `undrawn`: cache
-/// of the tasks before disturbances are drawn, by surface.
+/// Returns the task of a seed. Overrides of drawn keys have no effect. `undrawn`: cache of the
+/// tasks before disturbances are drawn, by surface.
 Task task_of(const ExperimentSpec& spec, int seed, std::map<std::string, Task>& undrawn) {
   const std::string surface = surface_of(spec, seed);
   if (!undrawn.contains(surface))

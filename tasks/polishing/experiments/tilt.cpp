@@ -77,8 +77,8 @@ ResultTable summary_table(const std::vector<TiltGroup>& groups) {
   return table;
 }
 
-/// Returns a table of errors: the mean over all runs, and the worst tilt by the mean of its seeds,
-/// as in the paper by Kleff et al. If a run lacks a figure, the result is NaN.
+/// Returns a table that compares errors with their aims, as in the paper by Kleff et al.: the mean
+/// over the tilts, and the worst tilt, after averaging over the seeds. NaN if a run lacks a figure.
 ResultTable aims_table(const std::vector<TiltGroup>& groups, ExperimentReport& report) {
   struct Criterion {
     const char* figure;

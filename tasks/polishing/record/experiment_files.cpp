@@ -19,8 +19,8 @@ Json cell_json(const ResultCell& cell) {
   return value != nullptr && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-/// Returns the table as JSON. Rows are lists, because several columns may have one name, such as
-/// "worst".
+/// Returns the table as JSON. Rows are lists, because several columns may have the same name, such
+/// as "worst".
 Json table_json(const ResultTable& table) {
   Json json{{"name", table.name}, {"title", table.title}};
   json["columns"] = Json::array();
