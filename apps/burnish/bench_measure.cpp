@@ -218,8 +218,8 @@ void measure_iteration(BenchReport& report, const BenchSpec& spec, const Problem
   report.lines.push_back(std::move(line));
 }
 
-/// Measures a controller that computes a plan at every tick. Its measurements are those of a robot
-/// at rest.
+/// Measures a controller that computes a plan at every tick. The controller always receives the
+/// measurements of a robot at rest.
 void measure_ticks(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem) {
   const DdpOptions options{.threads = spec.threads, .pin_threads = spec.pin_threads};
   polishing::PressingController controller(problem, spec.tool, options);

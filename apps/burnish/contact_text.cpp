@@ -36,8 +36,8 @@ Pairs pairs_in(const std::string& text, const std::string& name) {
   return pairs;
 }
 
-/// Converts the pairs to the notation of files. A normal is a property of the reference `surface`,
-/// which therefore may be omitted.
+/// Converts the pairs to the notation of files. If a normal is given, the pair reference=surface
+/// may be omitted.
 document::Reader contact_of(Pairs pairs, const std::string& name) {
   const auto is_normal = [](const auto& pair) { return pair.first == "normal"; };
   if (std::any_of(pairs.begin(), pairs.end(), is_normal)) {

@@ -69,8 +69,8 @@ void set_search_paths() {
   setenv("PATH", programs.empty() ? "/usr/local/bin:/usr/bin:/bin" : programs.c_str(), 1);
 }
 
-/// Returns the paths of Python to try: the first python3 in PATH, then /usr/bin/python3, which has
-/// the modules of Debian's packages.
+/// Returns the Python interpreters to try: the first python3 in PATH, then /usr/bin/python3, which
+/// has the modules of Debian's packages.
 std::vector<std::string> pythons() {
   std::vector<std::string> found;
   std::istringstream stream(variable("PATH"));
@@ -89,7 +89,7 @@ std::string safely(const std::string& code) {
   return "import sys; sys.path[:] = [p for p in sys.path if p]; " + code;
 }
 
-/// Returns whether a Python can import a module. Output of the Python is discarded.
+/// Returns whether a Python interpreter can import a module. Discards the interpreter's output.
 bool has(const std::string& python, const std::string& module) {
   std::vector<std::string> words{python, "-c", safely("import " + module)};
   posix_spawn_file_actions_t silence;

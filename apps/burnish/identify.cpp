@@ -222,8 +222,8 @@ int simulate(const IdentifyArguments& a, const Robot& robot) {
   return exit_ok;
 }
 
-/// Returns "met" or "missed" for a value with an aim. `below`: true if the value must be below the
-/// limit.
+/// Returns "met" or "missed" for a value with a limit. `below`: true for an upper limit, false for
+/// a lower limit.
 std::string aim_text(double value, double limit, bool below) {
   return (below ? value <= limit : value >= limit) ? "met" : "missed";
 }

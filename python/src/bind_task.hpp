@@ -118,7 +118,8 @@ struct TaskTypes {
   using Run = MadeRun<RunSpecType, RunResultType>;
 };
 
-/// `own` calls see(name, member, text) for the entries that only results of this task have.
+/// Returns the state of a run for pickling. `own` calls see(name, member, text) for each entry of
+/// the result that only this task has.
 template <class Spec, class Own>
 py::tuple state_of_run(const typename Spec::Run& run, const Own& own) {
   py::list values;

@@ -59,8 +59,8 @@ class BoundMpc final : public BoundController {
   MpcController* mpc_;
 };
 
-/// Controller that presses along a path. If the task throws, the controller keeps the previous
-/// point.
+/// Controller that presses along a path. If the function PressingPath::task throws, its previous
+/// result is used again.
 class BoundPressing final : public BoundController {
  public:
   BoundPressing(std::unique_ptr<Controller> made, std::shared_ptr<KeptException> kept)

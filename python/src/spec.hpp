@@ -251,7 +251,7 @@ inline const bool is_known_enum = [] {
     known_enums().push_back(&EnumOf<Enum>::table);
   return true;
 }();
-/// Must be called once for each type of entry that descriptions do not support.
+/// Registers a type of entry that descriptions do not support. Must be called once for each type.
 template <class Value>
 bool carry(const char* annotation, const char* default_value = "",
            std::string (*default_of)(const void*) = nullptr) {

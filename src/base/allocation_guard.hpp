@@ -1,6 +1,6 @@
-// Counts the allocations in a scope. allocation_guard.cpp defines malloc and related functions,
-// which replace those of the C library for the whole process, operator new and Eigen included. Only
-// programs link this file; the libraries do not contain it.
+// Counts the allocations in a scope, including those of operator new and Eigen. The file
+// allocation_guard.cpp replaces malloc and related functions of the C library for the whole
+// process. Only programs link this file; the libraries do not contain it.
 #pragma once
 
 namespace burnish {

@@ -156,7 +156,7 @@ void ThreadPool::take_pieces(int worker) {
   }
 }
 
-/// Records the current exception unless a lower piece has failed already.
+/// Records the current exception unless a piece with a lower index has failed already.
 void ThreadPool::note_failure(int piece) noexcept {
   const std::lock_guard lock(failure_mutex_);
   if (failure_ && failed_piece_ < piece) return;

@@ -45,8 +45,8 @@ struct CompiledContact {
   /// depends on all of them. Ascending in v.
   std::vector<ContactSupport> influences;
   double offset_weight = 0.0;  ///< Weight of a squared distance, row_size.hpp [1/m^2]
-  /// Entries of `support` and all their ancestors, ascending: the nonzero rows of L^-T J^T. The
-  /// ancestors add entries only where followers couple branches.
+  /// Nonzero rows of L^-T J^T, ascending: entries of `support` and all their ancestors. Equals
+  /// `support` unless followers couple branches.
   std::vector<int> coupled;
   std::vector<int> influenced;  ///< Entries of `influences` and all their ancestors, ascending
 };

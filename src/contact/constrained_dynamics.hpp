@@ -56,7 +56,8 @@ class ConstrainedDynamics {
   /// entries, lambda the rows of the active contacts.
   void inverse(const S* a, const S* lambda);
 
-  /// Computes alpha + kd nu + kp e of the active rows at given joint accelerations a (nv).
+  /// Computes the active rows of alpha + kd nu + kp e: the contact acceleration, plus gains times
+  /// velocity and pose error. `a`: joint accelerations (nv).
   void acceleration(const S* a);
 
   /// Computes the inelastic impact of the active contacts at q (nq), from the velocity v_before
@@ -133,7 +134,7 @@ class ConstrainedDynamics {
   void for_each_coupled(const auto& visit) const;
   /// Solves for lambda (column 0 of rho_) and for the responses to friction (other columns).
   void solve_lambda();
-  /// Calls visit(i, c) for every entry i of rho_ in the columns c of columns_.
+  /// Calls visit(i, c) for the entries of rho_ in `columns_`. i: index in rho_; c: column.
   void for_each_solved(const auto& visit);
   /// Runs proximal iterations for the lanes in `open`. Returns the lanes that did not converge.
   auto refine(auto open);

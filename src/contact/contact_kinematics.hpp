@@ -28,8 +28,9 @@ struct ContactState {
   Force<S> force_world;    ///< Force of the base on the tool, moment about the world's origin
   CurvedAxes<S> curved;    ///< Curved axes; valid if the reference is curved
   Sliding<S> sliding;      ///< Sliding friction; valid if the contact has friction
-  /// Step ratio, at most 1: stage step / knot step. The gains are step_ratio kd and step_ratio^2
-  /// kp, and friction fades out below speed / step_ratio. update_contact() does not change it.
+  /// Ratio of the stage step to the knot step, at most 1. The gains are step_ratio kd and
+  /// step_ratio^2 kp. The smoothing speed of friction is fade_speed() / step_ratio.
+  /// update_contact() does not change the ratio.
   S step_ratio{1.0};
 };
 
@@ -62,14 +63,14 @@ CompiledReference compile_reference(const Model& model, const Reference& referen
                                     const CompiledContact& contact);
 
 /// Computes J^T for the entries k of the support, as out_by_v[k * stride + row]: the constrained
-/// rows of nu at a unit rate of entry k.
+/// rows of the velocity nu at a unit rate of entry k.
 template <class S>
 void contact_jacobian(const CompiledContact& contact, const Kinematics<S>& kinematics,
                       const ContactState<S>& state, S* out_by_v, int stride);
 
-/// Computes the constrained rows of alpha + kd nu + kp e, with the gains scaled by the step ratio.
-/// `a_tool` and `a_base` are the spatial accelerations of the bodies, without gravity, in world
-/// axes about the world's origin.
+/// Computes the constrained rows of alpha + kd nu + kp e: the contact acceleration, plus gains
+/// times velocity and error. The gains are scaled by the step ratio. `a_tool` and `a_base` are the
+/// spatial accelerations of the bodies, without gravity, in world axes about the world's origin.
 template <class S>
 void contact_acceleration(const CompiledContact& contact, const ContactState<S>& state,
                           const Motion<S>& a_tool, const Motion<S>& a_base, S* out);

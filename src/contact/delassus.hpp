@@ -34,8 +34,8 @@ struct Delassus {
   std::vector<std::vector<int>> shared_support;  ///< Entries of v coupled to both of two contacts
 };
 
-/// Computes T and the factor of G. Returns the lanes in which a row depends on earlier rows. In
-/// these lanes the factor is finite but meaningless, and inverse_diagonal is zero at those rows.
+/// Fills `d`. Returns the lanes in which a row depends on earlier rows. In these lanes the factor
+/// is finite but meaningless, and inverse_diagonal is zero at the dependent rows.
 ///
 /// With mu = 0, a row is dependent if the length of its independent component is at most
 /// independence_tolerance times its attainable length (row_size.hpp). With mu > 0, a row is

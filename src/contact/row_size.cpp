@@ -1,5 +1,5 @@
-// Path lengths from joint axes to the tool along the tree, from the placements of the joints. They
-// bound the lever arms at all postures, except for large travels of sliding joints.
+// Path lengths along the tree between joint axes and the tool, computed from the joint placements.
+// They are upper bounds of the lever arms at all postures, unless sliding joints travel far.
 #include "contact/row_size.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ double path_length(const Model& model, int from, int body, double offset) {
   return length;
 }
 
-/// Joint through which an entry of v moves a body. An entry with followers has several.
+/// Joint through which an entry of v moves a body. An entry with followers has several joints.
 struct Lever {
   double multiplier;  ///< Absolute value of the follower's multiplier, 1 for the leader
   double arm;         ///< Path length from the joint's axis to the point of the body [m]
@@ -97,8 +97,9 @@ void set_reaches(const Model& model, CompiledContact& contact) {
     }
     contact.support[i].per_reach = distance > 0.0 ? 1.0 / distance : 1.0;
   }
-  // Lever arms about an origin away from the tool grow with the tool's distance from it. Otherwise,
-  // only rounding errors grow, with the distance from the world's origin.
+  // If the origin of the reference is not at the tool, lever arms grow with the tool's distance
+  // from that origin. If it is at the tool, only rounding errors grow, with the tool's distance
+  // from the world's origin.
   const double per_distance = elsewhere ? 1.0 / longest_arm : 1e-8 / shortest_arm;
   contact.offset_weight = per_distance * per_distance;
 }

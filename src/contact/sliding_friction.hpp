@@ -48,7 +48,7 @@ BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coe
 }
 
 /// Returns the change of the friction force, per unit of lambda, when the tangential velocity
-/// changes by dv_across at constant n and c.
+/// changes by dv_across. The normal n and the point c where friction acts are constant.
 template <class S>
 BURNISH_INLINE Vec3<S> friction_force_change(const Sliding<S>& at, const Vec3<S>& dv_across) {
   const Vec3<S> ds = (dv_across - at.s * dot(at.s, dv_across)) * at.per_speed;

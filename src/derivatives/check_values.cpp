@@ -81,8 +81,8 @@ void CheckValues::set_surface(const Quadric& surface) {
       0, {lift<NativePack>(from_eigen(surface.Q)), lift<NativePack>(from_eigen(surface.b))});
 }
 
-/// Returns bounds of the bias torques. Each torque is a sum of scalar products of vectors; its
-/// bound has the products of their lengths instead.
+/// Returns bounds of the bias torques. A torque is a sum of scalar products. Its bound is the sum
+/// of the products of the vectors' lengths.
 Eigen::VectorXd CheckValues::bias_sizes() const {
   const Tree& tree = dynamics_.tree();
   Eigen::VectorXd sizes = Eigen::VectorXd::Zero(nv());

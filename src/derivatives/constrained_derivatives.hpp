@@ -19,19 +19,19 @@ class ConstrainedDerivatives {
 
   /// Computes the derivatives of the last forward() of `dynamics`.
   void forward(ConstrainedDynamics<S>& dynamics);
-  /// Computes the derivatives of the last inverse(): the a rows of rhs_q and rhs_v hold dtau/dq and
-  /// dtau/dv (dtau/da is M, dtau/dlambda is -J^T).
+  /// Computes the derivatives of the last inverse(). The first nv rows of rhs_q and rhs_v then hold
+  /// dtau/dq and dtau/dv (dtau/da is M, dtau/dlambda is -J^T).
   void inverse(ConstrainedDynamics<S>& dynamics);
-  /// Computes the derivatives of the last acceleration(): the lambda rows of rhs_q and rhs_v hold
-  /// minus d(alpha + kd nu + kp e)/dq and /dv (d/da is J).
+  /// Computes the derivatives of the last acceleration(). The rows of rhs_q and rhs_v after the
+  /// first nv then hold minus d(alpha + kd nu + kp e)/dq and /dv (d/da is J).
   void acceleration(ConstrainedDynamics<S>& dynamics);
   /// Computes the derivatives of the last impact(). The first nv rows of d_dq, d_dv and d_dtau
   /// belong to velocity_after, the others to the impulse lambda. Arguments are q, the velocity
   /// before the impact, and an impulse on the joints during the impact (nv) [N m s, N s].
   void impact(ConstrainedDynamics<S>& dynamics);
 
-  /// Right-hand sides. The a rows hold dtau/dq and dtau/dv at constant a and lambda. The lambda
-  /// rows hold minus the derivatives of the contact acceleration at constant a.
+  /// Right-hand sides. The first nv rows hold dtau/dq and dtau/dv at constant a and lambda. The
+  /// other rows hold minus the derivatives of the contact acceleration at constant a.
   std::vector<S> rhs_q, rhs_v;
   /// Results of forward() and impact().
   std::vector<S> d_dq, d_dv, d_dtau;
@@ -43,11 +43,11 @@ class ConstrainedDerivatives {
     std::vector<int> related;    ///< Entries of v whose rows of rhs are nonzero here, ascending
     std::vector<int> ancestors;  ///< Entries of v in the chain and above it
   };
-  /// Fill the lambda rows and the a rows of rhs_q and rhs_v.
+  /// Fill rows of rhs_q and rhs_v: the rows after the first nv, and the first nv rows.
   void fill_contact_rows(ConstrainedDynamics<S>& dynamics,
                          const std::vector<CompiledContact>& contacts);
   void fill_joint_rows(ConstrainedDynamics<S>& dynamics);
-  /// Subtracts the derivative of friction by v from the a rows of rhs_v.
+  /// Subtracts the derivative of friction by v from the first nv rows of rhs_v.
   void subtract_friction(ConstrainedDynamics<S>& dynamics);
   /// Corrects the results of the system without friction for friction.
   void add_friction(ConstrainedDynamics<S>& dynamics);

@@ -1,8 +1,8 @@
 // Derivatives of the contact acceleration (Proposition 3) and of the generalised contact force at
-// constant lambda (Proposition 4), in any reference. Both follow from one rule:
+// constant lambda (Proposition 4), in any reference. Both follow from one rule for a motion m:
 //   d(X m)/dq_k = X (dm/dq_k + xi_k x m).
-// xi_k is the twist of the tool frame relative to the reference at a unit rate of entry k, and
-// dm/dq_k is the derivative in tool axes. See docs/theory.md.
+// X maps m to the reference. xi_k is the twist of the tool frame relative to the reference at a
+// unit rate of entry k. dm/dq_k is the derivative in tool axes. See docs/theory.md.
 #pragma once
 
 #include "contact/contact_kinematics.hpp"
@@ -25,7 +25,7 @@ ContactAccelerations<S> contact_accelerations(const Tree& tree, const CompiledCo
                                               const InverseDynamics<S>& id,
                                               const ContactState<S>& state);
 
-/// Computes minus d(alpha + kd nu + kp e)/dq and /dv of the constrained rows at constant joint
+/// Computes minus the derivatives of contact_acceleration() by q and v at constant joint
 /// acceleration. Writes out[row * stride + v] for the entries v of `influences`.
 template <class S>
 void contact_acceleration_derivatives(const CompiledContact& contact,

@@ -34,8 +34,8 @@ ContactRows contact_rows(const Model& model, ContactDynamics& dynamics,
 
 namespace {
 
-/// Gram-Schmidt orthogonalization, row by row. Each basis vector is stored as a combination of rows
-/// of Y, so that a redundant row can name the rows that imply it.
+/// Gram-Schmidt orthogonalization, row by row. Each basis vector is also stored as a combination of
+/// rows of Y, to find the rows of Y that imply a redundant row.
 struct OrthogonalRows {
   std::vector<Eigen::VectorXd> basis;         ///< Orthonormal vectors
   std::vector<Eigen::VectorXd> combinations;  ///< Coefficients of the rows of Y, per vector

@@ -41,8 +41,8 @@ template <class S>
 void frame_position_derivative(const CompiledFrame& frame, const Kinematics<S>& kinematics,
                                const FrameState<S>& state, S* dq, int stride);
 
-/// Computes the rotation of the frame per unit of q, in the frame's axes, 3 x nv:
-/// R^T dR/dq_k = [column k x].
+/// Computes the rotation of the frame per unit of q, in the frame's axes, 3 x nv. R^T dR/dq_k is
+/// the cross-product matrix of column k.
 template <class S>
 void frame_rotation_derivative(const CompiledFrame& frame, const Kinematics<S>& kinematics,
                                const FrameState<S>& state, S* dq, int stride);

@@ -1,5 +1,6 @@
-// Derivatives of centre of mass, momentum and energy. I^C and h^C are the inertia and momentum of
-// the subtree that joint k carries, and psi'_k = v_parent x S_k:
+// Derivatives of the centre of mass c, the momentum h, the kinetic energy T and the potential
+// energy V. S_k is the axis of joint k, I^C and h^C are the inertia and momentum of the subtree
+// that joint k carries, and psi'_k = v_parent x S_k with the twist v_parent of the parent body:
 //   dh/dv_k = I^C S_k,           dh/dq_k = S_k x* h^C + I^C psi'_k,
 //   dT/dv_k = S_k . h^C,         dT/dq_k = psi'_k . h^C,
 //   dc/dq_k = (I^C S_k)_linear / mass,   dV/dq_k = -gravity . (I^C S_k)_linear.

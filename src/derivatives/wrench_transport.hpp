@@ -25,8 +25,9 @@ void wrench_entries(const Tree& tree, const CompiledContact& contact,
 /// Returns the derivative of state.force_world by an entry of q, in the requested reference at
 /// `pose`. `dlambda` is the world wrench of the derivative of lambda.
 ///
-/// The wrench of lambda moves with the contact's reference: V_k x* W. Friction has its own
-/// derivative. Both derivatives are taken relative to the requested reference.
+/// The wrench W of lambda moves with the contact's reference, whose twist per unit rate of the
+/// entry is V_k. Its derivative is V_k x* W. Friction has its own derivative. Both derivatives are
+/// taken relative to the requested reference.
 template <class S>
 Force<S> wrench_rate(const CompiledContact& contact, const ReferencePose<S>& pose,
                      const WrenchEntry& entry, const ContactState<S>& state,

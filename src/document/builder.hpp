@@ -40,8 +40,8 @@ class Builder {
   void end() {
     end([](const Node&) {});
   }
-  /// Returns the tree, or a Null node without any events. Throws Error for the first key that is
-  /// not a name. This check comes last, so that syntax errors are reported before it.
+  /// Returns the tree, or a Null node if there were no events. Throws Error for the first key that
+  /// is not a name. This check comes last, so that syntax errors are reported first.
   Node take();
 
   /// Throws Error("<name>: line N: <keys that lead to here>: <what>").

@@ -78,8 +78,8 @@ struct DescribedReader {
     return type.element != nullptr ? can_read(type.element()) : type.kind != Type::Other;
   }
 
-  /// Reads a struct. With `all`, which is set for entries of lists, every key must be stated unless
-  /// it has a word for its absence.
+  /// Reads a struct. `all` is set for entries of lists: then every key must be stated, except keys
+  /// with a word for an absent value (Field::word).
   void structure(const Description& description, void* spec, const Reader& reader, bool all,
                  const std::vector<std::string>& also = {}) const {
     std::vector<const Field*> fields;

@@ -34,8 +34,8 @@ class ProgressIterator {
   const char** seen_;
 };
 
-/// Receiver of the parser's events. The parser does not report places, so each token is located
-/// after the previous one.
+/// Receiver of the parser's events. The parser does not report places. The place of each token is
+/// therefore found by reading on from the end of the previous token.
 class JsonEvents {
  public:
   JsonEvents(const std::string& text, const std::string& name)

@@ -1,5 +1,6 @@
-// Sums results per axis to results per entry of v: S^T x and S^T X S, with axes that are scaled
-// already. Used only for trees in which several axes have the same entry of v (see tree.hpp).
+// Converts vectors and matrices from axes to entries of v, by adding the results of all axes of an
+// entry. The axes of followers must be scaled already. Used only for trees in which several axes
+// have the same entry of v (see tree.hpp).
 #pragma once
 
 #include <algorithm>

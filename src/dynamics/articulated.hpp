@@ -34,8 +34,8 @@ class ArticulatedSolver {
   void invert(const Kinematics<S>& kinematics, const MassMatrix<S>& m, S* x);
 
  private:
-  /// Entries of v in one unbranched chain. Forces and motions of a block of columns pass from one
-  /// segment to the next.
+  /// Entries of v in one unbranched chain. The solver processes several columns of the right-hand
+  /// side together, segment by segment.
   struct Segment {
     int first, end;
     int parent;  ///< Index of the parent segment; -1 at the root

@@ -25,9 +25,8 @@ struct CompiledReference {
   double c = 0.0;
 };
 
-/// Axes (tree.hpp) by which an entry of v moves the origin of a reference, the body of its axes,
-/// and the tool; -1: the entry does not move it. The tool matters only for axes that follow a
-/// surface.
+/// Axes (tree.hpp) along which an entry of v moves the origin of a reference, the body of its axes,
+/// and the tool. -1: no motion. The tool matters only for reference axes that follow a surface.
 struct ReferenceAxes {
   int origin = -1, axes = -1, tool = -1;
 };

@@ -20,9 +20,9 @@ void integrate_configuration(const Tree& tree, const S* q, const S* dq, S* out);
 template <class S>
 void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq);
 
-/// Non-Euclidean tangent block: entries of v of one joint whose motions do not commute. Such joints
-/// are free-flyers (6, SE(3)), planar joints (3, SE(2)) and balls (3, SO(3)). All other joints have
-/// one entry and trivial derivatives:
+/// Non-Euclidean tangent block: entries of v of a joint whose motions do not commute, which is a
+/// free-flyer (6 entries, SE(3)), a planar joint (3, SE(2)) or a ball (3, SO(3)). All other joints
+/// have one entry and trivial derivatives:
 /// d(q (+) dq)/dq = d(q (+) dq)/d(dq) = d(q1 (-) q0)/dq1 = 1, d(q1 (-) q0)/dq0 = -1.
 struct TangentBlock {
   int first;       ///< First entry of v
@@ -40,10 +40,10 @@ std::vector<TangentBlock> tangent_blocks(const Tree& tree);
 template <class S>
 void integrate_jacobians(const TangentBlock& block, const S* dq, S* by_q, S* by_dq);
 
-/// Computes the derivatives of dq = q1 (-) q0 for one block by right tangent increments of q0 and
-/// q1: by_q0 = -J_l^-1(dq) = -J_r^-1(-dq) and by_q1 = J_r^-1(dq). dq points to the entries of the
-/// block; its rotation must not exceed half a turn. by_q0 and by_q1 are size x size, row-major, and
-/// must not overlap dq.
+/// Computes the derivatives of dq = q1 (-) q0 with respect to right tangent increments of q0 and
+/// q1, for one block: by_q0 = -J_l^-1(dq) = -J_r^-1(-dq) and by_q1 = J_r^-1(dq). dq points to the
+/// entries of the block; its rotation must not exceed half a turn. by_q0 and by_q1 are size x size,
+/// row-major, and must not overlap dq.
 template <class S>
 void difference_jacobians(const TangentBlock& block, const S* dq, S* by_q0, S* by_q1);
 

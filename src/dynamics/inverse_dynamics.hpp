@@ -24,9 +24,9 @@ struct InverseDynamics {
   std::vector<S> tau_by_axis, dq_by_axis, dv_by_axis;
 };
 
-/// Computes the accelerations of all bodies for joint accelerations qdd (nv), and the forces that
-/// they need in addition to the bias forces. Callers subtract external wrenches from `force`
-/// between accelerate and inverse_dynamics_sweep.
+/// Computes the accelerations of all bodies due to joint accelerations qdd (nv). Sets `force` to
+/// the forces that these accelerations require in addition to the bias forces. Callers subtract
+/// external wrenches from `force` between accelerate and inverse_dynamics_sweep.
 template <class S>
 void accelerate(const Tree& tree, const Kinematics<S>& kinematics, const S* qdd,
                 InverseDynamics<S>& id);

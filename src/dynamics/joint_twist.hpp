@@ -7,7 +7,7 @@
 namespace burnish {
 
 /// Reads the twist of a planar joint (v_x, v_y, w_z), a free-flyer (v, w) or a ball (w) from
-/// entries at a distance of `stride`.
+/// entries that are `stride` numbers apart.
 template <class S>
 BURNISH_INLINE Motion<S> load_twist(JointKind kind, const S* from, int stride = 1) {
   if (kind == JointKind::Planar)

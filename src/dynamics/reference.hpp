@@ -1,12 +1,12 @@
 // Pose and twist of a Reference at a state, and their derivatives. Contacts, wrenches, frames and
-// costs use these functions for numbers in a Reference.
+// costs use these functions to express quantities in a Reference.
 //
 // X maps motions in world coordinates about the world's origin to the reference. V_k is the twist
 // of the reference per unit rate of entry k of v. Then
 //   d(X m)/dq_k = X (dm/dq_k - V_k x m),   d(X^-T f)/dq_k = X^-T (df/dq_k - V_k x* f).
-// The origin o can be fixed in one body and the axes in another. The twist moves o with the first
-// body and turns with the second. Axes that follow a curved surface (curved_axes.hpp) also turn
-// when the tool moves relative to the second body.
+// The origin o can be fixed in one body and the axes in another. The twist combines the velocity of
+// o on the first body with the angular velocity of the second. Axes that follow a curved surface
+// (curved_axes.hpp) also turn when the tool moves relative to the second body.
 #pragma once
 
 #include <span>
@@ -91,8 +91,8 @@ BURNISH_INLINE Vec3<S> reference_origin(const CompiledReference& reference,
   return body.p + body.R * lift<S>(reference.origin);
 }
 
-/// Returns the axes of the reference in world axes. `axes` are the axes in their body:
-/// reference.axes, or other axes that replace them.
+/// Returns the axes of the reference in the world. `axes`: the same axes in their body, usually
+/// reference.axes.
 template <class S>
 BURNISH_INLINE Mat3<S> reference_axes(const CompiledReference& reference, const Mat3<S>& axes,
                                       const Kinematics<S>& kinematics) {
@@ -256,12 +256,11 @@ BURNISH_INLINE Motion<S> twist_by_q(int body, int k, const Kinematics<S>& kinema
   return cross(axis.axis, kinematics.bodies[body].v) + axis.parent_rate;
 }
 
-/// Derivative by q_k of the twist V of a reference. (The derivative by v_k is V_k.) v_O and w_O are
-/// the twist and the angular velocity of the origin's body, w_A is the angular velocity of the
-/// axes, and u_k is the displacement of the origin o per unit of q_k. Then
-///   dV/dq_k moves o with (dv_O/dq_k)(o) + (w_O - w_A) x u_k and turns with dw_A/dq_k,
-/// where dv/dq_k = S_k x v + psi'_k for both bodies. The rotation of axes that follow a surface is
-/// left out.
+/// Derivative by q_k of the twist V of a reference, without the rotation of axes that follow a
+/// surface. (The derivative by v_k is V_k.) v_O and w_O are the twist and the angular velocity of
+/// the origin's body, w_A is the angular velocity of the axes, and u_k is the displacement of the
+/// origin o per unit of q_k. dV/dq_k has the linear part (dv_O/dq_k)(o) + (w_O - w_A) x u_k at o,
+/// and the angular part dw_A/dq_k. twist_by_q() computes the derivatives of both bodies' twists.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference,
                                               const ReferenceAxes& by, const Vec3<S>& p,
@@ -278,8 +277,8 @@ BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference
 
 /// Derivative by q_k of the twist of a reference, including the rotation of axes that follow a
 /// surface. A is the body of the axes. Relative to A, w_C and w_u are the angular velocities of the
-/// axes and the tool, and x and u are position and velocity of the tool's point. w_C changes with
-/// A, x and u. The velocity u changes by du/dq_k + w_u x dx.
+/// axes and the tool, and x and u are position and velocity of the tool's point. w_C turns with A
+/// and depends on x and u. If the point moves by dx, u changes by du/dq_k + w_u x dx.
 template <class S>
 BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference,
                                               const ReferenceAxes& by, const ReferencePose<S>& at,

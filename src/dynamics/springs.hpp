@@ -21,7 +21,8 @@ struct Springs {
     int row, column;  ///< Entries of v
     double by_v;      ///< Entry of d(tau)/dv, a constant [Nms/rad or Ns/m]
   };
-  /// Entry (row, column) of the linear law, with the entries of q for row and column.
+  /// Entry (row, column) of -K (by_q) and -D (by_v) in the linear law tau = tau_0 - K q - D v.
+  /// q_row and q_column are the same coordinates as indices in q.
   struct Linear {
     int row, column;
     int q_row, q_column;
@@ -46,7 +47,7 @@ struct Springs {
 
   bool empty() const { return places.empty(); }
 
-  /// Entries of `linear`, then of `circles`, then nine for each ball, row by row
+  /// Places of `linear`, then of `circles`, then of `balls` (3 x 3 for each ball, row by row)
   std::vector<Place> places;
   std::vector<Linear> linear;
   std::vector<Pull> pulls;

@@ -68,9 +68,9 @@ SurfaceDistance of_torus(double ring, double radius, const Eigen::Vector3d& y) {
               out / (length * at.distance) * at.along * at.along.transpose()};
 }
 
-/// Surface F = 0 with F(y) = y^T A y / 2 + b^T y + c and a diagonal A. The nearest point p of the
-/// surface satisfies y = p + m grad F(p), so p(m) = (1 + m A)^-1 (y - m b). Newton's method solves
-/// F(p(m)) = 0 for m, with dF/dm = -grad F^T (1 + m A)^-1 grad F.
+/// Surface F = 0 with F(x) = x^T A x / 2 + b^T x + c and a diagonal A. The point p of the surface
+/// nearest to y satisfies y = p + m grad F(p) for a number m, so p(m) = (1 + m A)^-1 (y - m b).
+/// Newton's method solves F(p(m)) = 0 for m, with dF/dm = -grad F^T (1 + m A)^-1 grad F.
 SurfaceDistance of_quadric(const Eigen::Vector3d& A, const Eigen::Vector3d& b, double c,
                            const Eigen::Vector3d& y) {
   constexpr int max_iterations = 30;  // chosen by hand
@@ -129,7 +129,7 @@ std::string name_of(Kind kind) { return words_of(kind).words[to_size(kind)].word
 std::vector<std::string> surface_kinds() { return words_of(Kind{}).list(); }
 
 namespace {
-/// Returns the numbers that follow the name of the kind in a text, in the order of the text.
+/// Returns pointers to the numbers that a text states after the name of the kind, in its order.
 std::vector<double*> stated_of(SurfaceShape& shape) {
   switch (shape.kind) {
     case Kind::Sphere:

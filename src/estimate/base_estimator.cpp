@@ -60,8 +60,8 @@ Eigen::MatrixXd initial_covariance(const BaseEstimatorOptions& o, const Vector3d
   return P;
 }
 
-/// Converts the covariance P from the error in world axes to the error xi (`sign` 1), or back
-/// (`sign` -1): xi_v = dv + v x theta, xi_p = dp + p x theta.
+/// Converts the covariance P from errors theta, dv and dp in world axes to the error xi (`sign` 1),
+/// or back (`sign` -1): xi_v = dv + v x theta, xi_p = dp + p x theta. theta is the rotation error.
 void change_coordinates(const InertialState<double>& x, double sign, Eigen::MatrixXd& P) {
   Eigen::Matrix3d v, p;
   v << 0.0, -x.v.z, x.v.y, x.v.z, 0.0, -x.v.x, -x.v.y, x.v.x, 0.0;
@@ -174,8 +174,7 @@ void BaseEstimator::Impl::update_foot_noise() noexcept {
 }
 
 /// Returns the speed below which a slipping foot counts as at rest [m/s]. It includes three
-/// standard deviations of the IMU's velocity. A base whose feet have all slipped can therefore
-/// recover.
+/// standard deviations of the IMU's velocity, so that a base can recover after all feet slipped.
 double BaseEstimator::Impl::speed_limit() const noexcept {
   const Eigen::MatrixXd& P = filter.covariance();
   const Vec3<double>& v_unit = filter.state().v;

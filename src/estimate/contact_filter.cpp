@@ -129,7 +129,7 @@ void ContactFilter::propagate(const ImuReading& reading, double dt) noexcept {
   propagate_rows(P_, g, dt);
   P_.transposeInPlace();
   propagate_rows(P_, g, dt);
-  // White noise of density s gives a reading the variance s^2/dt, which B maps to xi.
+  // White noise of density s gives a reading the variance s^2/dt. The Jacobian B_ maps it to xi.
   const double of_gyro = noise_.gyro * noise_.gyro / dt;
   const double of_accelerometer = noise_.accelerometer * noise_.accelerometer / dt;
   P_.noalias() += of_gyro * (B_.leftCols<3>().lazyProduct(B_.leftCols<3>().transpose()));
@@ -159,8 +159,8 @@ Matrix3d ContactFilter::between(int a, int b, int c, int d) const noexcept {
   return P_.block<3, 3>(a, c) - P_.block<3, 3>(a, d) - P_.block<3, 3>(b, c) + P_.block<3, 3>(b, d);
 }
 
-/// Returns the squared innovation r^T S^-1 r of a foot alone, with its noise in world axes
-/// (turned_). Returns a negative number if S is not positive definite.
+/// Returns the squared innovation r^T S^-1 r of one foot without the other feet. turned_ holds the
+/// noise in world axes. Returns a negative number if S is not positive definite.
 double ContactFilter::squared_alone(int k) const noexcept {
   const Foot& foot = feet_[index(k)];
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;

@@ -112,7 +112,7 @@ class ContactFilter {
   int seen_size() const { return seen_size_; }                    ///< Measurement rows of all feet.
   int rows(int k) const { return feet_[index(k)].sole ? 6 : 3; }  ///< Measurement rows of a foot.
   int first_seen(int k) const { return feet_[index(k)].row; }  ///< First measurement row of a foot.
-  /// Returns the index in xi of the first entry of a foot: of d, which precedes C.
+  /// Returns the index in xi of a foot's first entry. The position d precedes the rotation C.
   int at(int k) const { return feet_[index(k)].at; }
 
   /// Returns the squared innovation r^T S^-1 r of the last update; innovation_rows() returns its

@@ -26,8 +26,8 @@ struct Turning {
   }
   /// Solves for the rotation. Returns false if the rotation about some axis is undetermined.
   bool solve(Vector3d& turn) const {
-    // Smallest allowed eigenvalue of M [m^2], chosen by hand. If feet are on a line, they do not
-    // determine the rotation about this line.
+    // Smallest allowed eigenvalue of M [m^2], chosen by hand. Point feet on a line give an
+    // eigenvalue of zero, because they do not determine the rotation about this line.
     constexpr double min_eigenvalue = 0.02 * 0.02;
     Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
     eigen.computeDirect(M, Eigen::EigenvaluesOnly);
@@ -85,8 +85,8 @@ bool FeetFit::fit(FootSet feet, const std::vector<SeenFoot>& seen, UnitPose& uni
   return true;
 }
 
-/// Solves the equations of feet at rest, 0 = v + w x h_k + dh_k/dt. For soles, there is a second
-/// equation: w is the negative of their angular velocity relative to the IMU.
+/// Solves 0 = v + w x h_k + dh_k/dt for feet at rest, whose positions seen from the IMU are h_k.
+/// For each sole, -w also equals its angular velocity relative to the IMU.
 bool FeetFit::fit_velocity(FootSet feet, const FootKinematics& kinematics, Vector3d& v,
                            Vector3d& w) const noexcept {
   Vector3d h_middle = Vector3d::Zero(), rate_middle = Vector3d::Zero();

@@ -27,7 +27,7 @@ std::vector<std::string> frames_in(const BaseEstimatorOptions& options) {
 }
 
 /// Returns the weight of a sole's rotation in the fit [m/rad]: the ratio of the slip noise to the
-/// rotation noise. Soles that rotate in place must not rotate the estimated yaw.
+/// rotation noise. Soles that may rotate in place thus have little influence on the estimated yaw.
 double length_of(const BaseEstimatorOptions& options) {
   const double turns = std::max(options.sole_turn_noise, 1e-9);
   return std::clamp(options.slip_noise / turns, 0.05, 0.5);
@@ -206,8 +206,8 @@ double GuardedBase::Impl::encoder_place() const noexcept {
 }
 
 /// Takes a snapshot. Each threshold is the value in the options plus three standard deviations due
-/// to noise, biases and tilt. Each deviation combines three axes: three such deviations are about
-/// five of a single axis.
+/// to noise, biases and tilt. Each deviation combines three axes, so that three of them are about
+/// five standard deviations of a single axis.
 void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose& unit) noexcept {
   const BaseEstimatorOptions& o = filter.options();
   moment.feet.put(feet, unit, kinematics.all_seen());
@@ -216,8 +216,8 @@ void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose
   const Eigen::MatrixXd& P = filter.covariance();
   const double time = watch_options.window, encoder = encoder_place();
   const auto square = [](double x) { return x * x; };
-  // The error of the specific force is d(R f) = theta x R f - R zeta. At rest, R f = -g, so that
-  // d(R f) = g x theta - R zeta.
+  // Errors theta of the rotation and zeta of the bias give the specific force in the world the
+  // error d(R f) = theta x R f - R zeta. At rest, R f = -g, so that d(R f) = g x theta - R zeta.
   Matrix3d up;
   up << 0.0, -gravity.z(), gravity.y(), gravity.z(), 0.0, -gravity.x(), -gravity.y(), gravity.x(),
       0.0;
@@ -226,7 +226,7 @@ void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose
                                             P.block<3, 3>(12, 12).trace() - 2.0 * across.trace());
   // Variances of turned() and moved() in UnitWatch, as sums over three axes. White noise
   // contributes 3/2 noise^2 time to turned() and 3/4 noise^2 time^3 to moved(). A velocity error v
-  // contributes at most v time / e to moved().
+  // contributes at most v time / e to moved(), where e is Euler's number.
   const double turn = P.block<3, 3>(9, 9).trace() * square(time) +
                       1.5 * square(o.gyro_noise) * time + square(encoder);
   const double place = of_force * square(square(time)) +
@@ -362,7 +362,7 @@ Status GuardedBase::Impl::follow_filter(const ImuReading* imu, const ConstVector
     const bool beyond = gate_ratio() > 1.0, was_tipping = tipping > 0.0;
     tipping = std::max(0.0, tipping - dt);
     // Duration of tipping as a multiple of the window. After this time, the effect of tipping has
-    // decayed, and the feet stand elsewhere.
+    // decayed, and the feet are put down again where they are.
     constexpr double windows = 3.0;
     const UnitWatch::Tips tip = tips();
     if (beyond && tip == UnitWatch::Tips::Yes) tipping = windows * watch_options.window;

@@ -53,7 +53,7 @@ RotationSeries<S> rotation_series(const Vec3<S>& phi) {
   return r;
 }
 
-/// Returns the matrix a 1 + b [phi]x + c [phi]x^2, where [phi]x is the cross-product matrix.
+/// Returns a I + b [phi]x + c [phi]x^2 with the identity I and the cross-product matrix [phi]x.
 template <class S>
 Mat3<S> rotation_polynomial(const Vec3<S>& phi, const S& a, const S& b, const S& c) {
   const S d = a - c * dot(phi, phi);

@@ -77,7 +77,7 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
       std::vector<HorizonSegment> once;
       read_horizon(entry["of"], known, once);
       const int times = entry["repeat"].count(1);
-      // Each segment has at least one knot. This check avoids building a horizon that is too long.
+      // Checks the size before copying: each segment has at least one knot.
       if (to_size(times) > max_knots / once.size())
         entry.refuse("the repeated entries have more than " + std::to_string(max_knots) +
                      " knots, the maximum number");

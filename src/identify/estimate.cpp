@@ -18,10 +18,10 @@ int lags_of(const Regression& of) {
 /// Returns the weight of a lag (M. Bartlett).
 double lag_weight(int lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1); }
 
-/// Returns the factor for standard deviations from a sum over lags, because that sum is itself an
-/// estimate. The factor is the critical value of N. Kiefer and T. Vogelsang, "A New Asymptotic
-/// Theory for Heteroskedasticity-Autocorrelation Robust Tests" (2005), over the critical value of a
-/// normal distribution, both at 99 %. Large errors are then as rare as they should be.
+/// Returns the factor that enlarges standard deviations from a sum over lags, because the sum is
+/// only an estimate. It is the ratio of two critical values at 99 %: that of N. Kiefer and T.
+/// Vogelsang, "A New Asymptotic Theory for Heteroskedasticity-Autocorrelation Robust Tests" (2005),
+/// and that of a normal distribution. Large errors are then as rare as they should be.
 double enlargement(double lags_per_sample) {
   const double b = lags_per_sample;
   return 1.0 + (4.1618 * b + 0.5368 * b * b - 0.9060 * b * b * b) / 2.3263;
@@ -34,8 +34,8 @@ Eigen::MatrixXd covariance_at(const Regression& of, const Eigen::VectorXd& resid
   return r.topRows(n).transpose() * r.bottomRows(n) / static_cast<double>(of.samples);
 }
 
-/// Returns, per torque, the variance that residuals would have if they were uncorrelated in time.
-/// Computed as a sum over lags.
+/// Returns, per torque, the variance of noise that is uncorrelated in time but disturbs a mean as
+/// much as the residuals do: the sum of their autocovariances over lags.
 Eigen::VectorXd spectral_variance(const Regression& of, const Eigen::VectorXd& residual) {
   const int lags = lags_of(of);
   Eigen::VectorXd result = covariance_at(of, residual, 0).diagonal();
@@ -43,7 +43,7 @@ Eigen::VectorXd spectral_variance(const Regression& of, const Eigen::VectorXd& r
   for (int lag = 1; lag <= lags; ++lag) {
     result += 2.0 * lag_weight(lag, lags) * covariance_at(of, residual, lag).diagonal();
   }
-  // Exact torques would have unbounded weight and leave no digits for the prior.
+  // Torques without noise would have unbounded weight, and rounding would hide the prior.
   constexpr double min_fraction = 1e-5;  // of a torque's rms
   const Eigen::VectorXd floor =
       (min_fraction * min_fraction * covariance_at(of, of.measured, 0).diagonal().array() + 1e-16)
@@ -104,9 +104,10 @@ bool minimize(const Regression& of, const Eigen::VectorXd& weight, Eigen::Vector
   return false;
 }
 
-/// Returns B (A^T W R W A + P^-1) B with B = (A^T W A + P^-1)^-1: the covariance of the estimate if
-/// noise is correlated between torques and over time like the residuals (W. Newey, K. West, 1987,
-/// with one autocovariance for all samples).
+/// Returns the covariance of the estimate, B (A^T W R W A + P^-1) B with B = (A^T W A + P^-1)^-1,
+/// where A is the derivative, W the weight and P the covariance of the prior. R is the covariance
+/// of noise that is correlated between torques and over time like the residuals (W. Newey, K. West,
+/// 1987, with one autocovariance for all samples).
 Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
                               const Eigen::VectorXd& weight) {
   const Eigen::VectorXd residual = of.residual(x);
@@ -122,8 +123,8 @@ Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
           WA.middleRows(i * of.nv, of.nv).transpose() * C * WA.middleRows((i + lag) * of.nv, of.nv);
     middle += lag_weight(lag, lags) * (lag == 0 ? sum : Eigen::MatrixXd(sum + sum.transpose()));
   }
-  // Fitted parameters absorb part of the noise; each window contains one independent piece of
-  // noise.
+  // Corrects for the noise that the fitted parameters absorb. The residuals of one torque within a
+  // window count as one independent number.
   const double pieces = static_cast<double>(residual.size()) / of.samples_per_window;
   middle *= pieces / std::max(1.0, pieces - p);
   middle *= std::pow(enlargement(static_cast<double>(lags) / of.samples), 2);

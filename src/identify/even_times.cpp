@@ -16,7 +16,7 @@ constexpr double max_gap = 0.03;
 constexpr double min_bridged_periods = 3.5;  // Gaps up to this length are always bridged [periods]
 constexpr double missing_above = 1.75;       // Longer steps miss a sample [periods]
 constexpr double max_missing_fraction = 0.05;  // Of all samples
-/// Minimum distance of the outer nodes of a cubic; closer nodes would amplify noise [periods].
+/// Minimum distance between outer and inner nodes of a cubic, which limits the noise [periods].
 constexpr double node_distance = 0.5;
 
 std::string ms_text(double seconds) { return number(1e3 * seconds) + " ms"; }
@@ -50,7 +50,7 @@ struct Unevenness {
   Eigen::Index missing = 0;
 };
 
-/// Returns the number of samples that a step of `step` periods misses.
+/// Returns the number of samples that are missing within a step of `step` periods.
 Eigen::Index missing_in(double step) {
   const double samples = std::floor(step + 1.0 - missing_above);
   return std::max<Eigen::Index>(0, static_cast<Eigen::Index>(samples));

@@ -19,7 +19,7 @@ namespace {
 constexpr double fade = 1.0;           // Time from rest to the full motion, chosen by hand [s]
 constexpr double check_period = 0.02;  // Time between checked instants, chosen by hand [s]
 
-/// Smooth step from 0 to 1 for x from 0 to 1; two derivatives vanish at the ends.
+/// Smooth step from 0 to 1 for x from 0 to 1. Its first and second derivative vanish at the ends.
 struct Fade {
   double value = 1.0, slope = 0.0, curvature = 0.0;
 };
@@ -189,7 +189,7 @@ Excitation::Excitation(const Model& model, const Eigen::VectorXd& q_start, const
                         effort_text(amplitudes_, spec.effort_share));
 }
 
-/// Reduces the motion until the efforts are within their limits. Returns whether they are.
+/// Reduces the motion until the efforts are within their limits. Returns false if this fails.
 bool Excitation::limit(double effort_share) {
   constexpr double shrink = 0.8;  // at each attempt, chosen by hand
   constexpr int attempts = 12;

@@ -8,12 +8,12 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// Maximum fraction of the squared residual beyond noise that a convincing fault leaves: a fifth of
-/// the rms. Effects that no fault describes, such as friction, remain in the residual.
+/// A convincing fault leaves less than this fraction of the squared residual beyond noise, which is
+/// a fifth of the rms. Effects that no fault describes, such as friction, remain in the residual.
 constexpr double convincing = 1.0 / 25.0;
-/// Maximum fraction for a mild fault: half of the rms. A mild fault does not reject the record.
+/// A mild fault leaves less than this fraction (half of the rms). It does not reject the record.
 constexpr double worth_a_hint = 1.0 / 4.0;
-/// A later fault must leave less than this fraction of the squares of an earlier, simpler fault.
+/// A later fault must leave less than this fraction of what an earlier, simpler fault leaves.
 constexpr double better = 0.7;
 
 }  // namespace
@@ -41,7 +41,7 @@ FaultSearch::FaultSearch(const Model& model, const MotionRecord& record, const W
 
 std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected) {
   reference_ = weighted(base_.residual(x));
-  // Factor for the noise, since few instants average it less. It was 1.5 for arm7.
+  // Factor for the squared noise, because few instants average noise less. It was 1.5 for arm7.
   constexpr double of_few_instants = 2.0;
   noise_ = of_few_instants * weighted(expected.replicate(base_.samples, 1));
   try_negative_mass();

@@ -179,7 +179,7 @@ void FaultSearch::try_encoder_offsets() {
     const double expected = left(with_column(now, slope), &all);
     return std::pair{offset + all.tail<1>()[0], expected};
   };
-  // Steps along the slope do not converge from far away, so quarters of a turn are tried first.
+  // Gauss-Newton steps do not converge to large offsets, so quarters of a turn are tried first.
   constexpr double quarter = 0.5 * std::numbers::pi;
   for (const Joint& joint : model_.joints) {
     if (joint.nq != 1 || joint.kind == JointKind::Prismatic) continue;

@@ -51,7 +51,7 @@ void FaultSearch::try_gains() {
         with.b[row] += torque(s, k);
     }
   }
-  // The rows are in units of the model, so their weights come from the model's torques.
+  // Residuals of `with` are in units of the model, so the weights come from the model's torques.
   const Eigen::VectorXd weight = weight_;
   const Eigen::Map<const RowMatrix> model_torque(known.data(), base_.samples, nv);
   const Eigen::ArrayXd size =
@@ -162,7 +162,7 @@ void FaultSearch::try_lags() {
   }
 }
 
-/// Tries whether all torques except one fit; that column then has a fault of any kind.
+/// Omits one torque at a time. If all others fit, the omitted column has a fault of unknown kind.
 void FaultSearch::try_single_torques() {
   const Eigen::VectorXd weight = weight_;
   for (int k = 0; k < base_.nv; ++k) {

@@ -11,12 +11,12 @@
 namespace burnish {
 namespace {
 
-/// Distance from the motion beyond which a joint with too little torque falls [rad, m]. It equals
-/// the distance from limits that ExcitationSpec::margin keeps by default.
+/// A joint falls if its torque command exceeds the limit while the joint is farther than this from
+/// the motion [rad, m]. The value is the default of ExcitationSpec::margin.
 constexpr double falls_beyond = 0.1;
-/// Distance from the motion below which a joint with enough torque follows it, even if the planned
-/// motion is smaller: a quarter of a turn [rad, m]. The light last joint of arm7 deviates by 0.95
-/// rad with seed 2007 of `burnish identify --seeds`.
+/// Deviations up to this distance, a quarter of a turn, give no warning, even if the planned range
+/// is smaller [rad, m]. The light last joint of arm7 deviates by 0.95 rad with seed 2007 of
+/// `burnish identify --seeds`.
 constexpr double follows_within = 0.5 * std::numbers::pi;
 
 /// Deviation of a joint from the motion.

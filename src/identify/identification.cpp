@@ -117,8 +117,8 @@ std::string joined(const std::vector<std::string>& phrases) {
 void judge(Identification& result, const identify_detail::Misfit& misfit,
            const std::optional<identify_detail::Fault>& fault,
            const std::vector<std::string>& oddities, const std::string& column) {
-  // Maximum ratio of the residual to the torques of the unknown masses, chosen by hand. A ratio of
-  // 0.3 can hide an error of a mass of about 30 %.
+  // Maximum ratio of the residual to the torques of the unknown masses, chosen by hand. A residual
+  // of this size can hide a mass error of about 30 %.
   constexpr double max_unexplained = 0.3;
   if (!misfit.is_suspicious) {
     for (const std::string& oddity : oddities)

@@ -5,8 +5,8 @@
 //               [ 0    e^d2 s23  t2 ]
 //               [ 0    0    e^d3 t3 ]
 //               [ 0    0    0    1  ],
-// The mass is e^(2 alpha), and t is the centre of mass. The upper left block of U without e^alpha
-// is a root of the second moments per mass about the centre of mass.
+// The mass is e^(2 alpha), and t is the centre of mass. With the upper left 3 x 3 block L of the
+// matrix in brackets, L L^T is the second moment about the centre of mass, divided by the mass.
 #pragma once
 
 #include "burnish/model/inertia.hpp"

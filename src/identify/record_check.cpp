@@ -166,9 +166,9 @@ void check_frozen(const Model& model, CheckedRecord& checked) {
   constexpr double max_standstill = 0.1;      // exactly equal samples within a motion [s]
   constexpr Eigen::Index before = 10;         // Samples that give the speed before and after
   constexpr double min_speed_fraction = 0.1;  // Of the joint's fastest 10 samples
-  // At a turning point with acceleration a, a joint stays within one quantum, a T^2 / 8, for a time
-  // T. In the 10 samples before, it moves by at most three quanta if T is at least 20 samples, as
-  // it is at 200 Hz or more.
+  // Near a turning point with acceleration a, a joint stays within one quantum for a time T, with
+  // quantum = a T^2 / 8. If T is at least 20 samples (max_standstill at 200 Hz or more), the joint
+  // moves by at most three quanta in the 10 samples before this time.
   constexpr double quanta = 4.0;
   const MotionRecord& record = checked.record;
   for (int k = 0; k < model.nq; ++k) {

@@ -16,7 +16,8 @@ namespace {
 /// which the controller does not model.
 constexpr double settling = 1.5;
 
-/// Computed-torque controller, tau = M (a + kd e' + kp e) + b of the nominal model.
+/// Computed-torque controller, tau = M (a + kd e' + kp e) + b, with the nominal M and b, the
+/// planned acceleration a, and the tracking error e.
 class FollowMotion final : public Controller {
  public:
   FollowMotion(const Model& model, const Excitation& motion)

@@ -12,7 +12,8 @@ namespace {
 // Velocity scale of the sign of Coulomb friction [rad/s, m/s]
 constexpr double slip_velocity = 0.02;
 
-/// Columns of one instant: the columns that x multiplies, then four other columns.
+/// Terms of the regression at one instant, as columns: one for each entry of x, then `rest`,
+/// `before`, `second` and `measured`.
 class Instant {
  public:
   Instant(const Model& model, std::span<const Unknown> unknowns, const Layout& layout)

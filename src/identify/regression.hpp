@@ -31,9 +31,10 @@ struct Layout {
 /// Returns the number of instants between the windows of two rows.
 int row_stride(const Windows& windows);
 
-/// Regression: torques = nominal + sum of Y_i theta_i(eta_i) + linear x + delay^2 second. There is
-/// one row per sample and entry of v; samples are the outer index. All terms are smoothed by the
-/// same window, which keeps the equation exact. Only Y has errors from the smoothed motion.
+/// Regression with one row per sample and entry of v, sorted by sample first:
+///   torques = nominal + sum of Y_i theta_i(eta_i) + linear * (rest of x) + delay^2 * second,
+/// with parameters theta_i and log-Cholesky coordinates eta_i of inertia i. All terms are smoothed
+/// by the same window, which keeps the equation exact. Only Y has errors from the smoothed motion.
 struct Regression {
   Regression(const Model& model, const SmoothedMotion& motion, const Windows& windows,
              std::span<const Unknown> unknowns, const IdentificationSpec& spec);

@@ -24,7 +24,7 @@ class Smoother {
   Eigen::Matrix<double, Eigen::Dynamic, 3> weights_;
 };
 
-/// Returns the weights of a mean over 2 half + 1 samples, the fourth power of a cosine. The mean
+/// Returns the weights of a mean over 2 half + 1 samples: a cosine to the fourth power. The mean
 /// passes frequencies well below 1 / window and less than a thousandth above 4 / window.
 Eigen::VectorXd bell(int half);
 

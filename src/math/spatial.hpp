@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Twist or spatial acceleration. The linear part is that of the body point at the origin.
+/// Twist or spatial acceleration. A twist's linear part is the velocity of the body at the origin.
 template <class S>
 struct Motion {
   Vec3<S> linear, angular;

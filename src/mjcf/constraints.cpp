@@ -79,7 +79,7 @@ void read_fixed(const Item& item, Reading& reading) {
 }
 
 /// Spatial tendons, which a tree cannot represent because their length depends on points of bodies.
-/// Warnings list the tendons that affect the motion by name; a note counts the other tendons.
+/// Warnings name the tendons that affect the motion. A note counts the other tendons.
 class SpatialTendons {
  public:
   void look_at(const Item& item, Reading& reading) {
@@ -173,7 +173,7 @@ void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
       example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
 }
 
-/// Holds the free joint of a coupling at second = multiplier * first + offset.
+/// Holds the free joint of a coupling, second = multiplier * first + offset, with a held joint.
 void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupling,
                     const Item& item, Reading& reading) {
   if (first.type != JointType::Fixed) {

@@ -225,8 +225,8 @@ XMLElement& frame_at(const XMLElement& at, const Eigen::Isometry3d& placement, E
   return frame;
 }
 
-/// Rotates copy i by i times the angles. The offset from copy i - 1 to copy i is in the axes of
-/// copy i - 1.
+/// Returns the copies of a <replicate>. Copy i is rotated by i times `euler`. Its offset from copy
+/// i - 1 is in the axes of copy i - 1.
 Elements replicate(const XMLElement& at, Reading& reading) {
   const int count = count_of(at);
   const Vector3d offset = three(at, "offset"), euler = three(at, "euler");

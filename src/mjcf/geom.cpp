@@ -172,7 +172,7 @@ std::optional<InertiaSpec> weigh(const GeomSource& geom, bool warns, Reading& re
   return body;
 }
 
-/// Returns the geom's own colour, unless it is the default grey; then its material's colour.
+/// Returns the geom's own colour, or its material's colour if the geom has the default grey.
 Eigen::Vector4d colour_of(const GeomSource& geom, const Reading& reading) {
   const Eigen::Vector4d grey(0.5, 0.5, 0.5, 1.0);
   Eigen::Vector4d own = grey;

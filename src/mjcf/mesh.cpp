@@ -191,7 +191,7 @@ Piece piece_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, MeshIner
   double measure = shell ? 0.5 * (b - a).cross(c - a).norm() : a.dot(b.cross(c)) / 6.0;
   if (how == MeshInertia::Legacy) measure = std::abs(measure);
   const Vector3d sum = a + b + c;
-  // Integral of x x^T over a simplex with n corners p_i; for a tetrahedron, one is the origin:
+  // Integral of x x^T over a simplex with n corners p_i (for a tetrahedron, p_1 is the origin):
   // measure / (n (n + 1)) (sum p_i p_i^T + sum p_i sum p_i^T).
   const Eigen::Matrix3d squares =
       a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose();
@@ -261,7 +261,8 @@ Triangles read_triangles(const std::filesystem::path& file) {
 }
 
 InertiaSpec inertia_of(const Triangles& mesh, MeshInertia how, const std::string& source) {
-  // Sums the centre of mass about the surface's centroid, the inertia about the centre of mass.
+  // Sums about the surface's centroid give the centre of mass; the inertia is summed about the
+  // centre of mass.
   const Sum about_surface = sum_of(mesh, how, surface_centre(mesh));
   const Sum sum = sum_of(mesh, how, about_surface.centre);
   constexpr double no_volume = 1e-15;

@@ -70,7 +70,8 @@ const XMLElement& Source::opened(const XMLElement& naming, bool is_model) {
                           ", but a model from a text cannot include files; wanted a model file");
   }
   const File& from = file_of(naming);
-  // As in MuJoCo, paths are relative to the model's main file, or else to the naming file.
+  // As in MuJoCo, a path is relative to the model's main file. If no such file exists, the path is
+  // relative to the file that contains the element.
   auto path = find(folder_of(*from.model->root) / file);
   if (!path) path = find(fs::path(from.path).parent_path() / file);
   if (!path) refuse_at(naming, "the file " + in_quotes(file) + " does not exist");

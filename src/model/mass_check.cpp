@@ -1,5 +1,6 @@
 // Check of the mass matrix by articulated inertias at one generic posture. S_i are the directions
-// of joint i. A_i is the articulated inertia of body i, with all joints beyond it free to move:
+// of joint i, and X transforms motions from a body to its child c. The articulated inertia of body
+// i, with all joints beyond it free to move, is
 //   A_i = I_i + sum over children c of X^T (A_c - A_c S_c D_c^-1 S_c^T A_c) X,
 //   D_c = S_c^T A_c S_c + armature.
 // The mass matrix is positive definite if and only if every D_c is. A quantity that is zero at a
@@ -94,8 +95,8 @@ struct JointInertia {
         carried(std::move(rigid)),
         decomposed(symmetric_eigen(inertia)) {}
   double smallest() const { return decomposed.values[0]; }
-  /// Returns the threshold below which an eigenvalue is zero. Rounding errors of the articulated
-  /// inertia grow with the carried inertia.
+  /// Returns the threshold below which an eigenvalue counts as zero. Rounding errors of the
+  /// articulated inertia grow with the carried inertia.
   double tolerance() const {
     return no_inertia * std::max(1.0, carried.diagonal().cwiseAbs().maxCoeff());
   }

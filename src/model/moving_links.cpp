@@ -116,8 +116,8 @@ const LinkSpec& root_link(const TreeSpec& tree) {
 }  // namespace
 
 bool MovingLinks::is_far_off(const MovingLink& link) const {
-  // Distance that counts as far off, relative to `skeleton`; chosen by hand. Links without a shape
-  // may have their centre of mass at a shorter distance.
+  // Distance that counts as far off, relative to `skeleton`; chosen by hand. The factor leaves
+  // room for links without a shape, whose size does not count in `skeleton`.
   constexpr double far = 5.0;
   return link.link->inertia.mass > 0.0 && skeleton > 0.0 && joints_in_a_subtree > 1 &&
          link.link->inertia.com.norm() > far * skeleton;

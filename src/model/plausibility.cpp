@@ -231,7 +231,7 @@ void check_size(const MovingLinks& robot, Findings& findings) {
 
 /// Warns of light links with the shape and the inertia of a heavy link.
 void check_light_links(const MovingLinks& robot, Findings& findings) {
-  // Largest fraction of the robot's mass; check_large_inertias() examines heavier links.
+  // Mass fraction below which a link is light; check_large_inertias() examines heavier links.
   constexpr double max_mass_fraction = 0.01;
   // Smallest relevant moment of inertia, relative to the robot's mass * reach^2; chosen by hand.
   constexpr double min_inertia = 1e-4;
@@ -268,7 +268,7 @@ void check_efforts(const MovingLinks& robot, const ModelOptions& options, Findin
   // The largest effort limit in a correct file is 0.01 to 20 times the torque of the robot's
   // weight. Powers of ten, which often mean "unknown", are exempt.
   constexpr double strongest = 50.0, weakest = 0.003;
-  // Warns if one joint in four is too strong, because most joints of a robot can be weak fingers.
+  // One joint in four suffices for a warning, because most joints can belong to weak fingers.
   constexpr std::size_t joints_per_strong = 4;
   const double gravity = options.gravity.norm();
   const double whole = gravity * robot.mass * robot.reach;

@@ -41,8 +41,8 @@ class DelayedState {
     double schedule_time;                 ///< Time of the schedule [s].
     bool touches;                         ///< True if the tool is in contact.
     const Eigen::VectorXd& torque_error;  ///< Estimated torque error, nv [Nm or N].
-    /// True if the contact has a friction model. If false, the measured force is used as the
-    /// friction.
+    /// True if the contact has a friction model. If false, the measured force along the surface is
+    /// used instead.
     bool has_friction;
     Eigen::Vector3d normal_world;  ///< Unit normal of the surface, in world axes.
   };

@@ -98,7 +98,7 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
     follow_lasting(gate.dt());
     contact_force_.set_friction(friction());
     // Forces are computed with the measured torques (section IV-C of Kleff et al.). The torque
-    // error already contains the slow part of these torques, so torque_offset_ is subtracted.
+    // error already contains torque_offset_, the slow difference of these torques from acted_.
     total_ += model_error() - torque_offset_;
     total_.noalias() += tool_motion_.jacobian().transpose() * friction_force_;
   }

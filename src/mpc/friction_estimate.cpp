@@ -30,8 +30,8 @@ void FrictionEstimator::update(double normal_force, const Eigen::Vector3d& force
                                const Eigen::Vector3d& v_across, double dt) noexcept {
   if (!options_.enabled || !(normal_force > 0.0) || !(dt > 0.0)) return;
   const Eigen::Vector3d s = sliding_direction(v_across, options_.speed);
-  // The measurement is -force_across . s = mu normal_force |s|, because friction acts opposite to
-  // s. Its noise is constant, so that a slow tool (small |s|) has little influence.
+  // Friction acts opposite to the sliding direction s, so the measurement -force_across . s is
+  // mu normal_force |s|. Its noise is constant, so a slow tool (small |s|) has little influence.
   const double sensitivity = normal_force * s.norm();
   const double noise =
       options_.force_noise * options_.force_noise * std::max(1.0, options_.noise_time / dt);

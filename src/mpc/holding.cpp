@@ -83,11 +83,11 @@ bool Holding::compute_free_inertia(const Eigen::VectorXd& q) noexcept {
 }
 
 /// Computes holding torques and inertia of a closed mechanism, such as a robot on its feet. The
-/// acceleration of the mechanism is a = a_0 + A tau, where A_aa are the rows and columns of
-/// actuated entries. These entries have the effective inertia A_aa^-1, and the torque -A_aa^-1 a_0
-/// holds them. With more motors than degrees of freedom, A_aa is singular. A regularized inverse
-/// then leaves out torques that balance each other: D^-1/2 B (B B + e^2)^-1 D^-1/2, with the
-/// diagonal D of A_aa and B = D^-1/2 A_aa D^-1/2.
+/// acceleration of the mechanism is a = a_0 + A tau. The block A_aa of A belongs to the actuated
+/// entries of v. They have the effective inertia A_aa^-1, and the torque -A_aa^-1 a_0 holds them.
+/// With more motors than degrees of freedom, A_aa is singular. A regularized inverse then leaves
+/// out torques that balance each other: D^-1/2 B (B B + e^2)^-1 D^-1/2, with the diagonal D of
+/// A_aa, B = D^-1/2 A_aa D^-1/2 and a small number e.
 bool Holding::compute_closed_inertia(const Eigen::VectorXd& q) noexcept {
   if (!is_usable(free_.forward(q, zero_, zero_))) return false;
   if (!is_usable(free_.forward_derivatives())) return false;

@@ -158,8 +158,8 @@ void Horizon::place(double schedule_time) {
   for (int k = 0; k <= N; ++k) place_knot(k, begins_[to_size(k)]);
 }
 
-/// Moves each knot to the nearest change of phase, to the first of two that are equally near. A
-/// change is skipped if a step would become shorter than min_step.
+/// Moves the knot nearest to each change of phase to that change. Skips a change if this knot has
+/// already moved or is an end of the horizon, or if a step would become shorter than min_step.
 void Horizon::begin_at_phases(double schedule_time) noexcept {
   const int N = problem_.knots();
   times_.copy_first(given_);

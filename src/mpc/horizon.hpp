@@ -58,9 +58,9 @@ class Horizon {
   /// Set the initial guess of a solve.
   /// - guess_rest(): the robot stays at rest in the state x, with the controls u.
   /// - guess_shifted(): the last solution, interpolated from the time `schedule_time` of the
-  ///   schedule on. After its end, its last knot is repeated. If knots have equal lengths, each
-  ///   control is the solution's control at the start of the knot. Otherwise, each control is the
-  ///   mean of the solution's controls over the knot.
+  ///   schedule on. After the end of the solution, its last knot is repeated. If knots have equal
+  ///   lengths, each control is the solution's control at the start of the knot. Otherwise, each
+  ///   control is the mean of the solution's controls over the knot.
   void guess_rest(const Eigen::VectorXd& x, const Eigen::VectorXd& u) noexcept;
   void guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
                      double schedule_time) noexcept;

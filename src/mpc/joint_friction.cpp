@@ -26,9 +26,9 @@ constexpr double reversal_noise = 10.0;  // factor on the noise while a joint re
 // Time constant of the filters through which measured and planned velocities are compared [s].
 // After the filter, the velocity steps of a 16-bit encoder are 5 mrad/s.
 constexpr double velocity_smoothing = 0.02;
-// Width of the uncertain range of velocities, in standard deviations of the velocity error. Within
-// it, the sign of the velocity counts as uncertain. The expected sign of a normal variable would
-// give 1.25. The value 1.6 was best on four arms with 1 Nm of friction in each joint.
+// Width w of the smoothed sign tanh(v / w), in standard deviations of the velocity error. The value
+// 1.25 would match the expected sign of a normally distributed velocity. The value 1.6 was best on
+// four arms with 1 Nm of friction in each joint.
 constexpr double uncertain = 1.6;
 
 /// Returns, per joint, 1 if the joint moves a body that a loop or a support holds. In such a closed
@@ -51,7 +51,7 @@ JointFriction::JointFriction(const MpcSpec& spec)
     : enabled_(spec.model_error.kind == ModelErrorKind::Torque && spec.model_error.joint_friction),
       options_(spec.model_error),
       lead_(look_ahead),
-      // Mean age of a plan in use: it comes into use after solver_delay and stays in use for
+      // Adds the mean age of a plan, which comes into use after solver_delay and stays in use for
       // update_period.
       smoothing_(look_ahead + spec.solver_delay + 0.5 * spec.update_period),
       joints_(to_size(spec.problem.model.nv)),
@@ -113,8 +113,8 @@ void JointFriction::advance(double dt) noexcept {
     if (!joint.driven) continue;
     joint.between += weight * (joint.ahead - joint.between);
     joint.v += weight * (joint.between - joint.v);
-    // Compensates one standard deviation less than the estimate, so that an uncertain F is not
-    // overcompensated.
+    // Subtracts one standard deviation from the estimated Coulomb friction, so that an uncertain
+    // estimate does not cause overcompensation.
     const double coulomb = std::max(0.0, joint.x[1] - std::sqrt(joint.P(1, 1)));
     const double torque = coulomb * sign_of(joint, joint.v) + joint.x[2] * joint.v;
     torque_[static_cast<Eigen::Index>(k)] = std::clamp(torque, -options_.limit, options_.limit);

@@ -7,9 +7,10 @@
 
 namespace burnish {
 
-/// Check that keeps the last valid measurement. A measurement is invalid if it contains a NaN or a
-/// vector of wrong size, or if its time does not increase. While measurements are invalid, the time
-/// advances by one tick period per tick, until one of the limits `bad` and `stale` is reached.
+/// Gate that checks measurements and keeps the last valid one. A measurement is invalid if it
+/// contains a NaN or a vector of wrong size, or if its time does not increase. While measurements
+/// are invalid, the time advances by one tick period per tick, until one of the limits `bad` and
+/// `stale` is reached.
 class MeasurementGate {
  public:
   explicit MeasurementGate(const MpcSpec& spec);

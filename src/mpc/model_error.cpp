@@ -71,9 +71,9 @@ class ChangeDetector {
     constexpr double smoothing = 4e-3, first = 0.1, decay_time = 0.15;
     // Thresholds for the squared rate relative to its usual mean, averaged over the joints. Below
     // `noise` the rate is noise, above `certain` it is a jump; chosen by hand. The thresholds are
-    // high for two reasons. Averaging does not reduce noise of the force along one direction, which
-    // affects all joints by the same ratio. With hundreds of samples per second, false alarms must
-    // be rare.
+    // high for two reasons. Averaging does not reduce the noise of a force along a fixed direction,
+    // because this noise changes all joints by the same ratio. With hundreds of samples per second,
+    // false alarms must be rare.
     constexpr double noise = 8.0, certain = 14.0;
     rate_ += std::min(1.0, dt / smoothing) * (change * rate - rate_);
     double ratio = 0.0;
@@ -91,8 +91,8 @@ class ChangeDetector {
     level_ = std::max(level, level_ * std::exp(-dt / decay_time));
   }
   /// Detects a drift: the rate of some joint keeps its sign for longer than noise does. A low-pass
-  /// filter keeps most of a drift. Of encoder steps, which change their sign, it keeps only a
-  /// fraction of about dt divided by the filter's time constant.
+  /// filter keeps most of a drift. It reduces encoder steps, whose signs alternate, by a factor of
+  /// about dt divided by the filter's time constant.
   void detect_drift(const Eigen::VectorXd& change, double rate, double dt, double weight) noexcept {
     // Smoothing time, and time until detection starts [s].
     constexpr double smoothing = 0.02, first = 0.5;
@@ -154,8 +154,8 @@ struct TorqueErrorObserver::Impl {
     if (!(given.limit > 0.0))
       throw Error("model error: limit is " + number(given.limit) + "; wanted a positive number");
     for (const std::string& at : measured) sensors.push_back(body.frame(at));
-    // Largest error in the entries of the base, relative to the robot's weight, which the base
-    // carries; chosen by hand.
+    // Smallest limit of the force and moment errors at the base, as a fraction of the robot's
+    // weight, which the base carries; chosen by hand.
     constexpr double weight_fraction = 0.06;
     const Joint& first = model.joints.front();
     if (first.kind == JointKind::FreeFlyer)
@@ -166,9 +166,9 @@ struct TorqueErrorObserver::Impl {
 
   ModelErrorOptions options;
   /// Removes the part of `change` that forces of supports and loops balance. This part causes no
-  /// motion, so that no measurement would ever correct it. The acceleration of the closed mechanism
-  /// is a = a_0 + A tau, and multiplication by M A removes the part. Returns false if A cannot be
-  /// computed.
+  /// motion, so that no measurement would ever correct it. Multiplication by M da/dtau removes the
+  /// part; M is the mass matrix and a the acceleration of the closed mechanism. Returns false if
+  /// da/dtau cannot be computed.
   bool remove_balanced_part(ContactDynamics& closed) noexcept {
     if (!is_usable(closed.forward_derivatives())) return false;
     innovation.noalias() = closed.da_dtau() * change;

@@ -8,8 +8,8 @@
 namespace burnish {
 namespace {
 
-/// Returns the time steps of the knots that must be kept of a plan. They cover the time until a run
-/// is stopped because too many updates have failed.
+/// Returns the time steps of the knots for which a plan is kept. They cover the time until a run is
+/// stopped because too many updates have failed.
 std::vector<double> plan_steps(const MpcSpec& spec) {
   // With other kinds of PlanTiming, the computing time has no limit, so that all knots are kept.
   if (spec.timing != PlanTiming::Fixed) return knot_steps(spec.problem);

@@ -130,7 +130,8 @@ void SurfaceEstimator::start(const Eigen::Vector3d& p, const SurfaceDistance& no
   for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = curvature_ * curvature_;
 }
 
-/// Propagates the state while the surface moves at its rate: h += r dt, with a random walk of r.
+/// Propagates the state over the time `dt` of a moving surface: the height error h changes by r dt,
+/// and its rate r is a random walk.
 void SurfaceEstimator::wait(double dt) noexcept {
   // Growth of the rate's variance per time, relative to its initial variance [1/s].
   constexpr double wander = 0.1;
@@ -140,8 +141,8 @@ void SurfaceEstimator::wait(double dt) noexcept {
   P_(r_, r_) += wander * options_.rate * options_.rate * dt;
 }
 
-/// Moves the state along the surface by the step d along the tangents: h += s . d + d . K d / 2, s
-/// += K d.
+/// Moves the state by the step d along the tangents. The height error h changes by
+/// s . d + d . K d / 2, and the slope error s by K d, with the curvature error K.
 void SurfaceEstimator::move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& d,
                                const SurfaceDistance& nominal) noexcept {
   Covariance F = Covariance::Identity();

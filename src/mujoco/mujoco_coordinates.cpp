@@ -117,7 +117,7 @@ void Coordinates::turn(const Joint& joint, int first, const Eigen::Matrix3d& rot
       for (int j = 0; j < n; ++j) (*matrix)(joint.v_index + i, first + j) = rotation(j, i);
 }
 
-/// Computes the correction v x w for linear velocities along turning axes.
+/// Computes the correction u x w of a joint whose axes turn: linear velocity u, angular velocity w.
 void Coordinates::correct(const Joint& joint, const ConstVectorRef& v) {
   if (turned_entries(joint) == 0) return;
   const bool planar = joint.kind == JointKind::Planar;

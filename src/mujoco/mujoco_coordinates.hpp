@@ -29,7 +29,7 @@ class Coordinates {
   void store(const ConstVectorRef& q, const ConstVectorRef& v, mjData& data);
   /// Reads qpos and qvel into q (nq) and v (nv).
   void load(const mjData& data, Eigen::VectorXd& q, Eigen::VectorXd& v);
-  /// Convert torques to MuJoCo's entries (T_own^T tau) and back (T theirs), at the last state.
+  /// Convert torques to MuJoCo's entries and back, at the state of the last store() or load().
   void torque_to(const ConstVectorRef& tau, mjtNum* theirs) const;
   void torque_from(const mjtNum* theirs, Eigen::VectorXd& tau) const;
 

@@ -291,7 +291,7 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
 }
 
 void Engine::stiffen_equalities() const {
-  // The largest impedance that MuJoCo accepts leaves an error of 1e-4 of the acceleration.
+  // Reduces the error of MuJoCo's largest allowed impedance, which is 1e-4 of the acceleration.
   constexpr mjtNum compliance_scale = 1e-4;
   for (int row = 0; row < d->nefc; ++row) {
     if (d->efc_type[row] != mjCNSTR_EQUALITY) continue;

@@ -13,7 +13,7 @@ namespace {
 
 /// Largest angle of a rotation residual at which finite differences are safe [rad]; chosen by hand.
 constexpr double max_angle = std::numbers::pi - 0.1;
-/// Step of the finest extrapolated differences (check_differences.cpp), in units of z.
+/// Step of the finest extrapolated differences (check_differences.cpp), in units of check_units().
 constexpr double difference_step = 2e-4;
 
 /// Returns the magnitude of a derivative below which its error is absolute rather than relative.
@@ -21,7 +21,7 @@ double floor_of(const Eigen::VectorXd& values) {
   return std::max(1e-9, 1e-3 * (values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff()));
 }
 
-/// Returns F of a knot, ndx x nz, from P and the non-Euclidean tangent blocks.
+/// Returns the derivative of a knot's next state by z as a full matrix, ndx x nz.
 Eigen::MatrixXd dense_dynamics(const StateShape& shape, const KnotExpansion& knot, int nu) {
   const int nz = nu + shape.ndx, nv = shape.nv;
   const Eigen::Map<const RowMatrix, 0, Eigen::OuterStride<>> given(

@@ -25,8 +25,8 @@ class CheckPoint {
   /// jump.
   bool near_half_turn() const;
 
-  /// Return derivatives as blocks by u, q, v and tau. next_state() is only for knots before the
-  /// terminal one.
+  /// Return one block each for the derivatives by u, q, v and tau. next_state() is only for knots
+  /// before the terminal one.
   std::vector<DerivativeBlock> next_state();
   std::vector<DerivativeBlock> residual(int term);
   /// cost() and all_costs() return an empty list if a residual is close to a breakpoint of its

@@ -63,8 +63,8 @@ std::vector<ForceState> compile_force_states(const ProblemSpec& spec, const Cont
 }
 
 StateShape make_shape(const StateLayout& layout, const std::vector<TangentBlock>& blocks) {
-  // An impact keeps the force states unchanged, as it keeps the torques. Other stages with force
-  // states are dense.
+  // Force states count as filtered torques, because an impact changes neither. The dynamics of
+  // other stages with force states are linearized as DynamicsForm::Dense.
   StateShape shape{layout.nx(), layout.ndx(), layout.nv, layout.filtered + layout.force_states, {}};
   for (const TangentBlock& block : blocks) shape.blocks.push_back({block.first, block.size});
   return shape;

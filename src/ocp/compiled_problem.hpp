@@ -38,7 +38,7 @@ struct CompiledTerm {
   /// First row of a constraint among the stage's rows with coefficients. -1: every row of the
   /// constraint is an entry of z, which needs no coefficients.
   int first_coefficients = 0;
-  /// First vector b of a constraint's curvature, among those of the stage; -1: no curvature
+  /// Index in the stage of a constraint's first curvature vector b (RowCurvature); -1: no curvature
   int first_curvature = -1;
   int curvature_rows = 0;  ///< Number of vectors b
 };
@@ -125,7 +125,7 @@ struct CompiledProblem {
   std::optional<TorqueModel> torque_model;
   std::optional<PassiveJoints> passive;
   std::vector<double> torque_bias;  ///< Constant torque beside the actuators, nv entries [Nm or N]
-  /// Decaying torque beside the actuators: factor of KnotTime::decaying, nv entries [Nm or N]
+  /// Torque beside the actuators that KnotTime::decaying multiplies, nv entries [Nm or N]
   std::vector<double> decaying_torque;
   std::vector<CompiledStage> stages;  ///< The terminal stage is the last one
   int largest_rows = 0;               ///< Largest number of rows of a term

@@ -96,8 +96,8 @@ struct FrameDistance {
   FramePositionError position;
   Directions directions;
   static constexpr double curvature_sign = 1.0;
-  /// Returns the number of vectors b: 0, 1 or 3 for one, two or three directions. The three vectors
-  /// have rank two.
+  /// Returns the number of curvature vectors b (RowCurvature): 0, 1 or 3 for one, two or three
+  /// directions. The three vectors have rank two.
   int curvature_rows() const;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
@@ -181,8 +181,8 @@ struct ConeMargin {
 /// Margins of the sides of a pyramid inside the friction cone. The target is the coefficient of
 /// friction.
 struct PyramidMargin {
-  /// Side with the margin friction inner f_n - (c f_1 + s f_2) [N]. The vector (c, s) has length 1
-  /// and points outwards.
+  /// Side of the pyramid. The unit vector (c, s) points outwards. With the normal force f_n and the
+  /// tangential forces f_1 and f_2, the margin is friction inner f_n - (c f_1 + s f_2) [N].
   struct Side {
     double c, s;
   };
@@ -210,8 +210,8 @@ struct ComError {
 };
 /// Distances of the centre of mass c from the edges of a support polygon, in the horizontal plane.
 struct SupportMargin {
-  /// Edge with the margin x c_x + y c_y - offset [m]. The vector (x, y) has length 1 and points
-  /// inwards.
+  /// Edge of the polygon. The unit vector (x, y) points inwards. The margin of the centre of mass c
+  /// is x c_x + y c_y - offset [m].
   struct Edge {
     double x, y, offset;
     double half_width;  ///< Half the width of the polygon perpendicular to the edge [m]

@@ -126,7 +126,8 @@ void about_initial_state(const Problem& problem, std::vector<std::string>& sente
   }
 }
 
-/// Statics without contact forces: M u = c, which is S u = b projected onto the null space of J.
+/// Static balance M u = c between the controls u and the load c, projected onto the null space of
+/// the contact Jacobian. Contact forces do not appear in it.
 struct Balance {
   Eigen::MatrixXd M;
   Eigen::VectorXd c;

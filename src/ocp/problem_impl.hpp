@@ -24,7 +24,7 @@ struct Worker {
   std::vector<double> next;
 };
 
-/// Returns the torques at rest other than the actuators': torque bias and springs, nv entries
+/// Returns the torques at rest except those of the actuators: torque bias and springs, nv entries
 /// [Nm or N].
 Eigen::VectorXd torque_at_rest(const CompiledProblem& problem, const ConstVectorRef& q);
 

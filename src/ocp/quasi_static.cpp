@@ -31,7 +31,7 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);
   const Status status = dynamics.acceleration(x.head(l.nq), zero, zero);
   if (status != Status::Ok) throw Error("quasi_static: " + std::string(describe(status)));
-  // Loops follow the other contacts. Forces of the loops are unknown unless `force` contains them.
+  // The rows of loops are the last rows. Forces of loops are unknown unless `force` contains them.
   int rows = dynamics.rows();
   int loops = 0;
   for (int c = 0; c < compiled.contacts.size(); ++c) {

@@ -8,7 +8,7 @@
 
 namespace burnish::ocp {
 
-/// Rows that share one name: all entries of v of a joint, or one direction.
+/// Rows of a residual that share one name, because they belong to one joint or one direction.
 struct RowGroup {
   std::string name;
   int size = 1;

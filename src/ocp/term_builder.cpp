@@ -1,4 +1,5 @@
-// Parts that several kinds of residuals share: targets, columns, frames, references and contacts.
+// Parts that several kinds of residuals share: targets, Jacobian columns, frames, references and
+// contacts.
 #include "ocp/term_builder.hpp"
 
 #include <algorithm>

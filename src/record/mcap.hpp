@@ -16,7 +16,7 @@ namespace burnish {
 class WholeFile;
 
 /// Writer of one MCAP file: schemas, channels, then messages in the order of their times. Messages
-/// are stored in uncompressed chunks with checksums and indexes, so that readers can jump.
+/// are stored in uncompressed chunks with checksums, and indexes let readers jump to any time.
 class McapWriter {
  public:
   /// `library` names the program that writes the file. Throws Error if the file cannot be written.

@@ -35,7 +35,8 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, ignored);
 }
 
-/// Returns the file `rest` of a package in `folder`, or of the package `folder`; empty: none.
+/// Returns the existing file with the path `rest` in a package. The folder of the package is in
+/// `folder`, or is `folder` itself. Empty: no such file.
 fs::path file_in_package(const fs::path& folder, const std::string& package, const fs::path& rest) {
   if (is_file(folder / package / rest)) return folder / package / rest;
   if (folder.filename() == package && is_file(folder / rest)) return folder / rest;

@@ -1,4 +1,4 @@
-// Pages and recordings of runs as files, of single runs and of several runs side by side.
+// Files of runs: pages and recordings of single runs, and pages with several runs side by side.
 #pragma once
 
 #include <filesystem>
@@ -42,7 +42,7 @@ void write_runs_page(const std::vector<std::string>& names, const std::vector<st
 /// Writes the page of a robot. Throws Error as write_runs_page() does.
 void write_robot_page(const RobotDrawing& robot, const std::filesystem::path& file);
 
-/// Returns a list for people, such as "table_mpc, table_baseline and 3 more".
+/// Returns names in one phrase, such as "table_mpc, table_baseline and 3 more".
 std::string joined_names(const std::vector<std::string>& names);
 
 }  // namespace burnish

@@ -75,7 +75,7 @@ Json transform_json(std::uint64_t time, const std::string& parent, const std::st
   return json;
 }
 
-/// Kind and size of a shape in foxglove.SceneEntity, which does not support meshes here.
+/// Kind and size of a shape in foxglove.SceneEntity. Recordings do not contain meshes.
 struct Solid {
   const char* kind;  ///< Field of foxglove.SceneEntity; null: shape not supported
   Eigen::Vector3d size;

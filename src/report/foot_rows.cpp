@@ -39,7 +39,8 @@ FootLoad FootRows::load(int row, const Eigen::Isometry3d& foot) const {
   FootLoad load;
   load.normal = normal_foot.dot(force);
   load.tangential = (force - load.normal * normal_foot).norm();
-  // In the plane z = 0 of the frame, m = p x f, so m_x and m_y depend on p and f_z only.
+  // A force f at a point p of the sole (z = 0) has the moment m = p x f, so that m_x = p_y f_z and
+  // m_y = -p_x f_z.
   if (support_.is_sole() && std::abs(force.z()) > 1e-9)
     load.pressure = {-entry(4) / force.z(), entry(3) / force.z()};
   return load;

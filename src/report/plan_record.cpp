@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-/// Approximate time between the knots of a plan that are recorded, chosen by hand [s].
+/// Approximate time between the recorded knots of a plan, chosen by hand [s].
 constexpr double kept_every = 0.05;
 
 }  // namespace

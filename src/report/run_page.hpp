@@ -69,7 +69,7 @@ struct PagePatch {
 };
 
 /// Surface of the workpiece. The columns of `axes` are two tangents and the normal towards the
-/// robot, on a curved surface at `point`.
+/// robot. On a curved surface, these are the axes at `point`.
 struct PageSurface {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();

@@ -106,8 +106,8 @@ struct RobotSettingsFile {
   std::map<std::string, RobotSettings> variants;
 };
 
-/// Reads the settings file of a robot. Throws Error that names the file, the line and the key, and
-/// states the requirement.
+/// Reads the settings file of a robot. Errors name the file, the line and the key, and state the
+/// requirement.
 RobotSettingsFile read_robot_settings(const std::filesystem::path& file);
 /// Reads the settings of a robot from the text of a settings file. Error messages use `name` as the
 /// file's name.

@@ -364,8 +364,8 @@ Status IdealPlant::respond_freely() {
   return factor_.info() == Eigen::Success ? Status::Ok : Status::SingularContacts;
 }
 
-/// Computes the response to work_.normal of a robot with loops, including the impulses in the
-/// loops: da/dtau without the surface contact, times work_.normal.
+/// Computes work_.response of a robot with loops: da/dtau without the surface contact, times
+/// work_.normal. It includes the impulses in the loops.
 Status IdealPlant::respond_with_loops() {
   set_touching(false);
   Status status = dynamics_.forward(q_, v_, work_.tau);

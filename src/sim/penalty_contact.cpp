@@ -27,7 +27,8 @@ Eigen::Vector3d penalty_force(const PenaltyContact& contact, const TipStep& tip)
   axes.col(1) = tip.n.cross(axes.col(0));
   const Eigen::Matrix3d A = axes.transpose() * tip.A * axes;
   const Eigen::Vector3d v = axes.transpose() * tip.v;
-  // The equation is f_n = K (depth - dt v_n) - D v_n, with v_n at the end of the step.
+  // Normal force for stiffness K, damping D, and the normal velocity v_n at the end of the step:
+  // f_n = K (depth - dt v_n) - D v_n.
   const double resistance = contact.stiffness * tip.dt + contact.damping;
   const double slope = 1.0 + resistance * tip.dt * A(2, 2);
   const Eigen::Matrix2d across = A.topLeftCorner<2, 2>();

@@ -22,10 +22,10 @@ struct TipStep {
   Eigen::Matrix3d A;  ///< Inverse inertia of the tip, symmetric and positive definite [1/kg]
 };
 
-/// Returns the force on the tip, in world axes [N]; 0 if the tip is not in the material. Along n,
-/// the force is K d - D v_n, but at least 0, with the depth d and the velocity v_n at the end of
-/// the step. Across n, friction stops the sliding if it can. Otherwise, the friction is mu times
-/// the normal force, opposite to the sliding velocity at the end of the step.
+/// Returns the force on the tip, in world axes [N]; 0 if the tip is not in the material. The normal
+/// force is max(0, K d - D v_n), with the depth d and the normal velocity v_n at the end of the
+/// step. The friction stops the sliding if it can. Otherwise, it is mu times the normal force,
+/// opposite to the sliding velocity at the end of the step.
 Eigen::Vector3d penalty_force(const PenaltyContact& contact, const TipStep& tip) noexcept;
 
 }  // namespace burnish

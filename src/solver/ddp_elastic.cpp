@@ -19,12 +19,12 @@
 namespace burnish {
 
 namespace {
-/// Factor `raise` on the penalty weight. Violations decrease with the weight if a raise leaves less
-/// than the fraction `fall` of them. Chosen by hand.
+/// Factor `raise` by which the penalty weight grows. If less than the fraction `fall` of the
+/// violations remains after this, larger weights count as effective. Chosen by hand.
 constexpr double fall = 0.1, raise = 100.0;
-/// Violations stand still if, for `still_patience` iterations, the linear model leaves at least the
-/// fraction `still_fraction` of their sum, and the steps leave at least `still_decrease`. Chosen by
-/// hand.
+/// Violations stand still if two conditions hold for `still_patience` iterations. The linear model
+/// leaves at least the fraction `still_fraction` of their sum, and the steps leave at least the
+/// fraction `still_decrease` of this sum. Chosen by hand.
 constexpr double still_fraction = 0.5, still_decrease = 0.9;
 constexpr int still_patience = 8;
 
@@ -40,7 +40,8 @@ bool DdpSolver::Impl::become_elastic() {
   if (!has_hard_row) return false;
   elastic.on = true;
   limited_before = false;
-  // Elastic mode drops the rows' multipliers, so bounds drop the multipliers that balanced them.
+  // Elastic mode drops the multipliers of rows. The multipliers of bounds that balanced them are
+  // dropped too.
   for (int k = 0; k < N; ++k)
     std::fill_n(row_views[to_size(k)].multiplier, controls[to_size(k)], 0.0);
   return true;
@@ -108,7 +109,7 @@ void DdpSolver::Impl::note_stillness() {
 
 bool DdpSolver::Impl::is_still() const { return elastic.still >= still_patience; }
 
-/// Returns whether the linear model reduces the violations with the largest L1 weight. If not, the
+/// Returns whether the linear model with the largest L1 weight reduces the violations. If not, the
 /// trajectory is a stationary point of the violations.
 bool DdpSolver::Impl::violations_can_fall() {
   elastic.still = 0;

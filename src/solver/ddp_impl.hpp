@@ -43,8 +43,8 @@ struct Iterate {
 
 /// Quadratic model of the cost along the search direction.
 struct Direction {
-  /// d1: slope of the expected saving; in a rollout, without the remaining gaps. With constraint
-  /// rows: slope of the merit function
+  /// d1: slope of the expected saving of cost. accept_rollout() adds the contribution of the gaps
+  /// that remain. With constraint rows: slope of the merit function
   double slope = 0.0;
   double curvature = 0.0;  ///< d2: curvature along the direction
   /// MultipleShooting: slope of the cost, and change of cost that the model predicts for a whole

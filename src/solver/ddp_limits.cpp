@@ -162,8 +162,8 @@ void DdpSolver::Impl::set_row_limits() {
   });
 }
 
-/// Returns the unit of the rows' weights: the curvature of the cost by the controls, the mean of
-/// Huu scale^2.
+/// Returns the unit of the rows' weights: the mean curvature of the cost along the controls, each
+/// in units of its scale.
 double DdpSolver::Impl::curvature_unit() const {
   double sum = 0.0;
   int count = 0;
@@ -181,8 +181,8 @@ double DdpSolver::Impl::curvature_unit() const {
   return count > 0 && sum > 0.0 ? sum / count : 1.0;
 }
 
-/// Sets weights, L1 weights and quadratic weights. The L1 weight of a row without a multiplier is
-/// zero.
+/// Sets weight, l1_weight and beyond of all rows (LimitedLq::Rows). The L1 weight of a row without
+/// a multiplier is zero.
 void DdpSolver::Impl::set_row_weights() {
   const double unit = cost_unit;
   if (row_unit == 0.0) row_unit = unit;
@@ -309,8 +309,8 @@ bool DdpSolver::Impl::solve_limited_with(const double* gaps, int max_factorizati
   return true;
 }
 
-/// Raises the merit's L1 weights to 1.5 times the multipliers, at most to the rows' own L1 weights.
-/// A larger weight would treat violations within the tolerance as significant.
+/// Raises the merit's L1 weights to 1.5 times the multipliers, but not above the rows' L1 weights.
+/// Larger weights would treat violations within the tolerance as significant.
 void DdpSolver::Impl::raise_merit_weights() {
   limit_resolution = 0.0;
   for_each_row([&](int k, int /*row*/, std::size_t i, double, double) {
@@ -360,7 +360,7 @@ void DdpSolver::Impl::model_of_limited() {
     const double fraction = 1.0 - options.line_search.merit_fraction;
     const double needed =
         (direction.slope + 0.5 * std::max(0.0, curvature)) / (fraction * current.gap_sum);
-    // Gaps at rounding level would make the penalty arbitrarily large; the multipliers bound it.
+    // Bounds the penalty by the multipliers, because `needed` is huge for gaps at rounding level.
     if (needed > penalty)
       penalty = std::max(penalty, std::min(needed, largest_multiplier() / fraction));
   }
@@ -368,8 +368,8 @@ void DdpSolver::Impl::model_of_limited() {
   merit_change = direction.slope + 0.5 * curvature;
 }
 
-/// Records the largest violation of a hard row in the returned trajectory, and counts the active
-/// rows and the rows at their L1 weight.
+/// Records the largest violation of a hard row in the returned trajectory. Counts the active rows,
+/// and the hard rows whose multiplier has reached the L1 weight.
 void DdpSolver::Impl::note_violation() {
   summary.violation = 0.0;
   summary.violation_knot = summary.violation_row = -1;

@@ -19,7 +19,7 @@ constexpr double min_shared_work = 2e5;
 bool usable(const KnotValue& value) { return is_usable(value.status) && std::isfinite(value.cost); }
 
 bool all_finite(const double* x, int n) {
-  // The sum is finite if all terms are, except after overflow, which is a failure as well.
+  // The sum is finite only if all terms are finite. An overflow counts as a failure too.
   double sum = 0.0;
   for (int i = 0; i < n; ++i) sum += std::abs(x[i]);
   return std::isfinite(sum);
@@ -249,9 +249,9 @@ double DdpSolver::Impl::largest_multiplier() {
   return largest;
 }
 
-/// Returns the penalty for which the direction is a descent direction of the merit: the rule of
-/// Nocedal and Wright, Numerical Optimization (2006), eq. (18.36), or a smaller value from the
-/// multipliers.
+/// Returns a penalty for which the direction is a descent direction of the merit. The penalty
+/// follows the rule of Nocedal and Wright, Numerical Optimization (2006), eq. (18.36), but is not
+/// raised above a bound from the largest multiplier.
 double DdpSolver::Impl::penalty_for_direction() {
   if (current.gap_sum <= 0.0) return penalty;
   const double curvature = std::max(0.0, 2.0 * (direction.model_change - direction.cost_slope));

@@ -14,9 +14,9 @@ void DdpSolver::Impl::check_segments(int segments) const {
 }
 
 /// Computes the first knot of each segment. The first sweep omits the first segment, and the second
-/// sweep omits the last one. The first sweep costs about twice as much per knot, except in the last
-/// segment, whose end is no parameter. With lengths 1 : 1 : ... : 1 : 2, all threads take about
-/// equally long in both sweeps.
+/// sweep omits the last one. A knot costs about twice as much in the first sweep as in the second,
+/// except in the last segment, whose end is not a parameter. With lengths 1 : 1 : ... : 1 : 2, all
+/// threads take about equally long in each sweep.
 void DdpSolver::Impl::cut_horizon(int segments) {
   if (segments == static_cast<int>(parts.size()) || (segments < 3 && parts.empty())) return;
   parts.clear();
@@ -31,8 +31,9 @@ void DdpSolver::Impl::cut_horizon(int segments) {
   steps.resize(to_size(N));
 }
 
-/// Returns whether the recursion can run in segments. With bounds, the solution of a segment is
-/// piecewise in the multiplier at its end, which a parametric value function cannot represent.
+/// Returns whether the recursion can run in segments. With bounds, the solution of a segment is a
+/// piecewise linear function of the multiplier at the segment's end. A parametric value function
+/// cannot represent this.
 bool DdpSolver::Impl::can_be_cut() const {
   if (parts.empty()) return false;
   for (std::size_t k = 0; k < to_size(N); ++k)

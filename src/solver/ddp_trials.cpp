@@ -9,8 +9,8 @@
 namespace burnish {
 
 /// Rolls the policy out through the dynamics. Each state keeps `1 - length` of its gap. Returns
-/// false if a knot cannot be evaluated. `gap_improvement` receives the contribution of the
-/// remaining gaps to the expected improvement: sum of gap^T Vxx (x (-) x of the iterate).
+/// false if a knot cannot be evaluated. `gap_improvement` receives the contribution of the gaps to
+/// the expected improvement: the sum over the knots of gap^T Vxx dx for the change dx of the state.
 bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
   trial.cost = 0.0;
   gap_improvement = 0.0;
@@ -54,10 +54,10 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
   return true;
 }
 
-/// Accepts a rollout by its expected improvement, length (d1 + length d2 / 2). If the expected
-/// improvement is negative, the cost may rise by a multiple of it while gaps close.
+/// Accepts a rollout if the cost falls by a fraction of the expected improvement, or if the iterate
+/// has gaps. If the expected improvement is negative, the cost may rise by a multiple of it.
 bool DdpSolver::Impl::accept_rollout(double length, double gap_improvement) const {
-  // The gap contribution belongs to a step of `length`; d1 and d2 belong to the whole step.
+  // Converts the gap contribution from a step of `length` to a step of length one.
   const double whole = gap_improvement / length;
   const double d1 = direction.slope + whole;
   const double d2 = direction.curvature - 2.0 * whole;
@@ -114,7 +114,8 @@ void DdpSolver::Impl::take_trial(double length) {
     trial.gap_entry = current.gap_entry;
   }
   std::swap(current, trial);
-  // Compares merits, because even a gap below the tolerance can lower the cost without progress.
+  // Compares merits and not costs, because a gap below the tolerance can lower the cost without
+  // progress.
   const Iterate& rival = best_is_current ? trial : best;
   const bool better =
       current.feasible ? !rival.feasible || merit(current) <= merit(rival) : !rival.feasible;

@@ -52,9 +52,10 @@ void mirror_lower(Rows a, Range rows_of_b, double* b, int stride) {
 
 namespace {
 
-/// Factors R rows whose diagonal block starts at column `first`. Applies R^-T to the columns
-/// `near`, which contain the block, and to the columns `far`. Scalars factor the block first, so
-/// that the columns stay in registers and do not wait for the chain of square roots.
+/// Factors R rows whose diagonal block starts at column `first`. Applies the inverse transposed
+/// factor to the columns `near`, which contain the block, and to the columns `far`. The block is
+/// factored first, in scalars. The columns then stay in registers and do not wait for the chain of
+/// square roots.
 template <int R>
 int factor_rows(double* y, int stride, int first, Range near, Range far, double* inverse) {
   double t[R][R];

@@ -175,8 +175,8 @@ inline void add_row_times(const double* x, Rows b, int count, int n, double* out
     detail::row_tile<1>(x, {b.data + j * lanes, b.stride}, count, out + j * lanes);
 }
 
-/// Rows or columns are distributed over workers in groups of this size, so that no tile or vector
-/// crosses a border.
+/// Size of the groups of rows or columns that are distributed over workers. No tile or vector then
+/// crosses the border between two workers.
 inline constexpr int group = std::max(lanes, detail::tile_rows);
 
 /// C (op) A^T B for the entries on and below the diagonal, in the given rows of C. The first row

@@ -36,7 +36,7 @@ Lane exists(const RowArrays& rows, double sign, int r) {
       select(less(absolute(limit_of(rows, sign, r)), Lane(infinite_limit)), weighted, zero());
   return select(less(zero(), meets(rows, r)), zero(), limited);
 }
-/// Returns the quadratic weight, computed from `beyond`, its fraction of the sum of both weights.
+/// Returns the quadratic weight S, computed from `beyond`, which is S / (weight + S).
 Lane quadratic_weight_of(const RowArrays& rows, int r) {
   const Lane beyond = load(rows.beyond + r), weight = load(rows.weight + r), one(1.0);
   const auto is_fraction = less(beyond, one);
@@ -70,7 +70,8 @@ void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale
     const Lane m =
         select(has_l1_weight, select(less(wanted, max_multiplier), wanted, max_multiplier), wanted);
     const Lane n = select(has_l1_weight, l1_weight - m, target / scale);
-    // If `infeasible`, a violated row starts with m + n equal to the derivative of its cost.
+    // If `infeasible`, the multipliers m and n of a violated row initially add up to the derivative
+    // of the cost of the violation.
     const Lane violation = s - d, lowest = infeasible ? zero() : Lane(-infinite_l1_weight);
     const auto begins = mask_and(mask_and(elastic, has_l1_weight), less(d, lowest));
     const Lane rest = clip(target / violation, Lane(min_fraction) * l1_weight, max_multiplier);

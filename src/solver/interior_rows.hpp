@@ -30,14 +30,14 @@ class InteriorRows {
   };
 
   /// Initialises the rows. All functions process one vector of rows, which starts at entry `at` of
-  /// the row variables and entry `r` of `rows`. If `infeasible`, rows outside their limits start
-  /// with their actual violation, else with a small one.
+  /// the row variables and entry `r` of `rows`. The variable v of a row outside its limits starts
+  /// at the actual violation if `infeasible`, and at a small value otherwise.
   void start(int at, const RowArrays& rows, int r, const dense::Lane& scale, const dense::Lane& y,
              double mu, bool infeasible);
-  /// Returns the rows' contribution to the cost gradient, as a linear function of the next values.
+  /// Returns the contribution of rows to the cost gradient, a linear function of their next values.
   RowLines lines(int at, const RowArrays& rows, int r, const dense::Lane& y,
                  const Target& target) const;
-  /// Computes the step of the row variables that belongs to the next values `next`.
+  /// Computes the step of the row variables for the next values `next` of the rows.
   void take_direction(int at, const RowArrays& rows, int r, const dense::Lane& y,
                       const dense::Lane& next, const Target& target);
   /// Returns 1 / the step length at which the first variable reaches zero.
@@ -49,9 +49,9 @@ class InteriorRows {
   Products products(int at, double length) const;
   void advance(int at, double length);
   dense::Lane multiplier(int at) const;
-  /// Returns the piece that each row tends to, as row_piece() defines it. In each product, the
-  /// factor that decreases less in the last step, of length `length`, stays positive (Tapia's
-  /// indicators).
+  /// Returns the piece that each row tends to, as row_piece() defines it. In each product s m or
+  /// v n, the factor with the smaller relative decrease in the last step is taken to stay positive
+  /// (Tapia's indicators). `length`: length of the last step.
   dense::Lane piece(int at, const RowArrays& rows, int r, double length) const;
 
  private:

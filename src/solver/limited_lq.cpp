@@ -344,7 +344,7 @@ double LimitedLq::residual_left(const LqHorizon& h) const {
   return largest_lane(largest);
 }
 
-/// Raises the weights of the active rows by a factor of 10, which speeds up their multipliers.
+/// Raises the weights of the active rows by a factor of 10, so that multipliers converge faster.
 void LimitedLq::raise_weights(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
@@ -391,7 +391,7 @@ bool LimitedLq::begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm
   return factor(h, recursion, N_, result);
 }
 
-/// Updates the multipliers at a minimum of the objective of the pieces, and computes new policies.
+/// Updates the multipliers after a step that changed no piece, and computes new policies.
 /// Returns false if the solve has ended.
 bool LimitedLq::update(const LqHorizon& h, RiccatiRecursion& recursion,
                        const LimitedLqBudget& budget, GrowthWatch& growth, bool& whole,

@@ -71,8 +71,7 @@ class LimitedLq {
     double* scale;      ///< Characteristic size of the row, in the row's unit
     double* weight;     ///< Weight of the augmented Lagrangian; 0: no limits
     double* l1_weight;  ///< 0: the row has no multiplier
-    /// Slope beyond the L1 weight, quadratic weight / (weight + quadratic weight).
-    double* beyond;
+    double* beyond;     ///< Quadratic weight / (weight + quadratic weight)
     double* multiplier;
   };
   Rows rows(int knot);

@@ -37,10 +37,11 @@ struct LimitedLq::Line {
   double slope = 0.0, cost_curvature = 0.0;
 };
 
-/// Computes the objective along the step d. The current trajectory minimises the objective of the
-/// pieces. With the Hessian h of this objective, its slope at length 0 is
-///   -d^T h d = -sum |R (du - K dx)|^2.
-/// The true objective has another slope at length 0, because some rows are on other pieces there.
+/// Computes the objective along the step d = (du, dx). The current trajectory minimises the
+/// quadratic objective of the pieces. With its Hessian H, the gains K and the factors R of Quu, the
+/// slope of this quadratic objective at length 0 is
+///   -d^T H d = -sum |R (du - K dx)|^2.
+/// The true objective has another slope there, because some rows are on other pieces at length 0.
 LimitedLq::Line LimitedLq::line(const LqHorizon& h) {
   double curvature = 0.0, of_rows = 0.0, elsewhere = 0.0;
   const int ndx = state_.ndx;

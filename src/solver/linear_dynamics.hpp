@@ -8,13 +8,13 @@ namespace burnish {
 /// Largest size of a non-Euclidean tangent block that the solver's scratch memory supports.
 inline constexpr int max_tangent_size = 8;
 
-/// Multiplies a row vector over dq by the block matrices A, or by B if `of_velocity`, in place.
-/// Only entries inside non-Euclidean tangent blocks change.
+/// Multiplies `row`, a row vector over dq, in place by the block matrices A, or, if `of_velocity`,
+/// by the block matrices B. Only entries inside non-Euclidean tangent blocks change.
 void transform_tangent(const StateShape& state, const double* tangent_blocks, bool of_velocity,
                        double* row);
 
 /// Computes T^T X of SecondOrder dynamics (riccati.hpp): nv rows from the ndx rows of X. X and
-/// `out` have ndx columns, and `stride` from row to row.
+/// `out` have ndx columns and the row stride `stride`.
 void project_rows(const StateShape& state, const KnotExpansion& e, const double* x, int stride,
                   double* out);
 

@@ -31,8 +31,8 @@ bool solve_rows(double* a, int stride, int n, int columns) {
   const int beside = dense::round_down(n);
   for (int c = n - 1; c >= 0; --c) {
     double* row = a + c * stride;
-    // Starts at the last row. The entries right of the diagonal that this overwrites are no longer
-    // needed.
+    // Starts at the last row. Each addition also overwrites entries of A right of the diagonal,
+    // which are then no longer needed.
     for (int k = n - 1; k > c; --k)
       dense::add_scaled(-row[k], a + k * stride + beside, columns - beside, row + beside);
     const double inverse = 1.0 / row[c];

@@ -26,7 +26,7 @@ Range worker_range(const ThreadTeam& team, int count, int size) {
   return {border(team.worker), team.leads() ? count : border(team.worker + 1)};
 }
 
-/// Returns a worker's rows of a triangle, chosen so that all workers have about as many entries.
+/// Returns the rows of a triangle for a worker. All workers have about equally many entries.
 Range triangle_rows(const ThreadTeam& team, int count, int size) {
   if (team.alone()) return {0, count};
   const int groups = (count + size - 1) / size;

@@ -126,18 +126,18 @@ class RiccatiRecursion {
   /// leader's result contains the other fields.
   RiccatiStep step(const RiccatiKnot& at, const RiccatiTerms& terms, const ThreadTeam& team = {});
 
-  /// Returns the factor of the last step. Valid only for a step without bounds by a single worker.
+  /// Returns the factor of the last step. Valid only if the step had no bounds and one worker.
   RiccatiFactor factor() const { return {y_.data(), y_stride_, own_[0].inverse_diagonal.data()}; }
 
-  /// Repeats a step for another gradient (nz entries), with the results of the step: `factor` of
-  /// Quu, the gains and Vxx' gap. Overwrites `gradient`; writes the feedforward and the gradient of
-  /// the value function.
+  /// Repeats a step for another gradient (nz entries). Reads results of the step: `factor` of Quu,
+  /// the gains and at.hessian_gap. Overwrites `gradient`; writes the feedforward and the gradient
+  /// of the value function.
   void resolve(const RiccatiKnot& at, const RiccatiFactor& factor, double* gradient);
 
  private:
   struct Knot;  ///< Arguments of a step and a worker's ranges
-  /// Workspace of each worker: U^T (nv x ndx), W (nv x nv), M (nv x nz), rows that pass through,
-  /// and R with the worker's columns of L.
+  /// Workspace of each worker: U^T (nv x ndx), W (nv x nv), M (nv x nz), rows of V E, and R with
+  /// the worker's columns of L.
   struct Own {
     Buffer u, w, m, passed, inverse_diagonal, factor;
   };
@@ -161,7 +161,7 @@ class RiccatiRecursion {
 
   StateShape state_;
   RiccatiLayout layout_;
-  // Y = [Quu | Qux | qu], upper triangle of Quu; Qxx, lower triangle; gradient q.
+  // Y = [Quu | Qux | qu] with the upper triangle of Quu; lower triangle of Qxx; gradient q.
   Buffer y_, qxx_, gradient_;
   int y_stride_;
   Buffer g_;       ///< G = W P + M: nv x nz. Dense form: G = Vxx' F, ndx x nz

@@ -1,9 +1,9 @@
 // Contribution e of a constraint row y to the gradient of the cost. A violation v of the limits
 //   lower <= y <= upper
 // costs p |v| + 1/2 S v^2, with L1 weight p and quadratic weight S. The augmented Lagrangian with
-// multiplier m and weight w gives
-//   d = c - clip(c, w lower, w upper), c = m + w y
-//   e = d up to |d| = p, then continued with slope S / (w + S)
+// multiplier m and weight w uses the shifted row c and its excess d beyond the weighted limits:
+//   c = m + w y,   d = c - clip(c, w lower, w upper)
+// Up to |d| = p, e is equal to d. For larger |d|, e continues with slope S / (w + S).
 // e is the next multiplier, continuous and monotone in y, and linear on five pieces. The L1 weight
 // of a hard row exceeds every multiplier of a solvable problem.
 #pragma once

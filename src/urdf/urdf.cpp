@@ -32,8 +32,8 @@ void check_link_count(const std::string& xml, const std::string& source) {
   }
 }
 
-/// Returns the name of the robot. A robot without a name gets the name of its file, or "robot" for
-/// a device or pipe and if the file's name does not begin with a letter.
+/// Returns the name of the robot. A robot without a name gets the name of its file. If the file is
+/// a device or pipe, or if its name does not begin with a letter, the robot is called "robot".
 std::string robot_name(const XMLElement& robot, const std::string& source, Findings& findings) {
   const char* stated = robot.Attribute("name");
   if (stated != nullptr && *stated != '\0') return stated;

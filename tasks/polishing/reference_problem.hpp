@@ -9,9 +9,9 @@
 
 namespace burnish::polishing {
 
-/// Returns the problem with `knots` knots of 10 ms and the initial state (q0, 0). The contact has
-/// one direction, world z, at the height of `frame` at q0. Its gains are (0, 50), and its
-/// acceleration is `Classical`.
+/// Returns the problem with `knots` knots of 10 ms and the initial state (q0, 0). The contact holds
+/// one direction, world z, at the height of `frame` at q0. The contact has the gains (0, 50) and
+/// the acceleration `Classical`.
 inline ProblemSpec reference_problem(const Model& model, const std::string& frame,
                                      const Eigen::VectorXd& q0, int knots) {
   const int nv = model.nv;

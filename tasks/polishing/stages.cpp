@@ -64,7 +64,7 @@ struct Builder {
   const Setting& setting;
   const Model& model;
   std::shared_ptr<const Path> path;
-  /// Latest time of the schedule whose target force plans may use [s]. Without preview, this is the
+  /// Time of the schedule up to which plans know the target force [s]. Without preview, this is the
   /// current time. Null: no limit.
   std::shared_ptr<const std::atomic<double>> preview_end = {};
   /// Contacts of the feet.
@@ -201,9 +201,9 @@ struct Builder {
 
 namespace {
 
-/// Computes the tip centre p over a point t of the tangent plane, and its velocity p'. The point is
-/// projected along the plane's normal n0 onto the surface, where s is its image, n the normal there
-/// and H the derivative of n:
+/// Computes the tip centre p over a point t of the tangent plane, and its velocity p'. Projecting t
+/// along the plane's normal n0 onto the surface gives the point s. With the surface normal n at s,
+/// its derivative H and the tip radius r:
 ///   s' = t' - n0 (n . t') / (n . n0),   p = s + r n,   p' = s' + r H s'.
 void put_on(const Surface& surface, const Eigen::Vector3d& n0, double radius,
             const Eigen::Vector3d& in_plane, const Eigen::Vector3d& rate, TaskPoint& point) {

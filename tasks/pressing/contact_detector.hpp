@@ -67,8 +67,8 @@ class ContactDetector {
   double block_sum_ = 0.0, first_ = 0.0;
   std::array<double, 4> block_means_{};  ///< Ring buffer of the means of blocks [N].
   std::size_t blocks_ = 0;
-  /// Running medians of distances from the mean of the block four blocks earlier [N]:
-  /// sample_strays_ of the first sample of each block, mean_strays_ of the mean of each block.
+  /// Running medians of absolute deviations from the mean of the block four blocks earlier [N].
+  /// sample_strays_: of the first sample of a block. mean_strays_: of the mean of a block.
   RunningMedian sample_strays_, mean_strays_;
 };
 

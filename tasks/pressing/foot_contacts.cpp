@@ -12,8 +12,8 @@ namespace burnish::pressing {
 namespace {
 
 /// Smallest part of a constraint row that must be independent of the rows before it, as a fraction
-/// of the row's length. Soles in found postures are level to 1e-4 rad, which leaves parts of up to
-/// this size in dependent rows. For legs that can move a foot in the direction of the row, the
+/// of the row's length. Soles in found postures are level to 1e-4 rad, so that the fraction is
+/// up to 1e-4 in dependent rows. For legs that can move a foot in the direction of the row, the
 /// fraction is 0.05 or more.
 constexpr double min_independent_fraction = 3e-3;
 

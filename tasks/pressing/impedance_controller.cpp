@@ -180,8 +180,8 @@ void ImpedanceController::add_posture(const Measurement& measurement) {
   difference_configuration(tree_, measurement.q.data(), spec_.path.posture.data(), error_.data());
   for (int i = 0; i < tree_.nv; ++i)
     response_[i] = spec_.gains.posture_kp * error_[i] - spec_.gains.posture_kd * measurement.v[i];
-  // Adds the torque M response_, projected into the null space of the tool: (M - J^T L J) response_
-  // with L = (J M^-1 J^T)^-1.
+  // Adds the torque for the accelerations response_, projected into the null space of the tool:
+  // (M - J^T L J) response_ with L = (J M^-1 J^T)^-1, mass matrix M and tool Jacobian J.
   multiply(M_, response_, posture_torque_);
   Eigen::Vector3d tool_response;
   multiply(J_, response_, tool_response);

@@ -295,8 +295,8 @@ class Search {
     return body_.placement(body_.frame(model_.joints[to_size(joint)].name)).translation();
   }
 
-  /// Calls `look` for short sections of the straight arm segment from a to b. `along`: length along
-  /// the arm from p to a [m].
+  /// Calls look(distance from p, length along the arm from p) for short sections of the straight
+  /// arm segment from a to b. `along`: length along the arm from p to a [m].
   template <class Look>
   static void look_along(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                          const Eigen::Vector3d& b, double along, const Look& look) {

@@ -277,8 +277,8 @@ class ReachWalk::Impl {
     const double inside = beyond.maxCoeff();
     return inside <= 0.0 ? inside : beyond.cwiseMax(0.0).norm();
   }
-  /// Returns the position of the point nearest to the material on the line from a to b, as a
-  /// fraction of the line. Ternary search finds it, because the distance is convex along a line.
+  /// Returns the point of the line from a to b that is nearest to the material, as a fraction of
+  /// the line. Uses ternary search, because the distance is convex along a line.
   double nearest_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 24; ++i) {

@@ -7,8 +7,9 @@ namespace burnish::pressing {
 
 /// Returns the displacement along a plane by which a sphere of `radius` [m] has slid since contact
 /// [m]. `normal`: normal of the plane. `contact`, `now`: placements of a frame at the sphere's
-/// centre, at contact and now. Rolling, r theta x n for a rotation theta, is not sliding. With
-/// radius 0, the result is the displacement of the centre.
+/// centre, at contact and now. The displacement by rolling, `radius` times the cross product of
+/// rotation vector and normal, does not count. With radius 0, the result is the displacement of the
+/// centre.
 inline Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
                             const Eigen::Vector3d& normal, double radius) noexcept {
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.linear() * contact.linear().transpose()));

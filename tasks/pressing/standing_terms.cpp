@@ -215,8 +215,8 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
                                .gate = 1.0 - 1e-12,
                                .tilt_deviation = 5e-3,
                                .velocity_deviation = 0.01};
-  // Decay time of the jump of the estimate when the feet replace a faulty IMU [s]. Faster motions
-  // of the base would count as pushes.
+  // Decay time of the jump in the base estimate when the feet replace a faulty IMU [s]. A faster
+  // motion of the estimate would count as a push.
   options.watch.decay_time = 0.2;
   for (const std::string& foot : standing.feet)
     options.feet.push_back({foot, standing.has_soles() ? FootKind::Sole : FootKind::Ball});

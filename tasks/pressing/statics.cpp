@@ -170,7 +170,7 @@ bool Statics::step() noexcept {
   const double mean = w_.dot(z_) / static_cast<double>(m);
   // Centring ratio and regularization of the interior-point step, chosen by hand.
   constexpr double centre = 0.15, damping = 1e-11;
-  // Residuals of the rows, and the step of z without the term z / w * G dx, which is added below.
+  // Residuals of the rows, and step of the multipliers z without z / w * G dx (added below).
   for (Eigen::Index i = 0; i < m; ++i) rows_[i] = G_.row(i).dot(x_) + w_[i] - h_[i];
   for (Eigen::Index i = 0; i < m; ++i)
     dz_[i] = centre * mean / w_[i] - z_[i] + z_[i] / w_[i] * rows_[i];

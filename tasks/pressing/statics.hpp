@@ -13,7 +13,7 @@ namespace burnish::pressing {
 
 /// Limits of a robot that stands and pushes.
 struct StaticsSpec {
-  /// Feet on level ground. The solution stays within the friction and the sides of the feet.
+  /// Feet on level ground. Foot forces stay within friction, centres of pressure within the soles.
   std::vector<SupportSpec> feet;
   double min_load = 0.0;  ///< Smallest load of each foot [N].
   /// Frames that push, all with equal forces; empty: the robot only stands.
@@ -24,12 +24,12 @@ struct StaticsSpec {
   Eigen::VectorXd torque_limit;  ///< Torque limits (nv) [Nm (N)]; infinite: none.
 };
 
-/// Statics as a linear program:
+/// Linear program for the largest force F of each hand along the normal n, at gravity torque g(q):
 ///   max F  with  S^T tau + J_feet^T f + J_hands^T (F n + t) = g(q),
-/// where |tau| is within the torque limits, the wrench f of each foot is within friction, pressure
-/// and smallest load, and the tangential force t of each hand is within friction. Friction cones
-/// are approximated by inscribed octagons. The interior-point solver has a fixed size, does not
-/// allocate, and takes about 0.2 ms.
+/// where the torques |tau| of the motors, selected by S, are within their limits. The wrench f of
+/// each foot is within friction, pressure and smallest load, and the tangential force t of each
+/// hand is within friction. Friction cones are approximated by inscribed octagons. The
+/// interior-point solver has a fixed size, does not allocate, and takes about 0.2 ms.
 class Statics {
  public:
   /// The first joint of the model must be its floating base. Throws Error for an unknown frame.

@@ -67,7 +67,7 @@ inline void note_ideal_world(const Disturbances& disturbances, std::vector<std::
       "mismatch`; state `disturbances: none` if an ideal world is intended");
 }
 
-/// Returns whether the texts state disturbances; `none` is a statement, a seed alone is not.
+/// Returns whether the texts state disturbances. The word `none` counts, a seed alone does not.
 inline bool states_disturbances(const std::vector<files::Reader>& texts) {
   return std::any_of(texts.begin(), texts.end(), [](const files::Reader& text) {
     const auto section = files::stated(text, "disturbances");

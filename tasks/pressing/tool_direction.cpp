@@ -9,14 +9,14 @@
 namespace burnish::pressing {
 namespace {
 
-/// Smallest offset along an axis that can decide the sign of the axis [m]. Chosen by hand.
+/// Smallest offset along an axis from which outward_side() returns a sign [m]. Chosen by hand.
 constexpr double min_offset = 1e-3;
 /// Distance from the last joint axis beyond which a tool lies beside the axis [m]. Tools mounted on
 /// the axis are nearer.
 constexpr double beside_axis = 0.02;
 
-/// Returns the sign, 1 or -1, with which `axis` points away from the robot; nothing if no offset
-/// decides. All vectors are in the frame of the last joint.
+/// Returns the sign, 1 or -1, with which `axis` points away from the robot. Returns nothing if all
+/// offsets along the axis are too small. All vectors are in the frame of the last joint.
 std::optional<double> outward_side(const Joint& last, const Eigen::Vector3d& offset,
                                    const Eigen::Vector3d& axis) {
   // Uses only the offset along the axis of the last joint, because the other components depend on
@@ -47,7 +47,7 @@ ToolDirection tool_direction(const std::string& frame, const std::optional<Eigen
   if (offset.head<2>().norm() > beside_axis && std::abs(offset.z()) < 0.5 * offset.norm())
     return {R.transpose() * offset.normalized()};
   const auto side = outward_side(joint, offset, Eigen::Vector3d::UnitZ());
-  // If no offset decides, uses the z axis of the frame, which usually points outwards at a flange.
+  // If the offsets are too small, uses the tool's z axis, which points outwards at most flanges.
   const double by_its_axes = R(2, 2) < 0.0 ? -1.0 : 1.0;
   return {R.transpose() * Eigen::Vector3d(0.0, 0.0, side.value_or(by_its_axes)), side.has_value()};
 }

@@ -1,5 +1,5 @@
-// Monitors of a pressing tool, which compare with limits: force in free space, late contact, lost
-// contact.
+// Monitors of a pressing tool. Each compares one quantity with its limit: force in free space,
+// travel until contact, time without contact.
 #pragma once
 
 #include "burnish/tasks/pressing/pressing_task.hpp"

@@ -17,8 +17,8 @@ enum Phase : int { settle, approach, ramp, hold, force_search, top, release, ret
 /// [s]. Chosen by hand.
 inline constexpr double back_duration = 1.5;
 
-/// Returns the statics that compute the largest force of each hand at rest, within the limits of
-/// plans.
+/// Returns the statics that compute the largest force of each hand at rest, within the constraints
+/// of plans.
 pressing::Statics make_statics(const Task& task, const Setting& setting);
 
 /// Monitor with two events. "contact": the force of both hands exceeds the threshold. "limit": a
@@ -59,7 +59,7 @@ class Pushing final : public MpcTask {
   std::shared_ptr<SearchState> search_;
   std::array<Hand, 2> hands_;
   std::vector<int> feet_;  ///< Frames of RigidBody.
-  /// Positions of the feet in the world: at the start, and low-passed with 1 s [m].
+  /// Positions of the feet in the world: at the start, and low-pass filtered over 1 s [m].
   std::vector<Eigen::Vector3d> p_feet_, p_slow_;
   double start_height_ = 0.0;  ///< Height of the centre of mass at the start [m].
   double behind_ = 0.0;        ///< Force error, low-passed with 0.1 s [N].

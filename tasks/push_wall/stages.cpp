@@ -31,8 +31,8 @@ void each_hand(const Task& task, const See& see) {
 /// - Small forces: the centre of mass stays, and the centre of pressure moves back to the middle of
 ///   the feet.
 /// - Larger forces: the centre of mass moves towards the wall, and the centre of pressure stays.
-/// The transition is rounded over 1 cm. The centre of mass moves on a circle about the ground, so
-/// that the knees stay bent.
+/// The transition is rounded over 1 cm. The centre of mass moves on a circle about the ground point
+/// below its start, so that the knees stay bent.
 Eigen::Vector3d com_at(const Setting& setting, double force) {
   constexpr double rounding = 0.01;  // width of the rounding [m]
   const double length = setting.com_per_force.norm();
@@ -226,11 +226,11 @@ SceneSpec make_scene(const Task& task, const Setting& s) {
   return checked_scene(s.robot.model, scene);
 }
 
-/// Returns the horizontal displacement d of the centre of mass, per force F of each hand, that
-/// leaves the centre of pressure in place [m/N]. The hands push with F n at the points r_i, seen
-/// from the ground point below the centre of mass. W is the weight. The moment about the ground
-/// point is F m + d x (-W z) with m = sum r_i x n. Its horizontal part vanishes for d = F / W
-/// (-m_y, m_x, 0).
+/// Returns the ratio d / F [m/N]. F is the force of each hand, and d the horizontal displacement of
+/// the centre of mass that leaves the centre of pressure in place. The hands push with F n at the
+/// points r_i, seen from the ground point below the centre of mass. W is the weight. The moment
+/// about the ground point is F m + d x (-W z) with m = sum r_i x n. Its horizontal part vanishes
+/// for d = F / W (-m_y, m_x, 0).
 Eigen::Vector3d com_per_force(const Setting& s, double weight, double ground) {
   const Eigen::Vector3d below(s.com.x(), s.com.y(), ground);
   Eigen::Vector3d m = Eigen::Vector3d::Zero();

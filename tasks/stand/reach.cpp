@@ -139,8 +139,8 @@ Sway sway_for_height(const Task& task, const Setting& setting) {
   return sway;
 }
 
-/// Returns the sway with each amplitude scaled separately: by the largest of `fractions` that the
-/// trunk reaches in this direction alone, or by 0.
+/// Returns the sway with each amplitude scaled separately. The factor is the largest of `fractions`
+/// that the trunk can reach if it moves only in the direction of this amplitude; 0 if none.
 Sway reached_one_by_one(const Sway& whole, Reach& reach) {
   constexpr std::array fractions{1.0, 0.7, 0.5, 0.35, 0.25};
   Sway sway = whole;

@@ -95,8 +95,8 @@ void Swaying::watch(const TaskView& view, std::span<Reading> out) noexcept {
     out[2 + i] = {slip_of(start_[i], view.body.placement(feet_[i]), setting_.standing), task_.slip};
 }
 
-/// Sets the target for the record. It is the position that the base would have if it moved with the
-/// centre of mass.
+/// Sets the recorded target: the position that the base would have if it moved with the centre of
+/// mass.
 void Swaying::aim(double time, Command& command) {
   command.p_target_world = setting_.p_base + trunk_at(task_, setting_, time).com - setting_.com;
 }

@@ -48,7 +48,7 @@ struct NamedRanges {
   DisturbanceRanges ranges;
   /// Shapes of the surface, used in turn by successive seeds; empty: shape of the task.
   std::vector<SurfaceShape> shapes = {};
-  /// Aims for the rms force error: median and maximum over the seeds [N].
+  /// Aims (upper limits) of the rms force error: median and maximum over the seeds [N].
   double median_force = 0.0, worst_force = 0.0;
 };
 

@@ -161,8 +161,8 @@ void Catalogue::add_sines() {
             : std::vector<double>{1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0};
   const double amplitude = force() / 6.0;
   for (const double frequency : frequencies) {
-    // Evaluates whole periods that last at least 1 s together. Before them, 0.5 s and a period are
-    // left for settling.
+    // Evaluates whole periods: at least three, and at least 1 s. The preceding periods, at least
+    // 0.5 s and one period, are left for settling.
     const double settled = (std::ceil(0.5 * frequency) + 1.0) / frequency;
     const double periods = std::max(3.0, std::ceil(frequency));
     const double end = settled + periods / frequency;

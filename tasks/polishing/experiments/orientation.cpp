@@ -10,7 +10,7 @@
 namespace burnish::polishing {
 namespace {
 
-/// Aim for the largest error in any direction, as a multiple of the error on the table.
+/// Aim (upper limit) of the error in every direction, as a multiple of the error on the table.
 constexpr double allowed_ratio = 2.0;
 constexpr int runs_wanted = 24;  ///< Aim for the number of directions that are within reach.
 

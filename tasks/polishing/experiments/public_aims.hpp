@@ -1,4 +1,4 @@
-// Aims for public robots, the robots that miss them, and the reasons for robots without runs.
+// Aims that public robots should meet, robots that miss aims, and reasons for robots without runs.
 #pragma once
 
 #include "polishing/experiments/experiment.hpp"

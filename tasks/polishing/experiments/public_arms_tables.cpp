@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* arm_presets[] = {"mismatch", "joint_friction"};
 
-/// Aim for the rms error of the force with the disturbances `mismatch`.
+/// Aim (upper limit) of the rms force error under the disturbances `mismatch`.
 const Aim force_aim{"force_rmse", 0.2};
 
 /// Tolerance for the claim that MPC is not worse than the baseline. The figure of MPC may exceed
@@ -43,7 +43,7 @@ struct Pair {
   std::vector<RunFigures> mpc, baseline;
 
   bool all_polished() const { return polished_of(mpc) == static_cast<int>(mpc.size()); }
-  /// Returns in what MPC is worse than the baseline; empty if MPC is not worse.
+  /// Returns a text on how MPC is worse than the baseline; empty if MPC is not worse.
   std::string worse() const;
 };
 

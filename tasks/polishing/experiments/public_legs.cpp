@@ -26,7 +26,7 @@ stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
   for (const std::string& foot : robot.feet) feet += (feet.empty() ? "" : ", ") + yaml_word(foot);
   std::vector<std::string> changes{"robot=" + yaml_word(robot.name), "standing.feet=[" + feet + "]",
                                    "disturbances=mismatch"};
-  // Replaces a posture in the task file by a search, because the posture is the bundled robot's.
+  // Replaces a posture of the task file by a search: that posture suits only the bundled robot.
   const stand::Task shipped = stand::parse_task(std::string(found->second), robot.task + ".yaml");
   if (!shipped.posture.empty()) changes.emplace_back("posture=search");
   if (spec.quick)

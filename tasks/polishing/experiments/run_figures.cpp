@@ -17,8 +17,8 @@ namespace {
 
 constexpr double none = RunFigures::none;
 
-/// Returns the largest torque, as a fraction of the effort limit, in the columns whose name begins
-/// with `what`.
+/// Returns the largest torque in the trace columns called `what`_JOINT, as a fraction of the effort
+/// limit of the joint.
 double largest_effort_ratio(const Trace& trace, const Model& model, const std::string& what) {
   double ratio = 0.0;
   for (int k = 0; k < model.nv; ++k)
