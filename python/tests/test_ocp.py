@@ -137,7 +137,7 @@ def test_horizon_knots_have_individual_steps(robot):
     assert problem.step_of(1) == 0.03
     with pytest.raises(bn.Error, match="set_step: a step of 0 s; wanted a positive number"):
         problem.set_step(1, 0.0)
-    with pytest.raises(bn.Error, match="9 s in 4 knots"):
+    with pytest.raises(bn.Error, match="9 s with 4 knots"):
         bn.Problem(spec.replace(horizon=[bn.HorizonSegment("move", 4, duration=9)]))
 
 
@@ -266,7 +266,7 @@ def test_integrate_single_state_matches_rows():
     moved = problem.integrate(np.tile(x, (5, 1)), dx)
     np.testing.assert_array_equal(problem.integrate(x, dx[2]), moved[2])
     np.testing.assert_allclose(problem.difference(np.tile(x, (5, 1)), moved), dx, atol=1e-12)
-    with pytest.raises(bn.Error, match="a row of the second has 3 entries"):
+    with pytest.raises(bn.Error, match="a row of the second array has 3 entries"):
         problem.integrate(x, [1.0, 2.0, 3.0])
     with pytest.raises(bn.Error, match="equal numbers of rows"):
         problem.integrate(x, dx)

@@ -403,7 +403,7 @@ TEST_F(ProblemFiles, BadFiles_AreRefusedWithTheirPlace) {
       {"- press: 5",
        "- press: {knots: 5, step: 0.01, duration: 9}",
        "",
-       {"'press' has a duration of 9 s in 5 knots", "0.01 s", "0.31 s"}},
+       {"'press' has a duration of 9 s with 5 knots", "0.01 s", "0.31 s"}},
       {"- press: 5", "- press: 2.5", "", {"it is 2.5; wanted a whole number"}},
       {"- press: 5", "- press", "", {"horizon[0]: wanted a stage with its number of knots"}},
       {"posture: 7", "force: {type: contact_force, contact: pad}", "", {"terminal, term 'force'"}},

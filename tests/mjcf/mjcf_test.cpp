@@ -753,7 +753,7 @@ TEST(Mjcf, BadModel_IsRefusedWithItsReason) {
       refused(body("<joint class='ar'/>" + mass) + "<default><default class='arm'/></default>"),
       {"class 'ar'", "did you mean 'arm'"});
   expect_words(refused(body(mass, "quat='1 0 0 0' euler='0 0 0'")), {"quat and euler"});
-  expect_words(refused(body("<geom type='box' size='1 1'/>")), {"box", "number 3 is 0"});
+  expect_words(refused(body("<geom type='box' size='1 1'/>")), {"box", "size 3 is 0"});
   expect_words(refused(body("<geom size='1' mass='-1'/>")), {"negative"});
   expect_words(refused(body("<geom type='cube'/>")), {"'cube'"});
   expect_words(refused("<worldbody><joint/></worldbody>"), {"no joints"});
