@@ -2,15 +2,23 @@
 // and compares them with instruction_budgets.txt. The program itself measures nothing.
 #include <valgrind/callgrind.h>
 
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
+#include "burnish/mpc/estimated_base.hpp"
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/robots/robot.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#include "burnish/sim/sensing.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
+#include "burnish/tasks/stand/stand.hpp"
 #include "cases.hpp"
 #include "chain.hpp"
 #include "polishing/reference_problem.hpp"
+#include "pressing/standing_terms.hpp"
 #include "support/standing_problem.hpp"
 
 namespace burnish::bench {
@@ -115,7 +123,88 @@ ProblemSpec limited_polishing(double effort_fraction) {
   return spec;
 }
 
+/// Counts one tick that starts no plan: the estimate of the base, if `base` is set, and the
+/// controller. `sense`: measurement after a tick with the torques `tau`. Ticks run until the task
+/// has followed plans in `phase` for 50 of them.
+void count_tick(const std::string& name, const MpcSpec& spec, int phase,
+                std::optional<EstimatedBase> base,
+                const std::function<const Measurement&(const Eigen::VectorXd& tau)>& sense) {
+  MpcController controller(spec);
+  Eigen::VectorXd tau = Eigen::VectorXd::Zero(spec.problem.model.nv);
+  const auto tick = [&](const Measurement& measured) {
+    tau = controller.tick(base ? base->update(measured) : measured).tau;
+  };
+  for (int in_phase = 0, ticks = 0; in_phase < 50; ++ticks) {
+    tick(sense(tau));
+    const bool has_plan = std::isfinite(controller.plan_age());
+    in_phase += has_plan && controller.schedule().phase() == phase ? 1 : 0;
+    require(controller.fault().kind == FaultKind::None && ticks < 10000, name);
+  }
+  Measurement measured = sense(tau);
+  count(name, [&] {
+    tick(measured);
+    measured.time += spec.tick_period;
+  });
+}
+
+/// Counts a tick of an arm that polishes. Plans are short and rare, because they are not counted.
+void count_arm_tick() {
+  polishing::Task task;
+  task.reach_duration = task.ramp_duration = 0.1;
+  task.clearance = 2e-3;
+  task.horizon = 0.1;
+  task.update_rate = 25.0;
+  const polishing::Setting setting = polishing::make_setting(task);
+  const MpcSpec spec = polishing::make_mpc(task, setting);
+  constexpr int steps = 2;  // of the plant in a tick
+  const std::unique_ptr<Plant> plant =
+      make_ideal_plant(spec.problem.model, setting.scene, {.dt = spec.tick_period / steps});
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(spec.problem.model.nv);
+  require(plant->reset(setting.q_start, rest) == Status::Ok, "arm");
+  Sensing sensing(spec.problem.model, {}, 0, spec.tick_period);
+  count_tick("tick without a plan/arm", spec, number_of(Phase::Track), std::nullopt,
+             [&](const Eigen::VectorXd& tau) -> const Measurement& {
+               for (int k = 0; k < steps; ++k)
+                 require(is_usable(plant->step(tau, Eigen::Vector3d::Zero())), "arm");
+               return sensing.measure(*plant, tau);
+             });
+}
+
+/// Counts a tick of Talos on its feet, whose base is estimated. The robot stands still in all
+/// measurements, and each foot carries half of its weight.
+void count_standing_tick() {
+  stand::Task task;
+  task.robot = "talos";
+  task.posture = "standing_board";
+  task.standing.feet = {"left_sole_link", "right_sole_link"};
+  task.standing.half_x = 0.1;
+  task.standing.half_y = 0.065;
+  task.horizon = 0.2;
+  task.knots = 8;
+  task.update_rate = 25.0;
+  const stand::Setting setting = stand::make_setting(task);
+  MpcSpec spec = stand::make_mpc(task, setting);
+  spec.settle = 0.01;
+  const Model& model = spec.problem.model;
+  const auto estimator = pressing::base_estimator(setting.standing);
+  require(estimator.has_value(), "standing Talos");
+  EstimatedBase base(model, *estimator, pressing::foot_contact_options(model));
+  Measurement measured{.q = setting.q_start, .v = Eigen::VectorXd::Zero(model.nv)};
+  measured.imu = ImuReading{Eigen::Vector3d::Zero(), -model.gravity};
+  measured.support_wrenches.setZero(6, 2);
+  measured.support_wrenches.row(2).setConstant(0.5 * model.total_mass() * model.gravity.norm());
+  require(base.reset(measured.q, measured.v) == Status::Ok, "standing Talos");
+  count_tick("tick without a plan/standing Talos", spec, 0, std::move(base),
+             [&](const Eigen::VectorXd& tau) -> const Measurement& {
+               measured.tau = tau;
+               measured.time += spec.tick_period;
+               return measured;
+             });
+}
+
 void count_all() {
+  count_arm_tick();
+  count_standing_tick();
   for (const Case& what : cases()) {
     const bool arm = what.label == "talos_right_arm" && what.contact == "1D";
     if (arm || (what.label == "arm7" && what.contact == "6D") || what.label == "talos")
