@@ -70,8 +70,9 @@ void check_task(const Task& task) {
   check_ranges(description_of(&task), &task,
                [](const std::string& entry) { return "the task: " + entry; });
   if (task.hands.size() != 2 || task.hands[0] == task.hands[1])
-    refuse("hands", "the task has " + std::to_string(task.hands.size()) + " hands" +
-                        (task.hands.size() == 2 ? " of one name" : "") +
+    refuse("hands", "the task has " + std::to_string(task.hands.size()) +
+                        (task.hands.size() == 1 ? " hand" : " hands") +
+                        (task.hands.size() == 2 ? " with the same name" : "") +
                         "; wanted two different frames");
   if (!task.standing.force_sensors)
     refuse("standing.force_sensors",

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/mpc/mpc.hpp"
 #include "push_wall/descriptions.hpp"
 #include "push_wall/pushing.hpp"
 #include "support/refusal.hpp"
@@ -155,7 +156,7 @@ TEST(PushWall, InvalidFile_RefusalNamesTheLine) {
   expect_words(refused(head + "forse: 3\n"), {"line 4", "forse", "force"});
   expect_words(refused(head + "force: -3\n"), {"line 4: force", "-3"});
   expect_words(refused(head + "hands: [tool]\n"), {"line 4: hands: the task has 1"});
-  expect_words(refused(head + "hands: [tool, tool]\n"), {"line 4: hands", "of one name"});
+  expect_words(refused(head + "hands: [tool, tool]\n"), {"line 4: hands", "with the same name"});
   expect_words(refused(head + "hands: [left_tol, tool]\n"),
                {"line 4: hands: ", "'left_tol'", "did you mean 'left_tool'?"});
   expect_words(refused(head + "wall: {normal: [0, 0, 0]}\n"), {"line 4: wall.normal"});

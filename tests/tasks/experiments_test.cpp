@@ -48,6 +48,16 @@ TEST(RunFigures, MissingValues_AreSkippedInStatistics) {
   EXPECT_TRUE(std::isnan(largest_of({})));
 }
 
+TEST(RunFigures, RunWithoutTheFigure_IsTheWorst) {
+  RunFigures good;
+  good.run_torque_margin = 0.3;
+  const RunFigures without;
+  EXPECT_EQ(worst_shown({good, good}, "run_torque_margin"),
+            shown("run_torque_margin", good.run_torque_margin));
+  EXPECT_TRUE(std::isnan(worst_shown({good, without}, "run_torque_margin")));
+  EXPECT_TRUE(std::isnan(worst_shown({without, good}, "run_torque_margin")));
+}
+
 TEST(Batch, EveryIndex_RunsOnceAndTheFirstErrorIsThrown) {
   for (const int threads : {1, 3}) {
     std::vector<std::atomic<int>> visits(50);

@@ -157,6 +157,16 @@ double largest_of(const std::vector<double>& values) {
   return finite.empty() ? none : *std::max_element(finite.begin(), finite.end());
 }
 
+double worst_shown(const std::vector<RunFigures>& runs, const std::string& figure) {
+  double worst = 0.0;
+  for (const RunFigures& run : runs) {
+    const double value = shown(figure, run[figure]);
+    if (std::isnan(value)) return value;
+    worst = std::max(worst, value);
+  }
+  return worst;
+}
+
 double smallest_of(const std::vector<double>& values) {
   const std::vector<double> finite = finite_of(values);
   return finite.empty() ? none : *std::min_element(finite.begin(), finite.end());

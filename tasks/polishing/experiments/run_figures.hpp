@@ -90,6 +90,8 @@ double largest_of(const std::vector<double>& values);
 double smallest_of(const std::vector<double>& values);
 /// Returns the smallest value v for which at least `fraction` of the finite values are <= v.
 double quantile_of(std::vector<double> values, double fraction);
+/// Returns the largest value of a figure in its display unit, at least 0; NaN if a run lacks it.
+double worst_shown(const std::vector<RunFigures>& runs, const std::string& figure);
 /// Returns one figure of several runs, in its own unit.
 std::vector<double> collect(const std::vector<RunFigures>& runs, const std::string& figure);
 

@@ -119,14 +119,6 @@ ResultTable statistics_table(const std::vector<RunFigures>& figures) {
   return table;
 }
 
-/// Returns the largest value of a figure; a run without the figure counts as the worst.
-double worst_of_all(const std::vector<RunFigures>& figures, const char* figure) {
-  double worst = 0.0;
-  for (const RunFigures& run : figures)
-    if (!(shown(figure, run[figure]) <= worst)) worst = shown(figure, run[figure]);
-  return worst;
-}
-
 ResultTable aims_table(const ExperimentSpec& spec, const std::vector<RunFigures>& figures,
                        ExperimentReport& report) {
   const NamedRanges& ranges = ranges_named(spec.ranges);
@@ -139,8 +131,8 @@ ResultTable aims_table(const ExperimentSpec& spec, const std::vector<RunFigures>
   };
   add({"force_rmse", ranges.median_force}, "median",
       shown("force_rmse", quantile_of(collect(figures, "force_rmse"), 0.5)));
-  add({"force_rmse", ranges.worst_force}, "worst", worst_of_all(figures, "force_rmse"));
-  add({"without_contact", 0.0}, "worst", worst_of_all(figures, "without_contact"));
+  add({"force_rmse", ranges.worst_force}, "worst", worst_shown(figures, "force_rmse"));
+  add({"without_contact", 0.0}, "worst", worst_shown(figures, "without_contact"));
   const auto faults = std::count_if(figures.begin(), figures.end(), [](const RunFigures& run) {
     return run.made && run.fault != FaultKind::None;
   });
