@@ -48,6 +48,10 @@ class ConstrainedDynamics {
   /// an error status and is computed at the neutral posture.
   void set_state(const S* q, const S* v);
 
+  /// Recomputes the active contacts at the loaded state, after contacts, references, surfaces or
+  /// friction have changed. Kinematics and mass matrix stay. Requires set_state().
+  void update_contacts();
+
   /// Computes a and lambda at joint torques tau (nv), eq. (3). J^T lambda includes any friction
   /// (friction_coupling.hpp). A tool that jams gets status SingularContacts. Requires set_state().
   void forward(const S* tau);
@@ -77,13 +81,13 @@ class ConstrainedDynamics {
 
   /// Returns true if entry k of v moves no mass of its own, a cause of SingularMass.
   bool moves_no_mass(int k, int lane) const {
-    return factorized_ && Lanes<S>::get(mass_.inverse_diagonal[k], lane) == 0.0;
+    return has_mass_factor_ && Lanes<S>::get(mass_.inverse_diagonal[k], lane) == 0.0;
   }
   /// Returns true if the tool of a contact jams, a cause of SingularContacts.
   bool jams(int contact, int lane) const;
   /// Returns true if an active row depends on earlier rows, a cause of SingularContacts.
   bool is_dependent(int row, int lane) const {
-    return factorized_ && Lanes<S>::get(delassus_.inverse_diagonal[row], lane) == 0.0;
+    return has_delassus_ && Lanes<S>::get(delassus_.inverse_diagonal[row], lane) == 0.0;
   }
 
   int nv() const { return tree_.nv; }
@@ -159,11 +163,13 @@ class ConstrainedDynamics {
   /// the forces, the other columns for friction.
   std::vector<S> rho_, solved_, solved_before_;
   int stride_;
-  std::vector<int> columns_;          ///< Columns to solve for
-  std::vector<S> at_rest_;            ///< nv zeros
-  std::vector<Status> state_status_;  ///< Status of the state and its factorizations, per lane
-  std::vector<Status> status_;        ///< Status of the last evaluation, per lane
-  bool factorized_ = false;
+  std::vector<int> columns_;           ///< Columns to solve for
+  std::vector<S> at_rest_;             ///< nv zeros
+  std::vector<Status> motion_status_;  ///< Status of the state and the mass matrix, per lane
+  std::vector<Status> state_status_;   ///< The same, with the active contacts, per lane
+  std::vector<Status> status_;         ///< Status of the last evaluation, per lane
+  bool has_mass_factor_ = false;       ///< Whether mass_ is factorized at the loaded state
+  bool has_delassus_ = false;          ///< Whether delassus_ belongs to the active contacts
   Kinematics<S> kinematics_;
   MassMatrix<S> mass_;
   Delassus<S> delassus_;

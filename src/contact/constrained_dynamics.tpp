@@ -33,7 +33,8 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       v_(to_size(model.nv), S(0.0)),
       drift_(to_size(set.rows()), S(0.0)),
       at_rest_(to_size(model.nv), S(0.0)),
-      state_status_(to_size(lanes), Status::Ok),
+      motion_status_(to_size(lanes), Status::Ok),
+      state_status_(motion_status_),
       status_(to_size(lanes), Status::Ok),
       kinematics_(tree_),
       mass_(tree_),
@@ -132,8 +133,8 @@ void ConstrainedDynamics<S>::mark_bad_lanes(const S* q, const S* v) {
     for (int i = last - size; i < last; ++i) square += q[i] * q[i];
     unnormalized = mask_or(unnormalized, mask_not(less(absolute(square), S(2e-6))));
   }
-  mark(unnormalized, Status::NotNormalized, state_status_);
-  mark(infinite, Status::NotFinite, state_status_);
+  mark(unnormalized, Status::NotNormalized, motion_status_);
+  mark(infinite, Status::NotFinite, motion_status_);
   const auto bad = mask_or(unnormalized, infinite);
   for (int i = 0; i < tree_.nq; ++i) q_[i] = select(bad, q_neutral_[i], q[i]);
   for (int i = 0; i < tree_.nv; ++i) v_[i] = select(bad, S(0.0), v[i]);
@@ -141,12 +142,18 @@ void ConstrainedDynamics<S>::mark_bad_lanes(const S* q, const S* v) {
 
 template <class S>
 void ConstrainedDynamics<S>::set_state(const S* q, const S* v) {
-  std::fill(state_status_.begin(), state_status_.end(), Status::Ok);
-  factorized_ = false;
+  std::fill(motion_status_.begin(), motion_status_.end(), Status::Ok);
+  has_mass_factor_ = false;
   mark_bad_lanes(q, v);
-  status_ = state_status_;
   update_kinematics(tree_, q_.data(), v_.data(), kinematics_);
   update_mass_and_bias(tree_, kinematics_, mass_);
+  update_contacts();
+}
+
+template <class S>
+void ConstrainedDynamics<S>::update_contacts() {
+  has_delassus_ = false;
+  status_ = state_status_ = motion_status_;
   for (const int c : active_.contacts) {
     const CompiledContact& contact = set_.contacts()[c];
     update_contact(contact, reference_axes_[c], surfaces_[c], coefficients_[c], kinematics_,
@@ -326,11 +333,15 @@ bool ConstrainedDynamics<S>::jams(int contact, int lane) const {
 
 template <class S>
 void ConstrainedDynamics<S>::factorize_once() {
-  if (factorized_) return;
-  mark(factorize(tree_, kinematics_, mass_), Status::SingularMass, state_status_);
+  if (!has_mass_factor_) {
+    mark(factorize(tree_, kinematics_, mass_), Status::SingularMass, motion_status_);
+    has_mass_factor_ = true;
+  }
+  if (has_delassus_) return;
+  state_status_ = motion_status_;
   mark(update_delassus(tree_, set_, active_, contact_states, mass_, solver_.mu, delassus_),
        Status::SingularContacts, state_status_);
-  factorized_ = true;
+  has_delassus_ = true;
 }
 
 template <class S>

@@ -72,6 +72,11 @@ struct ContactDynamics::Impl {
     evaluated = Evaluation::Nothing;
     differentiated = false;
   }
+  /// Invalidates the last evaluation after a change of contacts.
+  void change_contacts() {
+    invalidate();
+    contacts_changed = true;
+  }
   void check_bodies(const char* call, std::span<const int> bodies) const {
     const auto count = static_cast<int>(model.joints.size());
     for (const int body : bodies)
@@ -91,7 +96,7 @@ struct ContactDynamics::Impl {
                      out.data() + 10 * i, static_cast<int>(columns));
   }
 
-  /// Loads the state, and copies the mass matrix, Jacobian and contact velocities for the views.
+  /// Loads the state, and copies the mass matrix and quantities of contacts for the views.
   Status load(const ConstVectorRef& q, const ConstVectorRef& v) {
     if (q.size() != nq || v.size() != nv) return Status::WrongSize;
     dynamics.set_state(q.data(), v.data());
@@ -99,6 +104,14 @@ struct ContactDynamics::Impl {
     for (int i = 0; i < nv; ++i)
       for (int j = i; j >= 0; j = dynamics.tree().parent_of_v[j])
         mass(i, j) = mass(j, i) = m.mass[i * nv + j];
+    is_loaded = true;
+    copy_contacts();
+    return dynamics.status();
+  }
+
+  /// Copies the Jacobian and the velocities of active contacts for the views.
+  void copy_contacts() {
+    contacts_changed = false;
     const Delassus<double>& d = dynamics.delassus();
     for (int k = 0; k < nv; ++k)
       for (int r = 0; r < dynamics.rows(); ++r) jacobian(r, k) = d.jacobian_by_v[k * d.stride + r];
@@ -107,7 +120,6 @@ struct ContactDynamics::Impl {
       const int first = dynamics.active().first_row[c];
       burnish::contact_velocity(contact, dynamics.contact_states[c], velocity.data() + first);
     }
-    return dynamics.status();
   }
 
   /// Loads the state and runs `kernel` on it, unless an argument has the wrong size.
@@ -152,6 +164,8 @@ struct ContactDynamics::Impl {
   RowMatrix mass, jacobian;           ///< Dense copies, nv x nv and rows x nv
   RowMatrix negated_q, negated_v;     ///< dalpha/dq and dalpha/dv
   Eigen::VectorXd velocity, error, zeros;
+  bool is_loaded = false;         ///< Whether the workspace holds a state of the present masses
+  bool contacts_changed = false;  ///< Whether contacts changed since the state was loaded
   Evaluation evaluated = Evaluation::Nothing;
   bool differentiated = false;           ///< Whether the derivatives of `evaluated` are valid
   RowMatrix regressor;                   ///< Scratch of inertia_derivatives()
@@ -173,7 +187,7 @@ int ContactDynamics::rows() const { return impl_->dynamics.rows(); }
 void ContactDynamics::set_active(int contact, bool active) {
   impl_->check("set_active", contact);
   impl_->active[contact] = active ? 1 : 0;
-  impl_->invalidate();
+  impl_->change_contacts();
   impl_->dynamics.set_active(contact, active);
 }
 
@@ -183,7 +197,7 @@ Status ContactDynamics::set_reference_rotation(int contact, const Eigen::Matrix3
   impl_->check("set_reference_rotation", contact);
   if (!is_rotation(rotation)) return Status::NotNormalized;
   impl_->references[to_size(contact)].rotation = rotation;
-  impl_->invalidate();
+  impl_->change_contacts();
   impl_->dynamics.set_reference_rotation(contact, from_eigen(rotation));
   return Status::Ok;
 }
@@ -196,7 +210,7 @@ Status ContactDynamics::set_surface(int contact, const Quadric& surface) {
                 " has no curved surface; wanted a reference from Reference::on");
   if (!surface.is_finite()) return Status::NotFinite;
   impl_->references[to_size(contact)].quadric = surface;
-  impl_->invalidate();
+  impl_->change_contacts();
   impl_->dynamics.set_surface(contact, {from_eigen(surface.Q), from_eigen(surface.b)});
   return Status::Ok;
 }
@@ -205,7 +219,7 @@ Status ContactDynamics::set_friction(int contact, double coefficient) {
   impl_->check("set_friction", contact);
   check_has_friction("set_friction", impl_->set.contacts()[contact]);
   if (!std::isfinite(coefficient) || coefficient < 0.0) return Status::NotFinite;
-  impl_->invalidate();
+  impl_->change_contacts();
   impl_->dynamics.set_friction(contact, coefficient);
   return Status::Ok;
 }
@@ -214,6 +228,7 @@ Status ContactDynamics::set_payload(std::string_view frame, const InertiaSpec& p
   const LoadedBody loaded = loaded_body("set_payload", impl_->model, frame, payload);
   if (loaded.status != Status::Ok) return loaded.status;
   impl_->invalidate();
+  impl_->is_loaded = false;
   impl_->dynamics.set_body_inertia(loaded.body, body_inertia(loaded.inertia));
   return Status::Ok;
 }
@@ -240,6 +255,24 @@ std::string ContactDynamics::explanation() const {
     if (impl_->dynamics.jams(c, 0)) jammed.push_back(impl_->set.contacts()[c].spec.name);
   return explain(impl_->dynamics.status(), joints, rows, jammed,
                  unmet_rows(names, {impl_->unmet().data(), names.size()}));
+}
+
+Status ContactDynamics::update(const ConstVectorRef& q, const ConstVectorRef& v) {
+  impl_->invalidate();
+  return impl_->load(q, v);
+}
+
+Status ContactDynamics::forward(const ConstVectorRef& tau) {
+  if (!impl_->is_loaded) return Status::NotEvaluated;
+  if (tau.size() != impl_->nv) return Status::WrongSize;
+  impl_->invalidate();
+  if (impl_->contacts_changed) {
+    impl_->dynamics.update_contacts();
+    impl_->copy_contacts();
+  }
+  impl_->dynamics.forward(tau.data());
+  impl_->evaluated = Evaluation::Forward;
+  return impl_->dynamics.status();
 }
 
 Status ContactDynamics::forward(const ConstVectorRef& q, const ConstVectorRef& v,

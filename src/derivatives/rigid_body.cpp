@@ -58,7 +58,6 @@ struct RigidBody::Impl {
         tree(robot),
         passive(robot, slip_velocity),
         frames(compile_frames(robot)),
-        states(frames.size()),
         slopes(passive.springs.places.size()),
         passive_dq(RowMatrix::Zero(robot.nv, robot.nv)),
         passive_dv(passive_dq),
@@ -91,10 +90,6 @@ struct RigidBody::Impl {
     a = new_a;
     update_kinematics(tree, q.data(), v.data(), kinematics);
     accelerate(tree, kinematics, new_a.data(), inverse_dynamics);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      update_frame(frames[i], kinematics, states[i]);
-      update_frame_acceleration(tree, frames[i], kinematics, inverse_dynamics, states[i]);
-    }
     update_momentum(tree, kinematics, v.data(), momentum);
     burnish::gravity_torque(tree, kinematics, momentum, gravity.data());
     burnish::passive_torque(passive, v.data(), friction.data(), friction_dv.data());
@@ -114,7 +109,17 @@ struct RigidBody::Impl {
     }
   }
 
-  const FrameState<double>& state(int frame) const { return states.at(frame); }
+  /// Returns the state of a frame. Frames are evaluated on demand, because most are never used.
+  FrameState<double> state(int frame) const {
+    FrameState<double> result;
+    update_frame(frames.at(frame), kinematics, result);
+    return result;
+  }
+  FrameState<double> state_with_acceleration(int frame) const {
+    FrameState<double> result = state(frame);
+    update_frame_acceleration(tree, frames[frame], kinematics, inverse_dynamics, result);
+    return result;
+  }
   CompiledReference reference(int frame, const Reference& stated) const {
     return compile_reference(model, stated, frames.at(frame), frames.back());
   }
@@ -139,9 +144,8 @@ struct RigidBody::Impl {
   Tree tree;
   PassiveJoints passive;
   std::vector<CompiledFrame> frames;
-  std::vector<FrameState<double>> states;  ///< One state per frame
-  std::vector<double> slopes;              ///< Derivatives of spring torques by q, per place
-  RowMatrix passive_dq, passive_dv;        ///< Nonzero at spring places and on the diagonal only
+  std::vector<double> slopes;        ///< Derivatives of spring torques by q, per place
+  RowMatrix passive_dq, passive_dv;  ///< Nonzero at spring places and on the diagonal only
   Eigen::VectorXd q, v, a, at_rest;
   Eigen::VectorXd gravity, friction, friction_dv;
   Kinematics<double> kinematics;
@@ -197,13 +201,21 @@ Vector6 RigidBody::velocity(int frame, const Reference& reference) const {
 Vector6 RigidBody::acceleration(int frame, const Reference& reference) const {
   const CompiledReference compiled = impl_->reference(frame, reference);
   return stacked(frame_acceleration(compiled, reference_pose(compiled, impl_->kinematics),
-                                    impl_->kinematics, impl_->state(frame)));
+                                    impl_->kinematics, impl_->state_with_acceleration(frame)));
+}
+
+void RigidBody::frame_jacobian(int frame, const Reference& reference, RowMatrix& out) const {
+  const CompiledReference seen_in = impl_->reference(frame, reference);
+  clear(out, 6, nv());
+  burnish::frame_jacobian(impl_->frames.at(frame), seen_in,
+                          reference_pose(seen_in, impl_->kinematics), impl_->kinematics, out.data(),
+                          nv());
 }
 
 void RigidBody::frame_derivatives(int frame, const Reference& reference,
                                   FrameDerivatives& out) const {
   const CompiledFrame& compiled = impl_->frames.at(frame);
-  const FrameState<double>& state = impl_->state(frame);
+  const FrameState<double> state = impl_->state_with_acceleration(frame);
   const CompiledReference seen_in = impl_->reference(frame, reference);
   const FrameReference<double> at{
       seen_in,
@@ -213,7 +225,7 @@ void RigidBody::frame_derivatives(int frame, const Reference& reference,
   for (RowMatrix* matrix :
        {&out.jacobian, &out.velocity_dq, &out.acceleration_dq, &out.acceleration_dv})
     clear(*matrix, 6, n);
-  frame_jacobian(compiled, seen_in, at.pose, impl_->kinematics, out.jacobian.data(), n);
+  burnish::frame_jacobian(compiled, seen_in, at.pose, impl_->kinematics, out.jacobian.data(), n);
   frame_velocity_derivative(compiled, at, impl_->kinematics, state, out.velocity_dq.data(), n);
   frame_acceleration_derivatives(compiled, at, impl_->kinematics, impl_->inverse_dynamics, state,
                                  out.acceleration_dq.data(), out.acceleration_dv.data(), n);
@@ -226,7 +238,7 @@ Vector6 RigidBody::placement_error(int frame, const Eigen::Isometry3d& target) c
 void RigidBody::placement_derivatives(int frame, const Eigen::Isometry3d& target,
                                       PlacementDerivatives& out) const {
   const CompiledFrame& compiled = impl_->frames.at(frame);
-  const FrameState<double>& state = impl_->state(frame);
+  const FrameState<double> state = impl_->state(frame);
   const FrameError<double> error = impl_->error(frame, target);
   const Kinematics<double>& kinematics = impl_->kinematics;
   const int n = nv();

@@ -34,6 +34,44 @@ TEST_F(LastEvaluation, Inverse_HasTheGivenForce) {
   EXPECT_NEAR(dynamics_.wrench(0, Reference::centered())[2], 10.0, 1e-12);
 }
 
+/// Contacts, references and torques change at one state, and each result has the bits of a fresh
+/// evaluation.
+TEST_F(LastEvaluation, ForwardAtTheLoadedState_EqualsAFreshEvaluation) {
+  contacts_.push_back(contact("link_4", "world", Reference::local(), Directions::linear()));
+  const ContactSolver solver{.mu = 1e-9};
+  ContactDynamics kept(model_, contacts_, solver);
+  EXPECT_EQ(kept.forward(s_.tau), Status::NotEvaluated);
+  ASSERT_EQ(kept.update(s_.q, s_.v), Status::Ok);
+  Eigen::VectorXd tau = s_.tau;
+  const auto expect_same = [&](const char* what) {
+    ContactDynamics fresh(model_, contacts_, solver);
+    for (int c = 0; c < 2; ++c) fresh.set_active(c, kept.is_active(c));
+    const Status wanted = fresh.forward(s_.q, s_.v, tau);
+    ASSERT_EQ(kept.forward(tau), wanted) << what;
+    EXPECT_EQ(Eigen::VectorXd(kept.a()), Eigen::VectorXd(fresh.a())) << what;
+    EXPECT_EQ(Eigen::VectorXd(kept.lambda()), Eigen::VectorXd(fresh.lambda())) << what;
+    EXPECT_EQ(RowMatrix(kept.jacobian()), RowMatrix(fresh.jacobian())) << what;
+    ASSERT_EQ(kept.forward_derivatives(), fresh.forward_derivatives()) << what;
+    EXPECT_EQ(RowMatrix(kept.da_dq()), RowMatrix(fresh.da_dq())) << what;
+  };
+  expect_same("both contacts");
+  tau *= -0.5;
+  expect_same("another torque");
+  kept.set_active(0, false);
+  expect_same("the second contact alone");
+  kept.set_active(1, false);
+  expect_same("no contact");
+  kept.set_active(0, true);
+  expect_same("the first contact alone");
+  ASSERT_EQ(kept.inverse(s_.q, s_.v, s_.tau, ten_), Status::Ok);
+  expect_same("after an inverse");
+  ASSERT_EQ(kept.set_payload("tool", {}), Status::Ok);
+  EXPECT_EQ(kept.forward(tau), Status::NotEvaluated) << "the mass matrix is outdated";
+  ASSERT_EQ(kept.update(s_.q, s_.v), Status::Ok);
+  EXPECT_EQ(kept.forward(Eigen::VectorXd::Zero(3)), Status::WrongSize);
+  expect_same("after a payload");
+}
+
 TEST_F(LastEvaluation, Acceleration_HasNoForces) {
   EXPECT_EQ(dynamics_.wrench(0, Reference::local()), Vector6::Zero());
   ASSERT_EQ(dynamics_.forward(s_.q, s_.v, s_.tau), Status::Ok);

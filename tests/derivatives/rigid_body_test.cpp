@@ -83,6 +83,9 @@ TEST_P(RigidBodyState, PlacementDerivatives_EqualDifferences) {
   EXPECT_LE(relative_error(d.position, by_q(position)), 1e-7);
   FrameDerivatives motion;
   body.frame_derivatives(tool, Reference::local(), motion);
+  RowMatrix jacobian;
+  body.frame_jacobian(tool, Reference::local(), jacobian);
+  EXPECT_EQ(jacobian, motion.jacobian);
   EXPECT_LE(relative_error(d.rotation, motion.jacobian.bottomRows(3)), 1e-13);
 }
 

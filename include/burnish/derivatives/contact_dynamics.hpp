@@ -45,12 +45,12 @@ struct InertiaDerivatives {
 /// J have a row per constrained direction of each active contact, in the order of contacts(). Views
 /// are valid while the object exists and show the result of the last call that filled them.
 ///
-/// The functions forward(), inverse() and acceleration() evaluate a state, and each fills some of
-/// the views. The other views are then outdated: they may show another state, with other rows. For
-/// example, lambda() is outdated after acceleration(), and tau() and dtau_dq() are outdated after
-/// forward(). Derivatives are outdated until they are computed again. If outdated results are
-/// needed, derivative functions return NotEvaluated, wrench_derivatives() throws Error, and force()
-/// and wrench() return zero. Python rejects all outdated results.
+/// The functions update(), forward(), inverse() and acceleration() evaluate a state, and each fills
+/// some of the views. The other views are then outdated: they may show another state, with other
+/// rows. For example, lambda() is outdated after acceleration(), and tau() and dtau_dq() are
+/// outdated after forward(). Derivatives are outdated until they are computed again. If outdated
+/// results are needed, derivative functions return NotEvaluated, wrench_derivatives() throws Error,
+/// and force() and wrench() return zero. Python rejects all outdated results.
 ///
 /// Evaluations return a Status and throw nothing. WrongSize and NotEvaluated leave all results
 /// unchanged. If a state cannot be evaluated for another reason, all results are set to zero.
@@ -98,6 +98,13 @@ class ContactDynamics {
   /// Computes joint accelerations and contact forces from `q` (nq), `v` (nv) and the joint torques
   /// `tau` (nv) [Nm or N]. Fills a(), lambda(), mass_matrix(), bias() and jacobian().
   Status forward(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau);
+  /// Loads the state `q` (nq), `v` (nv), and fills mass_matrix(), bias() and jacobian().
+  Status update(const ConstVectorRef& q, const ConstVectorRef& v);
+  /// Computes joint accelerations and contact forces at the last loaded state, without computing
+  /// kinematics and mass matrix again. Active contacts, references, surfaces and friction may have
+  /// changed since the state was loaded. Returns NotEvaluated if no state was loaded, or if a
+  /// payload was set after it.
+  Status forward(const ConstVectorRef& tau);
   /// Computes the six derivatives of a and lambda with respect to q, v and tau, at the state of the
   /// last forward().
   Status forward_derivatives();
