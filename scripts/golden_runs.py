@@ -4,29 +4,7 @@ import dataclasses
 import pathlib
 
 # Renamed columns, figures and keys of tasks: {"name in PARENT": "new name"}, or prefixes: {"old_*": "new_*"}.
-RENAMES: dict[str, str] = {
-    "believed_normal_*": "estimated_normal_*",
-    "believed_friction": "estimated_friction",
-    "limits_outside*": "constraint_violation*",
-    "limits_open": "constraint_residual",
-    "limits_pushing": "active_constraints",
-    "limits_infeasible": "constraints_infeasible",
-    "limits_p99*": "violation_p99*",
-    "least_load*": "min_load*",
-    "believed_place*": "position_estimate_rmse*",
-    "believed_turn*": "orientation_estimate_rmse*",
-    "lean_force*": "search_force*",
-    "lean.*": "force_search.*",
-    "lean_m": "com_displacement_m",
-    "outside*": "violation*",
-    "pushing": "active_constraints",
-    "most": "force_max",
-    "bear": "statics",
-    "give": "tracking",
-    "recursions": "factorizations",
-    "rubbing of *": "internal forces of *",
-    "room of *": "margins of *",
-}
+RENAMES: dict[str, str] = {}
 
 SURFACES = ("table", "board", "board_x", "board_y", "board_minus_y", "tilt_45")  # as burnish polish --help has them
 # Settings that shorten shipped tasks without removing phases; polishing uses --duration.
