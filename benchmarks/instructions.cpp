@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
-#include "burnish/mpc/estimated_base.hpp"
+#include "burnish/estimate/estimated_base.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/ideal_plant.hpp"

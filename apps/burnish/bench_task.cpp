@@ -18,6 +18,7 @@
 #include "base/thread_pool.hpp"
 #include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/solver/ddp.hpp"
@@ -98,8 +99,9 @@ class Pacer final : public Controller {
       times->reserve(capacity);
   }
   int nv() const override { return mpc_->nv(); }
-  bool carries_payload() const noexcept override { return mpc_->carries_payload(); }
-  void expect_estimated_base() noexcept override { mpc_->expect_estimated_base(); }
+  Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
+    return mpc_->set_payload(frame, payload);
+  }
   void reset() noexcept override { mpc_->reset(); }
   const Command& tick(const Measurement& measurement) noexcept override;
 

@@ -1,5 +1,6 @@
 // Bindings of model predictive control.
 #include "bind.hpp"
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/mpc/plan_check.hpp"
 #include "loop_parts.hpp"
 #include "machine_solver.hpp"
@@ -108,19 +109,14 @@ time : float
 
 constexpr const char* mpc_payload_doc = R"(Sets the payload at a frame from the next tick.
 
-The payload replaces that of the body of the frame.
+The payload replaces that of the body of the frame. In a ClosedLoop that estimates the base, call
+ClosedLoop.set_payload instead.
 
 Parameters
 ----------
 frame : str
 payload : InertiaSpec
-    Inertia of the payload, in the axes of the frame.
-
-Raises
-------
-Error
-    If the base is estimated (ClosedLoop.estimate_base), because the estimator does not support
-    payloads.)";
+    Inertia of the payload, in the axes of the frame.)";
 
 constexpr const char* plan_complaints_doc =
     R"(Returns sentences about steps that are too long for the plans of a controller.

@@ -70,8 +70,25 @@ feet : FootContactOptions, optional
 Raises
 ------
 Error
-    If the robot has no floating base, a frame is unknown, an option is out of range, or the
-    controller has a payload, which the estimator does not support.)";
+    If the robot has no floating base, a frame is unknown, or an option is out of range.)";
+
+constexpr const char* loop_payload_doc =
+    R"(Sets the payload that the controller and the estimate of the base assume, from the next tick.
+
+The plant does not change. The payload replaces that of the body of the frame.
+
+Parameters
+----------
+frame : str
+payload : InertiaSpec
+    Inertia of the payload, in the axes of the frame.
+
+Raises
+------
+EvaluationError
+    If the controller does not account for payloads.
+Error
+    If the frame is unknown or fixed to the world, or if no body can have such an inertia.)";
 
 constexpr const char* loop_reset_doc =
     R"(Resets the plant, the controller and the disturbances, and empties the trace.
@@ -591,6 +608,14 @@ void bind_loop(py::module_& m) {
           },
           py::arg("known"), py::arg("estimator"), py::arg("feet") = py::none(),
           loop_estimate_base_doc)
+      .def(
+          "set_payload",
+          [](BoundLoop& self, const std::string& frame, const InertiaSpec& payload) {
+            constexpr const char* call = "ClosedLoop.set_payload";
+            check_payload(call, payload);
+            require(self.loop().set_payload(frame, payload), call);
+          },
+          py::arg("frame"), py::arg("payload"), loop_payload_doc)
       .def("reset", &BoundLoop::reset, py::arg("q"), py::arg("v") = py::none(), loop_reset_doc)
       .def("step", &BoundLoop::step,
            "Makes one step of the plant. Raises EvaluationError if the plant fails.")

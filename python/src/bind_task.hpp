@@ -5,6 +5,7 @@
 #include "loop_parts.hpp"
 #include "task_run.hpp"
 #ifdef BURNISH_HAS_RECORD
+#include "burnish/mpc/mpc.hpp"
 #include "pressing/recorded_run.hpp"
 #endif
 

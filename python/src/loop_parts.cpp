@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/scene.hpp"
 
 namespace burnish::python {

@@ -151,6 +151,22 @@ def test_tick_matches_the_command_of_the_loop(press):
     assert again.status != Status.OK and np.all(np.isfinite(again.tau))
 
 
+def test_payload_of_a_loop_reaches_the_controller(press):
+    brick = burnish.InertiaSpec(mass=2.0, com=[0.0, 0.0, 0.05], inertia_at_com=2e-3 * np.eye(3))
+    torques = []
+    for payload in (None, brick):
+        loop = press.loop()
+        if payload is not None:
+            loop.set_payload("tool", payload)
+        loop.step()
+        torques.append(loop.command.tau)
+    assert np.abs(torques[1] - torques[0]).max() > 1.0
+    with pytest.raises(burnish.Error, match="ClosedLoop.set_payload: the mass is -1"):
+        loop.set_payload("tool", burnish.InertiaSpec(mass=-1.0))
+    with pytest.raises(burnish.Error, match="tool"):
+        loop.set_payload("tole", brick)
+
+
 def test_fault_is_reported_and_pickles_unchanged(press):
     press.spec.task.limits.force = 3.0
     loop = press.loop()

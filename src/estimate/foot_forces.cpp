@@ -104,6 +104,10 @@ void FootForces::reset() noexcept {
   impl_->normal_forces.setZero();
 }
 
+Status FootForces::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  return impl_->dynamics.set_payload(frame, payload);
+}
+
 Status FootForces::update(const ConstVectorRef& q, const ConstVectorRef& v,
                           const ConstVectorRef& tau, double dt) noexcept {
   Impl& d = *impl_;

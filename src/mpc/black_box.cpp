@@ -37,10 +37,10 @@ std::vector<TraceColumn> history_columns(const Model& model) {
 
 }  // namespace
 
-BlackBox::BlackBox(const MpcSpec& spec, FaultLatch& latch) {
-  const int rows = static_cast<int>(std::max(1L, std::lround(1.0 / spec.tick_period)));
+BlackBox::BlackBox(const Model& model, double tick_period, FaultLatch& latch) {
+  const int rows = static_cast<int>(std::max(1L, std::lround(1.0 / tick_period)));
   Trace& trace = latch.report.last_second;
-  trace = Trace(history_columns(spec.problem.model), rows);
+  trace = Trace(history_columns(model), rows);
   rows_ = RowMatrix::Zero(rows, static_cast<Eigen::Index>(trace.columns().size()));
 }
 

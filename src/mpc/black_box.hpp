@@ -1,16 +1,16 @@
 // Flight recorder: keeps the ticks of a controller's last second for its fault report.
 #pragma once
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/controller.hpp"
 #include "mpc/fault_latch.hpp"
 
 namespace burnish {
 
 class BlackBox {
  public:
-  /// Reserves memory for one second of ticks, in the ring buffer and in the trace of
-  /// `latch.report`.
-  BlackBox(const MpcSpec& spec, FaultLatch& latch);
+  /// Reserves memory for one second of ticks with the period `tick_period` [s], in the ring buffer
+  /// and in the trace of `latch.report`.
+  BlackBox(const Model& model, double tick_period, FaultLatch& latch);
 
   void reset() noexcept { count_ = 0; }
   /// Records a tick at the time `now` [s]. `m`: last valid measurement. At the first fault, the

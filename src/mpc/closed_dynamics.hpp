@@ -4,7 +4,7 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/model.hpp"
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 
 namespace burnish {
 

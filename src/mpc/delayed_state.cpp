@@ -11,7 +11,7 @@ namespace {
 
 // Approximate length of an integration step [s]; chosen by hand. The prediction assumes that no
 // contact begins or ends during it.
-constexpr double step = 1e-3;
+constexpr double integration_step = 1e-3;
 
 int ticks_of(double delay, double tick_period) {
   return static_cast<int>(std::lround(delay / tick_period));
@@ -19,27 +19,23 @@ int ticks_of(double delay, double tick_period) {
 
 }  // namespace
 
-DelayedState::DelayedState(const MpcSpec& spec)
-    : tick_period_(spec.tick_period),
-      lead_(ticks_of(spec.command_delay, spec.tick_period) * spec.tick_period),
-      ticks_(ticks_of(spec.command_delay, spec.tick_period) +
-             ticks_of(spec.measurement_delay, spec.tick_period)),
-      per_step_(std::max(1, ticks_of(step, spec.tick_period))),
-      max_ticks_(ticks_ == 0 ? 0
-                             : ticks_ + ticks_of(std::min(spec.limits.stale, 0.1), tick_period_)),
-      nq_(spec.problem.model.nq),
-      nv_(spec.problem.model.nv),
-      filter_(spec.problem.torque_model
-                  ? std::exp(-spec.problem.torque_model->cutoff * spec.tick_period)
-                  : 0.0),
-      tree_(std::make_unique<const Tree>(spec.problem.model)),
-      tool_(RigidBody(spec.problem.model), spec.tool, spec.base),
+DelayedState::DelayedState(const ProblemSpec& problem, const LoopTimes& times, double stale)
+    : tick_period_(times.tick_period),
+      lead_(times.ticks_in(times.command_delay) * times.tick_period),
+      ticks_(times.delay_ticks()),
+      per_step_(std::max(1, times.ticks_in(integration_step))),
+      max_ticks_(ticks_ == 0 ? 0 : ticks_ + times.ticks_in(std::min(stale, 0.1))),
+      nq_(problem.model.nq),
+      nv_(problem.model.nv),
+      filter_(problem.torque_model ? std::exp(-problem.torque_model->cutoff * times.tick_period)
+                                   : 0.0),
+      tree_(std::make_unique<const Tree>(problem.model)),
       sent_(nv_, ticks_),
       effective_(nv_, max_ticks_) {
-  for (const Joint& joint : spec.problem.model.joints)
+  for (const Joint& joint : problem.model.joints)
     if (joint.kind != JointKind::FreeFlyer && !joint.follows)
       for (int k = 0; k < joint.nv; ++k) actuated_.push_back(joint.v_index + k);
-  start_ = spec.problem.initial_state;
+  start_ = problem.initial_state;
   tau_ = total_ = dq_ = Eigen::VectorXd::Zero(nv_);
 }
 
@@ -64,11 +60,11 @@ void DelayedState::send(const Eigen::VectorXd& tau, const Eigen::VectorXd& frict
   started_ = true;
 }
 
-bool DelayedState::predict(ContactForceEstimate& dynamics, const MeasurementGate& gate,
+bool DelayedState::predict(ContactForceEstimate& contacts, MeasurementGate& gate,
                            const PredictionInput& input, Eigen::VectorXd& x) noexcept {
   if (!started_) return false;
   const Measurement& m = gate.last();
-  const bool holds = input.touches && dynamics.has_contact(input.stage);
+  const bool holds = input.touches && contacts.has_contact(input.stage);
   const bool is_filtered = filter_ > 0.0 && x.size() > nq_ + nv_;
   start_ = x;
   auto q = x.head(nq_);
@@ -81,7 +77,8 @@ bool DelayedState::predict(ContactForceEstimate& dynamics, const MeasurementGate
   Eigen::Vector3d felt_world = m.tool_force_world;
   if (holds) felt_world -= input.normal_world * input.normal_world.dot(felt_world);
   const bool feels = !(holds && input.has_friction);
-  if (feels) tool_.update(gate.body());
+  const auto jacobian = gate.state().tool().jacobian();
+  if (!contacts.place(gate.state(), input.schedule_time)) return false;
   while (left > 0) {
     const int count = std::min(left, per_step_);
     tau_.setZero();
@@ -97,12 +94,15 @@ bool DelayedState::predict(ContactForceEstimate& dynamics, const MeasurementGate
         tau_ += command / count;
     }
     total_ = tau_ + input.torque_error;
-    if (feels) total_.noalias() += tool_.jacobian().transpose() * felt_world;
+    if (feels) total_.noalias() += jacobian.transpose() * felt_world;
     const double dt = count * tick_period_;
-    if (!dynamics.forward(input.stage, input.schedule_time, holds, q, v, total_)) break;
-    dq_ = dt * (v + 0.5 * dt * dynamics.acceleration());
+    const Status status =
+        gate.state().forward_at(q, v, contacts.active(input.stage, holds), total_);
+    if (!is_usable(status)) break;
+    const auto a = gate.state().dynamics().a();
+    dq_ = dt * (v + 0.5 * dt * a);
     integrate_configuration(*tree_, q.data(), dq_.data(), q.data());
-    v += dt * dynamics.acceleration();
+    v += dt * a;
     left -= count;
   }
   if (left == 0 && x.allFinite()) return true;

@@ -2,10 +2,10 @@
 // state in which the next command will act.
 #pragma once
 
-#include "mpc/contact_force_estimate.hpp"
+#include "estimate/contact_force_estimate.hpp"
+#include "estimate/loop_times.hpp"
+#include "estimate/sent_torques.hpp"
 #include "mpc/measurement_gate.hpp"
-#include "mpc/sent_torques.hpp"
-#include "mpc/tool_motion.hpp"
 
 namespace burnish {
 
@@ -16,7 +16,8 @@ struct Tree;
 /// already sent. Without delays, the predicted state is the measured state.
 class DelayedState {
  public:
-  explicit DelayedState(const MpcSpec& spec);
+  /// `stale`: longest time without a measurement for which a state is predicted [s].
+  DelayedState(const ProblemSpec& problem, const LoopTimes& times, double stale);
   ~DelayedState();
 
   void reset() noexcept;
@@ -48,8 +49,8 @@ class DelayedState {
   };
   /// Replaces the measured state x (nx) by the state in which the next command will act. Returns
   /// false and leaves x unchanged if the dynamics cannot be evaluated.
-  bool predict(ContactForceEstimate& dynamics, const MeasurementGate& gate,
-               const PredictionInput& input, Eigen::VectorXd& x) noexcept;
+  bool predict(ContactForceEstimate& contacts, MeasurementGate& gate, const PredictionInput& input,
+               Eigen::VectorXd& x) noexcept;
 
  private:
   double tick_period_, lead_;  ///< Tick period and value of lead() [s].
@@ -60,7 +61,6 @@ class DelayedState {
   std::vector<int> actuated_;
   double filter_;  ///< Decay factor per tick of the filter in the torque model; 0: no filter.
   std::unique_ptr<const Tree> tree_;
-  ToolMotion tool_;
   SentTorques sent_, effective_;
   bool started_ = false;
   Eigen::VectorXd start_, tau_, total_, dq_;

@@ -5,35 +5,6 @@
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {
 
-const Description& description_of(const Measurement* /*of*/) {
-  using S = Measurement;
-  static const Description all =
-      Describe<S>("mpc", "Measurement",
-                  "Sensor values at one tick.")
-          .field("time", &S::time,
-                 "Time of the measurement [{s}]")
-          .field("q", &S::q,
-                 "Measured configuration, nq entries")
-          .field("v", &S::v,
-                 "Measured velocity, nv entries")
-          .field("tau", &S::tau,
-                 "Joint torques measured between motor and link, nv entries [{Nm (N)}]")
-          .field("tool_force_world", &S::tool_force_world,
-                 "Force of the surface on the tool, from the force sensor, in world axes [{N}]")
-          .field("imu", &S::imu,
-                 "Reading of the inertial measurement unit; empty if the robot has none")
-          .field("support_wrenches", &S::support_wrenches,
-                 "Measured wrench of the ground on each support, one column per support: force "
-                 "(N), then moment (Nm)")
-          .more("Moments are about the origin of the support's frame, and both parts are in the "
-                "axes of that frame. Empty if wrenches are not measured")
-          .field("base_lost_for", &S::base_lost_for,
-                 "Time since the last position estimate of a floating base [{s}]")
-          .more("The value 0 means that the estimate is current. While the value is positive, the"
-                " floating base's entries of q and v are outdated");
-  return all;
-}
-
 const Description& description_of(const Command* /*of*/) {
   using S = Command;
   static const Description all =
@@ -160,40 +131,6 @@ const Description& description_of(const LinearFeedback* /*of*/) {
   return all;
 }
 
-const Description& description_of(const FrictionEstimateOptions* /*of*/) {
-  using S = FrictionEstimateOptions;
-  static const Description all =
-      Describe<S>("mpc", "FrictionEstimateOptions",
-                  "Settings of the Kalman filter that estimates the coefficient of friction "
-                  "between tool and surface: uncertainty of the initial coefficient, and noise.")
-          .field("enabled", &S::enabled,
-                 "Estimate the coefficient; if false, `coefficient` is used unchanged")
-          .field("coefficient", &S::coefficient,
-                 "Initial coefficient of friction",
-                 {.least = 0})
-          .more("Plans include friction if this initial value is positive or if `enabled` is true")
-          .field("deviation", &S::deviation,
-                 "Standard deviation of the initial coefficient",
-                 {.least = 0, .open = true})
-          .field("wander", &S::wander,
-                 "Random-walk intensity of the coefficient over the sliding distance "
-                 "[{1/sqrt(m)}]",
-                 {.least = 0})
-          .field("force_noise", &S::force_noise,
-                 "Standard deviation of the measured force along the surface [{N}]",
-                 {.least = 0, .open = true})
-          .more("The noise of two forces is independent if they are measured more than "
-                "`noise_time` apart")
-          .field("noise_time", &S::noise_time,
-                 "Correlation time of the force noise [{s}]",
-                 {.least = 0})
-          .field("speed", &S::speed,
-                 "Sliding speed below which forces get little weight, because they may be "
-                 "stiction [{m/s}]",
-                 {.least = 0, .open = true});
-  return all;
-}
-
 const Description& description_of(const GainRange* /*of*/) {
   using S = GainRange;
   static const Description all =
@@ -225,86 +162,6 @@ const Description& description_of(const LoopMargins* /*of*/) {
           .more("The delay margin is computed for up to three bandwidths")
           .field("gains", &S::gains,
                  "Stable ranges of torque factors, one per entry of v");
-  return all;
-}
-
-const Words& words_of(ModelErrorKind /*of*/) {
-  static const Words all{
-      "mpc",
-      "ModelErrorKind",
-      "Model error that an MpcController estimates. The error is relative to the commanded torque"
-      " and therefore includes errors of the actuators.",
-      {{"none", "No estimate, as in the controller of Kleff et al. (docs/frames.md)"},
-       {"torque", "Torque error d of each joint, defined by the equation of motion M a + b = tau + J^T f + "
-        "d"},
-       {"force", "Measured normal force minus the normal force that the model predicts"}}};
-  return all;
-}
-
-const Description& description_of(const ModelErrorOptions* /*of*/) {
-  using S = ModelErrorOptions;
-  static const Description all =
-      Describe<S>("mpc", "ModelErrorOptions",
-                  "Settings of the online estimate of the constant model error. The estimate is "
-                  "added to the model (offset-free model predictive control).")
-          .field("kind", &S::kind,
-                 "Estimated error: none, torque (per joint) or force (along the normal)")
-          .field("bandwidth", &S::bandwidth,
-                 "Bandwidth of the observer (automatic: 30, but fitted to the arm in polishing) "
-                 "[{rad/s}]",
-                 {.least = 0, .open = true})
-          .more("A higher bandwidth corrects friction sooner and tolerates less delay. With kind "
-                "force, the observer closes a loop through the controller, and the delays of that"
-                " loop limit the bandwidth. Example: with a force sensor that is filtered at 50 "
-                "Hz, 50 rad/s work and 100 rad/s oscillate.")
-          .word("auto")
-          .field("transient_scale", &S::transient_scale,
-                 "Largest factor on the bandwidth (automatic: 3, but fitted to the arm in "
-                 "polishing)",
-                 {.least = 0, .open = true})
-          .more("The factor rises while a torque error changes faster than its noise: after a "
-                "push or an impact, or when a joint reverses. With 1, the bandwidth does not rise")
-          .word("auto")
-          .field("quiescent_scale", &S::quiescent_scale,
-                 "Factor on the bandwidth while the torque error is only noise (1: no reduction)",
-                 {.least = 0.01, .most = 1})
-          .more("A smaller factor lets less noise pass, such as encoder steps")
-          .field("lag", &S::lag,
-                 "Lag of velocities behind torques (automatic: 0, but fitted to the arm in "
-                 "polishing) [{s}]",
-                 {.least = 0})
-          .more("Motors and the filters of measured velocities cause the lag. "
-                "MpcSpec.command_delay and measurement_delay are not part of the lag")
-          .word("auto")
-          .field("force_gain", &S::force_gain,
-                 "Gain on the normal force error (automatic: 0, but fitted to the arm in "
-                 "polishing) [{N/N}]",
-                 {.least = 0})
-          .more("Force error times gain is a commanded force on the tool. The gain is used only "
-                "in contact, with a force sensor, and if `kind` is torque")
-          .word("auto")
-          .field("sliding_bandwidth", &S::sliding_bandwidth,
-                 "Bandwidth of the estimate of friction along the surface (0: as `bandwidth`) "
-                 "[{rad/s}]",
-                 {.least = 0})
-          .more("The estimate is made only if `kind` is torque")
-          .field("decay_time", &S::decay_time,
-                 "Decay time that plans assume for a new torque error, as after a push [{s}]",
-                 {.least = 0, .open = true, .infinite = true})
-          .more("Errors that have lasted for some seconds do not decay. With an infinite decay "
-                "time, no error decays.")
-          .field("limit", &S::limit,
-                 "Largest magnitude of an estimate [{Nm (N)}]",
-                 {.least = 0, .open = true})
-          .more("For a floating base, the limit is at least 6 % of the robot's weight")
-          .field("joint_friction", &S::joint_friction,
-                 "Estimate joint friction separately and feed it forward")
-          .more("The compensation changes sign as soon as a joint reverses. It is used only if "
-                "`kind` is torque")
-          .field("friction_speed", &S::friction_speed,
-                 "Joint speed below which the compensation of joint friction fades to zero "
-                 "[{rad/s (m/s)}]",
-                 {.least = 0, .open = true});
   return all;
 }
 
@@ -354,51 +211,6 @@ const Description& description_of(const SafetyLimits* /*of*/) {
                 "mean over 30 ms. Beyond the limit, the motor counts as failed. While a motor "
                 "delivers less than a fifth of its command, the limit is multiplied by 0.6. A "
                 "finite limit requires measured torques");
-  return all;
-}
-
-const Description& description_of(const SlipOptions* /*of*/) {
-  using S = SlipOptions;
-  static const Description all =
-      Describe<S>("mpc", "SlipOptions",
-                  "Reaction of plans to a slipping support, such as a foot: plans reduce the "
-                  "coefficient of friction of that support. The reduced coefficient is "
-                  "`friction_fraction` times the measured ratio of tangential to normal force. "
-                  "Without measured forces, the reduced coefficient is `min_friction`. A support "
-                  "counts as slipping if its load (if measured), its sliding speed and its "
-                  "sliding distance within about a second all exceed their thresholds.")
-          .field("enabled", &S::enabled,
-                 "Reduce the friction coefficient of supports that slip")
-          .field("distance", &S::distance,
-                 "Sliding distance above which a support can count as slipping [{m}]",
-                 {.least = 0})
-          .field("speed", &S::speed,
-                 "Sliding speed (mean over 5 ms) above which a support can count as slipping "
-                 "[{m/s}]",
-                 {.least = 0})
-          .field("load", &S::load,
-                 "Load above which a support can count as slipping [{N}]",
-                 {.least = 0})
-          .field("friction_fraction", &S::friction_fraction,
-                 "Reduced friction coefficient, as a fraction of the measured ratio of tangential"
-                 " to normal force of the slipping support",
-                 {.least = 0, .most = 1})
-          .field("min_friction", &S::min_friction,
-                 "Lower limit of the reduced friction coefficient",
-                 {.least = 0, .open = true})
-          .field("easing", &S::easing,
-                 "Time constant of the reduction of the friction coefficient [{s}]",
-                 {.least = 0})
-          .more("Without measured forces, the time constant is doubled. The reduction is gradual,"
-                " because the solver would not find a good plan after an abrupt change")
-          .field("recovery", &S::recovery,
-                 "Rate at which the friction coefficient recovers while the support does not slip"
-                 " [{1/s}]",
-                 {.least = 0})
-          .field("radius", &S::radius,
-                 "Radius of spherical feet (0: feet are not spherical) [{m}]",
-                 {.least = 0})
-          .more("Rolling of a spherical foot does not count as slipping");
   return all;
 }
 
@@ -545,55 +357,6 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("feedback", &S::feedback,
                  "Apply the Riccati feedback policy between solves; if false, the planned torque "
                  "is held");
-  return all;
-}
-
-const Description& description_of(const SurfaceEstimateOptions* /*of*/) {
-  using S = SurfaceEstimateOptions;
-  static const Description all =
-      Describe<S>("pressing", "SurfaceEstimateOptions",
-                  "Settings of the Kalman filter that estimates the surface under a sliding tool "
-                  "from the path of the tool: uncertainty of the initial surface, and noise.")
-          .field("enabled", &S::enabled,
-                 "Estimate the surface; if false, the initial surface is used unchanged")
-          .field("height", &S::height,
-                 "Standard deviation of the initial surface's height [{m}]",
-                 {.least = 0, .open = true})
-          .field("tilt", &S::tilt,
-                 "Standard deviation of the initial normal's angle about each tangent [{rad}]",
-                 {.least = 0, .open = true})
-          .field("curvature", &S::curvature,
-                 "Standard deviation of the initial curvatures [{1/m}]",
-                 {.least = 0, .open = true})
-          .more("The filter adds a quarter of the magnitude of the initial curvatures to this "
-                "value")
-          .field("curvature_change", &S::curvature_change,
-                 "Random-walk intensity of the curvatures over the travelled distance "
-                 "[{1/m/sqrt(m)}]",
-                 {.least = 0, .open = true})
-          .field("position_noise", &S::position_noise,
-                 "Standard deviation of position noise that is correlated along the path [{m}]",
-                 {.least = 0, .open = true})
-          .more("The noise is along the surface normal. The filter itself estimates the "
-                "additional noise that is uncorrelated from tick to tick")
-          .field("noise_length", &S::noise_length,
-                 "Correlation length of position noise, such as the tip motion per encoder step "
-                 "[{m}]",
-                 {.least = 0, .open = true})
-          .field("force_noise", &S::force_noise,
-                 "Standard deviation of the force along the normal [{N}]",
-                 {.least = 0, .open = true})
-          .field("compliance", &S::compliance,
-                 "Standard deviation of the initial compliance of the surface under the tip "
-                 "[{m/N}]",
-                 {.least = 0, .open = true})
-          .more("The initial compliance is 0")
-          .field("rate", &S::rate,
-                 "Standard deviation of the surface's velocity along its normal (0: surface at "
-                 "rest) [{m/s}]",
-                 {.least = 0})
-          .more("A moving surface can be distinguished from a slope only after the tip has "
-                "changed direction");
   return all;
 }
 

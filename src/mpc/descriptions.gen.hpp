@@ -6,11 +6,8 @@
 #include "burnish/mpc/controller.hpp"
 #include "burnish/mpc/fault.hpp"
 #include "burnish/mpc/feedback.hpp"
-#include "burnish/mpc/friction_estimate.hpp"
 #include "burnish/mpc/margins.hpp"
-#include "burnish/mpc/model_error.hpp"
-#include "burnish/mpc/mpc.hpp"
-#include "burnish/mpc/surface_estimate.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 #include "burnish/mpc/task.hpp"
 #include "contact/descriptions.gen.hpp"
 #include "derivatives/descriptions.gen.hpp"
@@ -22,22 +19,16 @@
 
 namespace burnish {
 
-const Description& description_of(const Measurement*);
 const Description& description_of(const Command*);
 const Words& words_of(FaultKind);
 const Description& description_of(const FaultReport*);
 const Description& description_of(const LinearFeedback*);
-const Description& description_of(const FrictionEstimateOptions*);
 const Description& description_of(const GainRange*);
 const Description& description_of(const LoopMargins*);
-const Words& words_of(ModelErrorKind);
-const Description& description_of(const ModelErrorOptions*);
 const Description& description_of(const SafetyLimits*);
-const Description& description_of(const SlipOptions*);
 const Description& description_of(const Fallback*);
 const Words& words_of(PlanTiming);
 const Description& description_of(const MpcSpec*);
-const Description& description_of(const SurfaceEstimateOptions*);
 const Description& description_of(const SchedulePhase*);
 
 }  // namespace burnish

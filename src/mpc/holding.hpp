@@ -4,7 +4,7 @@
 #include <Eigen/Cholesky>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 #include "dynamics/tree.hpp"
 #include "mpc/sole_limits.hpp"
 

@@ -4,7 +4,8 @@
 
 #include "base/to_size.hpp"
 #include "burnish/mpc/knot_times.hpp"
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
+#include "burnish/ocp/problem.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "mpc/ground_terms.hpp"
 

@@ -13,7 +13,8 @@ MeasurementGate::MeasurementGate(const MpcSpec& spec)
       has_force_(spec.force_sensor),
       supports_(spec.support_sensors ? static_cast<Eigen::Index>(spec.supports.size()) : 0),
       q_start_(spec.problem.initial_state.head(spec.problem.model.nq)),
-      body_(spec.problem.model) {
+      state_(spec.problem.model, contacts_at(spec.problem.contacts, spec.problem.start_time),
+             spec.tool, spec.base) {
   const Model& model = spec.problem.model;
   for (int i = 0; i < model.nq; ++i) q_names_.push_back(model.q_name(i));
   for (int k = 0; k < model.nv; ++k) v_names_.push_back(model.v_name(k));
@@ -45,7 +46,7 @@ void MeasurementGate::take(const Measurement& m, FaultLatch& latch, Status& stat
 
 bool MeasurementGate::take_state(const Measurement& m) noexcept {
   if (m.q.size() != last_.q.size() || m.v.size() != last_.v.size()) return false;
-  if (!is_usable(body_.update(m.q, m.v))) return false;
+  if (!is_usable(state_.update(m.q, m.v))) return false;
   last_.q = m.q;
   last_.v = m.v;
   return true;
@@ -132,7 +133,7 @@ void MeasurementGate::describe_defect(const Measurement& m) noexcept {
   }
   if (supports_ > 0 && is_bad("the wrench of the support", m.support_wrenches, support_names_))
     return;
-  const Status status = body_.update(m.q, m.v);
+  const Status status = state_.update(m.q, m.v);
   std::snprintf(bad_, sizeof bad_, "q and v are not a valid state (%.*s)",
                 static_cast<int>(describe(status).size()), describe(status).data());
 }

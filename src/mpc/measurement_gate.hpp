@@ -1,8 +1,8 @@
 // Check of measurements. The gate also advances the time while measurements are missing or invalid.
 #pragma once
 
-#include "burnish/derivatives/rigid_body.hpp"
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
+#include "estimate/robot_state.hpp"
 #include "mpc/fault_latch.hpp"
 
 namespace burnish {
@@ -26,11 +26,9 @@ class MeasurementGate {
   double dt() const { return dt_; }         ///< Time between the last two valid measurements [s].
   double now() const { return now_; }       ///< Time of this tick [s].
   const Measurement& last() const { return last_; }
-  const RigidBody& body() const { return body_; }  ///< Kinematics at the last valid measurement.
-  /// Sets the payload at a frame, see RigidBody::set_payload().
-  void set_payload(std::string_view frame, const InertiaSpec& payload) {
-    (void)body_.set_payload(frame, payload);
-  }
+  /// State of the robot at the last valid measurement, with the contacts of the specification.
+  RobotState& state() { return state_; }
+  const RigidBody& body() const { return state_.body(); }  ///< Kinematics of state().
   /// Sets the force at the tool for robots without a force sensor, in world axes [N].
   void feel(const Eigen::Vector3d& force_world) noexcept { last_.tool_force_world = force_world; }
   /// Multiplies the velocity of last() by `factor`. Called while the last valid measurement is old.
@@ -52,7 +50,7 @@ class MeasurementGate {
   bool has_force_;
   Eigen::Index supports_;  ///< Number of supports with measured wrenches.
   Eigen::VectorXd q_start_;
-  RigidBody body_;
+  RobotState state_;
   Measurement last_;  ///< Last valid measurement; its time is the time of that measurement.
   double now_ = 0.0, dt_ = 0.0;
   bool started_ = false;  ///< True after the first valid measurement, unless a fault came before.

@@ -18,8 +18,6 @@ const Command& MpcController::tick(const Measurement& measurement) noexcept {
 Status MpcController::set_payload(std::string_view frame, const InertiaSpec& payload) {
   return impl_->set_payload(frame, payload);
 }
-bool MpcController::carries_payload() const noexcept { return impl_->carries_payload(); }
-void MpcController::expect_estimated_base() noexcept { impl_->expect_estimated_base(); }
 const FaultReport& MpcController::fault() const { return impl_->fault.report; }
 std::exception_ptr MpcController::take_exception() noexcept {
   return std::exchange(impl_->thrown, nullptr);

@@ -1,7 +1,7 @@
 // Consistency check of the specification of an MpcController.
 #pragma once
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 
 namespace burnish {
 

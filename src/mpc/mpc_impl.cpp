@@ -7,6 +7,7 @@
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
+#include "mpc/estimator_specs.hpp"
 #include "mpc/mpc_check.hpp"
 
 namespace burnish {
@@ -52,18 +53,19 @@ MpcController::Impl::Impl(MpcSpec given)
       schedule(spec.schedule, task->events()),
       fault(spec.problem.model),
       gate(spec),
-      error(spec),
-      grip(spec),
+      error(error_estimate_spec(spec), gate.state()),
+      grip(spec.problem.model, grip_specs(spec), spec.slip),
       horizon(spec, problem, schedule),
       policy(spec, problem),
       in_use_(policy),
+      payloads_(spec.problem.model),
       expected_(spec.solver_delay),
       prediction_(problem),
-      ahead_(spec),
+      ahead_(spec.problem, loop_times(spec), spec.limits.stale),
       holding_(spec, {problem.layout().actuated.begin(), problem.layout().actuated.end()}),
       plans_(spec.limits),
-      motors_(spec),
-      black_box_(spec, fault),
+      motors_(spec.problem.model, spec.limits, spec.tick_period),
+      black_box_(spec.problem.model, spec.tick_period, fault),
       watched_(task->watched()),
       readings_(watched_.size()),
       tool_(RigidBody(spec.problem.model).frame(spec.tool)),
@@ -74,10 +76,11 @@ MpcController::Impl::Impl(MpcSpec given)
       decaying_(v_ahead_),
       x_plan_(x_),
       u_plan_(u_) {
-  loaded_.assign(problem.model().joints.size(), 0);
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
   command_.normal_world = spec.normal_base;
-  std::size_t max_length = grip.longest_name();
+  std::size_t max_length = 0;
+  for (const SupportGrip::Support& support : grip.supports())
+    max_length = std::max(max_length, support.name.size());
   for (WatchedQuantity& quantity : watched_) {
     if (!quantity.unit.empty()) quantity.name += ", " + quantity.unit;
     max_length = std::max({max_length, quantity.name.size(), quantity.part.size()});
@@ -88,26 +91,12 @@ MpcController::Impl::Impl(MpcSpec given)
 }
 
 Status MpcController::Impl::set_payload(std::string_view frame, const InertiaSpec& payload) {
-  await_plan();
   const LoadedBody loaded = loaded_body("set_payload", problem.model(), frame, payload);
   if (loaded.status != Status::Ok) return loaded.status;
-  if (base_is_estimated_ && payload.mass > 0.0)
-    throw Error(
-        "set_payload: the estimate of the base uses the weight on the feet and would ignore the "
-        "payload of " +
-        number(payload.mass) + " kg at " + in_quotes(frame) +
-        "; wanted a model that contains the payload, from with_payload()");
-  const Status status = problem.set_payload(frame, payload);
-  if (status != Status::Ok) return status;
-  loaded_[to_size(loaded.body)] = payload.mass > 0.0 ? 1 : 0;
-  error.set_payload(frame, payload);
-  gate.set_payload(frame, payload);
+  payloads_.set(frame, payload);  // for the next plan
+  (void)gate.state().set_payload(frame, payload);
   holding_.set_payload(frame, payload, loaded);
-  return status;
-}
-
-bool MpcController::Impl::carries_payload() const noexcept {
-  return std::find(loaded_.begin(), loaded_.end(), 1) != loaded_.end();
+  return Status::Ok;
 }
 
 void MpcController::Impl::reset() noexcept {
@@ -148,8 +137,9 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   command_.status = Status::Ok;
   due_ = due_ || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
-  base_is_estimated_ = base_is_estimated_ || m.base_is_estimated;
-  const bool payload_conflict = base_is_estimated_ && carries_payload();
+  constexpr double rounding = 1e-9;  // of sums of masses [kg]
+  const bool payload_conflict =
+      m.base_is_estimated && !(std::abs(m.base_payload - payloads_.mass()) <= rounding);
   if (payload_conflict) command_.status = worst(command_.status, Status::NotPhysical);
   is_ahead_ = false;
   if (gate.is_fresh()) motors_.look(gate, ahead_.sent());
@@ -178,13 +168,19 @@ bool MpcController::Impl::has_settled() noexcept {
 /// one is due.
 void MpcController::Impl::process_measurement() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
-  const int stage = horizon.stage_of(schedule.phase());
-  if (!spec.force_sensor) gate.feel(error.feel(gate, ahead_.acted(), stage));
+  const ErrorInput input{.measurement = gate.last(),
+                         .dt = gate.dt(),
+                         .target_force = command_.target_force,
+                         .sent = ahead_.acted(),
+                         .stage = horizon.stage_of(schedule.phase()),
+                         .schedule_time = schedule.time(),
+                         .waits = schedule.waits()};
+  if (!spec.force_sensor) gate.feel(error.feel(gate.state(), input));
   if (base_ >= 0) rotate_normal();
   const unsigned happened = task->sense(view);
   update_surface();
-  error.update(gate, command_, ahead_.acted(), stage, schedule.time(), schedule.waits());
-  grip.update(gate);
+  error.update(gate.state(), input);
+  grip.update(gate.body(), gate.last(), gate.dt());
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
   // Until a thread has computed the first plan, the fallback holds the robot, and the clock of the
@@ -256,6 +252,10 @@ bool MpcController::Impl::prepare_plan() noexcept {
                    .first = !solved_,
                    .jumped = jumped_};
   jumped_ = false;
+  // The payloads were accepted by set_payload().
+  payloads_.hand_over([&](std::string_view frame, const InertiaSpec& payload) {
+    (void)problem.set_payload(frame, payload);
+  });
   horizon.follow(schedule);
   horizon.set_friction(command_.friction);
   horizon.set_support_friction(grip.friction());
@@ -409,7 +409,7 @@ const Eigen::VectorXd& MpcController::Impl::acting_state() noexcept {
   const bool has_friction = error.models_friction();
   // If the prediction fails, x_ stays at the measured state.
   (void)ahead_.predict(
-      error.dynamics(), gate,
+      error.contacts(), gate,
       {.stage = stage,
        .schedule_time = time,
        .touches = pressed > spec.contact_threshold,

@@ -7,15 +7,16 @@
 #include "base/background_work.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "dynamics/payloads.hpp"
+#include "estimate/error_estimate.hpp"
+#include "estimate/support_grip.hpp"
 #include "mpc/black_box.hpp"
 #include "mpc/delayed_state.hpp"
-#include "mpc/error_estimate.hpp"
 #include "mpc/fault_latch.hpp"
 #include "mpc/holding.hpp"
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
 #include "mpc/prediction.hpp"
-#include "mpc/support_grip.hpp"
 #include "mpc/watch.hpp"
 
 namespace burnish {
@@ -26,8 +27,6 @@ struct MpcController::Impl {
   void reset() noexcept;
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   const Command& tick(const Measurement& m) noexcept;
-  bool carries_payload() const noexcept;
-  void expect_estimated_base() noexcept { base_is_estimated_ = true; }
 
  private:
   // Steps of a tick.
@@ -88,10 +87,8 @@ struct MpcController::Impl {
     std::exception_ptr thrown = {};
   };
   Making making_;
-  Policy in_use_;             ///< Copy of the policy in use when the computation started.
-  std::vector<char> loaded_;  ///< Per joint: 1 if its body carries a payload.
-  /// True if measurements are completed by an EstimatedBase.
-  bool base_is_estimated_ = false;
+  Policy in_use_;  ///< Copy of the policy in use when the computation started.
+  Payloads payloads_;
   double expected_;  ///< Expected computing time of a plan [s].
   /// With PlanTiming::Measured: simulated time at which the computation of the previous plan ends
   /// [s].

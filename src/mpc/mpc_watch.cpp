@@ -28,7 +28,7 @@ const char* reason_of(StopReason reason) {
 void MpcController::Impl::watch(const TaskView& view) noexcept {
   watch_joints(problem.model(), spec.limits, gate, fault);
   watch_base(spec.limits, gate, fault);
-  grip.watch(gate.now(), fault);
+  watch_supports(grip, spec.limits, gate.now(), fault);
   motors_.watch(gate.now(), fault);
   task->watch(view, readings_);
   for (std::size_t i = 0; i < readings_.size(); ++i) {

@@ -2,7 +2,7 @@
 // error.
 #pragma once
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 
 namespace burnish {
 

@@ -4,7 +4,10 @@
 
 #include <limits>
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/feedback.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
+#include "burnish/ocp/problem.hpp"
+#include "burnish/solver/ddp.hpp"
 
 namespace burnish {
 

@@ -6,7 +6,7 @@
 
 #include "base/to_size.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
-#include "mpc/tool_motion.hpp"
+#include "estimate/tool_motion.hpp"
 
 namespace burnish {
 namespace {

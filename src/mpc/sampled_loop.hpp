@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "burnish/mpc/margins.hpp"
+#include "burnish/mpc/loop_chain.hpp"
 #include "mpc/plan_slopes.hpp"
 
 namespace burnish {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 
 namespace burnish {
 

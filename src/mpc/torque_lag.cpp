@@ -12,15 +12,15 @@ constexpr double usual = 100.0;      // assumed effort limit of unlimited joints
 
 }  // namespace
 
-TorqueLag::TorqueLag(const MpcSpec& spec, std::vector<int> actuated)
+TorqueLag::TorqueLag(const Model& model, double tick_period, std::vector<int> actuated)
     : actuated_(std::move(actuated)),
-      weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
-      tick_period_(spec.tick_period),
-      step_(std::max(1, static_cast<int>(std::lround(resolution / spec.tick_period)))),
-      sent_(spec.problem.model.nv, step_ * (lags - 1)),
-      gaps_(Eigen::MatrixXd::Zero(spec.problem.model.nv, lags)) {
+      weight_(Eigen::VectorXd::Zero(model.nv)),
+      tick_period_(tick_period),
+      step_(std::max(1, static_cast<int>(std::lround(resolution / tick_period)))),
+      sent_(model.nv, step_ * (lags - 1)),
+      gaps_(Eigen::MatrixXd::Zero(model.nv, lags)) {
   for (const int k : actuated_) {
-    const double effort = spec.problem.model.effort_limit[k];
+    const double effort = model.effort_limit[k];
     const double size = std::isfinite(effort) && effort > 0.0 ? effort : usual;
     weight_[k] = 1.0 / (size * size);
   }

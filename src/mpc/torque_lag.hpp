@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "burnish/mpc/mpc.hpp"
-#include "mpc/sent_torques.hpp"
+#include "burnish/model/model.hpp"
+#include "estimate/sent_torques.hpp"
 
 namespace burnish {
 
@@ -13,8 +13,8 @@ namespace burnish {
 /// estimate is 0.
 class TorqueLag {
  public:
-  /// `actuated`: entries of v that have a motor.
-  TorqueLag(const MpcSpec& spec, std::vector<int> actuated);
+  /// `tick_period`: time between ticks [s]. `actuated`: entries of v that have a motor.
+  TorqueLag(const Model& model, double tick_period, std::vector<int> actuated);
   void reset() noexcept;
   /// Updates the estimate. `sent`: torque commanded at the previous tick (nv). `measured`: measured
   /// torque (nv), `dt` [s] after the previous measurement.

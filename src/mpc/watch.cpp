@@ -41,12 +41,20 @@ void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
   if (lost > limits.base_lost) latch.raise(gate.now(), FaultKind::BaseLost, lost, limits.base_lost);
 }
 
-MotorWatch::MotorWatch(const MpcSpec& spec)
-    : actuated_(entries_with_motors(spec.problem.model)),
-      gap_fraction_(spec.limits.torque_gap),
-      effort_(spec.problem.model.effort_limit),
-      commanded_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
-      lag_(spec, actuated_) {}
+void watch_supports(const SupportGrip& grip, const SafetyLimits& limits, double now,
+                    FaultLatch& latch) noexcept {
+  for (const SupportGrip::Support& support : grip.supports())
+    if (support.distance > limits.support_slip &&
+        latch.raise(now, FaultKind::SupportSlipped, support.distance, limits.support_slip))
+      latch.report.quantity = support.name;  // does not allocate: memory is reserved
+}
+
+MotorWatch::MotorWatch(const Model& model, const SafetyLimits& limits, double tick_period)
+    : actuated_(entries_with_motors(model)),
+      gap_fraction_(limits.torque_gap),
+      effort_(model.effort_limit),
+      commanded_(Eigen::VectorXd::Zero(model.nv)),
+      lag_(model, tick_period, actuated_) {}
 
 void MotorWatch::look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept {
   if (lost_ >= 0) return;

@@ -1,6 +1,7 @@
 // Monitors for all controllers, independent of their tasks: joints, base, plans and motors.
 #pragma once
 
+#include "estimate/support_grip.hpp"
 #include "mpc/fault_latch.hpp"
 #include "mpc/measurement_gate.hpp"
 #include "mpc/torque_lag.hpp"
@@ -15,6 +16,11 @@ void watch_joints(const Model& model, const SafetyLimits& limits, const Measurem
 /// Raises a fault if the estimate of a floating base has been missing for too long.
 void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
                 FaultLatch& latch) noexcept;
+
+/// Raises a fault if a support slid farther than SafetyLimits::support_slip. Does not allocate if
+/// the report has room for the support's name.
+void watch_supports(const SupportGrip& grip, const SafetyLimits& limits, double now,
+                    FaultLatch& latch) noexcept;
 
 /// Monitor of solves, which counts successive updates that gave no plan or a late plan.
 class PlanWatch {
@@ -34,7 +40,8 @@ class PlanWatch {
 /// torques does not count as a failure.
 class MotorWatch {
  public:
-  explicit MotorWatch(const MpcSpec& spec);
+  /// `tick_period`: time between ticks [s].
+  MotorWatch(const Model& model, const SafetyLimits& limits, double tick_period);
   void reset() noexcept {
     commanded_.setZero();
     lag_.reset();

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
@@ -14,8 +16,13 @@
 namespace burnish {
 namespace {
 
-void add_axes(std::vector<TraceColumn>& columns, const std::string& what, const char* unit) {
-  for (const char* axis : {"x", "y", "z"}) columns.push_back({what + "_" + axis + "_world", unit});
+std::vector<TraceColumn> axes(const std::string& what, const char* unit) {
+  return {{what + "_x_world", unit}, {what + "_y_world", unit}, {what + "_z_world", unit}};
+}
+
+std::vector<TraceColumn> rotation(const std::string& what, const std::string& from) {
+  return {
+      {what + "_rx_" + from, "rad"}, {what + "_ry_" + from, "rad"}, {what + "_rz_" + from, "rad"}};
 }
 
 /// Returns the unit of a column for entry k of v: `sliding` for a sliding joint, `turning` for a
@@ -35,10 +42,34 @@ std::string unit_of_q(const Model& model, int k) {
   return "-";
 }
 
-void add_entries_of_v(std::vector<TraceColumn>& columns, const Model& model, const char* what,
-                      const char* turning, const char* sliding) {
+std::vector<TraceColumn> entries_of_q(const Model& model, const std::string& what) {
+  std::vector<TraceColumn> columns;
+  for (int k = 0; k < model.nq; ++k)
+    columns.push_back({what + model.q_name(k), unit_of_q(model, k)});
+  return columns;
+}
+
+std::vector<TraceColumn> entries_of_v(const Model& model, const std::string& what,
+                                      const char* turning, const char* sliding) {
+  std::vector<TraceColumn> columns;
   for (int k = 0; k < model.nv; ++k)
     columns.push_back({what + model.v_name(k), unit_of_v(model, k, turning, sliding)});
+  return columns;
+}
+
+std::vector<TraceColumn> wrenches_on(const std::vector<SupportSpec>& supports) {
+  std::vector<TraceColumn> columns;
+  for (const SupportSpec& support : supports)
+    for (const auto& [entry, unit] :
+         {std::pair("fx", "N"), {"fy", "N"}, {"fz", "N"}, {"mx", "Nm"}, {"my", "Nm"}, {"mz", "Nm"}})
+      columns.push_back({"support_" + support.frame + "_" + entry, unit});
+  return columns;
+}
+
+/// Returns the rotation vector of a rotation matrix [rad].
+Eigen::Vector3d vector_of(const Eigen::Matrix3d& R) {
+  const Eigen::AngleAxisd turn(R);
+  return turn.angle() * turn.axis();
 }
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -73,48 +104,6 @@ Matrix6 mobility_of(const Model& model, const RigidBody& body, int frame,
   return J * solve_positive(dynamics.mass_matrix(), J.transpose());
 }
 
-/// Returns the columns of the trace, in the order in which record_state() and record_step() write
-/// them.
-std::vector<TraceColumn> columns_of(const Model& model, const SceneSpec& scene) {
-  std::vector<TraceColumn> columns{{"time", "s"}, {"phase", "-"}, {"status", "-"}};
-  add_axes(columns, "tool", "m");
-  for (const char* axis : {"rx", "ry", "rz"})
-    columns.push_back({std::string("tool_") + axis + "_start", "rad"});
-  add_axes(columns, "target", "m");
-  columns.push_back({"target_force", "N"});
-  for (const char* what : {"measured_force", "estimated_force", "push"})
-    add_axes(columns, what, "N");
-  for (const char* what : {"q_", "measured_q_"})
-    for (int k = 0; k < model.nq; ++k)
-      columns.push_back({what + model.q_name(k), unit_of_q(model, k)});
-  for (const char* what : {"v_", "measured_v_"})
-    add_entries_of_v(columns, model, what, "rad/s", "m/s");
-  for (const char* what : {"tau_command_", "tau_applied_", "tau_measured_", "tau_friction_"})
-    add_entries_of_v(columns, model, what, "Nm", "N");
-  add_axes(columns, "tool_force", "N");
-  for (const char* what : {"surface_normal", "estimated_normal"}) add_axes(columns, what, "-");
-  columns.push_back({"estimated_friction", "-"});
-  for (const char* what : {"in_contact", "plant_status", "limited_joints", "held_command"})
-    columns.push_back({what, "-"});
-  columns.push_back({"solve_time", "s"});
-  for (const char* what :
-       {"iterations", "missed_deadline", "tick", "constraint_violation", "constraint_residual",
-        "active_constraints", "constraints_infeasible", "clipped_torques"})
-    columns.push_back({what, "-"});
-  if (!scene.surface.frame.empty()) {
-    add_axes(columns, "surface", "m");
-    for (const char* axis : {"rx", "ry", "rz"})
-      columns.push_back({std::string("surface_") + axis + "_world", "rad"});
-  }
-  for (const SupportSpec& support : scene.supports) {
-    for (const char* axis : {"fx", "fy", "fz"})
-      columns.push_back({"support_" + support.frame + "_" + axis, "N"});
-    for (const char* axis : {"mx", "my", "mz"})
-      columns.push_back({"support_" + support.frame + "_" + axis, "Nm"});
-  }
-  return columns;
-}
-
 /// Returns the number of plant steps in one control period.
 int steps_per_tick(double control_period, double dt) {
   const double ratio = control_period / dt;
@@ -142,10 +131,10 @@ class Row {
   void put(double value) { *at_++ = value; }
   void put(Status value) { put(static_cast<double>(value)); }
   void put(bool value) { put(value ? 1.0 : 0.0); }
+  void put(int value) { put(static_cast<double>(value)); }
   void put(const Eigen::Ref<const Eigen::VectorXd>& values) {
     for (const double value : values) put(value);
   }
-  double* end() const { return at_; }
 
  private:
   double* at_;
@@ -175,7 +164,8 @@ struct ClosedLoop::Impl {
         hoist(driven.scene().hoist),
         hung(hoist.holds() ? body.frame(hoist.frame) : -1),
         total(Eigen::VectorXd::Zero(driven.model().nv)),
-        trace(columns_of(driven.model(), driven.scene()), rows_for(chosen, driven.dt())) {
+        signals(signals_of(driven.model(), driven.scene())),
+        trace(columns_of(signals), rows_for(chosen, driven.dt())) {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
@@ -187,8 +177,16 @@ struct ClosedLoop::Impl {
     if (chosen.imu_frame) sensing.mount_imu(driven.model(), *chosen.imu_frame);
   }
 
-  double* record_state(double* to) noexcept;
-  void record_step(double* to, Status status, bool ticked) const noexcept;
+  /// Signal of the trace: its columns, and the function that writes one value per column.
+  struct Signal {
+    std::vector<TraceColumn> columns;
+    std::function<void(const Impl& loop, Row& row)> put;
+    bool is_of_step = false;  ///< Whether the values belong to the plant's step, not to its start.
+  };
+  static std::vector<Signal> signals_of(const Model& model, const SceneSpec& scene);
+  static std::vector<TraceColumn> columns_of(const std::vector<Signal>& signals);
+  void record(Row& row, bool of_step) const noexcept;
+  Eigen::Vector3d normal_world() const noexcept;
   void place_tool() noexcept;
   void hang();
   void add_hoist(double fraction) noexcept;
@@ -217,11 +215,14 @@ struct ClosedLoop::Impl {
   /// stiff relative to the plant's step; otherwise it is the identity.
   Matrix6 implicit_factor = Matrix6::Identity();
   Eigen::VectorXd total;
+  std::vector<Signal> signals;
   Trace trace;
   long steps = 0;
   Measurement measurement;
   Command command;
   Eigen::Vector3d push_world = Eigen::Vector3d::Zero();
+  Status step_status = Status::Ok;  ///< Status of the plant's last step
+  bool ticked = false;              ///< Whether the controller ticked in the last step
   /// Rotation of the tool at the start, in the axes of the surface
   Eigen::Matrix3d start_R = Eigen::Matrix3d::Identity();
   /// Placement of the frame that carries the surface.
@@ -244,13 +245,14 @@ ClosedLoop& ClosedLoop::operator=(ClosedLoop&&) noexcept = default;
 
 void ClosedLoop::estimate_base(const Model& nominal, const BaseEstimatorOptions& estimator,
                                const FootContactOptions& feet) {
-  if (impl_->controller->carries_payload())
-    throw Error(
-        "estimate_base: the controller has a payload, which the base estimator ignores; wanted "
-        "models that contain the payload, from with_payload()");
   impl_->estimated.emplace(nominal, estimator, feet);
-  impl_->controller->expect_estimated_base();
   impl_->sensing.mount_imu(impl_->plant->model(), estimator.imu_frame);
+}
+
+Status ClosedLoop::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  const Status status = impl_->controller->set_payload(frame, payload);
+  if (status != Status::Ok || !impl_->estimated) return status;
+  return impl_->estimated->set_payload(frame, payload);
 }
 
 Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
@@ -273,8 +275,8 @@ Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexc
 
 Status ClosedLoop::step() noexcept {
   Impl& loop = *impl_;
-  const bool ticks = loop.steps % loop.ticks == 0;
-  if (ticks) {
+  loop.ticked = loop.steps % loop.ticks == 0;
+  if (loop.ticked) {
     const Measurement& measured = loop.sensing.measure(*loop.plant, loop.actuation.step().applied);
     loop.measurement = loop.estimated ? loop.estimated->update(measured) : measured;
     loop.command = loop.controller->tick(loop.measurement);
@@ -282,12 +284,16 @@ Status ClosedLoop::step() noexcept {
   }
   loop.push_world = push_at(loop.pushes, loop.plant->time());
   const Eigen::VectorXd& tau = loop.actuation.apply(loop.command.tau);
-  double* row = loop.steps % loop.record_every == 0 ? loop.trace.add_row() : nullptr;
-  if (row != nullptr) row = loop.record_state(row);
-  const Status status = loop.plant->step(loop.with_pushes(tau), loop.push_world);
-  if (row != nullptr) loop.record_step(row, status, ticks);
+  double* const begin = loop.steps % loop.record_every == 0 ? loop.trace.add_row() : nullptr;
+  Row row(begin);
+  if (begin != nullptr) {
+    loop.place_tool();
+    loop.record(row, false);
+  }
+  loop.step_status = loop.plant->step(loop.with_pushes(tau), loop.push_world);
+  if (begin != nullptr) loop.record(row, true);
   ++loop.steps;
-  return status;
+  return loop.step_status;
 }
 
 Status ClosedLoop::run(double duration) noexcept {
@@ -302,9 +308,8 @@ void ClosedLoop::Impl::place_tool() noexcept {
   const Eigen::Isometry3d placement = body.placement(tip);
   p_tool_world = placement.translation();
   place_surface();
-  const Eigen::AngleAxisd rotation(Eigen::Matrix3d(
-      start_R.transpose() * (surface_world.linear().transpose() * placement.linear())));
-  turned = rotation.angle() * rotation.axis();
+  turned =
+      vector_of(start_R.transpose() * (surface_world.linear().transpose() * placement.linear()));
 }
 
 void ClosedLoop::Impl::hang() {
@@ -362,64 +367,89 @@ const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau)
   return any ? total : tau;
 }
 
-/// Writes the columns that do not depend on the plant's step. Returns the address of the next
-/// column.
-double* ClosedLoop::Impl::record_state(double* to) noexcept {
-  place_tool();
-  Row row(to);
-  row.put(plant->time());
-  row.put(static_cast<double>(command.phase));
-  row.put(command.status);
-  row.put(p_tool_world);
-  row.put(turned);
-  row.put(command.p_target_world);
-  row.put(command.target_force);
-  row.put(measurement.tool_force_world);
-  row.put(command.force_estimate_world);
-  row.put(push_world);
-  row.put(plant->q());
-  row.put(measurement.q);
-  row.put(plant->v());
-  row.put(measurement.v);
-  row.put(actuation.step().command);
-  row.put(actuation.step().applied);
-  row.put(measurement.tau);
-  return row.end();
+/// Returns the signals of the trace, in the order of its columns: first all values at the start of
+/// a step, then those of the step.
+std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& model,
+                                                                   const SceneSpec& scene) {
+  std::vector<Signal> signals;
+  bool is_of_step = false;
+  const auto add = [&](std::vector<TraceColumn> columns, const auto& get) {
+    const auto put = [get](const Impl& loop, Row& row) { row.put(get(loop)); };
+    signals.push_back({std::move(columns), put, is_of_step});
+  };
+  const auto speeds = [&](const char* of) { return entries_of_v(model, of, "rad/s", "m/s"); };
+  const auto torques = [&](const char* of) { return entries_of_v(model, of, "Nm", "N"); };
+  using L = const Impl&;
+  add({{"time", "s"}}, [](L l) { return l.plant->time(); });
+  add({{"phase", "-"}}, [](L l) { return l.command.phase; });
+  add({{"status", "-"}}, [](L l) { return l.command.status; });
+  add(axes("tool", "m"), [](L l) { return l.p_tool_world; });
+  add(rotation("tool", "start"), [](L l) { return l.turned; });
+  add(axes("target", "m"), [](L l) { return l.command.p_target_world; });
+  add({{"target_force", "N"}}, [](L l) { return l.command.target_force; });
+  add(axes("measured_force", "N"), [](L l) { return l.measurement.tool_force_world; });
+  add(axes("estimated_force", "N"), [](L l) { return l.command.force_estimate_world; });
+  add(axes("push", "N"), [](L l) { return l.push_world; });
+  add(
+      entries_of_q(model, "q_"), [](L l) -> const auto& { return l.plant->q(); });
+  add(
+      entries_of_q(model, "measured_q_"), [](L l) -> const auto& { return l.measurement.q; });
+  add(
+      speeds("v_"), [](L l) -> const auto& { return l.plant->v(); });
+  add(
+      speeds("measured_v_"), [](L l) -> const auto& { return l.measurement.v; });
+  add(
+      torques("tau_command_"), [](L l) -> const auto& { return l.actuation.step().command; });
+  add(
+      torques("tau_applied_"), [](L l) -> const auto& { return l.actuation.step().applied; });
+  add(
+      torques("tau_measured_"), [](L l) -> const auto& { return l.measurement.tau; });
+  is_of_step = true;
+  add(
+      torques("tau_friction_"), [](L l) -> const auto& { return l.plant->friction_torque(); });
+  add(axes("tool_force", "N"), [](L l) { return l.plant->contact_force_world(); });
+  add(axes("surface_normal", "-"), [](L l) { return l.normal_world(); });
+  add(axes("estimated_normal", "-"), [](L l) { return l.command.normal_world; });
+  add({{"estimated_friction", "-"}}, [](L l) { return l.command.friction; });
+  add({{"in_contact", "-"}}, [](L l) { return l.plant->in_contact(); });
+  add({{"plant_status", "-"}}, [](L l) { return l.step_status; });
+  add({{"limited_joints", "-"}}, [](L l) { return l.actuation.step().limited; });
+  add({{"held_command", "-"}}, [](L l) { return l.actuation.step().held; });
+  add({{"solve_time", "s"}}, [](L l) { return l.command.solve_time; });
+  add({{"iterations", "-"}}, [](L l) { return l.command.iterations; });
+  add({{"missed_deadline", "-"}}, [](L l) { return l.command.missed_deadline; });
+  add({{"tick", "-"}}, [](L l) { return l.ticked; });
+  add({{"constraint_violation", "-"}}, [](L l) { return l.command.constraint_violation; });
+  add({{"constraint_residual", "-"}}, [](L l) { return l.command.constraint_residual; });
+  add({{"active_constraints", "-"}}, [](L l) { return l.command.active_constraints; });
+  add({{"constraints_infeasible", "-"}}, [](L l) { return l.command.constraints_infeasible; });
+  add({{"clipped_torques", "-"}}, [](L l) { return l.command.clipped_torques; });
+  if (!scene.surface.frame.empty()) {
+    add(axes("surface", "m"), [](L l) { return Eigen::Vector3d(l.surface_world.translation()); });
+    add(rotation("surface", "world"), [](L l) { return vector_of(l.surface_world.linear()); });
+  }
+  add(wrenches_on(scene.supports), [](L l) { return l.plant->support_wrenches().reshaped(); });
+  return signals;
 }
 
-void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const noexcept {
-  Row row(to);
-  row.put(plant->friction_torque());
-  row.put(plant->contact_force_world());
+std::vector<TraceColumn> ClosedLoop::Impl::columns_of(const std::vector<Signal>& signals) {
+  std::vector<TraceColumn> columns;
+  for (const Signal& signal : signals)
+    columns.insert(columns.end(), signal.columns.begin(), signal.columns.end());
+  return columns;
+}
+
+void ClosedLoop::Impl::record(Row& row, bool of_step) const noexcept {
+  for (const Signal& signal : signals)
+    if (signal.is_of_step == of_step) signal.put(*this, row);
+}
+
+/// Returns the true normal of the surface at the tool, in world axes.
+Eigen::Vector3d ClosedLoop::Impl::normal_world() const noexcept {
   const SurfaceSpec& surface = plant->scene().surface;
   const double moved = surface.motion.displacement(plant->time());
   const Eigen::Vector3d p_tool = surface_world.inverse() * p_tool_world;
-  const Eigen::Vector3d normal_world =
-      surface_world.linear() * normal_at(plant->scene(), p_tool - moved * surface.normal);
-  row.put(normal_world);
-  row.put(command.normal_world);
-  row.put(command.friction);
-  row.put(plant->in_contact());
-  row.put(status);
-  row.put(static_cast<double>(actuation.step().limited));
-  row.put(actuation.step().held);
-  row.put(command.solve_time);
-  row.put(static_cast<double>(command.iterations));
-  row.put(command.missed_deadline);
-  row.put(ticked);
-  row.put(command.constraint_violation);
-  row.put(command.constraint_residual);
-  row.put(static_cast<double>(command.active_constraints));
-  row.put(command.constraints_infeasible);
-  row.put(static_cast<double>(command.clipped_torques));
-  if (carrier >= 0) {
-    const Eigen::AngleAxisd turn(surface_world.linear());
-    const Eigen::Vector3d p_world = surface_world.translation(),
-                          turned_world = turn.angle() * turn.axis();
-    row.put(p_world);
-    row.put(turned_world);
-  }
-  row.put(plant->support_wrenches().reshaped());
+  return surface_world.linear() * normal_at(plant->scene(), p_tool - moved * surface.normal);
 }
 
 const Trace& ClosedLoop::trace() const { return impl_->trace; }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 
 namespace burnish::polishing {

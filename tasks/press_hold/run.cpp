@@ -3,6 +3,7 @@
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/tasks/press_hold/press_hold.hpp"
 #include "press_hold/measured.hpp"
 #include "pressing/closed_run.hpp"

@@ -27,8 +27,9 @@ class Stopwatch final : public Controller {
     times_.reserve(to_size(ticks / static_cast<double>(every_)) + 2);
   }
   int nv() const override { return timed_->nv(); }
-  bool carries_payload() const noexcept override { return timed_->carries_payload(); }
-  void expect_estimated_base() noexcept override { timed_->expect_estimated_base(); }
+  Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
+    return timed_->set_payload(frame, payload);
+  }
   void reset() noexcept override {
     timed_->reset();
     times_.clear();

@@ -55,8 +55,10 @@ class HomeController final : public Controller {
   }
 
   int nv() const override { return tree_.nv; }
-  bool carries_payload() const noexcept override { return then_.carries_payload(); }
-  void expect_estimated_base() noexcept override { then_.expect_estimated_base(); }
+  Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
+    const Status status = dynamics_.set_payload(frame, payload);
+    return status == Status::Ok ? then_.set_payload(frame, payload) : status;
+  }
   void reset() noexcept override {
     then_.reset();
     is_over_ = started_ = false;

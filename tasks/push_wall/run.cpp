@@ -6,6 +6,7 @@
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/mpc/mpc.hpp"
 #include "pressing/closed_run.hpp"
 #include "pressing/standing_terms.hpp"
 #include "push_wall/limits_near.hpp"

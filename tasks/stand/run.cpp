@@ -5,6 +5,7 @@
 #include "base/degrees.hpp"
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
+#include "burnish/mpc/mpc.hpp"
 #include "pressing/closed_run.hpp"
 #include "pressing/standing_terms.hpp"
 #include "report/foot_rows.hpp"

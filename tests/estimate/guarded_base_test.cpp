@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double degree = M_PI / 180.0;
+constexpr double one_degree = M_PI / 180.0;
 
 /// Changes a reading at a time; returns false if there is no reading.
 using Spoil = std::function<bool(ImuReading&, double)>;
@@ -134,7 +134,7 @@ void expect_tolerated(const std::string& fault, const std::function<Spoil(const 
         worst.found_after = std::max(worst.found_after, o.found_after);
         EXPECT_EQ(o.takeovers, latest < infinity ? 1 : o.takeovers) << fault << name << axis;
       }
-    EXPECT_LT(worst.turn, 1.0 * degree) << fault << ", " << name;
+    EXPECT_LT(worst.turn, 1.0 * one_degree) << fault << ", " << name;
     EXPECT_LT(worst.place, 0.01) << fault << ", " << name;
     EXPECT_LE(worst.found_after, latest) << fault << ", " << name;
     EXPECT_LT(worst.jump, 3e-3) << fault << ", " << name;
@@ -143,7 +143,7 @@ void expect_tolerated(const std::string& fault, const std::function<Spoil(const 
       std::replace(key.begin(), key.end(), ' ', '_');
       ::testing::Test::RecordProperty(key, std::to_string(value));
     };
-    record("deg", worst.turn / degree);
+    record("deg", worst.turn / one_degree);
     record("mm", 1e3 * worst.place);
     record("found ms", 1e3 * worst.found_after);
     record("jump mm", 1e3 * worst.jump);
@@ -235,7 +235,7 @@ TEST(GuardedBase, RecoveredImu_IsUsedAgain) {
           EXPECT_TRUE(by_feet) << name << time;
         }
         if (by_feet) back = time;
-        EXPECT_LT(run.turn_error(i), 1.0 * degree) << name << time;
+        EXPECT_LT(run.turn_error(i), 1.0 * one_degree) << name << time;
         EXPECT_LT(run.place_error(i), 0.01) << name << time;
       }
       EXPECT_GT(back, 1.95) << name;
@@ -324,7 +324,7 @@ TEST(GuardedBase, SlippingOrLiftedFoot_IsToleratedWithoutImu) {
       const double time = static_cast<double>(i) * motion.dt;
       const bool is_up = lifts && time > 0.95 && time < 1.45;
       (void)run.tick(i, is_up ? 2U : 3U, loads);
-      EXPECT_LT(run.turn_error(i), 1.0 * degree) << time;
+      EXPECT_LT(run.turn_error(i), 1.0 * one_degree) << time;
       EXPECT_LT(run.place_error(i), 0.01) << time;
     }
     EXPECT_EQ(run.guarded.source(), BaseSource::Feet);
@@ -355,7 +355,7 @@ TEST(GuardedBase, NoImuAndNoFeet_LoseTheBase) {
       EXPECT_TRUE(run.guarded.q().allFinite() && run.guarded.v().allFinite());
     }
     EXPECT_NEAR(max_lost_for, 0.3, 0.01) << name;
-    EXPECT_LT(run.turn_error(motion.q.size() - 1), 2.0 * degree) << name;
+    EXPECT_LT(run.turn_error(motion.q.size() - 1), 2.0 * one_degree) << name;
   }
 }
 

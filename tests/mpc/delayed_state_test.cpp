@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "burnish/mpc/mpc.hpp"
+#include "mpc/estimator_specs.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/refusal.hpp"
 #include "support/toy_task.hpp"
@@ -24,8 +26,8 @@ class DelayCompensation : public ::testing::Test {
     spec.measurement_delay = measurement;
     spec.limits.stale = 0.02;
     gate.emplace(spec);
-    ahead.emplace(spec);
-    dynamics.emplace(spec);
+    ahead.emplace(spec.problem, loop_times(spec), spec.limits.stale);
+    dynamics.emplace(stage_contacts(spec));
   }
   Eigen::VectorXd tau_at(int tick) const {
     const Eigen::VectorXd rest = Eigen::VectorXd::Constant(7, 1.0);

@@ -127,7 +127,7 @@ class MotorMonitor : public ::testing::Test {
   void SetUp() override {
     spec.limits.torque_gap = 0.25;
     effort = spec.problem.model.effort_limit;
-    watch.emplace(spec);
+    watch.emplace(spec.problem.model, spec.limits, spec.tick_period);
     m = toy_measurement(spec);
   }
   /// Runs until this time with torques that arrive after `delay`; `joint` yields only a fraction of

@@ -2,8 +2,10 @@
 // policy, prediction, monitors, black box.
 #include <gtest/gtest.h>
 
+#include "burnish/mpc/mpc.hpp"
+#include "estimate/contact_force_estimate.hpp"
 #include "mpc/black_box.hpp"
-#include "mpc/contact_force_estimate.hpp"
+#include "mpc/estimator_specs.hpp"
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
 #include "mpc/policy.hpp"
@@ -148,15 +150,19 @@ TEST(Horizon, RotatingReference_TurnsWithTheScheduleTime) {
 }
 
 TEST(ContactForceEstimate, RotatingReference_TurnsTheForce) {
-  ContactForceEstimate estimate(turning_surface());
+  ContactForceEstimate estimate(stage_contacts(turning_surface()));
+  MeasurementGate gate(turning_surface());
   const Eigen::VectorXd q = turning_surface().problem.initial_state.head(7);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
+  ASSERT_EQ(gate.state().update(q, rest), Status::Ok);
   Eigen::Vector3d first, force, wanted;
-  ASSERT_TRUE(estimate.force_at(0, 0.0, q, rest, rest, first));
+  ASSERT_TRUE(estimate.force_at(gate.state(), 0, 0.0, rest, first));
   for (const double time : {0.2, 0.6}) {
-    ContactForceEstimate frozen(turning_surface(time));
-    ASSERT_TRUE(frozen.force_at(0, 0.0, q, rest, rest, wanted));
-    ASSERT_TRUE(estimate.force_at(0, time, q, rest, rest, force));
+    ContactForceEstimate frozen(stage_contacts(turning_surface(time)));
+    MeasurementGate frozen_gate(turning_surface(time));
+    ASSERT_EQ(frozen_gate.state().update(q, rest), Status::Ok);
+    ASSERT_TRUE(frozen.force_at(frozen_gate.state(), 0, 0.0, rest, wanted));
+    ASSERT_TRUE(estimate.force_at(gate.state(), 0, time, rest, force));
     EXPECT_LT((force - wanted).norm(), 1e-9 * wanted.norm()) << time;
     EXPECT_GT((force - first).norm(), 0.1 * wanted.norm()) << time;
   }
@@ -169,12 +175,14 @@ TEST(ContactForceEstimate, ReferenceWithoutRotation_GivesNoForce) {
         if (t > 2.0) throw Error("no more");
         xyzw << 0.0, 0.0, 0.0, t < 1.0 ? 1.0 : 0.0;
       });
-  ContactForceEstimate estimate(spec);
+  ContactForceEstimate estimate(stage_contacts(spec));
+  MeasurementGate gate(spec);
   const Eigen::VectorXd q = spec.problem.initial_state.head(7), rest = Eigen::VectorXd::Zero(7);
+  ASSERT_EQ(gate.state().update(q, rest), Status::Ok);
   Eigen::Vector3d force;
-  EXPECT_TRUE(estimate.force_at(0, 0.5, q, rest, rest, force));
+  EXPECT_TRUE(estimate.force_at(gate.state(), 0, 0.5, rest, force));
   for (const double time : {1.5, 2.5}) {
-    EXPECT_FALSE(estimate.force_at(0, time, q, rest, rest, force)) << time;
+    EXPECT_FALSE(estimate.force_at(gate.state(), 0, time, rest, force)) << time;
     EXPECT_TRUE(force.isZero(0.0));
   }
 }
@@ -425,7 +433,7 @@ TEST(PlanWatch, ConsecutiveFailedOrLateSolves_AreAFault) {
 TEST(BlackBox, Fault_FreezesTheLastSecond) {
   const MpcSpec spec = toy_spec();
   FaultLatch latch;
-  BlackBox box(spec, latch);
+  BlackBox box(spec.problem.model, spec.tick_period, latch);
   Command command{Eigen::VectorXd::Constant(7, 2.0)};
   const Measurement m = toy_measurement(spec);
   for (int tick = 0; tick < 1500; ++tick) {

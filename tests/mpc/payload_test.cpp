@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #include "support/allocation_guard.hpp"
@@ -60,45 +61,42 @@ TEST(MpcPayload, SetPayload_EqualsThePayloadInTheModel) {
   for (tick = 0; tick < 5; ++tick) tick_all(tick);
 }
 
-TEST(MpcPayload, ControllerWithEstimatedBase_RefusesAPayload) {
-  MpcController mpc(spec_of());
-  Measurement m = toy_measurement(spec_of());
-  m.base_is_estimated = true;
-  (void)mpc.tick(m);
-  expect_words(refusal([&] { (void)mpc.set_payload("tool", brick(2.0)); }),
-               {"payload of 2 kg", "'tool'", "estimate of the base", "with_payload()"});
-  EXPECT_FALSE(mpc.carries_payload());
-  EXPECT_EQ(mpc.set_payload("tool", {}), Status::Ok) << "an empty payload must be accepted";
-  MpcController expecting(spec_of());
-  expecting.expect_estimated_base();
-  EXPECT_THROW((void)expecting.set_payload("tool", brick(2.0)), Error);
-}
-
-TEST(MpcPayload, EstimatedBaseAfterAPayload_HoldsTheRobotWithAStatus) {
+TEST(MpcPayload, EstimatedBaseWithAnotherPayload_HoldsTheRobotWithAStatus) {
   MpcController mpc(spec_of());
   ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);
-  EXPECT_TRUE(mpc.carries_payload());
   Measurement m = toy_measurement(spec_of());
   EXPECT_NE(mpc.tick(m).status, Status::NotPhysical);
-  m.base_is_estimated = true;
-  m.time = 1e-3;
-  const Command& command = mpc.tick(m);
-  EXPECT_EQ(command.status, Status::NotPhysical);
-  EXPECT_TRUE(command.tau.allFinite());
-  EXPECT_GT(command.tau.norm(), 1.0) << "the fallback must hold the robot";
+  const auto tick = [&](double base_payload) {
+    m.base_is_estimated = true;
+    m.base_payload = base_payload;
+    m.time += 1e-3;
+    return mpc.tick(m);
+  };
+  for (const double other : {0.0, 1.9, std::numeric_limits<double>::quiet_NaN()}) {
+    const Command command = tick(other);
+    EXPECT_EQ(command.status, Status::NotPhysical) << other;
+    EXPECT_TRUE(command.tau.allFinite());
+    EXPECT_GT(command.tau.norm(), 1.0) << "the fallback must hold the robot";
+  }
+  EXPECT_NE(tick(2.0).status, Status::NotPhysical);
   ASSERT_EQ(mpc.set_payload("tool", {}), Status::Ok);
-  m.time = 2e-3;
-  EXPECT_NE(mpc.tick(m).status, Status::NotPhysical);
+  EXPECT_EQ(tick(2.0).status, Status::NotPhysical);
+  EXPECT_NE(tick(0.0).status, Status::NotPhysical);
 }
 
-TEST(MpcPayload, LoopThatEstimatesTheBase_RefusesAControllerWithAPayload) {
-  MpcController mpc(spec_of());
-  const Model model = mpc.problem().model();
-  const std::unique_ptr<Plant> plant = make_ideal_plant(model, {});
-  ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);
-  ClosedLoop loop(*plant, mpc);
-  expect_words(refusal([&] { loop.estimate_base(model, {}); }),
-               {"estimate_base", "has a payload", "with_payload()"});
+TEST(MpcPayload, PayloadOfALoop_ReachesTheController) {
+  const MpcSpec spec = spec_of();
+  const std::unique_ptr<Plant> plant = make_ideal_plant(spec.problem.model, {});
+  MpcController alone(spec), looped(spec);
+  ClosedLoop loop(*plant, looped);
+  ASSERT_EQ(alone.set_payload("tool", brick(2.0)), Status::Ok);
+  ASSERT_EQ(loop.set_payload("tool", brick(2.0)), Status::Ok);
+  const Measurement m = toy_measurement(spec);
+  EXPECT_EQ(looped.tick(m).tau, alone.tick(m).tau);
+  InertiaSpec bad = brick(1.0);
+  bad.inertia_at_com(0, 0) = 1.0;
+  EXPECT_EQ(loop.set_payload("tool", bad), Status::NotPhysical);
+  EXPECT_THROW((void)loop.set_payload("tole", brick(1.0)), Error);
 }
 
 TEST(MpcPayload, InvalidPayload_IsRefusedAndAValidOneAllocatesNothing) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "burnish/mpc/mpc.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/refusal.hpp"
 #include "support/toy_task.hpp"

@@ -1,6 +1,7 @@
 // Faults of contact: lost, late, missing or unexpected, in closed loop and with given measurements.
 #include <gtest/gtest.h>
 
+#include "burnish/mpc/mpc.hpp"
 #include "support/fault_checks.hpp"
 
 namespace burnish::test {

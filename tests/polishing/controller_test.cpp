@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "burnish/mpc/mpc.hpp"
 #include "support/mpc_run.hpp"
 #include "support/refusal.hpp"
 

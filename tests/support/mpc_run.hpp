@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "burnish/base/status.hpp"
@@ -33,6 +34,9 @@ class FootForces {
   FootForces& operator=(FootForces&&) noexcept;
 
   void reset() noexcept;
+  /// Sets the payload that the robot carries at a frame. Returns and throws as
+  /// ContactDynamics::set_payload() does.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// Updates the forces from the current state `q` (nq), `v` (nv) and the torques `tau` (nv) [Nm or
   /// N] of the last `dt` [s]. Entries of `tau` for the base must be zero. The first update after
   /// reset() assumes dv/dt = 0, as for a robot at rest or in steady motion.

@@ -2,43 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
+#include <string_view>
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
-#include "burnish/estimate/imu.hpp"
+#include "burnish/estimate/measurement.hpp"
+#include "burnish/model/inertia.hpp"
 
 namespace burnish {
-
-/// Sensor values at one tick.
-/// @described mpc
-struct Measurement {
-  /// Time of the measurement [s]
-  double time = 0.0;
-  /// Measured configuration, nq entries
-  Eigen::VectorXd q;
-  /// Measured velocity, nv entries
-  Eigen::VectorXd v;
-  /// Reading of the inertial measurement unit; empty if the robot has none
-  /// @after tool_force_world
-  std::optional<ImuReading> imu = {};
-  /// Joint torques measured between motor and link, nv entries [Nm (N)]
-  Eigen::VectorXd tau;
-  /// Force of the surface on the tool, from the force sensor, in world axes [N]
-  Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();
-  /// Measured wrench of the ground on each support, one column per support: force (N), then moment
-  /// (Nm)
-  /// @more Moments are about the origin of the support's frame, and both parts are in the axes of
-  /// that frame. Empty if wrenches are not measured
-  Eigen::Matrix<double, 6, Eigen::Dynamic> support_wrenches = {};
-  /// Time since the last position estimate of a floating base [s]
-  /// @more The value 0 means that the estimate is current. While the value is positive, the
-  /// floating base's entries of q and v are outdated
-  double base_lost_for = 0.0;
-  /// True if the floating base's entries of q and v were computed by an EstimatedBase
-  /// @undescribed
-  bool base_is_estimated = false;
-};
 
 /// Output of a controller. Only `tau` reaches the plant. The other entries record targets,
 /// estimates and solver results.
@@ -92,11 +63,13 @@ class Controller {
   /// numerical failure, Command::status is not Ok, but Command::tau can still be applied.
   virtual const Command& tick(const Measurement& measurement) noexcept = 0;
 
-  /// Returns true if the controller has a payload that is not part of its model.
-  virtual bool carries_payload() const noexcept { return false; }
-  /// Declares that measurements come from an EstimatedBase. After this call, the controller rejects
-  /// payloads.
-  virtual void expect_estimated_base() noexcept {}
+  /// Sets the payload that the robot carries at a frame, from the next tick on. `payload`: inertia
+  /// in the axes of `frame`. reset() keeps the payload. Returns NotEvaluated if the controller
+  /// ignores payloads; otherwise returns and throws as ContactDynamics::set_payload() does.
+  virtual Status set_payload(std::string_view frame, const InertiaSpec& payload) {
+    (void)frame, (void)payload;
+    return Status::NotEvaluated;
+  }
 
  protected:
   Controller() = default;

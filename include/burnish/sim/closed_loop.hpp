@@ -7,8 +7,8 @@
 #include <string>
 
 #include "burnish/base/trace.hpp"
+#include "burnish/estimate/estimated_base.hpp"
 #include "burnish/mpc/controller.hpp"
-#include "burnish/mpc/estimated_base.hpp"
 #include "burnish/sim/actuation.hpp"
 #include "burnish/sim/plant.hpp"
 #include "burnish/sim/sensing.hpp"
@@ -95,10 +95,19 @@ class ClosedLoop {
   /// `estimator.imu_frame`. The initial estimate is the plant's true state. `nominal` is the
   /// controller's model of the robot.
   ///
-  /// Throws Error in the same cases as EstimatedBase. Also throws Error if the controller carries a
-  /// payload (MpcController::set_payload), because the estimator would ignore the payload.
+  /// Throws Error in the same cases as EstimatedBase.
   void estimate_base(const Model& nominal, const BaseEstimatorOptions& estimator,
                      const FootContactOptions& feet = {});
+
+  /// Sets the payload that controller and base estimator assume, from the next tick on. The plant
+  /// does not change. `payload`: inertia in the axes of `frame`. A previous payload of the same
+  /// body is replaced, and reset() keeps the payload. Call it after estimate_base(), which creates
+  /// the estimator without payloads. Allocates nothing.
+  ///
+  /// Returns Ok. Returns NotEvaluated if the controller does not account for payloads. If
+  /// check_inertia() reports NotFinite or NotPhysical, returns that status and changes nothing.
+  /// Throws Error for an unknown frame and for a frame that is fixed to the world.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
   /// Sets the plant's state to (q, v) and restarts controller, sensors and actuation. Delay and lag
   /// of the motors start at the torque of the controller's first command. Returns the plant's

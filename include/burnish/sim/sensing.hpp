@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "burnish/mpc/controller.hpp"
+#include "burnish/estimate/measurement.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/imu_sensor.hpp"
 #include "burnish/sim/plant.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/scene.hpp"
 #include "burnish/tasks/polishing/force_profile.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/disturbances.hpp"

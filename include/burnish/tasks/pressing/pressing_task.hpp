@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "burnish/mpc/mpc.hpp"
-#include "burnish/mpc/surface_estimate.hpp"
+#include "burnish/estimate/surface_estimate.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 
 namespace burnish {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 
 namespace burnish {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/tasks/pressing/plants.hpp"

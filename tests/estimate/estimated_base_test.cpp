@@ -1,5 +1,5 @@
 // Tests of EstimatedBase, which replaces the base in measurements by its estimate.
-#include "burnish/mpc/estimated_base.hpp"
+#include "burnish/estimate/estimated_base.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 /// Biped that stands still, with the readings of its sensors.
 struct StandingBiped {
-  StandingBiped() {
+  explicit StandingBiped(const Model& carried = biped::model(Base::FreeFlyer)) : model(carried) {
     options.feet = {{"left_sole_link", FootKind::Sole}, {"right_sole_link", FootKind::Sole}};
     measured.q = biped::half_sitting(model);
     measured.v = VectorXd::Zero(model.nv);
@@ -60,7 +60,7 @@ struct StandingBiped {
           -fractions[k] * model.total_mass() * (R.transpose() * model.gravity);
     }
   }
-  Model model = biped::model(Base::FreeFlyer);
+  Model model;
   BaseEstimatorOptions options;
   Measurement measured;
   VectorXd truth;
@@ -91,6 +91,38 @@ TEST(EstimatedBase, StandingBiped_EstimatesTheBaseFromTorquesOrFootSensors) {
     for (int tick = 200; tick < 300; ++tick) base.update(biped.at(tick));
     EXPECT_EQ(base.estimator().feet_that_count(), 1U);
   }
+}
+
+/// Without foot sensors, the forces on the feet are computed from torques, which include the load.
+TEST(EstimatedBase, Payload_CountsInTheForcesOnTheFeet) {
+  InertiaSpec load;
+  load.mass = 8.0;
+  load.com = {0.05, 0.0, 0.1};
+  load.inertia_at_com = 0.02 * Eigen::Matrix3d::Identity();
+  const Model bare = biped::model(Base::FreeFlyer);
+  const std::string frame = bare.frames.back().name;
+  StandingBiped biped(with_payload(bare, {frame, load}));
+  const double weight = -biped.model.total_mass() * biped.model.gravity.z();
+  const auto total_load = [&](bool is_set) {
+    EstimatedBase base(bare, biped.options);
+    if (is_set) {
+      EXPECT_EQ(base.set_payload(frame, load), Status::Ok);
+    }
+    EXPECT_EQ(base.reset(biped.truth, VectorXd::Zero(bare.nv)), Status::Ok);
+    for (int tick = 0; tick < 100; ++tick) {
+      const Measurement& estimated = base.update(biped.at(tick));
+      EXPECT_EQ(estimated.base_payload, is_set ? load.mass : 0.0);
+      EXPECT_LT((estimated.q - biped.truth).norm(), 1e-6);
+    }
+    return base.contacts().forces().sum();
+  };
+  EXPECT_NEAR(total_load(true), weight, 1e-6 * weight);
+  EXPECT_LT(total_load(false), 0.99 * weight) << "the load has no effect: this test checks nothing";
+  EstimatedBase base(bare, biped.options);
+  InertiaSpec bad = load;
+  bad.inertia_at_com(0, 0) = 1.0;
+  EXPECT_EQ(base.set_payload(frame, bad), Status::NotPhysical);
+  EXPECT_THROW((void)base.set_payload("no frame", load), Error);
 }
 
 TEST(EstimatedBase, InvalidMeasurement_KeepsTheLastBase) {

@@ -1,5 +1,5 @@
 // Tests of joint friction, estimated from a torque error that reverses with the joint velocities.
-#include "mpc/joint_friction.hpp"
+#include "estimate/joint_friction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,16 @@
 #include <optional>
 #include <random>
 
+#include "mpc/estimator_specs.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/toy_task.hpp"
 
 namespace burnish::test {
 namespace {
+
+JointFriction friction_of(const MpcSpec& spec) {
+  return JointFriction(spec.problem.model, spec.model_error, loop_times(spec), {});
+}
 
 /// Joints that oscillate, all with the same friction, and a torque error observer for the error
 /// that the compensation leaves.
@@ -23,7 +28,7 @@ struct SwingingJoints {
     spec.model_error.kind = ModelErrorKind::Torque;
     spec.model_error.bandwidth = bandwidth;
     spec.model_error.joint_friction = enabled;
-    friction.emplace(spec);
+    friction.emplace(friction_of(spec));
     const int nv = spec.problem.model.nv;
     noise_speed = v = v_ahead = error = first = Eigen::VectorXd::Zero(nv);
   }
@@ -69,11 +74,11 @@ TEST(JointFriction, PlaceholderEffortLimit_GivesThePriorOfAnUnlimitedJoint) {
   MpcSpec spec = toy_spec();
   spec.model_error.kind = ModelErrorKind::Torque;
   spec.problem.model.effort_limit.setConstant(1e9);
-  const JointFriction placeholder(spec);
+  const JointFriction placeholder = friction_of(spec);
   spec.problem.model.effort_limit.setConstant(std::numeric_limits<double>::infinity());
-  const JointFriction unlimited(spec);
+  const JointFriction unlimited = friction_of(spec);
   spec.problem.model.effort_limit.setConstant(10.0);
-  const JointFriction limited(spec);
+  const JointFriction limited = friction_of(spec);
   EXPECT_EQ(placeholder.deviation(0), unlimited.deviation(0));
   EXPECT_DOUBLE_EQ(limited.deviation(0), 0.3);
 }

@@ -1,10 +1,8 @@
-#include "mpc/felt_force.hpp"
+#include "estimate/felt_force.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-
-#include "mpc/closed_dynamics.hpp"
 
 namespace burnish {
 namespace {
@@ -24,12 +22,10 @@ ModelErrorOptions steady(ModelErrorOptions options) {
 
 }  // namespace
 
-FeltForce::FeltForce(const MpcSpec& spec)
-    : observer_(spec.problem.model, spec.tool, steady(spec.model_error), supports_of(spec), {},
-                spec.base),
-      touch_(spec.contact_threshold),
-      motion_(RigidBody(spec.problem.model), spec.tool, spec.base) {
-  air_ = rest_ = model_error_ = Eigen::VectorXd::Zero(spec.problem.model.nv);
+FeltForce::FeltForce(const Model& model, const ModelErrorOptions& options, const RobotState& state,
+                     const std::vector<ContactSpec>& supports, double touch)
+    : observer_(model, steady(options), state, supports, {}), touch_(touch) {
+  air_ = rest_ = model_error_ = Eigen::VectorXd::Zero(model.nv);
 }
 
 void FeltForce::reset() noexcept {
@@ -40,19 +36,16 @@ void FeltForce::reset() noexcept {
   learned_for_ = 0.0;
 }
 
-void FeltForce::update(const MeasurementGate& gate, const Eigen::VectorXd& acted,
+void FeltForce::update(RobotState& state, const Eigen::VectorXd& acted, double dt,
                        bool free) noexcept {
-  const Measurement& m = gate.last();
-  const double dt = gate.dt();
-  if (!is_usable(observer_.update(m.q, m.v, acted, Eigen::Vector3d::Zero(), dt))) return;
+  if (!is_usable(observer_.update(state, acted, Eigen::Vector3d::Zero(), dt, {}))) return;
   const Eigen::VectorXd& sum = observer_.torque_error();
   if (free && (learned_for_ < first_look || force_.norm() < touch_)) {
     learned_for_ += dt;
     air_ += std::min(1.0, dt / std::clamp(learned_for_, dt + 1e-9, memory)) * (sum - air_);
   }
   rest_ = sum - air_;
-  motion_.update(gate.body());
-  const auto J = motion_.jacobian();
+  const auto J = state.tool().jacobian();
   // Regularization, so that the force is zero in directions in which no joint moves the tool.
   Eigen::Matrix3d normal = J * J.transpose();
   normal.diagonal().array() += 1e-6;  // regularization [m^2]

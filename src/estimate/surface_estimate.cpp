@@ -1,10 +1,10 @@
-#include "burnish/mpc/surface_estimate.hpp"
+#include "burnish/estimate/surface_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "mpc/descriptions.gen.hpp"
+#include "estimate/descriptions.gen.hpp"
 
 namespace burnish {
 namespace {

@@ -1,5 +1,5 @@
 // Tests of the surface estimated from the path of a tip that slides on it.
-#include "burnish/mpc/surface_estimate.hpp"
+#include "burnish/estimate/surface_estimate.hpp"
 
 #include <gtest/gtest.h>
 

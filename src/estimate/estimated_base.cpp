@@ -1,8 +1,9 @@
-#include "burnish/mpc/estimated_base.hpp"
+#include "burnish/estimate/estimated_base.hpp"
 
 #include <cmath>
 
 #include "burnish/estimate/foot_forces.hpp"
+#include "dynamics/payloads.hpp"
 
 namespace burnish {
 
@@ -12,6 +13,7 @@ struct EstimatedBase::Impl {
         feet_count(base.filter().feet()),
         contacts(model, feet_count, feet),
         forces(model, options.feet, feet.bandwidth),
+        payloads(model),
         up(-model.gravity.normalized()),
         tau(Eigen::VectorXd::Zero(model.nv)),
         normal_forces(Eigen::VectorXd::Zero(feet_count)) {
@@ -27,6 +29,7 @@ struct EstimatedBase::Impl {
   int feet_count;
   FootContacts contacts;
   FootForces forces;
+  Payloads payloads;
   Eigen::Vector3d up;
   bool started = false;
   Status status = Status::Ok;
@@ -56,6 +59,15 @@ Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
   d.result.v = v;
   d.result.base_lost_for = 0.0;
   return Status::Ok;
+}
+
+Status EstimatedBase::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  Impl& d = *impl_;
+  const Status status = d.forces.set_payload(frame, payload);
+  if (status != Status::Ok) return status;
+  d.payloads.set(frame, payload);
+  d.result.base_payload = d.payloads.mass();
+  return status;
 }
 
 /// Updates the set of standing feet from measured wrenches or, without wrenches, from joint

@@ -1,36 +1,62 @@
-// Estimate of the model error in an MpcController, updated at every tick (see ModelErrorKind).
+// Estimate of the model error, updated at each valid measurement (see ModelErrorKind).
 #pragma once
 
-#include "mpc/contact_force_estimate.hpp"
-#include "mpc/felt_force.hpp"
-#include "mpc/joint_friction.hpp"
-#include "mpc/measurement_gate.hpp"
-#include "mpc/tool_motion.hpp"
+#include "burnish/estimate/friction_estimate.hpp"
+#include "burnish/estimate/measurement.hpp"
+#include "estimate/contact_force_estimate.hpp"
+#include "estimate/felt_force.hpp"
+#include "estimate/joint_friction.hpp"
 
 namespace burnish {
 
+/// Settings of an ErrorEstimate.
+struct ErrorEstimateSpec {
+  Model model;
+  ModelErrorOptions options;
+  std::optional<double>
+      torque_cutoff;  ///< Cutoff of the torque model's filter [rad/s]; none: no filter.
+  /// Initial unit normal of the surface in world axes, until set_surface() or set_normal().
+  Eigen::Vector3d normal_world;
+  double contact_threshold;           ///< Normal force above which the tool is in contact [N].
+  bool force_sensor;                  ///< Whether Measurement::tool_force_world is measured.
+  std::vector<ContactSpec> supports;  ///< Contacts that always hold the robot, without loops.
+  std::vector<ContactSpec> held;      ///< `supports`, followed by the loops of the robot.
+  std::vector<std::string> measured;  ///< Frames of the columns of Measurement::support_wrenches.
+  StageContacts contacts;
+  /// Settings of the friction estimate; none: the tool's contacts have no friction.
+  std::optional<FrictionEstimateOptions> friction;
+  /// Planned sliding speed, as SlidingFriction::speed; unused without `friction` [m/s].
+  double planned_speed = 0.0;
+  LoopTimes times;
+};
+
+/// Inputs of an ErrorEstimate at a valid measurement.
+struct ErrorInput {
+  const Measurement& measurement;
+  double dt;            ///< Time since the previous valid measurement [s]; 0 at the first one.
+  double target_force;  ///< Target of the normal force at the previous tick [N].
+  /// Torque command in effect until the measurement, before the filter of the torque model and
+  /// without the compensation of joint friction; nv [Nm or N].
+  ConstVectorRef sent;
+  int stage;             ///< Stage of the schedule.
+  double schedule_time;  ///< Time of the schedule [s].
+  bool waits;            ///< True while the schedule waits for the tool to touch the surface.
+};
+
 class ErrorEstimate {
  public:
-  /// `spec.normal_base` must be a unit vector.
-  explicit ErrorEstimate(const MpcSpec& spec);
+  /// `state`: a state whose contacts are those of `spec.contacts`.
+  ErrorEstimate(const ErrorEstimateSpec& spec, const RobotState& state);
 
   void reset() noexcept;
-  /// Updates the estimate after a valid measurement. If the dynamics cannot be evaluated, the
-  /// estimate stays unchanged.
-  /// - `before`: command of the previous tick.
-  /// - `acted`: torque that acted until the measurement, without the compensation of joint friction
-  ///   (nv).
-  /// - `stage`, `schedule_time`: stage and time of the schedule [s].
-  /// - `waits`: result of Schedule::waits().
-  void update(const MeasurementGate& gate, const Command& before, const ConstVectorRef& acted,
-              int stage, double schedule_time, bool waits) noexcept;
+  /// Updates the estimate. If the dynamics cannot be evaluated, the estimate stays unchanged.
+  void update(RobotState& state, const ErrorInput& input) noexcept;
 
-  /// Estimates and returns the force at the tool, in world axes [N]. Called before update() if the
-  /// robot lacks a force sensor. `stage`: current stage of the schedule.
-  const Eigen::Vector3d& feel(const MeasurementGate& gate, const ConstVectorRef& acted,
-                              int stage) noexcept;
-  /// Returns the forward dynamics that use the current estimates of surface and friction.
-  ContactForceEstimate& dynamics() { return contact_force_; }
+  /// Estimates the force at the tool, in world axes [N]. Without a force sensor, call it before
+  /// update(), and store the result in the measurement.
+  const Eigen::Vector3d& feel(RobotState& state, const ErrorInput& input) noexcept;
+  /// Returns the estimate of contact forces, with the current surface and friction.
+  ContactForceEstimate& contacts() { return contact_force_; }
   /// Sets the surface under the tool, for the contacts that follow it, and the unit normal of the
   /// surface.
   void set_surface(const Quadric& surface, const Eigen::Vector3d& normal_world) noexcept {
@@ -39,18 +65,12 @@ class ErrorEstimate {
   }
   /// Sets only the unit normal, for a surface that has rotated.
   void set_normal(const Eigen::Vector3d& normal_world) noexcept { normal_world_ = normal_world; }
-  /// Sets the payload at a frame for all later estimates.
-  void set_payload(std::string_view frame, const InertiaSpec& payload) {
-    (void)observer_.set_payload(frame, payload);
-    felt_.set_payload(frame, payload);
-    contact_force_.set_payload(frame, payload);
-  }
   const Eigen::Vector3d& normal_world() const { return normal_world_; }
   /// Returns the coefficient of friction of the tool's contacts; 0 without a friction model.
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
-  /// Sets the planned velocity (nv) of a new plan, at joint_friction().lead() after the plan's
-  /// first knot. The estimates of friction change sign with this velocity.
+  /// Sets the velocity that a new plan has joint_friction().lead() after its first knot; nv [rad/s
+  /// or m/s]. The estimates of friction change sign with this velocity.
   void foresee(const Eigen::VectorXd& v) noexcept {
     joint_friction_.foresee(v.data());
     v_ahead_ = v;
@@ -60,10 +80,10 @@ class ErrorEstimate {
   /// compensation.
   JointFriction& joint_friction() { return joint_friction_; }
 
-  /// Returns the estimated torque error; nv [Nm or N]. It includes friction along the surface.
+  /// Returns observed_error() plus the torque of the friction along the surface that the contacts
+  /// do not model; nv [Nm or N].
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
-  /// Returns the part of torque_error() from the observer; nv [Nm or N]. It does not include
-  /// friction along the surface.
+  /// Returns the torque error from the observer; nv [Nm or N].
   const Eigen::VectorXd& observed_error() const { return model_error(); }
   /// Returns true if the tool's contacts have a friction model.
   bool models_friction() const { return friction_.has_value(); }
@@ -84,33 +104,30 @@ class ErrorEstimate {
     return m.tool_force_world.dot(normal_world_);
   }
   const Eigen::VectorXd& model_error() const {
-    return has_sensor_ ? observer_.torque_error() : felt_.model_error();
+    return felt_ ? felt_->model_error() : observer_->torque_error();
   }
   double observer_bandwidth() const {  ///< Bandwidth of the observer in use [rad/s].
-    return has_sensor_ ? observer_.bandwidth() : felt_.bandwidth();
+    return felt_ ? felt_->bandwidth() : observer_->bandwidth();
   }
-  void follow_command(const MeasurementGate& gate, const ConstVectorRef& acted) noexcept;
-  void update_force_feedback(const MeasurementGate& gate, const Command& before) noexcept;
+  void follow_command(const ErrorInput& input) noexcept;
+  void update_force_feedback(RobotState& state, const ErrorInput& input) noexcept;
   void follow_lasting(double dt) noexcept;
-  void follow_friction(const MeasurementGate& gate, const Command& before) noexcept;
-  Eigen::Vector3d friction_along_plan(double dt, double bandwidth) noexcept;
-  Eigen::Vector3d explained_friction(const MeasurementGate& gate,
+  void follow_friction(RobotState& state, const ErrorInput& input) noexcept;
+  Eigen::Vector3d friction_along_plan(const ToolMotion& tool, double dt, double bandwidth) noexcept;
+  Eigen::Vector3d explained_friction(RobotState& state, const ErrorInput& input,
                                      const Eigen::Vector3d& across) noexcept;
-  void follow_force_error(const Measurement& m, int stage, double schedule_time,
-                          double weight) noexcept;
+  void follow_force_error(RobotState& state, const ErrorInput& input, double weight) noexcept;
 
   ModelErrorOptions options_;
-  std::optional<TorqueModel> filter_;
+  std::optional<double> torque_cutoff_;
   Eigen::Vector3d normal_world_, normal_at_first_;
   double contact_threshold_;  ///< Normal force above which the tool is in contact [N].
-  TorqueErrorObserver observer_;
-  FeltForce felt_;
+  /// Observer with a force sensor, else estimate of force and error together.
+  std::optional<ErrorObserver> observer_;
+  std::optional<FeltForce> felt_;
   JointFriction joint_friction_;
-  bool has_sensor_;
   ContactForceEstimate contact_force_;
-  ToolMotion tool_motion_;
-  /// Torque that acts according to the torque model, without the compensation of joint friction;
-  /// nv.
+  /// Torque in the joints: the command, low-pass filtered with torque_cutoff_; nv [Nm or N].
   Eigen::VectorXd acted_;
   Eigen::VectorXd force_feedback_;
   double pressed_for_ = 0.0;  ///< Time in contact while a force is commanded [s].
@@ -129,6 +146,7 @@ class ErrorEstimate {
   /// Low-pass filtered force along the surface, without the friction in the contact models [N].
   Eigen::Vector3d friction_force_ = Eigen::Vector3d::Zero();
   std::optional<FrictionEstimator> friction_;
+  bool started_ = false;        ///< True after the first measurement.
   double planned_speed_ = 0.0;  ///< Planned speed, as in SlidingFriction::speed [m/s].
   Eigen::Vector3d force_world_ = Eigen::Vector3d::Zero();
   double force_error_ = 0.0;

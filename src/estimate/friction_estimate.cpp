@@ -1,11 +1,11 @@
-#include "burnish/mpc/friction_estimate.hpp"
+#include "burnish/estimate/friction_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "mpc/descriptions.gen.hpp"
+#include "estimate/descriptions.gen.hpp"
 
 namespace burnish {
 

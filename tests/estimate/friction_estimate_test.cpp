@@ -1,5 +1,5 @@
 // Tests of the friction coefficient, estimated from tangential forces while a tool slides.
-#include "burnish/mpc/friction_estimate.hpp"
+#include "burnish/estimate/friction_estimate.hpp"
 
 #include <gtest/gtest.h>
 

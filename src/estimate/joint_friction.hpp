@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "base/to_size.hpp"
-#include "burnish/mpc/mpc.hpp"
-#include "mpc/sent_torques.hpp"
+#include "burnish/estimate/model_error.hpp"
+#include "estimate/loop_times.hpp"
+#include "estimate/sent_torques.hpp"
 
 namespace burnish {
 
@@ -24,7 +25,11 @@ namespace burnish {
 /// compensation would accelerate a light joint whose measured velocity is only noise.
 class JointFriction {
  public:
-  explicit JointFriction(const MpcSpec& spec);
+  /// `held`: contacts that always hold the robot, such as feet and loops. Joints between them are
+  /// left out, because in a closed chain the friction of one joint appears in the torque errors of
+  /// all joints.
+  JointFriction(const Model& model, const ModelErrorOptions& options, const LoopTimes& times,
+                const std::vector<ContactSpec>& held);
 
   void reset() noexcept;
   /// Returns the time after a plan's first knot for which foresee() takes the planned velocity [s].

@@ -1,11 +1,9 @@
-#include "mpc/joint_friction.hpp"
+#include "estimate/joint_friction.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/to_size.hpp"
-#include "burnish/contact/loops.hpp"
-#include "mpc/closed_dynamics.hpp"
 
 namespace burnish {
 namespace {
@@ -31,12 +29,10 @@ constexpr double velocity_smoothing = 0.02;
 // four arms with 1 Nm of friction in each joint.
 constexpr double uncertain = 1.6;
 
-/// Returns, per joint, 1 if the joint moves a body that a loop or a support holds. In such a closed
-/// chain, the friction of one joint appears in the torque errors of all joints.
-std::vector<char> in_closed_chains(const MpcSpec& spec) {
-  const Model& model = spec.problem.model;
+/// Returns, per joint, 1 if the joint moves a body that one of the contacts holds.
+std::vector<char> in_closed_chains(const Model& model, const std::vector<ContactSpec>& held) {
   std::vector<char> closed(model.joints.size(), 0);
-  for (const ContactSpec& contact : with_loops(model, supports_of(spec)))
+  for (const ContactSpec& contact : held)
     for (const std::string& frame : {contact.tool, contact.base}) {
       if (!model.has_frame(frame)) continue;  // a contact with the world
       int j = model.frames[to_size(model.frame_index(frame))].body;
@@ -47,33 +43,32 @@ std::vector<char> in_closed_chains(const MpcSpec& spec) {
 
 }  // namespace
 
-JointFriction::JointFriction(const MpcSpec& spec)
-    : enabled_(spec.model_error.kind == ModelErrorKind::Torque && spec.model_error.joint_friction),
-      options_(spec.model_error),
+JointFriction::JointFriction(const Model& model, const ModelErrorOptions& options,
+                             const LoopTimes& times, const std::vector<ContactSpec>& held)
+    : enabled_(options.kind == ModelErrorKind::Torque && options.joint_friction),
+      options_(options),
       lead_(look_ahead),
       // Adds the mean age of a plan, which comes into use after solver_delay and stays in use for
       // update_period.
-      smoothing_(look_ahead + spec.solver_delay + 0.5 * spec.update_period),
-      joints_(to_size(spec.problem.model.nv)),
-      torque_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
-      late_(static_cast<int>(std::lround(spec.command_delay / spec.tick_period) +
-                             std::lround(spec.measurement_delay / spec.tick_period))),
-      torques_(spec.problem.model.nv, late_),
+      smoothing_(look_ahead + times.solver_delay + 0.5 * times.update_period),
+      joints_(to_size(model.nv)),
+      torque_(Eigen::VectorXd::Zero(model.nv)),
+      late_(times.delay_ticks()),
+      torques_(model.nv, late_),
       speeds_(torques_),
       speed_(torque_) {
-  const std::vector<char> closed = in_closed_chains(spec);
+  const std::vector<char> closed = in_closed_chains(model, held);
   // Lever arm with which an effort limit would lift the weight of the robot [m]. A limit with a
   // larger arm, such as 1e9 Nm, counts as unlimited.
   constexpr double max_arm = 100.0;
-  const Model& model = spec.problem.model;
   const double unlimited = max_arm * model.total_mass() * model.gravity.norm();
   for (std::size_t j = 0; j < closed.size(); ++j) {
-    const burnish::Joint& of = spec.problem.model.joints[j];
+    const burnish::Joint& of = model.joints[j];
     if (of.kind == JointKind::FreeFlyer || of.follows || closed[j] != 0) continue;
     for (int k = of.v_index; k < of.v_index + of.nv; ++k) {
       Joint& joint = joints_[to_size(k)];
       joint.driven = true;
-      const double effort = spec.problem.model.effort_limit[k];
+      const double effort = model.effort_limit[k];
       if (effort > 0.0 && effort < unlimited) joint.prior = prior_fraction * effort;
     }
   }

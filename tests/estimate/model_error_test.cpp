@@ -1,6 +1,6 @@
 // Tests of the torque error observer: its speed, the errors it estimates, and the torques it must
 // not mistake for errors.
-#include "burnish/mpc/model_error.hpp"
+#include "burnish/estimate/model_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -18,6 +18,7 @@ class ToolMotion {
   ToolMotion(const RigidBody& body, const std::string& tool, const std::string& base)
       : tool_(body.frame(tool)),
         base_(base.empty() ? -1 : body.frame(base)),
+        centered_(Reference::centered()),
         at_tool_{Anchor(tool), Anchor::World} {
     update(body);  // allocates here, not in a tick
   }
@@ -25,25 +26,25 @@ class ToolMotion {
   /// Updates the Jacobian to the state of `body`, which must belong to the same robot. Does not
   /// allocate.
   void update(const RigidBody& body) {
-    body.frame_derivatives(tool_, Reference::centered(), motion_);
+    body.frame_jacobian(tool_, centered_, jacobian_);
     if (base_ < 0) return;
-    body.frame_derivatives(base_, at_tool_, base_motion_);
-    motion_.jacobian.topRows<3>() -= base_motion_.jacobian.topRows<3>();
+    body.frame_jacobian(base_, at_tool_, base_jacobian_);
+    jacobian_.topRows<3>() -= base_jacobian_.topRows<3>();
   }
 
   /// Returns the Jacobian of the relative velocity, 3 x nv, in world axes.
-  auto jacobian() const { return motion_.jacobian.topRows<3>(); }
+  auto jacobian() const { return jacobian_.topRows<3>(); }
   /// Returns the relative velocity at the state of `body`, in world axes [m/s].
   Eigen::Vector3d velocity(const RigidBody& body) const {
-    Eigen::Vector3d v = body.velocity(tool_, Reference::centered()).head<3>();
+    Eigen::Vector3d v = body.velocity(tool_, centered_).head<3>();
     if (base_ >= 0) v -= body.velocity(base_, at_tool_).head<3>();
     return v;
   }
 
  private:
-  int tool_, base_;  ///< Frames of the robot; base_ is -1 for the world.
-  Reference at_tool_;
-  FrameDerivatives motion_, base_motion_;
+  int tool_, base_;               ///< Frames of the robot; base_ is -1 for the world.
+  Reference centered_, at_tool_;  ///< Stored, because their construction takes time.
+  RowMatrix jacobian_, base_jacobian_;
 };
 
 }  // namespace burnish

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "burnish/estimate/base_estimator.hpp"
 #include "burnish/estimate/foot_contacts.hpp"
 #include "burnish/estimate/guarded_base.hpp"
-#include "burnish/mpc/controller.hpp"
+#include "burnish/estimate/measurement.hpp"
 
 namespace burnish {
 
@@ -23,9 +24,8 @@ namespace burnish {
 /// silent or wrong, the base is estimated from the feet alone. update() does not throw, and
 /// allocates only when columns of other supports first appear.
 ///
-/// The computed foot forces do not account for a payload set with MpcController::set_payload(). A
-/// controller therefore accepts either a payload or measurements of an EstimatedBase, not both. To
-/// use both, put the payload into the model with with_payload().
+/// Set each payload of the controller here, too; ClosedLoop::set_payload() does both. While the
+/// masses differ, the controller reports NotPhysical in Command::status and holds the robot.
 class EstimatedBase {
  public:
   /// Throws Error in the same cases as the constructors of BaseEstimator and FootContacts.
@@ -41,6 +41,10 @@ class EstimatedBase {
   /// nothing; otherwise returns Ok.
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v,
                BaseEstimator::Feet standing = ~BaseEstimator::Feet{0}) noexcept;
+
+  /// Sets the payload that the robot carries at a frame. Does not allocate. reset() keeps the
+  /// payload. Returns and throws as ContactDynamics::set_payload() does.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
   /// Returns the measurement with the base's entries of q and v replaced by estimates. The first
   /// call after reset() only records the time. If a measurement cannot be used, the estimate of the

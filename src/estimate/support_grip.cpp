@@ -1,10 +1,8 @@
-#include "mpc/support_grip.hpp"
+#include "estimate/support_grip.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "mpc/closed_dynamics.hpp"
-#include "mpc/ground_terms.hpp"
+#include <limits>
 
 namespace burnish {
 namespace {
@@ -19,23 +17,12 @@ double low_pass_weight(double dt, double over) {
 
 }  // namespace
 
-SupportGrip::SupportGrip(const MpcSpec& spec)
-    : options_(spec.slip),
-      allowed_(spec.limits.support_slip),
-      up_(-spec.problem.model.gravity.normalized()) {
-  const RigidBody body(spec.problem.model);
-  for (const ContactSpec& contact : supports_of(spec)) {
-    Support support{};
-    support.name = contact.name;
-    support.frame = body.frame(contact.tool);
-    const auto at = std::find(spec.supports.begin(), spec.supports.end(), contact.name);
-    support.sensor = spec.support_sensors ? static_cast<int>(at - spec.supports.begin()) : -1;
-    const GroundFigures figures = ground_figures(spec.problem, contact.name);
-    support.cone = figures.friction;
-    support.half_x = figures.half_x;
-    support.half_y = figures.half_y;
-    supports_.push_back(support);
-  }
+SupportGrip::SupportGrip(const Model& model, const std::vector<GripSpec>& supports,
+                         const SlipOptions& options)
+    : options_(options), up_(-model.gravity.normalized()) {
+  const RigidBody body(model);
+  for (const GripSpec& support : supports)
+    supports_.push_back({support, body.frame(support.frame), Eigen::Vector3d::Zero(), 0.0, 0.0});
   friction_.resize(static_cast<Eigen::Index>(supports_.size()));
   reset();
 }
@@ -44,26 +31,20 @@ void SupportGrip::reset() noexcept {
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     supports_[i].speed = supports_[i].distance = 0.0;
     supports_[i].slid.setZero();
-    friction_[static_cast<Eigen::Index>(i)] = supports_[i].cone;
+    friction_[static_cast<Eigen::Index>(i)] = supports_[i].friction;
   }
-}
-
-std::size_t SupportGrip::longest_name() const {
-  std::size_t max_length = 0;
-  for (const Support& support : supports_) max_length = std::max(max_length, support.name.size());
-  return max_length;
 }
 
 /// Updates displacement and speed of a support along the ground. For a spherical foot, uses the
 /// lowest point of the sphere.
-void SupportGrip::follow(Support& support, const MeasurementGate& gate) const noexcept {
+void SupportGrip::follow(Support& support, const RigidBody& body, double dt) const noexcept {
   constexpr double memory = 1.0, brief = 5e-3;  // time constants of displacement and speed [s]
-  const Vector6 v = gate.body().velocity(support.frame, Reference::centered());
+  const Vector6 v = body.velocity(support.index, centered_);
   Eigen::Vector3d slides = v.head<3>() - options_.radius * v.tail<3>().cross(up_);
   slides -= up_ * up_.dot(slides);
-  support.slid += gate.dt() * slides - low_pass_weight(gate.dt(), memory) * support.slid;
+  support.slid += dt * slides - low_pass_weight(dt, memory) * support.slid;
   support.distance = support.slid.norm();
-  support.speed += low_pass_weight(gate.dt(), brief) * (slides.norm() - support.speed);
+  support.speed += low_pass_weight(dt, brief) * (slides.norm() - support.speed);
 }
 
 /// Returns the coefficient of friction that the measured wrench requires, due to forces along the
@@ -89,13 +70,13 @@ double SupportGrip::required_friction(const Support& support,
   return required;
 }
 
-void SupportGrip::update_friction(const Support& support, const MeasurementGate& gate,
-                                  double& friction) const noexcept {
-  const double dt = gate.dt();
-  const Eigen::Matrix3d R = gate.body().placement(support.frame).linear();
+double SupportGrip::updated_friction(const Support& support, const RigidBody& body,
+                                     const Measurement& measurement, double dt,
+                                     double friction) const noexcept {
+  const Eigen::Matrix3d R = body.placement(support.index).linear();
   double load = infinite, slip_friction = 0.0, easing = 2.0 * options_.easing;
   if (support.sensor >= 0) {
-    const auto wrench = gate.last().support_wrenches.col(support.sensor);
+    const auto wrench = measurement.support_wrenches.col(support.sensor);
     load = up_.dot(R * wrench.head<3>());
     if (load > options_.load)
       slip_friction = options_.friction_fraction * required_friction(support, wrench, R, load);
@@ -106,23 +87,18 @@ void SupportGrip::update_friction(const Support& support, const MeasurementGate&
   if (slips)
     friction += low_pass_weight(dt, easing) * (std::min(friction, slip_friction) - friction);
   else
-    friction = std::min(support.cone, friction + options_.recovery * dt);
-  friction = std::max(friction, std::min(support.cone, options_.min_friction));
+    friction = std::min(support.friction, friction + options_.recovery * dt);
+  return std::max(friction, std::min(support.friction, options_.min_friction));
 }
 
-void SupportGrip::update(const MeasurementGate& gate) noexcept {
+void SupportGrip::update(const RigidBody& body, const Measurement& measurement,
+                         double dt) noexcept {
   for (std::size_t i = 0; i < supports_.size(); ++i) {
-    follow(supports_[i], gate);
-    if (options_.enabled && std::isfinite(supports_[i].cone))
-      update_friction(supports_[i], gate, friction_[static_cast<Eigen::Index>(i)]);
+    follow(supports_[i], body, dt);
+    double& friction = friction_[static_cast<Eigen::Index>(i)];
+    if (options_.enabled && std::isfinite(supports_[i].friction))
+      friction = updated_friction(supports_[i], body, measurement, dt, friction);
   }
-}
-
-void SupportGrip::watch(double now, FaultLatch& latch) const noexcept {
-  for (const Support& support : supports_)
-    if (support.distance > allowed_ &&
-        latch.raise(now, FaultKind::SupportSlipped, support.distance, allowed_))
-      latch.report.quantity = support.name;  // does not allocate: memory is reserved
 }
 
 }  // namespace burnish

@@ -1,15 +1,32 @@
 // Tests of the values to which the model error estimates converge, mostly on an arm at rest.
-#include "mpc/error_estimate.hpp"
+#include "estimate/error_estimate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/decomposition.hpp"
+#include "mpc/estimator_specs.hpp"
+#include "mpc/measurement_gate.hpp"
 #include "support/toy_task.hpp"
 
 namespace burnish::test {
 namespace {
+
+ErrorEstimate estimate_of(const MpcSpec& spec) {
+  return ErrorEstimate(error_estimate_spec(spec), MeasurementGate(spec).state());
+}
+
+void update(ErrorEstimate& estimate, MeasurementGate& gate, double target,
+            const Eigen::VectorXd& acted, int stage) {
+  estimate.update(gate.state(), {.measurement = gate.last(),
+                                 .dt = gate.dt(),
+                                 .target_force = target,
+                                 .sent = acted,
+                                 .stage = stage,
+                                 .schedule_time = gate.now(),
+                                 .waits = false});
+}
 
 /// Arm that presses on a floor without moving.
 struct Pressing {
@@ -31,12 +48,11 @@ struct Pressing {
     MeasurementGate gate(spec);
     FaultLatch latch;
     Status status = Status::Ok;
-    const Command command{.tau = tau, .target_force = target};
     for (int tick = 0; tick < 1000; ++tick) {
       m.time = 1e-3 * tick;
       m.tau = tau;
       gate.take(m, latch, status);
-      estimate.update(gate, command, tau, stage, m.time, false);
+      update(estimate, gate, target, tau, stage);
     }
     ASSERT_FALSE(latch.is_set());
   }
@@ -51,7 +67,7 @@ struct Pressing {
 
 TEST(ErrorEstimate, UnexplainedTorque_IsTheTorqueError) {
   Pressing arm(ModelErrorKind::Torque);
-  ErrorEstimate estimate(arm.spec);
+  ErrorEstimate estimate = estimate_of(arm.spec);
   const Eigen::VectorXd missing = Eigen::VectorXd::LinSpaced(7, -0.5, 0.7);
   arm.m.tool_force_world = {0.0, 0.0, 20.0};
   arm.rest(estimate, arm.against(arm.m.tool_force_world) - missing, 20.0);
@@ -68,7 +84,7 @@ TEST(ErrorEstimate, ForceDeviation_IsFedBackUpToItsLimit) {
   arm.m.tool_force_world = {1.0, -2.0, 22.0};
   const Eigen::VectorXd tau = arm.against(arm.m.tool_force_world);
   const Eigen::VectorXd normal = arm.jacobian.transpose() * Eigen::Vector3d::UnitZ();
-  ErrorEstimate estimate(arm.spec);
+  ErrorEstimate estimate = estimate_of(arm.spec);
   const auto pushed = [&](double target) {
     arm.rest(estimate, tau, target);
     return estimate.force_feedback();
@@ -89,13 +105,13 @@ TEST(ErrorEstimate, FrictionTorque_ScalesWithTheTargetForce) {
   const Eigen::VectorXd tau = arm.against(arm.m.tool_force_world);
   const Eigen::VectorXd friction = arm.jacobian.transpose() * Eigen::Vector3d(5.0, -2.0, 0.0);
   for (const double target : {0.0, 20.0, 40.0}) {
-    ErrorEstimate estimate(arm.spec);
+    ErrorEstimate estimate = estimate_of(arm.spec);
     arm.rest(estimate, tau, target);
     EXPECT_LT((estimate.torque_error() - target / 20.0 * friction).norm(), 1e-3) << target;
   }
   // Below the contact threshold, the estimator assumes no contact.
   arm.spec.contact_threshold = 21.0;
-  ErrorEstimate estimate(arm.spec);
+  ErrorEstimate estimate = estimate_of(arm.spec);
   arm.rest(estimate, tau, 40.0);
   EXPECT_LT(estimate.torque_error().norm(), 1e-3);
 }
@@ -110,7 +126,7 @@ TEST(ErrorEstimate, PredictedSliding_TurnsTheFrictionWithTheMotion) {
   /// compensated friction when torques act, as a fraction of the friction. `sign` 1 opposes the
   /// motion.
   const auto friction_error = [&](bool predicted, double speed, double sign) {
-    ErrorEstimate estimate(arm.spec);
+    ErrorEstimate estimate = estimate_of(arm.spec);
     MeasurementGate gate(arm.spec);
     FaultLatch latch;
     Status status = Status::Ok;
@@ -125,7 +141,7 @@ TEST(ErrorEstimate, PredictedSliding_TurnsTheFrictionWithTheMotion) {
       const double ahead =
           estimate.joint_friction().lead() + arm.spec.solver_delay + 0.5 * arm.spec.update_period;
       if (predicted) estimate.foresee(least_squares(arm.jacobian, speed * direction(t + ahead)));
-      estimate.update(gate, {.tau = arm.m.tau, .target_force = 20.0}, arm.m.tau, 0, t, false);
+      update(estimate, gate, 20.0, arm.m.tau, 0);
     }
     EXPECT_FALSE(latch.is_set());
     const Eigen::Vector3d compensated =
@@ -145,7 +161,7 @@ TEST(ErrorEstimate, UnpredictedForce_IsTheForceError) {
   Pressing arm(ModelErrorKind::Force);
   const Eigen::VectorXd tau = arm.against({0.0, 0.0, 20.0});
   arm.m.tool_force_world = {0.0, 0.0, 26.0};
-  ErrorEstimate estimate(arm.spec);
+  ErrorEstimate estimate = estimate_of(arm.spec);
   arm.rest(estimate, tau, 20.0);
   EXPECT_NEAR(estimate.force_error(), 6.0, 1e-3);
   EXPECT_NEAR(estimate.force_world().z(), 20.0, 1e-3);

@@ -1,0 +1,37 @@
+// Estimate of the force at the tool without a force sensor, from torques, positions and velocities.
+#pragma once
+
+#include "estimate/error_observer.hpp"
+
+namespace burnish {
+
+/// Estimate that separates the force f at the tool from the model error d in M a + b = tau + d +
+/// J^T f. An observer estimates the sum s = d + J^T f. In free air, f is zero, and the mean of s is
+/// stored. During contact, f minimizes |J^T f - (s - mean)|. model_error() is s - J^T f.
+class FeltForce {
+ public:
+  /// `supports`: contacts of `state` that always hold the robot. `touch`: force above which
+  /// d is not updated, although the stage is in free air [N].
+  FeltForce(const Model& model, const ModelErrorOptions& options, const RobotState& state,
+            const std::vector<ContactSpec>& supports, double touch);
+
+  void reset() noexcept;
+  /// Updates the estimate, `dt` [s] after the previous call. If the dynamics cannot be evaluated,
+  /// the estimate stays unchanged. `acted`: torques that act according to the torque model (nv).
+  /// `free`: true if the tool has no contact in the stage.
+  void update(RobotState& state, const Eigen::VectorXd& acted, double dt, bool free) noexcept;
+
+  const Eigen::Vector3d& force_world() const { return force_; }  ///< Force at the tool [N].
+  /// Model error d, nv [Nm or N].
+  const Eigen::VectorXd& model_error() const { return model_error_; }
+  double bandwidth() const { return observer_.bandwidth(); }  ///< Observer bandwidth [rad/s].
+
+ private:
+  ErrorObserver observer_;
+  double touch_;  ///< See the constructor [N].
+  Eigen::VectorXd air_, rest_, model_error_;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  double learned_for_ = 0.0;  ///< Averaging time of d so far [s].
+};
+
+}  // namespace burnish

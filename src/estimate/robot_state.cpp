@@ -1,0 +1,81 @@
+#include "estimate/robot_state.hpp"
+
+#include <algorithm>
+
+#include "base/to_size.hpp"
+#include "burnish/contact/loops.hpp"
+#include "contact/compiled_contact.hpp"
+
+namespace burnish {
+namespace {
+
+std::vector<ContactSpec> without_gains(std::vector<ContactSpec> contacts) {
+  for (ContactSpec& contact : contacts) contact.with_gains(0.0, 0.0);
+  return contacts;
+}
+
+}  // namespace
+
+RobotState::RobotState(const Model& model, std::vector<ContactSpec> contacts,
+                       const std::string& tool, const std::string& surface_frame)
+    : body_(model),
+      // A small regularization allows singular postures.
+      dynamics_(model, without_gains(std::move(contacts)), {.mu = 1e-9}),
+      tool_(body_, tool, surface_frame),
+      q_(model.q_neutral),
+      v_(Eigen::VectorXd::Zero(model.nv)) {
+  for (const CompiledContact& contact : dynamics_.contacts().contacts())
+    is_loop_.push_back(is_loop(model, contact.spec) ? 1 : 0);
+}
+
+Status RobotState::update(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
+  const Status status = body_.update(q, v);
+  if (!is_usable(status)) return status;
+  q_ = q;
+  v_ = v;
+  has_tool_ = has_dynamics_ = false;
+  return status;
+}
+
+Status RobotState::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  const Status status = dynamics_.set_payload(frame, payload);
+  if (status != Status::Ok) return status;
+  has_dynamics_ = false;
+  return body_.set_payload(frame, payload);
+}
+
+const ToolMotion& RobotState::tool() noexcept {
+  if (!has_tool_) tool_.update(body_);
+  has_tool_ = true;
+  return tool_;
+}
+
+void RobotState::activate(const ActiveContacts& active) noexcept {
+  for (int c = 0; c < static_cast<int>(active.size()); ++c) {
+    const bool is_active = active[to_size(c)] != 0;
+    if (dynamics_.is_active(c) != is_active) dynamics_.set_active(c, is_active);
+  }
+}
+
+Status RobotState::forward(const ActiveContacts& active, const ConstVectorRef& tau) noexcept {
+  activate(active);
+  if (has_dynamics_) return dynamics_.forward(tau);
+  has_dynamics_ = true;
+  return dynamics_.forward(q_, v_, tau);
+}
+
+Status RobotState::forward_at(const ConstVectorRef& q, const ConstVectorRef& v,
+                              const ActiveContacts& active, const ConstVectorRef& tau) noexcept {
+  has_dynamics_ = false;
+  activate(active);
+  return dynamics_.forward(q, v, tau);
+}
+
+RobotState::ActiveContacts RobotState::active_in(const std::vector<ContactSpec>& contacts) const {
+  ActiveContacts active = is_loop_;
+  for (const ContactSpec& contact : contacts)
+    active[to_size(dynamics_.contacts().index(contact.name))] = 1;
+  return active;
+}
+
+}  // namespace burnish
