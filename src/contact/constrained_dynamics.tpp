@@ -333,12 +333,13 @@ bool ConstrainedDynamics<S>::jams(int contact, int lane) const {
 
 template <class S>
 void ConstrainedDynamics<S>::factorize_once() {
+  if (has_delassus_) return;
   if (!has_mass_factor_) {
-    mark(factorize(tree_, kinematics_, mass_), Status::SingularMass, motion_status_);
+    const auto singular = factorize(tree_, kinematics_, mass_);
+    mark(singular, Status::SingularMass, motion_status_);
+    mark(singular, Status::SingularMass, state_status_);
     has_mass_factor_ = true;
   }
-  if (has_delassus_) return;
-  state_status_ = motion_status_;
   mark(update_delassus(tree_, set_, active_, contact_states, mass_, solver_.mu, delassus_),
        Status::SingularContacts, state_status_);
   has_delassus_ = true;
