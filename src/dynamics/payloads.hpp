@@ -31,8 +31,10 @@ class Payloads {
   /// Calls visit(frame, payload) for each body whose payload was set since the last hand_over(),
   /// with its newest payload. A removed payload has mass 0.
   void hand_over(const auto& visit) {
-    for (Body& body : bodies_)
-      if (body.is_new) visit(body.frame, body.payload), body.is_new = false;
+    for (Body& body : bodies_) {
+      if (body.is_new) visit(body.frame, body.payload);
+      body.is_new = false;
+    }
   }
 
  private:

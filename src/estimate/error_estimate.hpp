@@ -13,8 +13,8 @@ namespace burnish {
 struct ErrorEstimateSpec {
   Model model;
   ModelErrorOptions options;
-  std::optional<double>
-      torque_cutoff;  ///< Cutoff of the torque model's filter [rad/s]; none: no filter.
+  /// Cutoff of the torque model's filter; none: no filter [rad/s].
+  std::optional<double> torque_cutoff;
   /// Initial unit normal of the surface in world axes, until set_surface() or set_normal().
   Eigen::Vector3d normal_world;
   double contact_threshold;           ///< Normal force above which the tool is in contact [N].

@@ -1,6 +1,6 @@
 #include "estimate/robot_state.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
@@ -59,9 +59,9 @@ void RobotState::activate(const ActiveContacts& active) noexcept {
 
 Status RobotState::forward(const ActiveContacts& active, const ConstVectorRef& tau) noexcept {
   activate(active);
-  if (has_dynamics_) return dynamics_.forward(tau);
+  if (!has_dynamics_) (void)dynamics_.update(q_, v_);  // forward() returns its status
   has_dynamics_ = true;
-  return dynamics_.forward(q_, v_, tau);
+  return dynamics_.forward(tau);
 }
 
 Status RobotState::forward_at(const ConstVectorRef& q, const ConstVectorRef& v,

@@ -33,6 +33,7 @@ class SupportGrip {
   /// Returns the coefficient of friction that plans use, per support; infinite if the support has
   /// no friction cone.
   const Eigen::VectorXd& friction() const { return friction_; }
+  /// Support with its recent sliding.
   struct Support : GripSpec {
     int index;             ///< Index of the frame.
     Eigen::Vector3d slid;  ///< Recent displacement along the ground, in world axes [m].

@@ -56,8 +56,8 @@ class HomeController final : public Controller {
 
   int nv() const override { return tree_.nv; }
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
-    const Status status = dynamics_.set_payload(frame, payload);
-    return status == Status::Ok ? then_.set_payload(frame, payload) : status;
+    const Status status = then_.set_payload(frame, payload);
+    return status == Status::Ok ? dynamics_.set_payload(frame, payload) : status;
   }
   void reset() noexcept override {
     then_.reset();

@@ -98,7 +98,8 @@ class ContactDynamics {
   /// Computes joint accelerations and contact forces from `q` (nq), `v` (nv) and the joint torques
   /// `tau` (nv) [Nm or N]. Fills a(), lambda(), mass_matrix(), bias() and jacobian().
   Status forward(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau);
-  /// Loads the state `q` (nq), `v` (nv), and fills mass_matrix(), bias() and jacobian().
+  /// Loads the state `q` (nq), `v` (nv), and fills mass_matrix(), bias() and jacobian(). Returns
+  /// Ok, WrongSize, NotFinite or NotNormalized.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v);
   /// Computes joint accelerations and contact forces at the last loaded state, without computing
   /// kinematics and mass matrix again. Active contacts, references, surfaces and friction may have

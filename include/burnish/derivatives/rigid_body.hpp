@@ -96,7 +96,8 @@ class RigidBody {
   Vector6 velocity(int frame, const Reference& reference) const;
   /// Returns the time derivative of velocity() [m/s^2, rad/s^2].
   Vector6 acceleration(int frame, const Reference& reference) const;
-  /// Computes d(velocity)/dv of a frame, 6 x nv, linear rows first. `out` is resized on first use.
+  /// Computes d(velocity)/dv of a frame, 6 x nv, linear rows first, written in `reference`. `out`
+  /// is resized on first use. Throws Error in the same cases as velocity().
   void frame_jacobian(int frame, const Reference& reference, RowMatrix& out) const;
   void frame_derivatives(int frame, const Reference& reference, FrameDerivatives& out) const;
   /// Returns the pose error of a frame relative to the pose `target`: the SE(3) logarithm of the
