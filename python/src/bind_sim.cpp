@@ -578,8 +578,27 @@ void bind_between(py::module_& m) {
           "step.");
 }
 
+void bind_loop_views(py::class_<BoundLoop>& loop) {
+  loop.def_property_readonly(
+          "trace", [](BoundLoop& self) -> const Trace& { return self.loop().trace(); },
+          py::return_value_policy::reference_internal,
+          "Record of the run, in the memory of the loop. It grows with the run, and reset() "
+          "empties it. copy.copy(loop.trace) copies it.")
+      .def_property_readonly(
+          "actuation", [](BoundLoop& self) -> const Actuation& { return self.loop().actuation(); },
+          py::return_value_policy::copy, "Actuation, a copy.")
+      .def_property_readonly(
+          "measurement", [](BoundLoop& self) { return self.loop().measurement(); },
+          "Measurement of the last tick.")
+      .def_property_readonly(
+          "command", [](BoundLoop& self) { return self.loop().command(); },
+          "Command of the last tick.")
+      .def_property_readonly("plant", &BoundLoop::plant, "Plant of the loop.")
+      .def_property_readonly("controller", &BoundLoop::controller, "Controller of the loop.");
+}
+
 void bind_loop(py::module_& m) {
-  py::class_<BoundLoop>(
+  py::class_<BoundLoop> loop(
       m, "ClosedLoop",
       "Closed loop of a controller and a plant, with disturbances between them and a record of "
       "the run.\n"
@@ -588,8 +607,8 @@ void bind_loop(py::module_& m) {
       "during the period. Plants and controllers are those of the library, or subclasses of "
       "burnish.Plant and burnish.Controller, or objects with their attributes. reset(), step() "
       "and run() raise the exceptions of these objects. The loop does not apply disturbances of "
-      "model and scene: make the plant with plant_model() and plant_scene().")
-      .def(py::init([](py::object plant, py::object controller,
+      "model and scene: make the plant with plant_model() and plant_scene().");
+  loop.def(py::init([](py::object plant, py::object controller,
                        const std::optional<Disturbances>& disturbances,
                        const std::optional<ClosedLoopOptions>& options) {
              return std::make_unique<BoundLoop>(std::move(plant), std::move(controller),
@@ -620,25 +639,10 @@ void bind_loop(py::module_& m) {
       .def("step", &BoundLoop::step,
            "Makes one step of the plant. Raises EvaluationError if the plant fails.")
       .def("run", &BoundLoop::run, py::arg("duration"), loop_run_doc)
-      .def_property_readonly(
-          "trace", [](BoundLoop& self) -> const Trace& { return self.loop().trace(); },
-          py::return_value_policy::reference_internal,
-          "Record of the run, in the memory of the loop. It grows with the run, and reset() "
-          "empties it. copy.copy(loop.trace) copies it.")
-      .def_property_readonly(
-          "actuation", [](BoundLoop& self) -> const Actuation& { return self.loop().actuation(); },
-          py::return_value_policy::copy, "Actuation, a copy.")
-      .def_property_readonly(
-          "measurement", [](BoundLoop& self) { return self.loop().measurement(); },
-          "Measurement of the last tick.")
-      .def_property_readonly(
-          "command", [](BoundLoop& self) { return self.loop().command(); },
-          "Command of the last tick.")
-      .def_property_readonly("plant", &BoundLoop::plant, "Plant of the loop.")
-      .def_property_readonly("controller", &BoundLoop::controller, "Controller of the loop.")
       .def("__repr__", [](BoundLoop& self) {
         return "<ClosedLoop: " + std::to_string(self.loop().trace().rows()) + " rows recorded>";
       });
+  bind_loop_views(loop);
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 namespace burnish {
 
 struct TorqueErrorObserver::Impl {
+  Impl(RobotState robot, ErrorObserver errors)
+      : state(std::move(robot)), observer(std::move(errors)) {}
+
   RobotState state;
   ErrorObserver observer;
 };
