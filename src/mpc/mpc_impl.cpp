@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
@@ -101,7 +102,8 @@ Status MpcController::Impl::set_payload(std::string_view frame, const InertiaSpe
 
 void MpcController::Impl::reset() noexcept {
   await_plan();
-  is_making_ = false;
+  life_.reset();
+  next_ = {};
   expected_ = spec.solver_delay;
   busy_until_ = -std::numeric_limits<double>::infinity();
   surface_.reset();
@@ -122,7 +124,6 @@ void MpcController::Impl::reset() noexcept {
   thrown = nullptr;
   solver.forget_limits();
   tick_ = 0;
-  due_ = solved_ = warm_ = jumped_ = false;
   horizon.forget_surface();
   command_ = Command{std::move(command_.tau)};
   command_.normal_world = spec.normal_base;
@@ -135,8 +136,9 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   command_.missed_deadline = false;
   command_.clipped_torques = 0;
   command_.status = Status::Ok;
-  due_ = due_ || tick_ % ticks_per_update_ == 0;
+  next_.due = next_.due || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
+  if (fault.is_set()) life_.raise_fault();
   constexpr double rounding = 1e-9;  // of sums of masses [kg]
   const bool payload_conflict =
       m.base_is_estimated && !(std::abs(m.base_payload - payloads_.mass()) <= rounding);
@@ -145,7 +147,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   if (gate.is_fresh()) motors_.look(gate, ahead_.sent());
   if (gate.is_fresh() && !fault.is_set() && !payload_conflict && has_settled())
     process_measurement();
-  const bool controls = !fault.is_set() && solved_ && !payload_conflict;
+  const bool controls = life_.follows() && !payload_conflict;
   if (controls) {
     control();
   } else {
@@ -185,16 +187,16 @@ void MpcController::Impl::process_measurement() noexcept {
   command_.friction = error.friction();
   // Until a thread has computed the first plan, the fallback holds the robot, and the clock of the
   // schedule stands still.
-  const bool begins = solved_ || !is_making_;
-  if (!gate.is_first() && begins && schedule.advance(gate.dt(), happened)) jumped_ = true;
+  const bool clock_runs = life_.state() != PlanLife::State::FirstPlan;
+  if (!gate.is_first() && clock_runs && schedule.advance(gate.dt(), happened)) next_.jumped = true;
   watch(view);
-  if (is_making_ && !planner_->is_busy()) finish_plan();
+  if (life_.is_making() && !planner_->is_busy()) finish_plan();
   policy.take_over(acting_time());
   // Starts no plan while a finished plan waits to come into use. A new plan would replace the
   // waiting one, which would then never be used.
-  const bool is_free = !is_making_ && gate.now() >= busy_until_ &&
-                       (spec.timing == PlanTiming::Fixed || !policy.waits());
-  if (!fault.is_set() && due_ && is_free) update();
+  const bool is_free =
+      gate.now() >= busy_until_ && (spec.timing == PlanTiming::Fixed || !policy.waits());
+  if (life_.can_begin() && next_.due && is_free) update();
 }
 
 /// Rotates the normal with the frame that carries the surface.
@@ -225,9 +227,8 @@ void MpcController::Impl::update_surface() noexcept {
 }
 
 void MpcController::Impl::update() noexcept {
-  due_ = false;
   const bool is_ready = prepare_plan();
-  is_making_ = true;
+  life_.begin();
   if (is_ready && planner_) {
     planner_->start();
     return;
@@ -236,7 +237,8 @@ void MpcController::Impl::update() noexcept {
   finish_plan();
 }
 
-/// Sets the inputs of a plan. Returns false if the problem rejects the torque error.
+/// Sets the request and the inputs of a plan. Returns false if the problem rejects the torque
+/// error.
 bool MpcController::Impl::prepare_plan() noexcept {
   // Rounds delays to ticks, because a plan that is computed within a tick comes into use at a tick.
   // A thread's plan that is finished late comes into use immediately; waiting for a tick would make
@@ -246,12 +248,12 @@ bool MpcController::Impl::prepare_plan() noexcept {
                                                          : std::ceil(exact - 0.01);
   const double expected =
       spec.timing == PlanTiming::Fixed ? spec.solver_delay : ticks * spec.tick_period;
-  making_ = Making{.now = gate.now(),
-                   .schedule_time = schedule.time() + ahead_.lead(),
-                   .delay = solved_ ? expected : 0.0,
-                   .first = !solved_,
-                   .jumped = jumped_};
-  jumped_ = false;
+  request_ = std::exchange(next_, {});
+  request_.first = !life_.follows();
+  request_.now = gate.now();
+  request_.schedule_time = schedule.time() + ahead_.lead();
+  request_.delay = request_.first ? 0.0 : expected;
+  result_ = {.warm = request_.warm};
   // The payloads were accepted by set_payload().
   payloads_.hand_over([&](std::string_view frame, const InertiaSpec& payload) {
     (void)problem.set_payload(frame, payload);
@@ -262,7 +264,7 @@ bool MpcController::Impl::prepare_plan() noexcept {
   horizon.set_force_error(error.force_error());
   if (surface_) horizon.set_surface(*surface_, depth_);
   x_plan_ = acting_state();
-  if (!warm_) compute_rest_control();
+  if (!request_.warm) compute_rest_control();
   return spec.model_error.kind != ModelErrorKind::Torque || set_torque_error();
 }
 
@@ -276,26 +278,26 @@ void MpcController::Impl::compute_rest_control() noexcept {
 void MpcController::Impl::make_plan() noexcept {
   const auto began = std::chrono::steady_clock::now();
   try {
-    if (planner_ && making_.delay > 0.0) in_use_.follow(policy);
-    making_.usable = replan();
-    if (making_.usable) policy.fill(solver, horizon.times());
+    if (planner_ && request_.delay > 0.0) in_use_.follow(policy);
+    result_.usable = replan();
+    if (result_.usable) policy.fill(solver, horizon.times());
   } catch (...) {
     // A function of the specification threw an exception, so this tick gives no plan.
-    making_.thrown = std::current_exception();
-    warm_ = false;
+    result_.thrown = std::current_exception();
+    result_.warm = false;
   }
-  making_.took = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  result_.took = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
 /// Computes a plan that starts at the measured state, or at a state predicted from it. Returns
 /// false if the plan is not usable.
 bool MpcController::Impl::replan() {
-  const double delay = making_.delay;
+  const double delay = request_.delay;
   // If the prediction fails, the plan starts at the measured state.
   if (delay > 0.0)
     (void)prediction_.advance(problem, horizon, planner_ ? in_use_ : policy,
-                              making_.now + ahead_.lead(), making_.schedule_time, delay, x_plan_);
-  if (!solve(making_.schedule_time + delay)) return false;
+                              request_.now + ahead_.lead(), request_.schedule_time, delay, x_plan_);
+  if (!solve(request_.schedule_time + delay)) return false;
   const StateLayout& layout = problem.layout();
   const double at =
       std::min(horizon.times().place(error.joint_friction().lead()), problem.knots() - 1e-9);
@@ -307,11 +309,12 @@ bool MpcController::Impl::replan() {
 
 /// Accepts the result of a computed plan, in the first tick after the computation.
 void MpcController::Impl::finish_plan() noexcept {
-  is_making_ = false;
-  const double took = making_.took * (spec.timing == PlanTiming::Measured ? spec.slowdown : 1.0);
+  life_.finish(result_.usable);
+  next_.warm = result_.warm;
+  const double took = result_.took * (spec.timing == PlanTiming::Measured ? spec.slowdown : 1.0);
   command_.solve_time = took;
-  if (making_.thrown && !thrown) thrown = making_.thrown;
-  if (making_.usable) {
+  if (result_.thrown && !thrown) thrown = result_.thrown;
+  if (result_.usable) {
     const DdpSummary& summary = solver.summary();
     command_.iterations = summary.iterations;
     command_.constraint_violation = summary.violation;
@@ -320,27 +323,28 @@ void MpcController::Impl::finish_plan() noexcept {
     command_.constraints_infeasible =
         summary.unsatisfiable_rows > 0 || summary.reason == StopReason::Infeasible;
     // The first plan is computed while the robot is held, so its computing time does not count.
-    const bool takes_time = spec.timing == PlanTiming::Measured && !making_.first;
-    const double done = making_.now + (takes_time ? took : 0.0);
-    const double begin = making_.first ? gate.now() : making_.now + making_.delay;
-    policy.offer(begin + ahead_.lead(), done + ahead_.lead(), making_.now);
+    const bool takes_time = spec.timing == PlanTiming::Measured && !request_.first;
+    const double done = request_.now + (takes_time ? took : 0.0);
+    const double begin = request_.first ? gate.now() : request_.now + request_.delay;
+    policy.offer(begin + ahead_.lead(), done + ahead_.lead(), request_.now);
     error.foresee(v_ahead_);
     if (takes_time) busy_until_ = done - 0.01 * spec.tick_period;
   } else {
     command_.status = worst(command_.status, Status::NotConverged);
-    jumped_ = jumped_ || making_.jumped;
+    next_.jumped = next_.jumped || request_.jumped;
   }
-  solved_ = solved_ || making_.usable;
-  if (!making_.first) {
+  if (!request_.first) {
     constexpr double forgetting = 0.05;  // weight of a new computing time in the moving average
     const bool in_thread = spec.timing == PlanTiming::Thread;
-    const double seen = in_thread ? gate.now() - making_.now : took;
+    const double seen = in_thread ? gate.now() - request_.now : took;
     const double mean = expected_ + forgetting * (seen - expected_);
     expected_ = in_thread ? mean : std::max(seen, mean);
   }
   const bool was_well = !fault.is_set();
-  command_.missed_deadline = plans_.judge(gate.now(), making_.usable, making_.first, took, fault);
-  if (was_well && fault.is_set()) explain_failure();
+  command_.missed_deadline = plans_.judge(gate.now(), result_.usable, request_.first, took, fault);
+  if (!was_well || !fault.is_set()) return;
+  life_.raise_fault();
+  explain_failure();
 }
 
 void MpcController::Impl::await_plan() noexcept {
@@ -358,22 +362,22 @@ bool MpcController::Impl::solve(double schedule_time) {
   horizon.place(schedule_time);
   if (problem.set_initial_state(x_plan_) != Status::Ok) return false;
   int iterations = spec.solver.max_iterations;
-  const bool plain = !making_.first && !making_.jumped && warm_;
-  if (!plain) iterations = making_.first ? spec.first_iterations : spec.jump_iterations;
-  if (warm_) {
+  const bool plain = !request_.first && !request_.jumped && request_.warm;
+  if (!plain) iterations = request_.first ? spec.first_iterations : spec.jump_iterations;
+  if (request_.warm) {
     horizon.guess_shifted(x_plan_, solver, schedule_time);
     horizon.shift_limits(solver, schedule_time);
   } else {
     horizon.guess_rest(x_plan_, u_plan_);
   }
-  warm_ = false;
+  result_.warm = false;
   solver.set_max_iterations(iterations);
   const int max_factorizations = plain ? spec.max_factorizations : spec.first_max_factorizations;
   solver.set_limit_budget(max_factorizations, max_factorizations);
   solver.set_guess({horizon.guess_x().data(), horizon.guess_u().data()});
   const DdpSummary& summary = solver.solve();
   if (!solver.us().allFinite() || !solver.xs().allFinite()) return false;
-  warm_ = true;
+  result_.warm = true;
   horizon.solved_from(schedule_time);
   return summary.reason == StopReason::Converged || summary.reason == StopReason::Infeasible ||
          summary.reason == StopReason::MaxIterations ||

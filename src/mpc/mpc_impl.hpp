@@ -16,6 +16,7 @@
 #include "mpc/holding.hpp"
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
+#include "mpc/plan_life.hpp"
 #include "mpc/prediction.hpp"
 #include "mpc/watch.hpp"
 
@@ -74,26 +75,37 @@ struct MpcController::Impl {
   std::exception_ptr thrown;  ///< First exception thrown by a function of the specification.
 
  private:
-  /// Plan that is being computed, and its result. During the computation, only the computing thread
-  /// may use the problem, the solver, the horizon, the prediction and the policy's next plan. The
-  /// plan in use stays unchanged.
-  struct Making {
+  /// Request of a plan. Ticks set `due` and `jumped`, the previous result sets `warm`, and
+  /// prepare_plan() sets the rest.
+  struct PlanRequest {
+    bool due = false;
+    bool jumped = false;  ///< True if the schedule's clock jumped since the last usable plan.
+    bool warm = false;    ///< True if the solver's last trajectory can be the initial guess.
+    bool first = false;   ///< True if no plan is followed yet.
     /// Time, time of the schedule and assumed delay, for the measurement from which the plan is
     /// computed [s].
     double now = 0.0, schedule_time = 0.0, delay = 0.0;
-    bool first = false, jumped = false;
+  };
+  /// Result of a request.
+  struct PlanResult {
     bool usable = false;
+    bool warm = false;  ///< PlanRequest::warm of the next plan.
     double took = 0.0;  ///< Computing time [s].
     std::exception_ptr thrown = {};
   };
-  Making making_;
+  PlanLife life_;
+  PlanRequest next_;  ///< Request of the next plan, which ticks collect.
+  /// Request of the last plan that was begun, and its result. During the computation, only the
+  /// computing thread may use the result, the problem, the solver, the horizon, the prediction and
+  /// the policy's next plan. Request and plan in use stay unchanged.
+  PlanRequest request_;
+  PlanResult result_;
   Policy in_use_;  ///< Copy of the policy in use when the computation started.
   Payloads payloads_;
   double expected_;  ///< Expected computing time of a plan [s].
   /// With PlanTiming::Measured: simulated time at which the computation of the previous plan ends
   /// [s].
   double busy_until_ = -std::numeric_limits<double>::infinity();
-  bool is_making_ = false;
   std::optional<Quadric> surface_;
   double depth_ = 0.0;
   Prediction prediction_;
@@ -112,13 +124,7 @@ struct MpcController::Impl {
   Eigen::VectorXd x_plan_, u_plan_;
   long tick_ = 0;
   double began_ = 0.0;     ///< Time of the first measurement [s].
-  bool due_ = false;       ///< True if a new plan is due.
   bool is_ahead_ = false;  ///< True if x_ is the predicted state in which this tick's command acts.
-  bool solved_ = false;    ///< True after the first plan.
-  /// True if the solver's last trajectory can be the initial guess of the next solve.
-  bool warm_ = false;
-  /// True if the schedule's clock jumped since the last plan.
-  bool jumped_ = false;
   /// Thread for PlanTiming::Thread. It is the last member, so that it ends before the others are
   /// destroyed.
   std::unique_ptr<BackgroundWork> planner_;

@@ -43,7 +43,9 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
     task->explain(i, clause);
     fault.explain(clause.data());
   }
-  if (fault.is_set()) explain_lag();
+  if (!fault.is_set()) return;
+  life_.raise_fault();
+  explain_lag();
 }
 
 /// Adds a clause about an unexpected delay of torques to the cause of a fault. Such a delay makes
@@ -66,7 +68,7 @@ void MpcController::Impl::explain_failure() noexcept {
                   command_.solve_time, spec.limits.deadline);
     fault.explain(clause);
   } else if (fault.report.kind == FaultKind::SolverFailed) {
-    fault.explain(making_.thrown ? "a function of the specification threw an exception"
+    fault.explain(result_.thrown ? "a function of the specification threw an exception"
                                  : reason_of(solver.summary().reason));
   }
 }

@@ -1,7 +1,12 @@
-// Tests of the calls between a controller and its task, with a toy task.
+// Tests of a controller with a toy task: calls of the task, and when plans begin and end.
 #include "burnish/mpc/task.hpp"
 
 #include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
 
 #include "burnish/mpc/mpc.hpp"
 #include "support/allocation_guard.hpp"
@@ -26,6 +31,11 @@ struct ToyController {
     const Command* command = nullptr;
     for (; m.time < time - 1e-9; m.time = 1e-3 * ++ticks) command = &mpc->tick(m);
     return command != nullptr ? *command : mpc->tick(m);
+  }
+  void reset() {
+    mpc->reset();
+    ticks = 0;
+    m.time = 0.0;
   }
   std::shared_ptr<Toy> toy = std::make_shared<Toy>();
   std::unique_ptr<MpcController> mpc;
@@ -118,6 +128,61 @@ TEST(MpcTask, NoTask_RunsTheScheduleByTime) {
   EXPECT_EQ(mpc.fault().kind, FaultKind::None) << mpc.fault().text();
   EXPECT_EQ(mpc.tick(m).phase, 2);
   EXPECT_EQ(mpc.tick(m).target_force, 0.0);
+}
+
+TEST(MpcPlans, SettleTime_EndsWithTheFirstPlan) {
+  ToyController run([](MpcSpec& spec) { spec.settle = 0.01; });
+  run.tick_to(0.01);  // the last tick is at 0.009 s
+  EXPECT_TRUE(std::isinf(run.mpc->plan_age()));
+  EXPECT_EQ(run.toy->senses, 0);
+  EXPECT_GT(run.tick_to(0.011).iterations, 0);
+  EXPECT_EQ(run.mpc->plan_age(), 0.0);
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << run.mpc->fault().text();
+}
+
+TEST(MpcPlans, FaultWhileAPlanIsFollowed_StopsPlansUntilReset) {
+  ToyController run;
+  const Command first = run.tick_to(0.001);
+  EXPECT_GT(first.iterations, 0);
+  run.tick_to(0.01);
+  run.toy->heat = 2.0;
+  EXPECT_EQ(run.tick_to(0.011).iterations, 0) << "a plan is due, but the fault comes first";
+  run.toy->heat = 0.0;
+  for (int tick = 0; tick < 20; ++tick)
+    EXPECT_EQ(run.tick_to(run.m.time + 1e-3).iterations, 0) << tick;
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::Watched);
+  run.reset();
+  const Command again = run.tick_to(0.001);
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None);
+  EXPECT_EQ(again.iterations, first.iterations);
+  EXPECT_EQ(again.tau, first.tau);
+}
+
+TEST(MpcPlans, FaultWhileAThreadPlans_PlanIsDroppedUntilReset) {
+  std::atomic<bool> may_end = false;
+  ToyController run([&](MpcSpec& spec) {
+    spec.timing = PlanTiming::Thread;
+    spec.solver.callback = [&](const DdpProgress&) {
+      may_end.wait(false);
+      return true;
+    };
+  });
+  run.tick_to(0.003);
+  run.toy->heat = 2.0;
+  run.tick_to(0.004);
+  run.toy->heat = 0.0;
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::Watched);
+  may_end = true;
+  may_end.notify_all();
+  run.tick_to(0.05);
+  EXPECT_TRUE(std::isinf(run.mpc->plan_age()));
+  run.reset();  // possibly while the thread makes the plan
+  for (int tick = 0; tick < 20000 && std::isinf(run.mpc->plan_age()); ++tick) {
+    run.tick_to(run.m.time + 1e-3);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(std::isfinite(run.mpc->plan_age()));
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << run.mpc->fault().text();
 }
 
 TEST(MpcTask, ScheduleWithUnknownEvent_IsRefused) {
