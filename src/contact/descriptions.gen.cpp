@@ -50,7 +50,11 @@ const Description& description_of(const SlidingFriction* /*of*/) {
                  "Radius of a round tool tip [{m}]",
                  {.least = 0})
           .more("Friction acts at the tool's origin shifted by this distance, opposite to the "
-                "normal.");
+                "normal.")
+          .field("coefficient_input", &S::coefficient_input,
+                 "Scalar input of an optimal control problem that replaces `coefficient` (empty: "
+                 "none), at least 0")
+          .more("See InputSpec.");
   return all;
 }
 
@@ -83,7 +87,11 @@ const Description& description_of(const ContactSpec* /*of*/) {
                  "Desired pose of the tool frame C2 in the base frame C1")
           .more("At this pose, the pose error is zero.")
           .field("friction", &S::friction,
-                 "Friction on the tool (none: frictionless)");
+                 "Friction on the tool (none: frictionless)")
+          .field("surface_input", &S::surface_input,
+                 "Surface input of an optimal control problem that replaces the surface of "
+                 "`reference` (empty: none)")
+          .more("The reference must follow a surface. See InputSpec.");
   return all;
 }
 

@@ -113,15 +113,18 @@ double decay_after(const TorqueModel& model, double time) {
 
 /// Adds the rotations, surfaces and friction coefficients of the active contacts to the stage's
 /// targets.
-void place_contacts(const ProblemSpec& spec, const ContactSet& contacts, CompiledStage& stage) {
+void place_contacts(const ProblemSpec& spec, const CompiledProblem& problem, CompiledStage& stage) {
   for (std::size_t c = 0; c < spec.contacts.size(); ++c) {
     if (stage.active[c] == 0) continue;
-    if (const auto& friction = spec.contacts[c].friction)
-      stage.frictions.push_back({friction->coefficient, stage.targets++, static_cast<int>(c)});
+    const ContactSpec& given = problem.contacts.contacts()[c].spec;
+    const int contact = static_cast<int>(c);
+    const int coefficient = given.friction ? stage.targets++ : -1;
+    if (given.friction)
+      stage.frictions.push_back({given.friction->coefficient, coefficient, contact});
     const Reference& reference = spec.contacts[c].reference;
-    add_turning(reference, static_cast<int>(c),
-                "contact " + in_quotes(contacts.contacts()[c].spec.name), stage);
-    add_surface(reference, {.surface = {}, .contact = static_cast<int>(c)}, stage);
+    add_turning(reference, contact, "contact " + in_quotes(given.name), stage);
+    const int surface = add_surface(reference, {.surface = {}, .contact = contact}, stage);
+    problem.inputs.use(given, coefficient, surface, stage);
   }
 }
 
@@ -148,7 +151,7 @@ CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem
   }
   if (given.impact && given.contacts.empty())
     throw Error(place + ": the impact has no contacts; wanted at least one");
-  place_contacts(spec, problem.contacts, stage);
+  place_contacts(spec, problem, stage);
   compile_terms(spec, problem, given.costs, given.constraints, place, stage);
   return stage;
 }
@@ -191,6 +194,7 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
       layout(make_layout(spec)),
       blocks(tangent_blocks(tree)),
       contacts(model, contacts_at(spec.contacts, spec.start_time)),
+      inputs(spec),
       contact_solver(spec.contact_solver),
       torque_model(spec.torque_model),
       torque_bias(to_size(model.nv), 0.0),
@@ -220,10 +224,11 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   if (layout.acts_from_state() && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;
-  place_contacts(spec, contacts, terminal);
+  place_contacts(spec, *this, terminal);
   compile_terms(spec, *this, spec.terminal, spec.terminal_constraints, "terminal", terminal);
   stages.push_back(std::move(terminal));
   check_weights(stages);
+  for (const CompiledStage& stage : stages) inputs.mark_friction(stage);
   find_largest(*this);
 }
 

@@ -141,6 +141,11 @@ void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,
     for (const JacobianBlock& block : term.blocks) term.jacobian_size += block.size();
     term.target = stage.targets;
     stage.targets += term.target_size;
+    try {
+      problem.inputs.use(given, term, builder.surface(), stage);
+    } catch (const Error& error) {
+      builder.refuse(error.what());
+    }
     stage.terms.push_back(std::move(term));
   };
   for (const CostTerm& cost : costs)

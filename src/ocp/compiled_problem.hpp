@@ -1,5 +1,5 @@
-// A compiled ProblemSpec: names are resolved and sizes are fixed. Only the torque bias and the
-// masses of the bodies change after construction.
+// A compiled ProblemSpec: names are resolved and sizes are fixed. Only the torque bias, the
+// masses of the bodies and the values of inputs change after construction.
 #pragma once
 
 #include <optional>
@@ -11,6 +11,7 @@
 #include "burnish/solver/shooting_problem.hpp"
 #include "dynamics/passive.hpp"
 #include "ocp/compiled_residual.hpp"
+#include "ocp/inputs.hpp"
 #include "ocp/knot_time.hpp"
 
 namespace burnish::ocp {
@@ -76,6 +77,7 @@ struct CompiledStage {
   std::vector<CompiledTurning> turnings;
   std::vector<CompiledSurface> surfaces;
   std::vector<CompiledFriction> frictions;
+  std::vector<CompiledUse> uses;             ///< In the order in which they change the targets
   std::vector<CompiledTerm> terms;           ///< Costs, then constraints
   std::size_t costs = 0;                     ///< Number of costs
   std::vector<double> row_lower, row_upper;  ///< Limits of all constraint rows
@@ -120,6 +122,7 @@ struct CompiledProblem {
   StateShape shape;
   std::vector<TangentBlock> blocks;
   ContactSet contacts;
+  Inputs inputs;
   std::vector<ForceState> force_states;
   ContactSolver contact_solver;
   std::optional<TorqueModel> torque_model;
@@ -141,10 +144,11 @@ struct CompiledProblem {
 
 /// Converts a target in the user's form to the target entries of the term.
 void store_target(const CompiledTerm& term, const ConstVectorRef& value, double* out);
-/// Evaluates the signals of a stage at `time` and writes all target entries of the stage to `out`.
-/// A quaternion whose length is not 1 becomes a rotation of NaN. `scratch` has as many entries as
-/// the largest signal, and at least 4.
-void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scratch, double* out);
+/// Evaluates the signals of a stage at `time` and writes all target entries of the stage to `out`,
+/// before any CompiledUse. A quaternion whose length is not 1 becomes a rotation of NaN. `scratch`
+/// has as many entries as the largest signal, and at least 4.
+void load_targets(const CompiledStage& stage, double time, const InputValues& inputs,
+                  Eigen::VectorXd& scratch, double* out);
 /// Writes the surface_size numbers of a surface.
 void store_surface(const Quadric& surface, double* out);
 /// Adds the surface that a reference follows to the stage's targets and returns its first entry; -1

@@ -80,6 +80,41 @@ const Description& description_of(const ProblemReport* /*of*/) {
   return all;
 }
 
+const Words& words_of(InputKind /*of*/) {
+  static const Words all{
+      "ocp",
+      "InputKind",
+      "Kind of value of a problem's input.",
+      {{"scalar", "A number"},
+       {"vector", "Several numbers"},
+       {"rotation", "A unit quaternion x, y, z, w"},
+       {"surface", "A curved surface, and the depth by which it yields along its normal"},
+       {"inertia", "The inertia of a payload that the robot carries at `frame`"}}};
+  return all;
+}
+
+const Description& description_of(const InputSpec* /*of*/) {
+  using S = InputSpec;
+  static const Description all =
+      Describe<S>("ocp", "InputSpec",
+                  "Input of a problem: a named value to which costs, constraints and contacts "
+                  "refer. Estimators and tasks set the value between solves. An input changes "
+                  "values only: terms, rows and contacts stay the same.")
+          .field("name", &S::name,
+                 "Unique name")
+          .required()
+          .field("kind", &S::kind)
+          .field("value", &S::value,
+                 "Value of the input until Problem::set_input() sets one, constant or over time; "
+                 "empty: none")
+          .more("While a scalar, a rotation, a surface or an inertia has no value, its uses keep "
+                "the values of the specification. A vector needs a value, which defines its "
+                "number of entries")
+          .field("frame", &S::frame,
+                 "Frame of the robot that carries the payload; only for an inertia");
+  return all;
+}
+
 const Description& description_of(const StateLayout* /*of*/) {
   using S = StateLayout;
   static const Description all =
@@ -173,7 +208,21 @@ const Description& description_of(const CostTerm* /*of*/) {
           .field("weights", &S::weights,
                  "Weights of the rows, not negative; empty: 1 for every row")
           .field("penalty", &S::penalty,
-                 "Penalty of each row; empty: a square, or the default penalty of the residual");
+                 "Penalty of each row; empty: a square, or the default penalty of the residual")
+          .field("offset_input", &S::offset_input,
+                 "Input that is added to the target (empty: none): a scalar or a vector with the "
+                 "target's entries, or a rotation by which the target rotation is turned in its "
+                 "own axes")
+          .field("friction_ratio_input", &S::friction_ratio_input,
+                 "Scalar input that multiplies the coefficient of friction (empty: none), at "
+                 "least 0")
+          .more("Values above 1 count as 1. For friction cones and centres of pressure with "
+                "friction")
+          .field("surface_input", &S::surface_input,
+                 "Surface input (empty: none): it replaces the surface of the residual's "
+                 "reference")
+          .more("A residual without a curved reference needs a target position. This point moves "
+                "into the surface along the normal, by the depth of the input");
   return all;
 }
 
@@ -217,7 +266,21 @@ const Description& description_of(const Constraint* /*of*/) {
                 "less if the horizon has fewer and longer knots")
           .field("quadratic_weight", &S::quadratic_weight,
                  "Quadratic penalty weight of violations, in cost per squared row unit",
-                 {.least = 0});
+                 {.least = 0})
+          .field("offset_input", &S::offset_input,
+                 "Input that is added to the target (empty: none): a scalar or a vector with the "
+                 "target's entries, or a rotation by which the target rotation is turned in its "
+                 "own axes")
+          .field("friction_ratio_input", &S::friction_ratio_input,
+                 "Scalar input that multiplies the coefficient of friction (empty: none), at "
+                 "least 0")
+          .more("Values above 1 count as 1. For friction cones and centres of pressure with "
+                "friction")
+          .field("surface_input", &S::surface_input,
+                 "Surface input (empty: none): it replaces the surface of the residual's "
+                 "reference")
+          .more("A residual without a curved reference needs a target position. This point moves "
+                "into the surface along the normal, by the depth of the input");
   return all;
 }
 
@@ -343,6 +406,11 @@ const Description& description_of(const ProblemSpec* /*of*/) {
           .field("control_upper", &S::control_upper,
                  "Upper bounds of the control in Nm (N): nu entries, or one for all; empty: none")
           .number_too()
+          .field("inputs", &S::inputs,
+                 "Named values that change between solves, such as an estimated surface")
+          .field("torque_bias_input", &S::torque_bias_input,
+                 "Vector input of nv entries (empty: none), a torque that acts on the joints in "
+                 "addition to all torques of the model")
           .field("stages", &S::stages)
           .field("horizon", &S::horizon)
           .field("terminal", &S::terminal,

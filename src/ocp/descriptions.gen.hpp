@@ -4,6 +4,7 @@
 
 #include "base/descriptions.gen.hpp"
 #include "burnish/ocp/check.hpp"
+#include "burnish/ocp/input.hpp"
 #include "burnish/ocp/node_view.hpp"
 #include "burnish/ocp/problem.hpp"
 #include "burnish/ocp/problem_spec.hpp"
@@ -19,6 +20,8 @@ namespace burnish {
 const Description& description_of(const ProblemCheckOptions*);
 const Description& description_of(const ProblemCheckRow*);
 const Description& description_of(const ProblemReport*);
+const Words& words_of(InputKind);
+const Description& description_of(const InputSpec*);
 const Description& description_of(const StateLayout*);
 const Description& description_of(const Problem::QuasiStatic*);
 const Description& description_of(const Penalty*);

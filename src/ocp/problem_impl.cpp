@@ -60,10 +60,12 @@ std::vector<double> bounds(const Eigen::VectorXd& given, int nu, const char* nam
 /// Limits the memory for targets: every knot stores the targets of its terms.
 void check_size(std::size_t knots, const CompiledProblem& problem) {
   constexpr std::size_t max_entries = 10'000'000;
-  const auto per_knot = to_size(problem.largest_terms + problem.largest_targets);
+  const auto per_knot =
+      to_size(problem.largest_terms + problem.largest_targets + problem.inputs.entries());
   if (per_knot > max_entries / knots)
     throw Error("horizon: " + std::to_string(knots) + " knots with up to " +
-                std::to_string(per_knot) + " terms and target entries each; wanted at most " +
+                std::to_string(per_knot) +
+                " terms, inputs and target entries each; wanted at most " +
                 std::to_string(max_entries) + " terms and entries in all");
 }
 
@@ -112,6 +114,11 @@ Problem::Impl::Impl(const ProblemSpec& given)
     time += timing[k].step;
   }
   targets.assign(stage_of.size() * to_size(compiled.largest_targets), 0.0);
+  const auto has_uses = [](const ocp::CompiledStage& at) { return !at.uses.empty(); };
+  if (std::any_of(compiled.stages.begin(), compiled.stages.end(), has_uses)) signals = targets;
+  inputs.assign(stage_of.size() * to_size(compiled.inputs.entries()), 0.0);
+  for (int i = 0; i < compiled.inputs.count(); ++i)
+    if (compiled.inputs[i].is_bias) load_bias(compiled.inputs[i]);
   for (std::size_t k = 0; k < stage_of.size(); ++k) {
     load_targets(static_cast<int>(k));
     check_rotations(static_cast<int>(k));
@@ -148,10 +155,6 @@ Status Problem::Impl::set_initial_state(const ConstVectorRef& x) {
   }
   std::copy_n(x.data(), initial_state.size(), initial_state.data());
   return Status::Ok;
-}
-
-void Problem::Impl::load_targets(int knot) {
-  ocp::load_targets(stage(knot), times[to_size(knot)], signal_scratch, targets_of(knot));
 }
 
 void Problem::Impl::check_rotations(int knot) {
@@ -194,9 +197,10 @@ void Problem::Impl::advance(int stage_index) {
             stage_of.begin());
   std::copy(times.begin() + 1, times.begin() + static_cast<std::ptrdiff_t>(last) + 1,
             times.begin());
-  const auto width = static_cast<std::ptrdiff_t>(compiled.largest_targets);
-  std::copy(targets.begin() + width,
-            targets.begin() + (static_cast<std::ptrdiff_t>(last) + 1) * width, targets.begin());
+  const std::size_t width = to_size(compiled.largest_targets);
+  std::copy_n(targets_of(1), last * width, targets_of(0));
+  if (!signals.empty()) std::copy_n(signals_of(1), last * width, signals_of(0));
+  std::copy_n(inputs_of(1), last * to_size(compiled.inputs.entries()), inputs_of(0));
   // The last knot keeps its own step, if it has one.
   std::copy(own_steps.begin() + 1, own_steps.begin() + static_cast<std::ptrdiff_t>(last) + 1,
             own_steps.begin());
@@ -208,6 +212,8 @@ void Problem::Impl::advance(int stage_index) {
   times[last + 1] += timing[last].step;
   load_targets(static_cast<int>(last));
   load_targets(static_cast<int>(last) + 1);
+  for (int i = 0; i < compiled.inputs.count(); ++i)
+    if (compiled.inputs[i].decay_time > 0.0) load_input(i);
   cut_ranges();
 }
 

@@ -1,6 +1,7 @@
 // Implementation of Problem: the compiled specification, the knots, and a workspace per thread.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -57,7 +58,24 @@ struct Problem::Impl {
     return decay_time > 0.0 ? std::exp((times[0] - times[to_size(knot)]) / decay_time) : 0.0;
   }
   void advance(int stage);
+  /// Evaluates inputs and signals of a knot, and writes its targets.
   void load_targets(int knot);
+  /// Evaluates an input at all knots and writes the targets that use it. Other targets stay.
+  void load_input(int input);
+  void evaluate_input(int input, int knot);
+  double* inputs_of(int knot) {
+    return inputs.data() + static_cast<std::ptrdiff_t>(knot) * compiled.inputs.entries();
+  }
+  double* signals_of(int knot) {
+    return signals.data() + static_cast<std::ptrdiff_t>(knot) * compiled.largest_targets;
+  }
+  /// Returns an input. Throws Error("<call>: ...") if it does not exist. Also throws Error if its
+  /// kind is not one of `kinds`, unless `kinds` is empty.
+  ocp::InputState& input(const char* call, int index, std::initializer_list<InputKind> kinds);
+  /// Puts a value into effect that was written to the input.
+  void accept_input(int index);
+  /// Sets the torque bias to the value of its input.
+  void load_bias(const ocp::InputState& input);
   void check_rotations(int knot);
   void cut_ranges();
   void prepare(int count);
@@ -87,6 +105,8 @@ struct Problem::Impl {
   double decay_time = 0.0;                    ///< Time constant of the decaying torque [s]; 0: none
   std::vector<ocp::KnotTime<double>> timing;  ///< Timing of each knot, without KnotTime::times
   std::vector<double> targets;                ///< largest_targets entries for each knot
+  std::vector<double> signals;                ///< Targets before the inputs are applied
+  std::vector<double> inputs;                 ///< Inputs::entries() values for each knot
   std::vector<KnotRange> ranges;
   std::vector<double> initial_state, lower, upper;
   std::vector<double> control_scale;  ///< Effort limits of the robot; 1 for actuators without one

@@ -25,16 +25,17 @@ void store_target(const CompiledTerm& term, const ConstVectorRef& value, double*
   }
 }
 
-void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scratch, double* out) {
+void load_targets(const CompiledStage& stage, double time, const InputValues& inputs,
+                  Eigen::VectorXd& scratch, double* out) {
   for (const CompiledTerm& term : stage.terms) {
     if (term.target_size == 0) continue;
     auto value = scratch.head(term.signal_size);
-    term.signal.at(time, value);
+    term.signal.at(time, value, inputs);
     store_target(term, value, out + term.target);
   }
   for (const CompiledTurning& turning : stage.turnings) {
     auto xyzw = scratch.head(4);
-    turning.rotation.at(time, xyzw);
+    turning.rotation.at(time, xyzw, inputs);
     Eigen::Map<Eigen::Matrix3d> rotation(out + turning.target, 3, 3);
     if (is_unit_quaternion(xyzw)) {
       rotation = rotation_matrix(xyzw);

@@ -124,6 +124,13 @@ WrenchView TermBuilder::wrench(int contact, const std::optional<Reference>& refe
   return result;
 }
 
+int TermBuilder::surface() const {
+  const int index = static_cast<int>(stage.terms.size());
+  for (const CompiledSurface& followed : stage.surfaces)
+    if (followed.term == index) return followed.target;
+  return -1;
+}
+
 int TermBuilder::contact(const std::string& name) {
   int index = -1;
   try {

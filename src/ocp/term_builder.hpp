@@ -43,6 +43,8 @@ struct TermBuilder {
   FrameView view(int frame, const Reference& reference);
   WrenchView wrench(int contact, const std::optional<Reference>& reference);
   int contact(const std::string& name);
+  /// Returns the first target entry of the surface that the residual's reference follows; -1: none.
+  int surface() const;
 
   // Defined in compile_terms.cpp: the parts of a cost or a constraint other than the residual.
 

@@ -152,7 +152,7 @@ std::vector<double> targets_of(const ocp::CompiledProblem& problem, int stage, d
   const ocp::CompiledStage& at = problem.stages[static_cast<std::size_t>(stage)];
   std::vector<double> targets(static_cast<std::size_t>(std::max(at.targets, 1)));
   Eigen::VectorXd scratch(512);
-  ocp::load_targets(at, time, scratch, targets.data());
+  ocp::load_targets(at, time, {}, scratch, targets.data());
   return targets;
 }
 

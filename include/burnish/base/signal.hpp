@@ -3,16 +3,39 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <span>
 
 #include "burnish/base/views.hpp"
 
 namespace burnish {
+
+/// Values of the inputs of an optimal control problem at one knot, in the order of
+/// ProblemSpec::inputs.
+class InputValues {
+ public:
+  InputValues() = default;
+  /// `first`: index in `values` of each input's first entry, and at last the number of all entries.
+  /// Both must outlive the object.
+  InputValues(const double* values, std::span<const int> first) : values_(values), first_(first) {}
+
+  /// Returns the entries of an input. The result is empty for an input that does not exist, and for
+  /// a surface or an inertia.
+  Eigen::Map<const Eigen::VectorXd> operator[](int input) const;
+  /// Returns the value of a scalar input; NaN if operator[] returns an empty vector.
+  double scalar(int input) const;
+
+ private:
+  const double* values_ = nullptr;
+  std::span<const int> first_ = {};
+};
 
 /// A vector that is constant or a function of time. By default, a Signal is empty. Functions and
 /// members that use a Signal document the meaning of an empty one.
 class Signal {
  public:
   using Function = std::function<void(double time, Eigen::Ref<Eigen::VectorXd> out)>;
+  using FunctionOfInputs =
+      std::function<void(double time, const InputValues& inputs, Eigen::Ref<Eigen::VectorXd> out)>;
 
   Signal() = default;
   /// Constant signal with one entry.
@@ -27,21 +50,25 @@ class Signal {
   /// knot. If this happens in a control loop, `function` should not allocate memory. Throws Error
   /// if `size` is below 1 or `function` is empty.
   static Signal over_time(int size, Function function);
+  /// Returns a signal that is a function of time and of the inputs of an optimal control problem.
+  /// The inputs have their values at the same time. Evaluations outside of a Problem, such as those
+  /// of a trace, pass no inputs. Otherwise like over_time().
+  static Signal of_inputs(int size, FunctionOfInputs function);
 
-  bool empty() const { return constant_.size() == 0 && !function_; }
-  bool is_constant() const { return !function_; }
-  int size() const { return function_ ? size_ : static_cast<int>(constant_.size()); }
-  /// Returns the function that was passed to over_time(), or an empty function for a constant
-  /// signal.
+  bool empty() const { return constant_.size() == 0 && is_constant(); }
+  bool is_constant() const { return !function_ && !of_inputs_; }
+  int size() const { return is_constant() ? static_cast<int>(constant_.size()) : size_; }
+  /// Returns the function that was passed to over_time(), or an empty function for other signals.
   const Function& function() const { return function_; }
   /// Writes the value at `time` [s] to `out`, which must have size() entries.
-  void at(double time, Eigen::Ref<Eigen::VectorXd> out) const;
+  void at(double time, Eigen::Ref<Eigen::VectorXd> out, const InputValues& inputs = {}) const;
 
  private:
   void hold(const ConstVectorRef& value);
 
   Eigen::VectorXd constant_;
   Function function_;
+  FunctionOfInputs of_inputs_;
   int size_ = 0;
 };
 

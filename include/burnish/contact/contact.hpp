@@ -62,6 +62,9 @@ struct SlidingFriction {
   /// Radius of a round tool tip [m], >= 0 @more Friction acts at the tool's origin shifted by this
   /// distance, opposite to the normal.
   double radius = 0.0;
+  /// Scalar input of an optimal control problem that replaces `coefficient` (empty: none), at least
+  /// 0 @more See InputSpec.
+  std::string coefficient_input = {};
 
   /// Returns `speed`, or 0.01 m/s if `speed` is empty.
   double fade_speed() const { return speed.value_or(0.01); }
@@ -90,6 +93,9 @@ struct ContactSpec {
   /// zero.
   Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
   std::optional<SlidingFriction> friction = {};  ///< Friction on the tool (none: frictionless)
+  /// Surface input of an optimal control problem that replaces the surface of `reference` (empty:
+  /// none) @more The reference must follow a surface. See InputSpec.
+  std::string surface_input = {};
 
   /// Sets kp to `kp_all` [1/s^2] and kd to `kd_all` [1/s] in all directions. Returns this contact.
   ContactSpec& with_gains(double kp_all, double kd_all);

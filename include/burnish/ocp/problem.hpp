@@ -66,6 +66,37 @@ class Problem final : public ShootingProblem {
   /// the given stage. If the previous last knot has its own step, the new knot gets the same step.
   /// The terminal knot moves to the new end. Throws Error if the stage does not exist.
   void advance(int stage);
+  /// input_names() returns the names of the inputs, in the order of ProblemSpec::inputs.
+  /// input_index() returns the index of an input, and throws Error with the nearest known name.
+  std::vector<std::string> input_names() const;
+  int input_index(const std::string& name) const;
+  /// Sets the value of a scalar, vector or rotation input, for all knots. The value replaces
+  /// InputSpec::value and targets set by set_target(), set_surface() and set_friction() where the
+  /// input is used. Signals of inputs follow with the next set_knot() of each knot.
+  ///
+  /// Returns Ok, WrongSize, NotFinite (also for a negative coefficient or ratio of friction) or
+  /// NotNormalized. Unless Ok is returned, nothing changes. Throws Error if the input does not
+  /// exist, or is of another kind.
+  Status set_input(int input, const ConstVectorRef& value);
+  /// Sets a scalar input, see above.
+  Status set_input(int input, double value);
+  /// Sets a scalar or vector input to value + exp(-(t - t_0) / decay_time) decaying, where t is the
+  /// time of a knot and t_0 the time of knot 0. `decay_time` [s] must be > 0; otherwise returns
+  /// NotFinite. advance() updates the value at all knots. Otherwise like set_input().
+  Status set_input(int input, const ConstVectorRef& value, const ConstVectorRef& decaying,
+                   double decay_time);
+  /// Sets a surface input. `surface` is written in the axes in which its users state their surfaces
+  /// and points. `depth` [m] >= 0 is the depth by which the surface yields. Otherwise like
+  /// set_input().
+  Status set_input(int input, const Quadric& surface, double depth = 0.0);
+  /// Sets an inertia input, see set_payload(). `payload` is written in the axes of
+  /// InputSpec::frame. Otherwise like set_input().
+  Status set_input(int input, const InertiaSpec& payload);
+  /// Forgets what set_input() has set. Throws Error if the input does not exist.
+  void reset_input(int input);
+  /// Returns the value of a scalar, vector or rotation input at a knot. The result is empty if the
+  /// input has no value. Throws Error if the input or the knot does not exist.
+  Eigen::VectorXd input_at(int input, int knot) const;
   /// Sets the target of one cost or constraint at one knot. The size of `target` depends on the
   /// kind of residual. The target is valid until the next set_knot() for this knot. advance()
   /// shifts the target together with the knot, and resets the target at the terminal knot.
@@ -104,7 +135,9 @@ class Problem final : public ShootingProblem {
   /// world, or with the nearest known name if it does not exist.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// Sets a constant torque that acts on the joints in addition to all torques of the model, nv
-  /// entries [Nm, N]. Initially this torque is zero. Returns Ok, WrongSize or NotFinite.
+  /// entries [Nm, N]. Initially this torque is zero, or the value of
+  /// ProblemSpec::torque_bias_input. The last call of set_torque_bias() or of set_input() for that
+  /// input counts. Returns Ok, WrongSize or NotFinite.
   Status set_torque_bias(const ConstVectorRef& torque);
   /// Sets a constant torque and a decaying torque, nv entries each [Nm, N]. Both act on the joints
   /// in addition to all torques of the model. At a time t after the first knot, their sum is torque

@@ -11,6 +11,7 @@
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_set.hpp"
 #include "burnish/model/model.hpp"
+#include "burnish/ocp/input.hpp"
 #include "burnish/ocp/residual.hpp"
 
 namespace burnish {
@@ -79,6 +80,16 @@ struct CostTerm {
 
   /// Penalty of each row; empty: a square, or the default penalty of the residual
   std::optional<Penalty> penalty = {};
+  /// Input that is added to the target (empty: none): a scalar or a vector with the target's
+  /// entries, or a rotation by which the target rotation is turned in its own axes
+  std::string offset_input = {};
+  /// Scalar input that multiplies the coefficient of friction (empty: none), at least 0
+  /// @more Values above 1 count as 1. For friction cones and centres of pressure with friction
+  std::string friction_ratio_input = {};
+  /// Surface input (empty: none): it replaces the surface of the residual's reference
+  /// @more A residual without a curved reference needs a target position. This point moves into the
+  /// surface along the normal, by the depth of the input
+  std::string surface_input = {};
 };
 
 /// A constraint lower <= r_i <= upper on every row i of a residual. Equal limits make an equality
@@ -111,6 +122,16 @@ struct Constraint {
   double l1_weight = std::numeric_limits<double>::infinity();
   /// Quadratic penalty weight of violations, in cost per squared row unit, >= 0
   double quadratic_weight = 0.0;
+  /// Input that is added to the target (empty: none): a scalar or a vector with the target's
+  /// entries, or a rotation by which the target rotation is turned in its own axes
+  std::string offset_input = {};
+  /// Scalar input that multiplies the coefficient of friction (empty: none), at least 0
+  /// @more Values above 1 count as 1. For friction cones and centres of pressure with friction
+  std::string friction_ratio_input = {};
+  /// Surface input (empty: none): it replaces the surface of the residual's reference
+  /// @more A residual without a curved reference needs a target position. This point moves into the
+  /// surface along the normal, by the depth of the input
+  std::string surface_input = {};
 };
 
 /// Integration scheme from one knot to the next.
@@ -219,6 +240,11 @@ struct ProblemSpec {
   Eigen::VectorXd control_lower = {};
   /// Upper bounds of the control in Nm (N): nu entries, or one for all; empty: none @number_too
   Eigen::VectorXd control_upper = {};
+  /// Named values that change between solves, such as an estimated surface
+  std::vector<InputSpec> inputs = {};
+  /// Vector input of nv entries (empty: none), a torque that acts on the joints in addition to all
+  /// torques of the model
+  std::string torque_bias_input = {};
   std::vector<Stage> stages = {};
   std::vector<HorizonSegment> horizon = {};
   std::vector<CostTerm> terminal = {};  ///< Costs of the last state

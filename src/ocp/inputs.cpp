@@ -1,0 +1,292 @@
+#include "ocp/inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/sentence.hpp"
+#include "base/to_size.hpp"
+#include "burnish/base/error.hpp"
+#include "burnish/model/inertia.hpp"
+#include "dynamics/reference.hpp"
+#include "ocp/compiled_problem.hpp"
+#include "ocp/descriptions.gen.hpp"
+
+namespace burnish::ocp {
+namespace {
+
+/// Returns the kind with its article, such as "a scalar".
+std::string text_of(InputKind kind) {
+  return (kind == InputKind::Inertia ? "an " : "a ") +
+         words_of(kind).words[static_cast<std::size_t>(kind)].word;
+}
+
+[[noreturn]] void refuse(const std::string& input, const std::string& what) {
+  throw Error("input " + in_quotes(input) + ": " + what);
+}
+
+/// Returns the number of entries of an input at a knot, after checks of its specification.
+int checked_size(const InputSpec& spec) {
+  const int stated = spec.value.size();
+  const auto wanted = [&](int size) {
+    if (stated != 0 && stated != size)
+      refuse(spec.name, "the value has " + std::to_string(stated) + " entries; wanted " +
+                            std::to_string(size));
+    return size;
+  };
+  if (!spec.frame.empty() && spec.kind != InputKind::Inertia)
+    refuse(spec.name, text_of(spec.kind) + " has no frame; wanted an inertia");
+  switch (spec.kind) {
+    case InputKind::Scalar:
+      return wanted(1);
+    case InputKind::Vector:
+      if (stated == 0) refuse(spec.name, "a vector has no value; wanted one, such as zeros");
+      return stated;
+    case InputKind::Rotation:
+      return wanted(4);
+    case InputKind::Surface:
+    case InputKind::Inertia:
+      if (stated != 0)
+        refuse(spec.name, "the value has " + std::to_string(stated) + " entries; " +
+                              text_of(spec.kind) + " has no value until one is set");
+  }
+  return 0;
+}
+
+/// Throws Error for a constant value that is not finite, or a rotation not of length 1.
+void check_constant(const InputSpec& spec) {
+  if (spec.value.empty() || !spec.value.is_constant()) return;
+  Eigen::VectorXd value(spec.value.size());
+  spec.value.at(0.0, value);
+  if (!value.allFinite()) refuse(spec.name, "the value holds a NaN or an infinity");
+  if (spec.kind == InputKind::Rotation && !is_unit_quaternion(value))
+    refuse(spec.name, "the rotation is not a quaternion of length 1");
+}
+
+/// Throws Error if an inertia cannot act at its frame, or if another input loads the same body.
+void check_frame(const InputSpec& given, const ProblemSpec& spec) {
+  try {
+    const int body = frame_on_body("frame", spec.model, given.frame).body;
+    for (const InputSpec& other : spec.inputs) {
+      if (&other == &given) return;
+      if (other.kind == InputKind::Inertia &&
+          frame_on_body("frame", spec.model, other.frame).body == body)
+        throw Error("frame " + in_quotes(given.frame) + " is on the body of input " +
+                    in_quotes(other.name) + "; wanted one inertia for each body");
+    }
+  } catch (const Error& error) {
+    refuse(given.name, error.what());
+  }
+}
+
+/// Returns true if the only target of the residual is a coefficient of friction.
+bool is_friction_margin(const CompiledResidual& residual) {
+  const auto* pressure = std::get_if<PressureMargin>(&residual);
+  return std::holds_alternative<ConeMargin>(residual) ||
+         std::holds_alternative<PyramidMargin>(residual) ||
+         (pressure != nullptr && pressure->has_friction);
+}
+
+bool has_target_point(const CompiledResidual& residual) {
+  return std::holds_alternative<FramePositionError>(residual) ||
+         std::holds_alternative<FrameDistance>(residual) ||
+         std::holds_alternative<FramePlacementError>(residual);
+}
+
+using How = CompiledUse::How;
+
+/// Returns the use of an input as the offset of a term's target.
+CompiledUse offset_of(const CompiledTerm& term, int input, const InputState& state) {
+  const bool has_offset = term.target_size > 0 && !is_friction_margin(term.residual) &&
+                          !std::holds_alternative<StateDifference>(term.residual);
+  if (!has_offset) throw Error("the residual has no target that an input can change");
+  const InputKind kind = state.spec.kind;
+  const bool has_rotation = term.load != CompiledTerm::Load::Plain;
+  const bool has_point = term.load == CompiledTerm::Load::Placement;
+  if (has_rotation && kind == InputKind::Rotation)
+    return {How::Turn, input, term.target + (has_point ? 3 : 0), 9};
+  const int entries = has_point ? 3 : has_rotation ? 0 : term.target_size;
+  if (state.size != entries || kind == InputKind::Rotation)
+    throw Error(
+        "input " + in_quotes(state.spec.name) + " is " + text_of(kind) +
+        (kind == InputKind::Vector ? " of " + std::to_string(state.size) + " entries" : "") +
+        "; wanted " +
+        (entries == 0   ? "a rotation"
+         : entries == 1 ? "a scalar"
+                        : "a vector of " + std::to_string(entries) + " entries"));
+  return {How::Offset, input, term.target, entries};
+}
+
+/// Adds the uses that the entries of a cost or a constraint name.
+template <class Given>
+void add_uses(const Inputs& inputs, const Given& given, const CompiledTerm& term, int surface,
+              CompiledStage& stage) {
+  const auto named = [](const char* key, const std::string& name, const auto& add) {
+    if (name.empty()) return;
+    try {
+      add();
+    } catch (const Error& error) {
+      throw Error(std::string(key) + ": " + error.what());
+    }
+  };
+  named("offset_input", given.offset_input, [&] {
+    const int input = inputs.index(given.offset_input);
+    stage.uses.push_back(offset_of(term, input, inputs[input]));
+  });
+  named("friction_ratio_input", given.friction_ratio_input, [&] {
+    if (!is_friction_margin(term.residual))
+      throw Error("the residual has no coefficient of friction");
+    const int input = inputs.index(given.friction_ratio_input, InputKind::Scalar);
+    stage.uses.push_back({How::Ratio, input, term.target, 1});
+  });
+  named("surface_input", given.surface_input, [&] {
+    const int input = inputs.index(given.surface_input, InputKind::Surface);
+    if (surface >= 0) {
+      stage.uses.push_back({How::Surface, input, surface, surface_size});
+      return;
+    }
+    if (!has_target_point(term.residual))
+      throw Error("the residual has neither a curved reference nor a target position");
+    stage.uses.push_back({How::Depth, input, term.target, 3});
+  });
+}
+
+}  // namespace
+
+Inputs::Inputs(const ProblemSpec& spec) {
+  for (const InputSpec& given : spec.inputs) {
+    if (given.name.empty()) throw Error("an input has no name; wanted one");
+    for (const InputState& other : states_)
+      if (other.spec.name == given.name) refuse(given.name, "the name is used twice");
+    InputState state{.spec = given, .size = checked_size(given)};
+    check_constant(given);
+    if (given.kind == InputKind::Inertia) check_frame(given, spec);
+    state.value = state.decaying = Eigen::VectorXd::Zero(state.size);
+    first_.push_back(first_.back() + state.size);
+    states_.push_back(std::move(state));
+  }
+  // Contacts that are active in no stage are checked, too.
+  for (const ContactSpec& contact : spec.contacts) {
+    if (contact.friction && !contact.friction->coefficient_input.empty())
+      (void)index(contact.friction->coefficient_input, InputKind::Scalar);
+    if (!contact.surface_input.empty()) (void)index(contact.surface_input, InputKind::Surface);
+  }
+  if (spec.torque_bias_input.empty()) return;
+  InputState& bias = states_[to_size(index(spec.torque_bias_input, InputKind::Vector))];
+  if (bias.size != spec.model.nv || !bias.spec.value.is_constant())
+    refuse(bias.spec.name, "as torque_bias_input, it needs a constant value of " +
+                               std::to_string(spec.model.nv) + " entries");
+  bias.is_bias = true;
+}
+
+int Inputs::index(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const InputState& state : states_) known.push_back(state.spec.name);
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found == known.end())
+    throw Error("unknown input " + in_quotes(name) +
+                (known.empty() ? "; the problem has no inputs" : did_you_mean(name, known)));
+  return static_cast<int>(found - known.begin());
+}
+
+int Inputs::index(const std::string& name, InputKind kind) const {
+  const int input = index(name);
+  check_kind(input, {kind});
+  return input;
+}
+
+void Inputs::check_kind(int input, std::initializer_list<InputKind> wanted) const {
+  const InputSpec& given = (*this)[input].spec;
+  if (std::find(wanted.begin(), wanted.end(), given.kind) != wanted.end()) return;
+  std::string words;
+  for (const InputKind kind : wanted) words += (words.empty() ? "" : " or ") + text_of(kind);
+  throw Error("input " + in_quotes(given.name) + " is " + text_of(given.kind) + "; wanted " +
+              words);
+}
+
+void Inputs::use(const ContactSpec& contact, int friction, int surface,
+                 CompiledStage& stage) const {
+  try {
+    if (friction >= 0 && !contact.friction->coefficient_input.empty())
+      stage.uses.push_back({How::Coefficient,
+                            index(contact.friction->coefficient_input, InputKind::Scalar), friction,
+                            1});
+    if (contact.surface_input.empty()) return;
+    if (surface < 0)
+      throw Error("the reference follows no surface; wanted a reference from Reference::on");
+    stage.uses.push_back(
+        {How::Surface, index(contact.surface_input, InputKind::Surface), surface, surface_size});
+  } catch (const Error& error) {
+    throw Error("contact " + in_quotes(contact.name) + ": " + error.what());
+  }
+}
+
+void Inputs::use(const CostTerm& given, const CompiledTerm& term, int surface,
+                 CompiledStage& stage) const {
+  add_uses(*this, given, term, surface, stage);
+}
+void Inputs::use(const Constraint& given, const CompiledTerm& term, int surface,
+                 CompiledStage& stage) const {
+  add_uses(*this, given, term, surface, stage);
+}
+
+void Inputs::mark_friction(const CompiledStage& stage) {
+  for (const CompiledUse& use : stage.uses)
+    if (use.how == How::Ratio || use.how == How::Coefficient) {
+      InputState& state = states_[to_size(use.input)];
+      state.is_friction = true;
+      double value = 0.0;
+      if (state.spec.value.is_constant()) evaluate_value(state, 0.0, &value);
+      if (value < 0.0)
+        refuse(state.spec.name, "the friction is " + number(value) + "; wanted at least 0");
+    }
+}
+
+void evaluate_value(const InputState& state, double time, double* out) {
+  Eigen::Map<Eigen::VectorXd> value(out, state.size);
+  if (state.is_set) {
+    value = state.value;
+  } else if (!state.spec.value.empty()) {
+    state.spec.value.at(time, value);
+    if (state.spec.kind == InputKind::Rotation && !is_unit_quaternion(value))
+      value.setConstant(std::numeric_limits<double>::quiet_NaN());
+  } else {
+    value.setZero();
+  }
+}
+
+void Inputs::apply(const CompiledUse& use, const double* values, double* targets) const {
+  const InputState& state = (*this)[use.input];
+  if (!state.has_value()) return;
+  const double* const x = values + first_[to_size(use.input)];
+  double* const out = targets + use.target;
+  switch (use.how) {
+    case How::Offset:
+      for (int i = 0; i < use.size; ++i) out[i] += x[i];
+      break;
+    case How::Turn: {
+      Eigen::Map<Eigen::Matrix3d> rotation(out, 3, 3);
+      rotation = (rotation * rotation_matrix(Eigen::Map<const Eigen::Vector4d>(x))).eval();
+      break;
+    }
+    case How::Ratio:
+      *out *= std::min(1.0, *x);
+      break;
+    case How::Coefficient:
+      *out = *x;
+      break;
+    case How::Surface:
+      store_surface(state.surface, out);
+      break;
+    case How::Depth: {
+      if (!(state.depth > 0.0)) break;
+      Eigen::Map<Eigen::Vector3d> p(out);
+      const Eigen::Vector3d gradient = state.surface.gradient(p);
+      const double length = gradient.norm();
+      if (length > 1e-9) p -= state.depth / length * gradient;
+      break;
+    }
+  }
+}
+
+}  // namespace burnish::ocp
