@@ -5,6 +5,7 @@
 
 #include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
+#include "files/read_inputs.hpp"
 #include "files/read_parts.hpp"
 #include "files/read_problem.hpp"
 #include "files/read_solver.hpp"
@@ -196,6 +197,17 @@ std::vector<std::string> first_contacts(const Reader& top, const ProblemScope& s
   return stage ? read_stage_contacts(*stage, scope) : std::vector<std::string>();
 }
 
+/// Reads a contact, and checks the names of its inputs.
+ContactSpec read_contact_with_inputs(const std::string& name, const Reader& reader,
+                                     const ProblemSpec& spec, const std::filesystem::path& folder) {
+  ContactSpec contact =
+      read_contact(name, reader, spec.model, spec.initial_state.head(spec.model.nq), &folder);
+  contact.surface_input = read_input_name(reader, "surface_input", spec);
+  if (const auto friction = reader.find("friction"))
+    contact.friction->coefficient_input = read_input_name(*friction, "coefficient_input", spec);
+  return contact;
+}
+
 /// Reads the parts that do not depend on stages. The words `hold` and `here` refer to them.
 void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemFile& result) {
   ProblemSpec& spec = result.spec;
@@ -203,10 +215,11 @@ void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemF
   spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
   spec.initial_state.head(model.nq) = result.robot.reference_configuration();
   if (const auto start = top.find("start")) read_start(*start, result.robot, spec);
+  if (const auto inputs = top.find("inputs")) spec.inputs = read_inputs(*inputs, model, folder);
+  spec.torque_bias_input = read_input_name(top, "torque_bias_input", spec);
   if (const auto contacts = top.find("contacts"))
     for (const auto& [name, contact] : contacts_in(*contacts))
-      spec.contacts.push_back(
-          read_contact(name, contact, model, spec.initial_state.head(model.nq), &folder));
+      spec.contacts.push_back(read_contact_with_inputs(name, contact, spec, folder));
   if (!model.loops.empty())
     spec.contacts = with_loops(model, std::move(spec.contacts),
                                LoopGains::for_step(longest_step(top["stages"])));
@@ -253,9 +266,10 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
 }  // namespace
 
 ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder) {
-  top.allow_only({"description", "robot", "payload", "start", "contacts", "contact_solver",
-                  "actuation", "torque_model", "force_states", "control_bounds", "terms", "stages",
-                  "horizon", "terminal", "terminal_constraints", "solver", "guess"});
+  top.allow_only({"description", "robot", "payload", "start", "inputs", "torque_bias_input",
+                  "contacts", "contact_solver", "actuation", "torque_model", "force_states",
+                  "control_bounds", "terms", "stages", "horizon", "terminal",
+                  "terminal_constraints", "solver", "guess"});
   ProblemFile result;
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);

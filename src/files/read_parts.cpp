@@ -67,6 +67,7 @@ ContactSpec read_contact(const std::string& name, const Reader& reader, const Mo
   std::vector<std::string> keys{"tool",  "base", "reference", "directions", "acceleration",
                                 "error", "kp",   "kd",        "target",     "friction"};
   if (name.empty()) keys.emplace_back("name");
+  if (tables != nullptr) keys.emplace_back("surface_input");
   reader.allow_only(keys);
   ContactSpec spec{.name = name, .tool = reader["tool"].text()};
   if (const auto own = reader.find("name")) spec.name = own->text();
@@ -89,8 +90,11 @@ ContactSpec read_contact(const std::string& name, const Reader& reader, const Mo
     spec.error = kind->named([&] { return parse_pose_error(kind->text()); });
   if (const auto kp = reader.find("kp")) spec.kp = read_gains(*kp);
   if (const auto kd = reader.find("kd")) spec.kd = read_gains(*kd);
-  if (const auto friction = reader.find("friction"))
+  if (const auto friction = reader.find("friction")) {
     document::read_described(description_of(&spec.friction.emplace()), &*spec.friction, *friction);
+    if (const auto input = friction->find("coefficient_input"); input && tables == nullptr)
+      input->refuse("only optimal control problems have inputs; wanted no such key");
+  }
   const auto target = reader.find("target");
   spec.target = target && !target->is("here") ? read_placement(*target) : base.inverse() * tool;
   return spec;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/sentence.hpp"
+#include "files/read_inputs.hpp"
 #include "files/read_penalty.hpp"
 #include "files/read_residual.hpp"
 #include "files/residual_target.hpp"
@@ -14,7 +15,8 @@ CostTerm read_cost(const ProblemScope& scope, const std::vector<std::string>& co
                    const std::string& name, const Reader& reader) {
   CostTerm term{
       .name = name,
-      .residual = read_residual(scope, contacts, reader, {"type", "weight", "weights", "penalty"})};
+      .residual = read_residual(scope, contacts, reader,
+                                with_input_keys({"type", "weight", "weights", "penalty"}))};
   const bool is_state = std::holds_alternative<residual::State>(term.residual);
   const ocp::ResidualRows rows = ocp::residual_rows(scope.spec, term.residual);
   if (const auto weight = reader.find("weight")) term.weight = weight->not_negative();
@@ -24,6 +26,7 @@ CostTerm read_cost(const ProblemScope& scope, const std::vector<std::string>& co
   else if (is_state)
     term.weights = default_state_weights(scope);
   if (const auto penalty = reader.find("penalty")) term.penalty = read_penalty(rows, *penalty);
+  read_term_inputs(reader, scope.spec, term);
   return term;
 }
 
@@ -33,10 +36,11 @@ Constraint read_constraint(const ProblemScope& scope, const std::vector<std::str
     reader["type"].refuse(
         "the residual 'state' cannot be a constraint; wanted 'joint_position', 'joint_velocity' or "
         "'joint_torque'");
-  Constraint constraint{.name = name,
-                        .residual = read_residual(scope, contacts, reader,
-                                                  {"type", "lower", "upper", "limits", "scale",
-                                                   "l1_weight", "quadratic_weight"})};
+  Constraint constraint{
+      .name = name,
+      .residual = read_residual(scope, contacts, reader,
+                                with_input_keys({"type", "lower", "upper", "limits", "scale",
+                                                 "l1_weight", "quadratic_weight"}))};
   const ocp::ResidualRows rows = ocp::residual_rows(scope.spec, constraint.residual);
   const RowLimits limits = read_limits(rows, reader);
   constraint.lower = limits.lower;
@@ -48,6 +52,7 @@ Constraint read_constraint(const ProblemScope& scope, const std::vector<std::str
     constraint.l1_weight = l1_weight->not_negative();
   if (const auto weight = reader.find("quadratic_weight"))
     constraint.quadratic_weight = weight->not_negative();
+  read_term_inputs(reader, scope.spec, constraint);
   return constraint;
 }
 
