@@ -17,9 +17,9 @@ from .contact import ContactSolver, ContactSpec
 from .derivatives import CheckEntry
 from .residual import Residual
 
-__all__ = ["ActuationSpec", "Constraint", "CostTerm", "Discretization", "HorizonSegment", "Integrator", "NodeView",
-           "OverTime", "Penalty", "PenaltyKind", "Problem", "ProblemCheckOptions", "ProblemCheckRow",
-           "ProblemReport", "ProblemSpec", "QuasiStatic", "Residual", "Signal", "Stage",
+__all__ = ["ActuationSpec", "Constraint", "CostTerm", "Discretization", "HorizonSegment", "InputKind", "InputSpec",
+           "Integrator", "NodeView", "OverTime", "Penalty", "PenaltyKind", "Problem", "ProblemCheckOptions",
+           "ProblemCheckRow", "ProblemReport", "ProblemSpec", "QuasiStatic", "Residual", "Signal", "Stage",
            "StateLayout", "StepError", "StepReport", "TorqueModel", "TrajectoryExpansion", "TrajectoryValues",
            "check_problem", "check_steps", "complaints", "over_time", "step_complaints"]
 

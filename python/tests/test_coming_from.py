@@ -265,7 +265,8 @@ CHECKS: Dict[str, Dict[str, Check]] = {
         "AcadosOcp & ocp.model.x & ocp.model.f_expl": lambda: S().problem.nx == 14 and slow().nx == 21,
         "ocp.model.f_impl & EXTERNAL": absent("implicit_dynamics", "algebraic", "external_cost"),
         "ocp.model.p": lambda: runs(bn.Problem(S().problem.spec).set_payload, "tool", bn.InertiaSpec())
-            and callable(bn.Problem.set_friction) and callable(bn.Problem.set_surface),
+            and callable(bn.Problem.set_friction) and callable(bn.Problem.set_surface)
+            and runs(P(r.Control(), inputs=[bn.InputSpec("mu", value=0.5)]).set_input, "mu", 0.6),
         "cost.cost_type = LINEAR": lambda: close(value(r.JointPosition()), X[:7]) and close(value(r.JointVelocity()),
             X[7:]) and close(value(r.State()), X - START),
         "cost.cost_type = NONLINEAR": lambda: value(r.custom(Acceleration())).shape == (7,),

@@ -345,6 +345,118 @@ def test_set_surface_changes_costs_and_contacts_of_a_knot(robot):
         one_term(robot, residual.FrameHeight("tool"))
 
 
+def pressing_with_an_input(robot, **entries):
+    """Returns a problem whose cost 'force' has a target of 5 N, with the given entries."""
+    cost = bn.CostTerm(residual.ContactForce("pad", 5.0), name="force", **entries)
+    spec = spec_of(robot, [cost], contacts=[bn.ContactSpec("pad", tool="tool", directions="z")])
+    spec.stages[0].contacts = ["pad"]
+    spec.inputs = [bn.InputSpec("unused", "vector", [1.0, 2.0]), bn.InputSpec("force_error")]
+    return spec
+
+
+def test_offset_input_moves_the_target_of_a_force(robot):
+    problem = bn.Problem(pressing_with_an_input(robot, offset_input="force_error"))
+    assert problem.input_names == ["unused", "force_error"] and problem.input_index("force_error") == 1
+    x, u = at_rest(robot), np.ones(7)
+    force = problem.forces(0, x, u)
+    np.testing.assert_allclose(problem.residual(3, "force", x, u), force - 5.0)
+    assert problem.input_at("force_error", 3).shape == (0,)
+    problem.set_input("force_error", -2.0)
+    np.testing.assert_allclose(problem.residual(3, "force", x, u), force - 3.0)
+    np.testing.assert_array_equal(problem.input_at(1, 3), [-2.0])
+    problem.set_input(1, [1.0], decaying=[4.0], decay_time=0.02)
+    for knot in range(problem.knots):
+        offset = 1.0 + 4.0 * math.exp(-problem.time_of(knot) / 0.02)
+        np.testing.assert_allclose(problem.input_at("force_error", knot), [offset])
+        np.testing.assert_allclose(problem.residual(knot, "force", x, u), force - 5.0 - offset)
+    problem.reset_input("force_error")
+    np.testing.assert_allclose(problem.residual(3, "force", x, u), force - 5.0)
+    np.testing.assert_array_equal(problem.input_at("unused", problem.knots), [1.0, 2.0])
+
+
+def test_input_with_a_function_of_time_has_its_value_at_each_knot(robot):
+    spec = pressing_with_an_input(robot, offset_input="force_error")
+    spec.inputs[1].value = lambda time: 100.0 * time
+    problem = bn.Problem(spec)
+    np.testing.assert_allclose([problem.input_at("force_error", k)[0] for k in range(7)], np.arange(7.0))
+    assert problem.spec.inputs[1].kind is bn.InputKind.SCALAR
+    problem.set_input("force_error", 3.0)
+    np.testing.assert_array_equal(problem.input_at("force_error", 4), [3.0])
+
+
+def test_surface_input_replaces_the_surface_of_a_cost(robot):
+    spec = above_a_sphere(robot)
+    spec.inputs = [bn.InputSpec("surface", "surface")]
+    spec.stages[0].costs[0].surface_input = "surface"
+    spec.contacts[0].surface_input = "surface"
+    problem = bn.Problem(spec)
+    x, u = at_rest(robot), np.zeros(7)
+    tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
+    np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.4], atol=1e-12)
+    problem.set_input("surface", bn.Quadric.plane(tool - [0.0, 0.0, 0.1], [0, 0, 1]))
+    np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.1], atol=1e-12)
+    problem.reset_input("surface")
+    np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.4], atol=1e-12)
+    with pytest.raises(bn.EvaluationError, match="Problem.set_input: "):
+        problem.set_input("surface", bn.Quadric.plane(tool, [0, 0, 1]), depth=-0.1)
+
+
+def test_surface_input_moves_a_target_position_into_the_surface(robot):
+    tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
+    spec = spec_of(robot, [bn.CostTerm(residual.FramePosition("tool", tool), name="point", surface_input="ground")])
+    spec.inputs = [bn.InputSpec("ground", bn.InputKind.SURFACE)]
+    problem = bn.Problem(spec)
+    x, u = at_rest(robot), np.zeros(7)
+    problem.set_input("ground", bn.Quadric.plane(tool, [0, 0, 2]), depth=0.02)
+    np.testing.assert_allclose(problem.residual(1, "point", x, u), [0.0, 0.0, 0.02], atol=1e-12)
+
+
+def test_inertia_input_matches_set_payload(robot):
+    spec = spec_of(robot, base_costs())
+    spec.inputs = [bn.InputSpec("load", "inertia", frame="tool")]
+    loaded, other, empty = bn.Problem(spec), bn.Problem(spec), bn.Problem(spec)
+    brick = bn.InertiaSpec(1.5, com=[0.0, 0.02, 0.05])
+    loaded.set_input("load", brick)
+    other.set_payload("tool", brick)
+    x, u = at_rest(robot), np.ones(7)
+    acceleration = loaded.acceleration(0, x, u)
+    np.testing.assert_array_equal(acceleration, other.acceleration(0, x, u))
+    assert np.abs(acceleration - empty.acceleration(0, x, u)).max() > 1e-3
+    loaded.reset_input("load")
+    np.testing.assert_allclose(loaded.acceleration(0, x, u), empty.acceleration(0, x, u), atol=1e-12)
+    with pytest.raises(bn.Error, match="Problem.set_input: the mass is -1"):
+        loaded.set_input("load", bn.InertiaSpec(-1.0))
+
+
+def test_invalid_inputs_raise_errors(robot):
+    spec = pressing_with_an_input(robot, offset_input="force_error")
+    problem = bn.Problem(spec)
+    plane = bn.Quadric.plane([0.0, 0.0, 0.0], [0, 0, 1])
+    with pytest.raises(bn.Error, match="unknown input 'force_eror'; did you mean 'force_error'"):
+        problem.set_input("force_eror", 1.0)
+    with pytest.raises(bn.Error, match="Problem.set_input: input 2; wanted 0 to 1"):
+        problem.set_input(2, 1.0)
+    with pytest.raises(bn.Error, match="input 'force_error' is a scalar; wanted a surface"):
+        problem.set_input("force_error", plane)
+    with pytest.raises(bn.Error, match="Problem.set_input: value has 2 entries; wanted 1"):
+        problem.set_input("force_error", [1.0, 2.0])
+    with pytest.raises(bn.Error, match="Problem.set_input: decay_time is missing"):
+        problem.set_input("force_error", 1.0, [2.0])
+    with pytest.raises(bn.Error, match="Problem.set_input: decay_time is .*wanted a positive number"):
+        problem.set_input("force_error", 1.0, 2.0, 0.0)
+    with pytest.raises(bn.EvaluationError, match="Problem.set_input: .*NaN"):
+        problem.set_input("force_error", math.nan)
+    with pytest.raises(bn.Error, match="Problem.input_at: knot 7; wanted 0 to 6"):
+        problem.input_at("force_error", 7)
+    with pytest.raises(bn.Error, match="stage 'move'.*'force'.*unknown input 'force_eror'; did you mean"):
+        bn.Problem(pressing_with_an_input(robot, offset_input="force_eror"))
+    with pytest.raises(bn.Error, match="Problem.reset_input: input 0; the problem has no inputs"):
+        bn.Problem(spec_of(robot, base_costs())).reset_input(0)
+    spec.inputs[0].name = "force_error"
+    with pytest.raises(bn.Error, match="input 'force_error': the name is used twice"):
+        bn.Problem(spec)
+
+
 def test_complaints_with_a_start_off_its_surface_name_the_distance(robot):
     assert bn.complaints(bn.Problem(above_a_sphere(robot, 0.0))) == []
     off = bn.complaints(bn.Problem(above_a_sphere(robot, 0.02)))
