@@ -5,8 +5,8 @@
 #include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "mpc/closed_dynamics.hpp"
-#include "mpc/ground_terms.hpp"
-#include "mpc/horizon.hpp"
+#include "mpc/ground_figures.hpp"
+#include "mpc/plan_inputs.hpp"
 
 namespace burnish {
 

@@ -17,14 +17,6 @@ namespace {
 /// Task for specifications that have none.
 struct NoTask final : MpcTask {};
 
-/// Returns the specification with completed entries: a normal of length one, loops of the robot
-/// among the contacts, and fade speeds.
-MpcSpec completed(MpcSpec spec) {
-  spec.normal_base.normalize();
-  spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
-  return spec;
-}
-
 std::unique_ptr<MpcTask> task_of(const MpcSpec& spec) {
   if (!spec.task) return std::make_unique<NoTask>();
   std::unique_ptr<MpcTask> made = spec.task(spec);
@@ -56,7 +48,8 @@ MpcController::Impl::Impl(MpcSpec given)
       gate(spec),
       error(error_estimate_spec(spec), gate.state()),
       grip(spec.problem.model, grip_specs(spec), spec.slip),
-      horizon(spec, problem, schedule),
+      horizon(problem, schedule),
+      inputs(spec),
       policy(spec, problem),
       in_use_(policy),
       payloads_(spec.problem.model),
@@ -115,7 +108,7 @@ void MpcController::Impl::reset() noexcept {
   error.reset();
   ahead_.reset();
   grip.reset();
-  horizon.set_support_friction(grip.friction());
+  inputs.set_support_friction(problem, grip.friction());
   policy.reset();
   holding_.reset();
   plans_.reset();
@@ -124,7 +117,7 @@ void MpcController::Impl::reset() noexcept {
   thrown = nullptr;
   solver.forget_limits();
   tick_ = 0;
-  horizon.forget_surface();
+  inputs.forget_surface(problem);
   command_ = Command{std::move(command_.tau)};
   command_.normal_world = spec.normal_base;
   command_.tau.setZero();
@@ -144,6 +137,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
       m.base_is_estimated && !(std::abs(m.base_payload - payloads_.mass()) <= rounding);
   if (payload_conflict) command_.status = worst(command_.status, Status::NotPhysical);
   is_ahead_ = false;
+  if (gate.is_fresh() && gate.is_first()) began_ = gate.now();
   if (gate.is_fresh()) motors_.look(gate, ahead_.sent());
   if (gate.is_fresh() && !fault.is_set() && !payload_conflict && has_settled())
     process_measurement();
@@ -161,8 +155,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   return command_;
 }
 
-bool MpcController::Impl::has_settled() noexcept {
-  if (gate.is_first()) began_ = gate.now();
+bool MpcController::Impl::has_settled() const noexcept {
   return gate.now() - began_ >= spec.settle - 0.01 * spec.tick_period;
 }
 
@@ -259,13 +252,15 @@ bool MpcController::Impl::prepare_plan() noexcept {
     (void)problem.set_payload(frame, payload);
   });
   horizon.follow(schedule);
-  horizon.set_friction(command_.friction);
-  horizon.set_support_friction(grip.friction());
-  horizon.set_force_error(error.force_error());
-  if (surface_) horizon.set_surface(*surface_, depth_);
+  inputs.set_friction(problem, command_.friction);
+  inputs.set_support_friction(problem, grip.friction());
+  inputs.set_force_error(problem, error.force_error());
+  if (surface_) inputs.set_surface(problem, *surface_, depth_);
+  const bool is_ready = spec.model_error.kind != ModelErrorKind::Torque || set_torque_error();
+  task->set_inputs(problem);
   x_plan_ = acting_state();
   if (!request_.warm) compute_rest_control();
-  return spec.model_error.kind != ModelErrorKind::Torque || set_torque_error();
+  return is_ready;
 }
 
 /// Computes the controls that hold the robot in its present configuration.
@@ -353,9 +348,10 @@ void MpcController::Impl::await_plan() noexcept {
 
 bool MpcController::Impl::set_torque_error() noexcept {
   const double decay_time = spec.model_error.decay_time;
-  if (std::isinf(decay_time)) return problem.set_torque_bias(error.torque_error()) == Status::Ok;
+  if (std::isinf(decay_time))
+    return inputs.set_torque_error(problem, error.torque_error(), decaying_, decay_time);
   decaying_ = error.torque_error() - error.lasting_error();
-  return problem.set_torque_bias(error.lasting_error(), decaying_, decay_time) == Status::Ok;
+  return inputs.set_torque_error(problem, error.lasting_error(), decaying_, decay_time);
 }
 
 bool MpcController::Impl::solve(double schedule_time) {

@@ -16,6 +16,7 @@
 #include "mpc/holding.hpp"
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
+#include "mpc/plan_inputs.hpp"
 #include "mpc/plan_life.hpp"
 #include "mpc/prediction.hpp"
 #include "mpc/watch.hpp"
@@ -27,11 +28,12 @@ struct MpcController::Impl {
 
   void reset() noexcept;
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
+  double payload_mass() const noexcept { return payloads_.mass(); }
   const Command& tick(const Measurement& m) noexcept;
 
  private:
   // Steps of a tick.
-  bool has_settled() noexcept;
+  bool has_settled() const noexcept;
   void process_measurement() noexcept;
   void rotate_normal() noexcept;
   void update_surface() noexcept;
@@ -71,6 +73,7 @@ struct MpcController::Impl {
   ErrorEstimate error;
   SupportGrip grip;
   Horizon horizon;
+  PlanInputs inputs;
   Policy policy;
   std::exception_ptr thrown;  ///< First exception thrown by a function of the specification.
 

@@ -6,6 +6,7 @@
 #include "burnish/solver/ddp.hpp"
 #include "mpc/horizon.hpp"
 #include "mpc/mpc_check.hpp"
+#include "mpc/plan_inputs.hpp"
 
 namespace burnish {
 namespace {
@@ -24,11 +25,10 @@ DdpOptions first_options(const MpcSpec& spec) {
 
 std::vector<std::string> step_complaints(const MpcSpec& spec) {
   (void)checked_ticks_per_update(spec);
-  MpcSpec filled = spec;
-  filled.problem = with_fade_speeds(with_loops(std::move(filled.problem)));
+  const MpcSpec filled = completed(spec);
   Problem problem(filled.problem);
   std::vector<std::string> sentences = step_complaints(problem);
-  Horizon horizon(filled, problem, Schedule(filled.schedule));
+  Horizon horizon(problem, Schedule(filled.schedule));
   horizon.place(0.0);
   const Eigen::VectorXd& x = filled.problem.initial_state;
   horizon.guess_rest(x, problem.quasi_static(problem.stage_of(0), x).control);

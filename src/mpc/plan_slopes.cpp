@@ -6,6 +6,7 @@
 #include "base/to_size.hpp"
 #include "burnish/contact/loops.hpp"
 #include "mpc/horizon.hpp"
+#include "mpc/plan_inputs.hpp"
 
 namespace burnish {
 namespace {
@@ -20,7 +21,7 @@ constexpr int first_iterations = 60;  // iterations from rest; the remaining err
 constexpr int next_iterations = 3;
 
 MpcSpec filled(MpcSpec spec) {
-  spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
+  spec = completed(std::move(spec));
   spec.solver.max_iterations = first_iterations;
   spec.solver.stop_tolerance = 1e-14;
   return spec;
@@ -34,7 +35,7 @@ class Differences {
       : spec_(filled(spec)),
         problem_(spec_.problem),
         schedule_(spec_.schedule),
-        horizon_(spec_, problem_, schedule_),
+        horizon_(problem_, schedule_),
         solver_(problem_, spec_.solver),
         x_(spec_.problem.initial_state),
         no_torque_(Eigen::VectorXd::Zero(problem_.layout().nv)) {

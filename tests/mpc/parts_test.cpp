@@ -103,7 +103,7 @@ struct PlannedToy {
   Problem problem;
   DdpSolver solver;
   Schedule schedule;
-  Horizon horizon{spec, problem, schedule};
+  Horizon horizon{problem, schedule};
 };
 
 TEST(Horizon, Stages_AreAtTheKnotsOfTheirTimes) {
@@ -137,7 +137,7 @@ TEST(Horizon, RotatingReference_TurnsWithTheScheduleTime) {
   const MpcSpec spec = turning_surface();
   Problem problem(spec.problem);
   Schedule schedule(spec.schedule);
-  Horizon horizon(spec, problem, schedule);
+  Horizon horizon(problem, schedule);
   const Eigen::VectorXd x = spec.problem.initial_state, u = Eigen::VectorXd::Constant(7, 3.0);
   for (const double now : {0.0, 0.025, 0.5}) {
     horizon.place(now);

@@ -16,6 +16,8 @@
 
 namespace burnish {
 
+class Problem;
+
 /// Phase of a task. A schedule is a sequence of phases.
 /// @described mpc
 /// During a phase, a controller uses one stage of its problem. Some phases end at an event, such as
@@ -145,6 +147,10 @@ class MpcTask {
   /// Returns the depth by which the surface yields under the tool [m], at least 0. Plans shift
   /// target positions of the tool into the surface by this depth, along the surface normal.
   virtual double surface_depth() const noexcept { return 0.0; }
+  /// Sets inputs of the plan's problem with Problem::set_input(). Called in the tick that prepares
+  /// a plan, after the controller has set its own inputs. The signals of the plan then see these
+  /// values only, even if a thread computes the plan during later ticks.
+  virtual void set_inputs(Problem& /*problem*/) noexcept {}
   /// Writes one reading for each quantity of watched(). Called after the schedule's clock has
   /// advanced.
   virtual void watch(const TaskView& /*view*/, std::span<Reading> /*readings*/) noexcept {}

@@ -1,0 +1,22 @@
+// Friction and sole size of supports in plans, from the friction cones and pressure limits there.
+#pragma once
+
+#include <string>
+
+#include "burnish/ocp/problem_spec.hpp"
+
+namespace burnish {
+
+/// Returns the friction coefficient in a friction cone or pressure limit of this contact; 0 for any
+/// other residual.
+double friction_of(const Residual& residual, const std::string& contact);
+
+/// Friction and sole size of a support in plans. Each figure is from the first term of the problem
+/// that defines it.
+struct GroundFigures {
+  double friction;        ///< Coefficient of the friction cone; infinite: no cone.
+  double half_x, half_y;  ///< Half sides of the sole [m]; 0: no pressure limit with friction.
+};
+GroundFigures ground_figures(const ProblemSpec& problem, const std::string& contact);
+
+}  // namespace burnish
