@@ -15,6 +15,7 @@ void MpcController::reset() noexcept { impl_->reset(); }
 const Command& MpcController::tick(const Measurement& measurement) noexcept {
   return impl_->tick(measurement);
 }
+double MpcController::payload_mass() const noexcept { return impl_->payload_mass(); }
 Status MpcController::set_payload(std::string_view frame, const InertiaSpec& payload) {
   return impl_->set_payload(frame, payload);
 }

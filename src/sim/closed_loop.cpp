@@ -245,6 +245,10 @@ ClosedLoop& ClosedLoop::operator=(ClosedLoop&&) noexcept = default;
 
 void ClosedLoop::estimate_base(const Model& nominal, const BaseEstimatorOptions& estimator,
                                const FootContactOptions& feet) {
+  if (const double mass = impl_->controller->payload_mass(); mass != 0.0)
+    throw Error("ClosedLoop: the controller has a payload of " + number(mass) +
+                " kg, which the estimate of the base would lack; wanted estimate_base() first, and "
+                "then set_payload() of the loop");
   impl_->estimated.emplace(nominal, estimator, feet);
   impl_->sensing.mount_imu(impl_->plant->model(), estimator.imu_frame);
 }

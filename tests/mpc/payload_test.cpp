@@ -99,6 +99,17 @@ TEST(MpcPayload, PayloadOfALoop_ReachesTheController) {
   EXPECT_THROW((void)loop.set_payload("tole", brick(1.0)), Error);
 }
 
+TEST(MpcPayload, PayloadBeforeTheEstimateOfTheBase_IsRefused) {
+  const MpcSpec spec = spec_of();
+  const std::unique_ptr<Plant> plant = make_ideal_plant(spec.problem.model, {});
+  MpcController mpc(spec);
+  ClosedLoop loop(*plant, mpc);
+  ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);
+  testing::expect_words(
+      testing::refusal([&] { loop.estimate_base(spec.problem.model, BaseEstimatorOptions{}); }),
+      {"payload of 2 kg", "estimate_base() first"});
+}
+
 TEST(MpcPayload, InvalidPayload_IsRefusedAndAValidOneAllocatesNothing) {
   MpcController mpc(spec_of());
   InertiaSpec bad = brick(1.0);

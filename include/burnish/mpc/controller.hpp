@@ -70,6 +70,8 @@ class Controller {
     (void)frame, (void)payload;
     return Status::NotEvaluated;
   }
+  /// Returns the mass of all payloads that set_payload() has set [kg].
+  virtual double payload_mass() const noexcept { return 0.0; }
 
  protected:
   Controller() = default;

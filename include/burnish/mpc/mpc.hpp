@@ -83,6 +83,7 @@ class MpcController final : public Controller {
   /// does both). While their masses differ, Command::status is NotPhysical and the fallback holds
   /// the robot.
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override;
+  double payload_mass() const noexcept override;
 
   /// Returns the first fault since reset(). FaultReport::kind is None if there was no fault.
   const FaultReport& fault() const;

@@ -95,7 +95,7 @@ class ClosedLoop {
   /// `estimator.imu_frame`. The initial estimate is the plant's true state. `nominal` is the
   /// controller's model of the robot.
   ///
-  /// Throws Error in the same cases as EstimatedBase.
+  /// Throws Error in the same cases as EstimatedBase, and if the controller already has a payload.
   void estimate_base(const Model& nominal, const BaseEstimatorOptions& estimator,
                      const FootContactOptions& feet = {});
 
