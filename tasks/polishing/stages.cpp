@@ -1,7 +1,6 @@
 #include "burnish/tasks/polishing/stages.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -59,14 +58,13 @@ std::vector<CostTerm> waving_costs(const Task& task, const Setting& setting) {
            .weight = task.waving.rotation}};
 }
 
+constexpr int time_input = 0;  // index of the input "time", which plans without preview have
+
 struct Builder {
   const Task& task;
   const Setting& setting;
   const Model& model;
   std::shared_ptr<const Path> path;
-  /// Time of the schedule up to which plans know the target force [s]. Without preview, this is the
-  /// current time. Null: no limit.
-  std::shared_ptr<const std::atomic<double>> preview_end = {};
   /// Contacts of the feet.
   std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
 
@@ -97,13 +95,14 @@ struct Builder {
         });
   }
   Signal force() const {
-    return Signal::over_time(
-        1, [task = task, setting = setting, path = path, preview_end = preview_end](
-               double t, Eigen::Ref<Eigen::VectorXd> f) {
-          if (preview_end && t > setting.ramp_end)
-            t = std::clamp(t, setting.ramp_end, preview_end->load());
-          f[0] = task_point(task, setting, *path, t).force;
-        });
+    return Signal::of_inputs(1, [task = task, setting = setting, path = path](
+                                    double t, const InputValues& inputs,
+                                    Eigen::Ref<Eigen::VectorXd> f) {
+      // Without preview, plans do not know how the force changes after the current time.
+      if (!task.force_profile.preview && t > setting.ramp_end)
+        t = std::clamp(t, setting.ramp_end, std::max(setting.ramp_end, inputs.scalar(time_input)));
+      f[0] = task_point(task, setting, *path, t).force;
+    });
   }
   /// Returns the reference with these axes, fixed in the frame that carries the surface; in the
   /// world if no frame carries it.
@@ -302,13 +301,12 @@ ContactSpec surface_contact(const Task& task, const Setting& setting) {
   return contact;
 }
 PressingTask pressing_task(const Task& task, const Setting& setting,
-                           const std::shared_ptr<const Path>& path,
-                           const std::shared_ptr<std::atomic<double>>& preview_end) {
+                           const std::shared_ptr<const Path>& path) {
   PressingTask pressing{
       .touch = {Touch::Free, Touch::Due, Touch::Wanted, Touch::Wanted, Touch::Leaving},
       .limits = task.tool_limits};
-  pressing.target = [task, setting, path, preview_end](double time) {
-    if (preview_end) *preview_end = std::max(time, setting.ramp_end);
+  if (!task.force_profile.preview) pressing.time_input = "time";
+  pressing.target = [task, setting, path](double time) {
     const TaskPoint point = task_point(task, setting, *path, time);
     return TaskTarget{point.p_world, point.force};
   };
@@ -351,14 +349,12 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   }
   const Model& model = setting.robot.model;
   const auto path = std::make_shared<const Path>(task.path);
-  std::shared_ptr<std::atomic<double>> preview_end;
-  if (!task.force_profile.preview)
-    preview_end = std::make_shared<std::atomic<double>>(setting.ramp_end);
-  const Builder build{task, setting, model, path, preview_end};
+  const Builder build{task, setting, model, path};
 
   MpcSpec mpc;
   mpc.problem.model = model;
   ProblemSpec& problem = mpc.problem;
+  if (!task.force_profile.preview) problem.inputs = {{.name = "time", .value = 0.0}};
   problem.contacts = {surface_contact(task, setting)};
   for (const ContactSpec& foot : build.feet) problem.contacts.push_back(foot);
   problem.initial_state = build.state_target();
@@ -397,7 +393,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.tool = task.tool;
   mpc.base = task.surface_frame;
   mpc.normal_base = setting.scene.surface.normal;
-  mpc.task = pressing_task(task, setting, path, preview_end);
+  mpc.task = pressing_task(task, setting, path);
   set_controller(task, model, mpc);
   pressing::set_standing(task.standing, mpc);
   return mpc;

@@ -426,7 +426,11 @@ const Description& description_of(const PressingTask* /*of*/) {
                  "Assumed surface, which is estimated during control; none: surface and normal "
                  "stay constant")
           .more("Plans use the assumed surface at first, and the estimated surface as soon as the"
-                " tool slides. The constant surface and normal come from the specification.");
+                " tool slides. The constant surface and normal come from the specification.")
+          .field("time_input", &S::time_input,
+                 "Scalar input of the problem that receives the schedule's time of the previous "
+                 "tick (empty: none)")
+          .more("A signal of inputs can use it to hide the future from plans.");
   return all;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
+#include "burnish/ocp/problem.hpp"
 #include "pressing/descriptions.gen.hpp"
 #include "pressing/tool_watch.hpp"
 
@@ -25,6 +26,19 @@ SurfaceEstimator estimator_of(const PressedSurface& surface, double tick_period)
           surface.estimate, tick_period};
 }
 
+int input_named(const std::string& name, const ProblemSpec& problem) {
+  std::vector<std::string> known;
+  for (const InputSpec& input : problem.inputs) known.push_back(input.name);
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found == known.end())
+    throw Error("pressing task: the problem has no input " + in_quotes(name) +
+                did_you_mean(name, known));
+  const auto index = static_cast<std::size_t>(found - known.begin());
+  if (problem.inputs[index].kind != InputKind::Scalar)
+    throw Error("pressing task: input " + in_quotes(name) + " has another kind; wanted a scalar");
+  return static_cast<int>(index);
+}
+
 class Pressing final : public MpcTask {
  public:
   Pressing(const PressingTask& task, const MpcSpec& spec)
@@ -41,6 +55,7 @@ class Pressing final : public MpcTask {
         approach_(task.limits),
         loss_(task.limits) {
     if (task.surface) surface_.emplace(estimator_of(*task.surface, spec.tick_period));
+    if (!task.time_input.empty()) time_input_ = input_named(task.time_input, spec.problem);
   }
 
   std::vector<std::string> events() const override { return {"contact"}; }
@@ -63,6 +78,7 @@ class Pressing final : public MpcTask {
     if (surface_) surface_->reset();
     normal_world_ = normal_at_first_;
     depth_ = 0.0;
+    time_ = 0.0;
   }
 
   const Quadric* surface() const noexcept override {
@@ -70,6 +86,10 @@ class Pressing final : public MpcTask {
   }
 
   double surface_depth() const noexcept override { return depth_; }
+
+  void set_inputs(Problem& problem) noexcept override {
+    if (time_input_ >= 0) (void)problem.set_input(time_input_, time_);
+  }
 
   unsigned sense(const TaskView& view) noexcept override {
     const Eigen::Vector3d& force = view.measurement.tool_force_world;
@@ -119,6 +139,7 @@ class Pressing final : public MpcTask {
 
   void aim(double time, Command& command) override {
     const TaskTarget target = target_(time);
+    time_ = time;
     command.target_force = target.force;
     Eigen::Vector3d p = target.p_world;
     if (surface_ && target.force > 0.0) put_on_surface(p);
@@ -147,7 +168,9 @@ class Pressing final : public MpcTask {
   ToolLimits limits_;
   Eigen::Vector3d normal_world_, normal_at_first_;
   std::optional<SurfaceEstimator> surface_;
-  double depth_ = 0.0;  ///< Indentation of the surface below the tool [m].
+  double depth_ = 0.0;   ///< Indentation of the surface below the tool [m].
+  int time_input_ = -1;  ///< Index of PressingTask::time_input; -1: none.
+  double time_ = 0.0;    ///< Time of the schedule at the last tick [s].
   int tool_;
   int base_;  ///< Frame that the surface moves with; -1: the world.
   Eigen::Isometry3d base_world_ = Eigen::Isometry3d::Identity();  ///< Placement of `base_`.

@@ -129,10 +129,14 @@ struct PressingTask {
   /// @more Plans use the assumed surface at first, and the estimated surface as soon as the tool
   /// slides. The constant surface and normal come from the specification.
   std::optional<PressedSurface> surface = {};
+  /// Scalar input of the problem that receives the schedule's time of the previous tick (empty:
+  /// none)
+  /// @more A signal of inputs can use it to hide the future from plans.
+  std::string time_input = {};
 
   /// Creates the state of this task for a controller of `spec`. Throws Error in three cases:
-  /// `touch` does not have one entry for each phase of the schedule, `target` is missing, or a
-  /// limit is out of range.
+  /// `touch` does not have one entry for each phase of the schedule, `target` or the input is
+  /// missing, or a limit is out of range.
   std::unique_ptr<MpcTask> operator()(const MpcSpec& spec) const;
 };
 
