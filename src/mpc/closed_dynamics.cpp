@@ -19,25 +19,13 @@ bool is_held_always(const ProblemSpec& problem, const std::string& contact) {
 
 }  // namespace
 
-std::vector<ContactSpec> supports_of(const MpcSpec& spec) {
+std::vector<ContactSpec> supports_of(const ProblemSpec& problem,
+                                     const std::vector<std::string>& supports) {
   std::vector<ContactSpec> result;
-  for (const ContactSpec& contact : spec.problem.contacts)
-    if (has(spec.supports, contact.name) && is_held_always(spec.problem, contact.name))
+  for (const ContactSpec& contact : problem.contacts)
+    if (has(supports, contact.name) && is_held_always(problem, contact.name))
       result.push_back(contact);
   return result;
-}
-
-std::vector<std::string> measured_frames(const MpcSpec& spec) {
-  std::vector<std::string> frames;
-  if (!spec.support_sensors) return frames;
-  for (const std::string& support : spec.supports)
-    for (const ContactSpec& contact : spec.problem.contacts)
-      if (contact.name == support) frames.push_back(contact.tool);
-  return frames;
-}
-
-bool carries(const MpcSpec& spec, const ContactSpec& contact) {
-  return is_loop(spec.problem.model, contact) || has(spec.supports, contact.name);
 }
 
 ContactDynamics closed_dynamics(const Model& model, std::vector<ContactSpec> supports) {

@@ -4,18 +4,14 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/model.hpp"
-#include "burnish/mpc/mpc_spec.hpp"
+#include "burnish/ocp/problem_spec.hpp"
 
 namespace burnish {
 
-/// Returns the contacts of those MpcSpec::supports that are in contact in every stage, in the order
-/// of ProblemSpec::contacts.
-std::vector<ContactSpec> supports_of(const MpcSpec& spec);
-/// Returns the frames of all MpcSpec::supports, in the order of Measurement::support_wrenches;
-/// empty if the specification has no wrench sensors.
-std::vector<std::string> measured_frames(const MpcSpec& spec);
-/// Returns true if `contact` is a support, or closes a loop of the robot.
-bool carries(const MpcSpec& spec, const ContactSpec& contact);
+/// Returns the contacts of those supports that are in contact in every stage, in the order of
+/// ProblemSpec::contacts. `supports`: names, as in MpcSpec::supports.
+std::vector<ContactSpec> supports_of(const ProblemSpec& problem,
+                                     const std::vector<std::string>& supports);
 
 /// Returns dynamics whose only contacts are `supports` and the loops of the robot. The gains of
 /// these contacts are zero, because gains would turn measurement noise into forces. A small

@@ -16,8 +16,9 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       actuated_(std::move(actuated)),
       effort_(spec.problem.model.effort_limit),
       tree_(spec.problem.model),
-      is_closed_(!spec.problem.model.loops.empty() || !supports_of(spec).empty()),
-      free_(closed_dynamics(spec.problem.model, supports_of(spec))),
+      is_closed_(!spec.problem.model.loops.empty() ||
+                 !supports_of(spec.problem, spec.supports).empty()),
+      free_(closed_dynamics(spec.problem.model, supports_of(spec.problem, spec.supports))),
       soles_(spec),
       open_(spec.problem.model),
       load_fraction_(Eigen::VectorXd::Ones(spec.problem.model.nv)),
@@ -40,7 +41,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
   RigidBody body(spec.problem.model);
   if (!is_usable(body.update(q_hold_, zero_))) return;
   FrameDerivatives by;
-  for (const ContactSpec& contact : supports_of(spec)) {
+  for (const ContactSpec& contact : supports_of(spec.problem, spec.supports)) {
     const auto at = std::find(spec.supports.begin(), spec.supports.end(), contact.name);
     Foot& foot = feet_.emplace_back();
     foot.sensor = at - spec.supports.begin();

@@ -107,7 +107,7 @@ void add_error_inputs(MpcSpec& spec) {
 }
 
 void add_support_inputs(MpcSpec& spec) {
-  for (const ContactSpec& support : supports_of(spec)) {
+  for (const ContactSpec& support : supports_of(spec.problem, spec.supports)) {
     if (std::isinf(ground_figures(spec.problem, support.name).friction)) continue;
     const std::string name = friction_name_of(support.name);
     if (!add(spec.problem, {.name = name})) continue;
@@ -119,9 +119,8 @@ void add_support_inputs(MpcSpec& spec) {
 }
 
 template <class Uses>
-std::vector<int> contacts_that(const MpcSpec& spec, const Uses& uses) {
+std::vector<int> contacts_that(const std::vector<ContactSpec>& contacts, const Uses& uses) {
   std::vector<int> result;
-  const std::vector<ContactSpec>& contacts = spec.problem.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (uses(contacts[c])) result.push_back(static_cast<int>(c));
   return result;
@@ -139,12 +138,13 @@ MpcSpec completed(MpcSpec spec) {
   return spec;
 }
 
-std::vector<int> contacts_on_surface(const MpcSpec& spec) {
-  return contacts_that(spec, [](const ContactSpec& c) { return c.surface_input == surface_name; });
+std::vector<int> contacts_on_surface(const std::vector<ContactSpec>& contacts) {
+  return contacts_that(
+      contacts, [](const ContactSpec& contact) { return contact.surface_input == surface_name; });
 }
 
-std::vector<int> contacts_with_friction(const MpcSpec& spec) {
-  return contacts_that(spec, [](const ContactSpec& contact) {
+std::vector<int> contacts_with_friction(const std::vector<ContactSpec>& contacts) {
+  return contacts_that(contacts, [](const ContactSpec& contact) {
     return contact.friction && contact.friction->coefficient_input == friction_name;
   });
 }
@@ -154,7 +154,7 @@ PlanInputs::PlanInputs(const MpcSpec& spec)
       friction_(find_input(spec.problem, friction_name, InputKind::Scalar)),
       force_error_(find_input(spec.problem, force_name, InputKind::Scalar)),
       torque_error_(find_input(spec.problem, spec.problem.torque_bias_input, InputKind::Vector)) {
-  const std::vector<ContactSpec> supports = supports_of(spec);
+  const std::vector<ContactSpec> supports = supports_of(spec.problem, spec.supports);
   cones_.resize(static_cast<Eigen::Index>(supports.size()));
   for (std::size_t i = 0; i < supports.size(); ++i) {
     cones_[static_cast<Eigen::Index>(i)] = ground_figures(spec.problem, supports[i].name).friction;

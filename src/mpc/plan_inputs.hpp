@@ -25,8 +25,8 @@ namespace burnish {
 MpcSpec completed(MpcSpec spec);
 
 /// Returns the indices of the contacts that use the input `surface`, or `tool_friction`.
-std::vector<int> contacts_on_surface(const MpcSpec& spec);
-std::vector<int> contacts_with_friction(const MpcSpec& spec);
+std::vector<int> contacts_on_surface(const std::vector<ContactSpec>& contacts);
+std::vector<int> contacts_with_friction(const std::vector<ContactSpec>& contacts);
 
 /// Sets the inputs of the problem of a completed specification. Values of inputs that the problem
 /// lacks are ignored.
