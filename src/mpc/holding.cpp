@@ -9,25 +9,25 @@
 #include "mpc/closed_dynamics.hpp"
 
 namespace burnish {
-Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
+
+Holding::Holding(const HoldingSpec& spec, std::vector<int> actuated)
     : fallback_(spec.fallback),
       tick_period_(spec.tick_period),
-      bridged_(std::min(0.01, spec.limits.bad) + 0.01 * spec.tick_period),
+      bridged_(std::min(0.01, spec.bad) + 0.01 * spec.tick_period),
       actuated_(std::move(actuated)),
-      effort_(spec.problem.model.effort_limit),
-      tree_(spec.problem.model),
-      is_closed_(!spec.problem.model.loops.empty() ||
-                 !supports_of(spec.problem, spec.supports).empty()),
-      free_(closed_dynamics(spec.problem.model, supports_of(spec.problem, spec.supports))),
-      soles_(spec),
-      open_(spec.problem.model),
-      load_fraction_(Eigen::VectorXd::Ones(spec.problem.model.nv)),
-      gravity_(spec.problem.model.gravity.norm()),
+      effort_(spec.model.effort_limit),
+      tree_(spec.model),
+      is_closed_(!spec.model.loops.empty() || !spec.supports.empty()),
+      free_(closed_dynamics(spec.model, spec.supports)),
+      soles_(spec.model, spec.q_start, spec.soles, spec.fallback.stiffness),
+      open_(spec.model),
+      load_fraction_(Eigen::VectorXd::Ones(spec.model.nv)),
+      gravity_(spec.model.gravity.norm()),
       weight_per_foot_(0.0),
-      weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
-      mass_(Eigen::MatrixXd::Zero(spec.problem.model.nv, spec.problem.model.nv)),
-      zero_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
-      q_hold_(spec.problem.initial_state.head(spec.problem.model.nq)),
+      weight_(Eigen::VectorXd::Zero(spec.model.nv)),
+      mass_(Eigen::MatrixXd::Zero(spec.model.nv, spec.model.nv)),
+      zero_(Eigen::VectorXd::Zero(spec.model.nv)),
+      q_hold_(spec.q_start),
       error_(zero_),
       stretch_(zero_),
       pull_(zero_) {
@@ -36,16 +36,16 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
   scale_ = Eigen::VectorXd::Zero(count);
   fall_ = Eigen::VectorXd::Zero(count);
   factor_ = Eigen::LLT<Eigen::MatrixXd>(count);
-  const double weight = spec.problem.model.total_mass() * gravity_;
-  if (!spec.support_sensors || !spec.problem.model.loops.empty() || !(weight > 0.0)) return;
-  RigidBody body(spec.problem.model);
+  const double weight = spec.model.total_mass() * gravity_;
+  if (!spec.model.loops.empty() || !(weight > 0.0)) return;
+  RigidBody body(spec.model);
   if (!is_usable(body.update(q_hold_, zero_))) return;
   FrameDerivatives by;
-  for (const ContactSpec& contact : supports_of(spec.problem, spec.supports)) {
-    const auto at = std::find(spec.supports.begin(), spec.supports.end(), contact.name);
+  for (std::size_t i = 0; i < spec.supports.size(); ++i) {
+    if (spec.sensors[i] < 0) continue;
     Foot& foot = feet_.emplace_back();
-    foot.sensor = at - spec.supports.begin();
-    body.frame_derivatives(body.frame(contact.tool), Reference::centered(), by);
+    foot.sensor = spec.sensors[i];
+    body.frame_derivatives(body.frame(spec.supports[i].tool), Reference::centered(), by);
     for (Eigen::Index k = 0; k < zero_.size(); ++k)
       foot.carries.push_back(by.jacobian.col(k).isZero(0.0) ? 0 : 1);
   }

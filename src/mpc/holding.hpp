@@ -10,9 +10,21 @@
 
 namespace burnish {
 
+/// Settings of a Holding.
+struct HoldingSpec {
+  Model model;
+  Eigen::VectorXd q_start;  ///< Configuration until the first valid measurement.
+  Fallback fallback;
+  double tick_period;                   ///< Time between ticks [s].
+  double bad;                           ///< Longest time with invalid measurements [s].
+  std::vector<ContactSpec> supports;    ///< Contacts that always hold the robot, without loops.
+  std::vector<int> sensors;             ///< Column of the wrenches, per support; -1: no sensor.
+  std::vector<SoleLimits::Sole> soles;  ///< Soles of the supports with sensors.
+};
+
 class Holding {
  public:
-  Holding(const MpcSpec& spec, std::vector<int> actuated);
+  Holding(const HoldingSpec& spec, std::vector<int> actuated);
 
   void reset() noexcept;
   /// Sets the payload at a frame, see ContactDynamics::set_payload(). `loaded`: body of the frame
@@ -26,7 +38,7 @@ class Holding {
   void release() noexcept { holding_ = false; }
   /// Sets `tau` (nv) [Nm or N] to the holding torque at q and v, or to zero if the dynamics cannot
   /// be evaluated. `fresh`: true if q and v were measured at this tick. `wrenches`:
-  /// Measurement::support_wrenches, whose number of columns depends on MpcSpec::support_sensors.
+  /// Measurement::support_wrenches, which has no columns if no support has a sensor.
   void torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
               const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
               Eigen::VectorXd& tau) noexcept;

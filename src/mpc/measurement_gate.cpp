@@ -7,18 +7,17 @@
 
 namespace burnish {
 
-MeasurementGate::MeasurementGate(const MpcSpec& spec)
+MeasurementGate::MeasurementGate(const GateSpec& spec)
     : limits_(spec.limits),
+      support_names_(spec.sensors),
       tick_period_(spec.tick_period),
       has_force_(spec.force_sensor),
-      supports_(spec.support_sensors ? static_cast<Eigen::Index>(spec.supports.size()) : 0),
-      q_start_(spec.problem.initial_state.head(spec.problem.model.nq)),
-      state_(spec.problem.model, contacts_at(spec.problem.contacts, spec.problem.start_time),
-             spec.tool, spec.base) {
-  const Model& model = spec.problem.model;
+      supports_(static_cast<Eigen::Index>(spec.sensors.size())),
+      q_start_(spec.q_start),
+      state_(spec.model, spec.contacts, spec.tool, spec.surface_frame) {
+  const Model& model = spec.model;
   for (int i = 0; i < model.nq; ++i) q_names_.push_back(model.q_name(i));
   for (int k = 0; k < model.nv; ++k) v_names_.push_back(model.v_name(k));
-  support_names_ = spec.supports;
   last_.q = q_start_;
   last_.v = last_.tau = Eigen::VectorXd::Zero(model.nv);
   last_.support_wrenches.setZero(6, supports_);

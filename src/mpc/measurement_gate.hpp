@@ -7,13 +7,26 @@
 
 namespace burnish {
 
+/// Settings of a MeasurementGate.
+struct GateSpec {
+  Model model;
+  std::vector<ContactSpec> contacts;  ///< Contacts of MeasurementGate::state().
+  std::string tool;                   ///< Frame of the tool.
+  std::string surface_frame;          ///< Robot frame that carries the surface; empty: world.
+  Eigen::VectorXd q_start;            ///< Configuration until the first valid measurement.
+  bool force_sensor;                  ///< Whether Measurement::tool_force_world is measured.
+  std::vector<std::string> sensors;   ///< Supports with a column of Measurement::support_wrenches.
+  SafetyLimits limits;                ///< Only `bad` and `stale` are used.
+  double tick_period;                 ///< Time between ticks [s].
+};
+
 /// Gate that checks measurements and keeps the last valid one. A measurement is invalid if it
 /// contains a NaN or a vector of wrong size, or if its time does not increase. While measurements
 /// are invalid, the time advances by one tick period per tick, until one of the limits `bad` and
 /// `stale` is reached.
 class MeasurementGate {
  public:
-  explicit MeasurementGate(const MpcSpec& spec);
+  explicit MeasurementGate(const GateSpec& spec);
 
   void reset() noexcept;
   /// Checks the measurement of a tick. After a fault, only position and velocity must be valid.

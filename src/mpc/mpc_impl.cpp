@@ -8,8 +8,8 @@
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
-#include "mpc/estimator_specs.hpp"
 #include "mpc/mpc_check.hpp"
+#include "mpc/part_specs.hpp"
 
 namespace burnish {
 namespace {
@@ -45,18 +45,19 @@ MpcController::Impl::Impl(MpcSpec given)
       solver(problem, solver_options(spec)),
       schedule(spec.schedule, task->events()),
       fault(spec.problem.model),
-      gate(spec),
+      gate(gate_spec(spec)),
       error(error_estimate_spec(spec), gate.state()),
       grip(spec.problem.model, grip_specs(spec), spec.slip),
       horizon(problem, schedule),
       inputs(spec),
-      policy(spec, problem),
+      policy(policy_spec(spec), problem),
       in_use_(policy),
       payloads_(spec.problem.model),
       expected_(spec.solver_delay),
       prediction_(problem),
       ahead_(spec.problem, loop_times(spec), spec.limits.stale),
-      holding_(spec, {problem.layout().actuated.begin(), problem.layout().actuated.end()}),
+      holding_(holding_spec(spec),
+               {problem.layout().actuated.begin(), problem.layout().actuated.end()}),
       plans_(spec.limits),
       motors_(spec.problem.model, spec.limits, spec.tick_period),
       black_box_(spec.problem.model, spec.tick_period, fault),

@@ -1,41 +1,20 @@
 #include "mpc/policy.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/to_size.hpp"
 
 namespace burnish {
-namespace {
 
-/// Returns the time steps of the knots for which a plan is kept. They cover the time until a run is
-/// stopped because too many updates have failed.
-std::vector<double> plan_steps(const MpcSpec& spec) {
-  // With other kinds of PlanTiming, the computing time has no limit, so that all knots are kept.
-  if (spec.timing != PlanTiming::Fixed) return knot_steps(spec.problem);
-  const double updates = 2.0 + spec.limits.failed_solves;
-  const double time = updates * spec.update_period + spec.solver_delay;
-  std::vector<double> steps = knot_steps(spec.problem);
-  const KnotTimes times(steps);
-  // With uneven knots, one step more is kept, because knots may move by half a step to a change of
-  // phase.
-  const double extra = times.is_even() ? 1.0 : 2.0;
-  const double knots = std::ceil(times.place(time)) + extra;
-  steps.resize(to_size(std::min<double>(knots, times.knots())));
-  return steps;
-}
-
-}  // namespace
-
-Policy::Policy(const MpcSpec& spec, const Problem& problem)
-    : plan_(problem, plan_steps(spec)),
+Policy::Policy(const PolicySpec& spec, const Problem& problem)
+    : plan_(problem, spec.steps),
       next_(plan_),
       feedback_(plan_.make_feedback()),
       effort_(problem.layout().nu),
       feeds_back_(spec.feedback),
       rounding_(0.01 * spec.tick_period) {
   for (int i = 0; i < problem.layout().nu; ++i)
-    effort_[i] = spec.problem.model.effort_limit[problem.layout().actuated[to_size(i)]];
+    effort_[i] = problem.model().effort_limit[problem.layout().actuated[to_size(i)]];
 }
 
 void Policy::reset() noexcept {

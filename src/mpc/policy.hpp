@@ -3,19 +3,25 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "burnish/mpc/feedback.hpp"
-#include "burnish/mpc/mpc_spec.hpp"
 #include "burnish/ocp/problem.hpp"
 #include "burnish/solver/ddp.hpp"
 
 namespace burnish {
 
+/// Settings of a Policy.
+struct PolicySpec {
+  std::vector<double> steps;  ///< Steps of the first knots of a plan, which the policy keeps [s].
+  bool feedback;              ///< Whether gains are applied; if false, the planned control is held.
+  double tick_period;         ///< Time between ticks [s].
+};
+
 class Policy {
  public:
-  /// Reserves memory for plans. Plans are kept for the longest time for which a run continues
-  /// without a new plan.
-  Policy(const MpcSpec& spec, const Problem& problem);
+  /// Reserves memory for plans of `problem`.
+  Policy(const PolicySpec& spec, const Problem& problem);
 
   void reset() noexcept;
   /// Loads the solver's solution as the next plan. The plan begins at `time` [s]; `times` are the

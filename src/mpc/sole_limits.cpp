@@ -10,22 +10,11 @@
 namespace burnish {
 namespace {
 
-/// Returns the pressure limit (size of the sole) of a contact in the first stage; null if the
-/// contact does not have one.
-const residual::CenterOfPressure* sole_of(const MpcSpec& spec, const std::string& contact) {
-  if (spec.problem.stages.empty()) return nullptr;
-  for (const Constraint& rows : spec.problem.stages.front().constraints)
-    if (const auto* sole = std::get_if<residual::CenterOfPressure>(&rows.residual))
-      if (sole->contact == contact) return sole;
-  return nullptr;
-}
-
 /// Returns the smallest and the largest moment about a joint axis `a` due to a force of 1 N upwards
 /// at a corner of the sole [m]. `R`: axes of the sole's frame. `at_origin`: moment of the force at
 /// the origin of the frame [m].
-std::pair<double, double> moments_of_corners(const residual::CenterOfPressure& sole,
-                                             const Eigen::Matrix3d& R, const Eigen::Vector3d& a,
-                                             double at_origin) {
+std::pair<double, double> moments_of_corners(const SoleLimits::Sole& sole, const Eigen::Matrix3d& R,
+                                             const Eigen::Vector3d& a, double at_origin) {
   double lower = at_origin, upper = at_origin;
   for (const double x : {-sole.half_x, sole.half_x})
     for (const double y : {-sole.half_y, sole.half_y}) {
@@ -38,9 +27,9 @@ std::pair<double, double> moments_of_corners(const residual::CenterOfPressure& s
 
 }  // namespace
 
-SoleLimits::SoleLimits(const MpcSpec& spec) {
-  const Model& model = spec.problem.model;
-  if (!spec.support_sensors || !model.loops.empty()) return;
+SoleLimits::SoleLimits(const Model& model, const Eigen::VectorXd& q, const std::vector<Sole>& soles,
+                       double stiffness) {
+  if (soles.empty() || !model.loops.empty()) return;
   // Limits, chosen by hand.
   // - `near`: largest distance of an ankle from its sole, relative to the height of the centre of
   //   mass.
@@ -50,23 +39,16 @@ SoleLimits::SoleLimits(const MpcSpec& spec) {
   constexpr double near = 0.3;
   constexpr double upright = 0.8;
   constexpr double stretch = 1.0;
-  const Eigen::VectorXd q = spec.problem.initial_state.head(model.nq);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
   RigidBody body(model);
   ContactDynamics open(model);
   if (!is_usable(body.update(q, rest)) || !is_usable(open.forward(q, rest, rest))) return;
   FrameDerivatives motion;
-  for (std::size_t i = 0; i < spec.supports.size(); ++i) {
-    const auto contact =
-        std::find_if(spec.problem.contacts.begin(), spec.problem.contacts.end(),
-                     [&](const ContactSpec& given) { return given.name == spec.supports[i]; });
-    const auto* sole =
-        contact == spec.problem.contacts.end() ? nullptr : sole_of(spec, contact->name);
-    if (sole == nullptr) continue;
-    const int frame = body.frame(contact->tool);
+  for (const Sole& sole : soles) {
+    const int frame = body.frame(sole.frame);
     const Eigen::Isometry3d at = body.placement(frame);
     body.frame_derivatives(frame, Reference::centered(), motion);
-    const Frame& foot = model.frames[to_size(model.frame_index(contact->tool))];
+    const Frame& foot = model.frames[to_size(model.frame_index(sole.frame))];
     int joint = foot.body;
     for (; joint >= 0; joint = model.joints[to_size(joint)].parent) {
       const Joint& one = model.joints[to_size(joint)];
@@ -77,10 +59,9 @@ SoleLimits::SoleLimits(const MpcSpec& spec) {
       // distance of the axis.
       if (linear.norm() > near * (body.com().z() - at.translation().z())) break;
       if (std::abs(a.z()) > upright) continue;
-      const auto [lower, upper] = moments_of_corners(*sole, at.linear(), a, linear.z());
-      ankles_.push_back(
-          {one.v_index, static_cast<Eigen::Index>(i), -upper, -lower,
-           stretch * spec.fallback.stiffness * open.mass_matrix()(one.v_index, one.v_index)});
+      const auto [lower, upper] = moments_of_corners(sole, at.linear(), a, linear.z());
+      ankles_.push_back({one.v_index, sole.sensor, -upper, -lower,
+                         stretch * stiffness * open.mass_matrix()(one.v_index, one.v_index)});
     }
   }
 }

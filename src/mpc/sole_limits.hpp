@@ -1,9 +1,10 @@
 // Limits of the ankle torques of a standing robot, which keep its planar feet (soles) from tipping.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "burnish/mpc/mpc_spec.hpp"
+#include "burnish/model/model.hpp"
 
 namespace burnish {
 
@@ -13,11 +14,16 @@ namespace burnish {
 /// speeds.
 class SoleLimits {
  public:
-  /// Creates limits for supports with force sensors and a residual::CenterOfPressure in the first
-  /// stage of the problem, which defines the sole. Ankles are the joints next to a sole in the
-  /// initial configuration. There are no limits for point feet, for robots without force sensors,
-  /// and for robots with loops.
-  explicit SoleLimits(const MpcSpec& spec);
+  /// Sole of a support with a force sensor.
+  struct Sole {
+    std::string frame;      ///< Frame of the robot at the middle of the sole.
+    int sensor;             ///< Column of the wrenches.
+    double half_x, half_y;  ///< Half sides [m].
+  };
+  /// Creates limits for the ankles, which are the joints next to a sole in the configuration `q`.
+  /// There are no limits for robots with loops. `stiffness`: Fallback::stiffness.
+  SoleLimits(const Model& model, const Eigen::VectorXd& q, const std::vector<Sole>& soles,
+             double stiffness);
 
   /// Clamps the ankle entries of tau (nv) so that no sole tips under its measured load [Nm].
   /// `wrenches`: Measurement::support_wrenches.

@@ -9,7 +9,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
-#include "mpc/holding.hpp"
+#include "mpc/part_specs.hpp"
 #include "pressing/standing_terms.hpp"
 
 namespace burnish::pressing {
@@ -92,7 +92,7 @@ class HeldMotion {
     const Eigen::Index n = v_by_v_.rows();
     std::vector<int> driven;
     for (int k = base_entries; k < n; ++k) driven.push_back(k);
-    Holding holding(mpc, driven);
+    Holding holding(holding_spec(mpc), driven);
     // Without sensors, all feet count as standing.
     const Eigen::Matrix<double, 6, Eigen::Dynamic> none(6, 0);
     Eigen::VectorXd rest(n), moved(n), v = Eigen::VectorXd::Zero(n);

@@ -6,15 +6,15 @@
 #include <cmath>
 
 #include "base/decomposition.hpp"
-#include "mpc/estimator_specs.hpp"
 #include "mpc/measurement_gate.hpp"
+#include "mpc/part_specs.hpp"
 #include "support/toy_task.hpp"
 
 namespace burnish::test {
 namespace {
 
 ErrorEstimate estimate_of(const MpcSpec& spec) {
-  return ErrorEstimate(error_estimate_spec(spec), MeasurementGate(spec).state());
+  return ErrorEstimate(error_estimate_spec(spec), MeasurementGate(gate_spec(spec)).state());
 }
 
 void update(ErrorEstimate& estimate, MeasurementGate& gate, double target,
@@ -45,7 +45,7 @@ struct Pressing {
   }
   /// Simulates one second at rest with the force in `m` on the tool and this command.
   void rest(ErrorEstimate& estimate, const Eigen::VectorXd& tau, double target, int stage = 0) {
-    MeasurementGate gate(spec);
+    MeasurementGate gate(gate_spec(spec));
     FaultLatch latch;
     Status status = Status::Ok;
     for (int tick = 0; tick < 1000; ++tick) {
@@ -127,7 +127,7 @@ TEST(ErrorEstimate, PredictedSliding_TurnsTheFrictionWithTheMotion) {
   /// motion.
   const auto friction_error = [&](bool predicted, double speed, double sign) {
     ErrorEstimate estimate = estimate_of(arm.spec);
-    MeasurementGate gate(arm.spec);
+    MeasurementGate gate(gate_spec(arm.spec));
     FaultLatch latch;
     Status status = Status::Ok;
     double t = 0.0;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <random>
 
-#include "mpc/estimator_specs.hpp"
+#include "mpc/part_specs.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/toy_task.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "burnish/mpc/mpc.hpp"
-#include "mpc/estimator_specs.hpp"
+#include "mpc/part_specs.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/refusal.hpp"
 #include "support/toy_task.hpp"
@@ -25,7 +25,7 @@ class DelayCompensation : public ::testing::Test {
     spec.command_delay = command;
     spec.measurement_delay = measurement;
     spec.limits.stale = 0.02;
-    gate.emplace(spec);
+    gate.emplace(gate_spec(spec));
     ahead.emplace(spec.problem, loop_times(spec), spec.limits.stale);
     dynamics.emplace(stage_contacts(spec));
   }

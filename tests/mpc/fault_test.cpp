@@ -5,6 +5,7 @@
 
 #include "mpc/descriptions.gen.hpp"
 #include "mpc/measurement_gate.hpp"
+#include "mpc/part_specs.hpp"
 #include "mpc/torque_lag.hpp"
 #include "mpc/watch.hpp"
 #include "support/allocation_guard.hpp"
@@ -93,7 +94,7 @@ TEST(MeasurementGate, InvalidMeasurement_IsNamedInTheReport) {
   MpcSpec spec = toy_spec();
   const std::string joint = spec.problem.model.v_name(3);
   const auto text_of = [&](const std::function<void(Measurement&)>& spoil) {
-    MeasurementGate gate(spec);
+    MeasurementGate gate(gate_spec(spec));
     FaultLatch latch(spec.problem.model);
     Status status = Status::Ok;
     Measurement m = toy_measurement(spec);
@@ -133,7 +134,7 @@ class MotorMonitor : public ::testing::Test {
   /// Runs until this time with torques that arrive after `delay`; `joint` yields only a fraction of
   /// its torque.
   void run(double until, double delay, int joint = -1, double fraction = 1.0) {
-    MeasurementGate gate(spec);
+    MeasurementGate gate(gate_spec(spec));
     FaultLatch latch(spec.problem.model);
     Status status = Status::Ok;
     for (int i = 0; m.time < until; ++i) {

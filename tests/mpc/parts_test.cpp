@@ -5,9 +5,9 @@
 #include "burnish/mpc/mpc.hpp"
 #include "estimate/contact_force_estimate.hpp"
 #include "mpc/black_box.hpp"
-#include "mpc/estimator_specs.hpp"
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
+#include "mpc/part_specs.hpp"
 #include "mpc/policy.hpp"
 #include "mpc/prediction.hpp"
 #include "mpc/watch.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 TEST(MeasurementGate, InvalidMeasurements_AreBridgedInTime) {
   const MpcSpec spec = toy_spec();
-  MeasurementGate gate(spec);
+  MeasurementGate gate(gate_spec(spec));
   FaultLatch latch;
   Status status = Status::Ok;
   Measurement m = toy_measurement(spec);
@@ -58,7 +58,7 @@ TEST(MeasurementGate, InvalidMeasurementsBeyondTheLimit_RaiseAFault) {
   const Measurement good = toy_measurement(spec);
   const auto ticks_until_fault = [&](FaultKind kind,
                                      const std::function<void(Measurement&)>& spoil) {
-    MeasurementGate gate(spec);
+    MeasurementGate gate(gate_spec(spec));
     FaultLatch latch;
     Status status = Status::Ok;
     Measurement m = good;
@@ -151,7 +151,7 @@ TEST(Horizon, RotatingReference_TurnsWithTheScheduleTime) {
 
 TEST(ContactForceEstimate, RotatingReference_TurnsTheForce) {
   ContactForceEstimate estimate(stage_contacts(turning_surface()));
-  MeasurementGate gate(turning_surface());
+  MeasurementGate gate(gate_spec(turning_surface()));
   const Eigen::VectorXd q = turning_surface().problem.initial_state.head(7);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
   ASSERT_EQ(gate.state().update(q, rest), Status::Ok);
@@ -159,7 +159,7 @@ TEST(ContactForceEstimate, RotatingReference_TurnsTheForce) {
   ASSERT_TRUE(estimate.force_at(gate.state(), 0, 0.0, rest, first));
   for (const double time : {0.2, 0.6}) {
     ContactForceEstimate frozen(stage_contacts(turning_surface(time)));
-    MeasurementGate frozen_gate(turning_surface(time));
+    MeasurementGate frozen_gate(gate_spec(turning_surface(time)));
     ASSERT_EQ(frozen_gate.state().update(q, rest), Status::Ok);
     ASSERT_TRUE(frozen.force_at(frozen_gate.state(), 0, 0.0, rest, wanted));
     ASSERT_TRUE(estimate.force_at(gate.state(), 0, time, rest, force));
@@ -176,7 +176,7 @@ TEST(ContactForceEstimate, ReferenceWithoutRotation_GivesNoForce) {
         xyzw << 0.0, 0.0, 0.0, t < 1.0 ? 1.0 : 0.0;
       });
   ContactForceEstimate estimate(stage_contacts(spec));
-  MeasurementGate gate(spec);
+  MeasurementGate gate(gate_spec(spec));
   const Eigen::VectorXd q = spec.problem.initial_state.head(7), rest = Eigen::VectorXd::Zero(7);
   ASSERT_EQ(gate.state().update(q, rest), Status::Ok);
   Eigen::Vector3d force;
@@ -276,7 +276,7 @@ TEST(UnevenHorizon, Policy_FollowsTheKnotTimes) {
   PlannedToy plan(growing_spec());
   plan.horizon.place(0.0);
   plan.solver.solve();
-  Policy policy(plan.spec, plan.problem);
+  Policy policy(policy_spec(plan.spec), plan.problem);
   policy.load(plan.solver, 2.0, plan.horizon.times());
   policy.take_over(2.0);
   Eigen::VectorXd u(7);
@@ -322,7 +322,7 @@ TEST(UnevenHorizon, StepsThatDifferBetweenStages_AreRefused) {
 
 TEST(Policy, LoadedPlan_ActsFromItsStartTime) {
   PlannedToy plan;
-  Policy policy(plan.spec, plan.problem);
+  Policy policy(policy_spec(plan.spec), plan.problem);
   const Eigen::VectorXd x = plan.spec.problem.initial_state;
   Eigen::VectorXd u = Eigen::VectorXd::Zero(7);
   policy.load(plan.solver, 0.01, plan.horizon.times());
@@ -346,7 +346,7 @@ TEST(Policy, LoadedPlan_ActsFromItsStartTime) {
 
 TEST(Prediction, Advance_FollowsThePolicy) {
   PlannedToy plan;
-  Policy policy(plan.spec, plan.problem);
+  Policy policy(policy_spec(plan.spec), plan.problem);
   policy.load(plan.solver, 0.0, plan.horizon.times());
   policy.take_over(0.0);
   Prediction prediction(plan.problem);
@@ -367,7 +367,7 @@ TEST(JointWatch, SpeedOrPositionBeyondLimits_NamesTheJoint) {
   MpcSpec spec = toy_spec();
   const Model& model = spec.problem.model;
   const auto fault_of = [&](const std::function<void(Measurement&)>& change) {
-    MeasurementGate gate(spec);
+    MeasurementGate gate(gate_spec(spec));
     FaultLatch latch;
     Status status = Status::Ok;
     Measurement m = toy_measurement(spec);
@@ -393,7 +393,7 @@ TEST(BaseWatch, BaseLostForTooLong_IsAFault) {
   MpcSpec spec = toy_spec();
   spec.limits.base_lost = 0.1;
   for (const double lost : {0.0, 0.1, 0.11}) {
-    MeasurementGate gate(spec);
+    MeasurementGate gate(gate_spec(spec));
     FaultLatch latch;
     Status status = Status::Ok;
     Measurement m = toy_measurement(spec);

@@ -1,4 +1,4 @@
-// Specifications of estimators, derived from that of the controller.
+// Specifications of the parts and estimators of a controller, derived from that of the controller.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,9 @@
 #include "burnish/mpc/mpc_spec.hpp"
 #include "estimate/error_estimate.hpp"
 #include "estimate/support_grip.hpp"
+#include "mpc/holding.hpp"
+#include "mpc/measurement_gate.hpp"
+#include "mpc/policy.hpp"
 
 namespace burnish {
 
@@ -16,5 +19,8 @@ StageContacts stage_contacts(const MpcSpec& spec);
 ErrorEstimateSpec error_estimate_spec(const MpcSpec& spec);
 /// Returns the supports that are in contact in every stage, in the order of supports_of().
 std::vector<GripSpec> grip_specs(const MpcSpec& spec);
+GateSpec gate_spec(const MpcSpec& spec);
+PolicySpec policy_spec(const MpcSpec& spec);
+HoldingSpec holding_spec(const MpcSpec& spec);
 
 }  // namespace burnish

@@ -1,0 +1,175 @@
+#include "mpc/part_specs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/to_size.hpp"
+#include "burnish/contact/loops.hpp"
+#include "mpc/closed_dynamics.hpp"
+#include "mpc/ground_figures.hpp"
+#include "mpc/plan_inputs.hpp"
+
+namespace burnish {
+namespace {
+
+/// Returns the frames of all supports, in the order of Measurement::support_wrenches; empty if the
+/// specification has no wrench sensors.
+std::vector<std::string> measured_frames(const MpcSpec& spec) {
+  std::vector<std::string> frames;
+  if (!spec.support_sensors) return frames;
+  for (const std::string& support : spec.supports)
+    for (const ContactSpec& contact : spec.problem.contacts)
+      if (contact.name == support) frames.push_back(contact.tool);
+  return frames;
+}
+
+/// Returns the time steps of the knots for which a plan is kept. They cover the time until a run is
+/// stopped because too many updates have failed.
+std::vector<double> plan_steps(const MpcSpec& spec) {
+  // With other kinds of PlanTiming, the computing time has no limit, so that all knots are kept.
+  if (spec.timing != PlanTiming::Fixed) return knot_steps(spec.problem);
+  const double updates = 2.0 + spec.limits.failed_solves;
+  const double time = updates * spec.update_period + spec.solver_delay;
+  std::vector<double> steps = knot_steps(spec.problem);
+  const KnotTimes times(steps);
+  // With uneven knots, one step more is kept, because knots may move by half a step to a change of
+  // phase.
+  const double extra = times.is_even() ? 1.0 : 2.0;
+  const double knots = std::ceil(times.place(time)) + extra;
+  steps.resize(to_size(std::min<double>(knots, times.knots())));
+  return steps;
+}
+
+/// Returns the column of a support in Measurement::support_wrenches; -1: no sensor.
+int sensor_of(const MpcSpec& spec, const std::string& support) {
+  if (!spec.support_sensors) return -1;
+  const auto at = std::find(spec.supports.begin(), spec.supports.end(), support);
+  return static_cast<int>(at - spec.supports.begin());
+}
+
+/// Returns the soles of supports with sensors, from the pressure limits in the first stage.
+std::vector<SoleLimits::Sole> soles_of(const MpcSpec& spec) {
+  std::vector<SoleLimits::Sole> soles;
+  const ProblemSpec& problem = spec.problem;
+  if (!spec.support_sensors || problem.stages.empty()) return soles;
+  for (std::size_t i = 0; i < spec.supports.size(); ++i) {
+    const std::string& support = spec.supports[i];
+    const auto contact =
+        std::find_if(problem.contacts.begin(), problem.contacts.end(),
+                     [&](const ContactSpec& given) { return given.name == support; });
+    if (contact == problem.contacts.end()) continue;
+    for (const Constraint& rows : problem.stages.front().constraints) {
+      const auto* sole = std::get_if<residual::CenterOfPressure>(&rows.residual);
+      if (sole == nullptr || sole->contact != support) continue;
+      soles.push_back({contact->tool, static_cast<int>(i), sole->half_x, sole->half_y});
+      break;
+    }
+  }
+  return soles;
+}
+
+}  // namespace
+
+LoopTimes loop_times(const MpcSpec& spec) {
+  return {.tick_period = spec.tick_period,
+          .update_period = spec.update_period,
+          .solver_delay = spec.solver_delay,
+          .command_delay = spec.command_delay,
+          .measurement_delay = spec.measurement_delay};
+}
+
+StageContacts stage_contacts(const MpcSpec& spec) {
+  StageContacts result{.all = {},
+                       .supports = {},
+                       .rotations = {},
+                       .following = contacts_on_surface(spec.problem.contacts),
+                       .with_friction = contacts_with_friction(spec.problem.contacts)};
+  const ProblemSpec& problem = spec.problem;
+  const auto contains = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const ContactSpec& contact : problem.contacts)
+    result.rotations.push_back(contact.reference.rotation_over_time);
+  for (const Stage& stage : problem.stages) {
+    RobotState::ActiveContacts &all = result.all.emplace_back(),
+                               &supports = result.supports.emplace_back();
+    for (const ContactSpec& contact : problem.contacts) {
+      const bool holds = contains(stage.contacts, contact.name);
+      const bool carries = is_loop(problem.model, contact) || contains(spec.supports, contact.name);
+      all.push_back(holds ? 1 : 0);
+      supports.push_back(holds && carries ? 1 : 0);
+    }
+  }
+  return result;
+}
+
+ErrorEstimateSpec error_estimate_spec(const MpcSpec& spec) {
+  const ProblemSpec& problem = spec.problem;
+  ErrorEstimateSpec result{.model = problem.model,
+                           .options = spec.model_error,
+                           .torque_cutoff = {},
+                           .normal_world = spec.normal_base,
+                           .contact_threshold = spec.contact_threshold,
+                           .force_sensor = spec.force_sensor,
+                           .supports = supports_of(problem, spec.supports),
+                           .held = with_loops(problem.model, supports_of(problem, spec.supports)),
+                           .measured = measured_frames(spec),
+                           .contacts = stage_contacts(spec),
+                           .friction = {},
+                           .times = loop_times(spec)};
+  if (problem.torque_model) result.torque_cutoff = problem.torque_model->cutoff;
+  if (!result.contacts.with_friction.empty()) {
+    const int contact = result.contacts.with_friction.front();
+    result.friction = spec.friction_estimate;
+    result.planned_speed = problem.contacts[to_size(contact)].friction->fade_speed();
+  }
+  return result;
+}
+
+std::vector<GripSpec> grip_specs(const MpcSpec& spec) {
+  std::vector<GripSpec> result;
+  for (const ContactSpec& contact : supports_of(spec.problem, spec.supports)) {
+    const GroundFigures figures = ground_figures(spec.problem, contact.name);
+    result.push_back({.name = contact.name,
+                      .frame = contact.tool,
+                      .sensor = sensor_of(spec, contact.name),
+                      .friction = figures.friction,
+                      .half_x = figures.half_x,
+                      .half_y = figures.half_y});
+  }
+  return result;
+}
+
+GateSpec gate_spec(const MpcSpec& spec) {
+  const ProblemSpec& problem = spec.problem;
+  return {.model = problem.model,
+          .contacts = contacts_at(problem.contacts, problem.start_time),
+          .tool = spec.tool,
+          .surface_frame = spec.base,
+          .q_start = problem.initial_state.head(problem.model.nq),
+          .force_sensor = spec.force_sensor,
+          .sensors = spec.support_sensors ? spec.supports : std::vector<std::string>(),
+          .limits = spec.limits,
+          .tick_period = spec.tick_period};
+}
+
+PolicySpec policy_spec(const MpcSpec& spec) {
+  return {.steps = plan_steps(spec), .feedback = spec.feedback, .tick_period = spec.tick_period};
+}
+
+HoldingSpec holding_spec(const MpcSpec& spec) {
+  const Model& model = spec.problem.model;
+  HoldingSpec result{.model = model,
+                     .q_start = spec.problem.initial_state.head(model.nq),
+                     .fallback = spec.fallback,
+                     .tick_period = spec.tick_period,
+                     .bad = spec.limits.bad,
+                     .supports = supports_of(spec.problem, spec.supports),
+                     .sensors = {},
+                     .soles = soles_of(spec)};
+  for (const ContactSpec& contact : result.supports)
+    result.sensors.push_back(sensor_of(spec, contact.name));
+  return result;
+}
+
+}  // namespace burnish
