@@ -17,21 +17,19 @@ namespace {
 /// Task for specifications that have none.
 struct NoTask final : MpcTask {};
 
-std::unique_ptr<MpcTask> task_of(const MpcSpec& spec) {
-  if (!spec.task) return std::make_unique<NoTask>();
-  std::unique_ptr<MpcTask> made = spec.task(spec);
+/// Returns the task that MpcSpec::task made. Throws Error if it is null.
+std::unique_ptr<MpcTask> checked_task(std::unique_ptr<MpcTask> made) {
   if (!made)
     throw Error("MPC: the specification's function `task` returned no task; wanted a task");
   return made;
 }
 
-/// Returns solver options with memory for the longest solve. A constraint that cannot be satisfied
-/// is violated at its L1 penalty weight, because there is no time for solves with a larger weight.
-DdpOptions solver_options(const MpcSpec& spec) {
-  DdpOptions options = spec.solver;
+/// Returns `options` with memory for solves of up to `iterations`. A constraint that cannot be
+/// satisfied is violated at its L1 penalty weight, because there is no time for solves with a
+/// larger weight.
+DdpOptions solver_options(DdpOptions options, int iterations) {
   options.limits.max_l1_weight = 0.0;
-  options.max_iterations =
-      std::max({options.max_iterations, spec.first_iterations, spec.jump_iterations});
+  options.max_iterations = std::max(options.max_iterations, iterations);
   return options;
 }
 
@@ -40,9 +38,10 @@ DdpOptions solver_options(const MpcSpec& spec) {
 MpcController::Impl::Impl(MpcSpec given)
     : ticks_per_update_(checked_ticks_per_update(given)),
       spec(completed(std::move(given))),
-      task(task_of(spec)),
+      task(spec.task ? checked_task(spec.task(spec)) : std::make_unique<NoTask>()),
       problem(spec.problem),
-      solver(problem, solver_options(spec)),
+      solver(problem,
+             solver_options(spec.solver, std::max(spec.first_iterations, spec.jump_iterations))),
       schedule(spec.schedule, task->events()),
       fault(spec.problem.model),
       gate(gate_spec(spec)),
