@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/to_size.hpp"
+#include "mpc/plan_inputs.hpp"
 #include "mpc/sampled_loop.hpp"
 
 namespace burnish {
@@ -42,11 +43,43 @@ Case case_of(const ModelErrorOptions& options, double bandwidth) {
   return result;
 }
 
+/// Returns true if the tool has a contact in the stage of a phase. `phase`: index in
+/// `spec.schedule`.
+bool presses_in(const MpcSpec& spec, int phase) {
+  const std::string& name = spec.schedule[to_size(phase)].stage;
+  for (const Stage& stage : spec.problem.stages)
+    for (const ContactSpec& contact : spec.problem.contacts)
+      if (stage.name == name && contact.tool == spec.tool &&
+          std::find(stage.contacts.begin(), stage.contacts.end(), contact.name) !=
+              stage.contacts.end())
+        return true;
+  return false;
+}
+
+/// Returns the loop at the start of a phase. The surface must be fixed to the world.
+SampledLoopSpec loop_spec(const MpcSpec& spec, int phase) {
+  const ProblemSpec& problem = spec.problem;
+  const MpcSpec filled = completed(spec);
+  return {.plan = plan_slopes(filled.problem, filled.schedule, phase, filled.solver,
+                              filled.model_error.decay_time),
+          .model = problem.model,
+          .q = problem.initial_state.head(problem.model.nq),
+          .tool = spec.tool,
+          .presses = presses_in(spec, phase),
+          .normal_world = spec.normal_base.normalized(),
+          .observes = spec.model_error.kind == ModelErrorKind::Torque,
+          .feedback = spec.feedback,
+          .tick_period = spec.tick_period,
+          .update_period = spec.update_period,
+          .solver_delay = spec.solver_delay,
+          .torque_cutoff = problem.torque_model ? problem.torque_model->cutoff : 0.0};
+}
+
 }  // namespace
 
 struct LoopAnalysis::Impl {
   Impl(const MpcSpec& spec, const LoopChain& chain, int phase)
-      : loop(spec, chain, phase), options(spec.model_error) {
+      : loop(loop_spec(spec, phase), chain), options(spec.model_error) {
     const Model& model = spec.problem.model;
     for (int k = 0; k < model.nv; ++k) joints.push_back(model.v_name(k));
   }

@@ -4,9 +4,7 @@
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
-#include "burnish/contact/loops.hpp"
 #include "mpc/horizon.hpp"
-#include "mpc/plan_inputs.hpp"
 
 namespace burnish {
 namespace {
@@ -20,24 +18,24 @@ constexpr int first_iterations = 60;  // iterations from rest; the remaining err
 // Iterations from a nearby solution; one iteration is already almost exact.
 constexpr int next_iterations = 3;
 
-MpcSpec filled(MpcSpec spec) {
-  spec = completed(std::move(spec));
-  spec.solver.max_iterations = first_iterations;
-  spec.solver.stop_tolerance = 1e-14;
-  return spec;
+DdpOptions slope_options(DdpOptions options) {
+  options.max_iterations = first_iterations;
+  options.stop_tolerance = 1e-14;
+  return options;
 }
 
 /// Solver of one problem with many initial states and torque errors. Each solve starts from the
 /// same solution.
 class Differences {
  public:
-  Differences(const MpcSpec& spec, int phase)
-      : spec_(filled(spec)),
-        problem_(spec_.problem),
-        schedule_(spec_.schedule),
+  Differences(const ProblemSpec& problem, const std::vector<SchedulePhase>& phases, int phase,
+              const DdpOptions& solver, double decay_time)
+      : problem_(problem),
+        schedule_(phases),
         horizon_(problem_, schedule_),
-        solver_(problem_, spec_.solver),
-        x_(spec_.problem.initial_state),
+        solver_(problem_, slope_options(solver)),
+        decay_time_(decay_time),
+        x_(problem.initial_state),
         no_torque_(Eigen::VectorXd::Zero(problem_.layout().nv)) {
     horizon_.place(schedule_.start_of(phase));
     const int stage = horizon_.stage_of(phase);
@@ -46,7 +44,7 @@ class Differences {
     solver_.solve();
     if (!solver_.us().allFinite() || !solver_.xs().allFinite())
       throw Error("margins: the problem has no solution at the start of phase " +
-                  in_quotes(spec_.schedule[to_size(phase)].name) + ": " + solver_.text());
+                  in_quotes(phases[to_size(phase)].name) + ": " + solver_.text());
     xs_ = solver_.xs();
     us_ = solver_.us();
     solver_.set_max_iterations(next_iterations);
@@ -88,11 +86,10 @@ class Differences {
     return change;
   }
   void solve_from(const Eigen::VectorXd& x, const Eigen::VectorXd& torque) {
-    const double decay_time = spec_.model_error.decay_time;
-    if (std::isinf(decay_time))
+    if (std::isinf(decay_time_))
       (void)problem_.set_torque_bias(torque);
     else
-      (void)problem_.set_torque_bias(no_torque_, torque, decay_time);
+      (void)problem_.set_torque_bias(no_torque_, torque, decay_time_);
     (void)problem_.set_initial_state(x);
     RowMatrix xs = xs_;
     xs.row(0) = x.transpose();
@@ -100,17 +97,20 @@ class Differences {
     solver_.solve();
   }
 
-  MpcSpec spec_;
   Problem problem_;
   Schedule schedule_;
   Horizon horizon_;
   DdpSolver solver_;
+  double decay_time_;  ///< [s]
   Eigen::VectorXd x_, no_torque_;
   RowMatrix xs_, us_;
 };
 
 }  // namespace
 
-PlanSlopes plan_slopes(const MpcSpec& spec, int phase) { return Differences(spec, phase).slopes(); }
+PlanSlopes plan_slopes(const ProblemSpec& problem, const std::vector<SchedulePhase>& schedule,
+                       int phase, const DdpOptions& solver, double decay_time) {
+  return Differences(problem, schedule, phase, solver, decay_time).slopes();
+}
 
 }  // namespace burnish

@@ -2,7 +2,9 @@
 // error.
 #pragma once
 
-#include "burnish/mpc/mpc_spec.hpp"
+#include "burnish/mpc/task.hpp"
+#include "burnish/ocp/problem.hpp"
+#include "burnish/solver/options.hpp"
 
 namespace burnish {
 
@@ -14,9 +16,11 @@ struct PlanSlopes {
   Eigen::MatrixXd change = {};
 };
 
-/// Returns the derivatives by finite differences at the initial state of the specification, at the
-/// start of a phase. `phase`: index in `spec.schedule`. Throws Error if the problem has no solution
-/// there.
-PlanSlopes plan_slopes(const MpcSpec& spec, int phase);
+/// Returns the derivatives by finite differences at the initial state of the problem, at the start
+/// of a phase. Throws Error if the problem has no solution there.
+/// - `phase`: index in `schedule`.
+/// - `decay_time`: ModelErrorOptions::decay_time of the torque error [s].
+PlanSlopes plan_slopes(const ProblemSpec& problem, const std::vector<SchedulePhase>& schedule,
+                       int phase, const DdpOptions& solver, double decay_time);
 
 }  // namespace burnish

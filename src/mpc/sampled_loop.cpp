@@ -19,23 +19,9 @@ double step_response(double cutoff, double time) {
   return cutoff > 0.0 ? -std::expm1(-cutoff * time) : 1.0;
 }
 
-bool contains_name(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 int whole(double ratio) { return static_cast<int>(std::lround(ratio)); }
 
 }  // namespace
-
-bool presses_in(const MpcSpec& spec, int phase) {
-  const std::string& name = spec.schedule[to_size(phase)].stage;
-  for (const Stage& stage : spec.problem.stages)
-    for (const ContactSpec& contact : spec.problem.contacts)
-      if (stage.name == name && contact.tool == spec.tool &&
-          contains_name(stage.contacts, contact.name))
-        return true;
-  return false;
-}
 
 std::vector<Eigen::MatrixXd*> LoopState::blocks() {
   std::vector<Eigen::MatrixXd*> all{
@@ -45,34 +31,32 @@ std::vector<Eigen::MatrixXd*> LoopState::blocks() {
   return all;
 }
 
-SampledLoop::SampledLoop(const MpcSpec& spec, const LoopChain& chain, int phase)
+SampledLoop::SampledLoop(const SampledLoopSpec& spec, const LoopChain& chain)
     : chain_(chain),
-      observes_(spec.model_error.kind == ModelErrorKind::Torque),
+      observes_(spec.observes),
       feeds_back_(spec.feedback),
       tick_(spec.tick_period),
       ticks_(whole(spec.update_period / spec.tick_period)),
       steps_(static_cast<int>(std::ceil(tick_ / max_step - 1e-9))),
       dt_(tick_ / steps_),
       plan_delay_(whole(spec.solver_delay / spec.tick_period)),
-      torque_cutoff_(spec.problem.torque_model ? spec.problem.torque_model->cutoff : 0.0),
-      plan_(plan_slopes(spec, phase)),
-      n_(spec.problem.model.nv) {
-  const Model& model = spec.problem.model;
-  const Eigen::VectorXd q = spec.problem.initial_state.head(model.nq);
+      torque_cutoff_(spec.torque_cutoff),
+      plan_(spec.plan),
+      n_(spec.model.nv) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n_);
-  RigidBody body(model);
-  ContactDynamics dynamics(model);
-  if (!is_usable(body.update(q, none)) ||
-      !is_usable(dynamics.forward(q, none, body.gravity_torque())) ||
+  RigidBody body(spec.model);
+  ContactDynamics dynamics(spec.model);
+  if (!is_usable(body.update(spec.q, none)) ||
+      !is_usable(dynamics.forward(spec.q, none, body.gravity_torque())) ||
       !is_usable(dynamics.forward_derivatives()))
     throw Error("margins: the dynamics at the start cannot be evaluated");
   M_ = dynamics.mass_matrix();
   Minv_ = dynamics.da_dtau();
   gravity_slope_ = dynamics.da_dq();
   J_ = Eigen::RowVectorXd::Zero(n_);
-  if (!presses_in(spec, phase)) return;
-  const ToolMotion tool(body, spec.tool, spec.base);
-  J_ = spec.normal_base.normalized().transpose() * tool.jacobian();
+  if (!spec.presses) return;
+  const ToolMotion tool(body, spec.tool, "");
+  J_ = spec.normal_world.transpose() * tool.jacobian();
 }
 
 LoopState SampledLoop::identity(const Case& with) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "burnish/mpc/loop_chain.hpp"
@@ -9,9 +10,21 @@
 
 namespace burnish {
 
-/// Returns true if the tool has a contact in the stage of a phase. `phase`: index in
-/// `spec.schedule`.
-bool presses_in(const MpcSpec& spec, int phase);
+/// Arm and controller of a SampledLoop.
+struct SampledLoopSpec {
+  PlanSlopes plan;
+  Model model;
+  Eigen::VectorXd q;             ///< Configuration about which the loop is linearized.
+  std::string tool;              ///< Frame of the tool.
+  bool presses;                  ///< Whether the tool is in contact with the surface.
+  Eigen::Vector3d normal_world;  ///< Unit normal of the surface.
+  bool observes;                 ///< Whether the torque error is estimated.
+  bool feedback;         ///< Whether gains are applied; if false, the planned torque is held.
+  double tick_period;    ///< Time between ticks [s].
+  double update_period;  ///< Time between new plans [s].
+  double solver_delay;   ///< Time from a measurement to the use of the plan from it [s].
+  double torque_cutoff;  ///< Cut-off of the torque model in plans [rad/s]; 0: none.
+};
 
 /// State of the loop between ticks. Each column is one state; all columns are simulated together.
 struct LoopState {
@@ -41,8 +54,8 @@ class SampledLoop {
     double force_gain = 0.0;  ///< Gain on the measured force [N/N].
   };
 
-  /// Throws Error for the specifications that LoopAnalysis rejects.
-  SampledLoop(const MpcSpec& spec, const LoopChain& chain, int phase);
+  /// Throws Error if the dynamics cannot be evaluated.
+  SampledLoop(const SampledLoopSpec& spec, const LoopChain& chain);
 
   /// Returns the growth rate of the disturbance that grows fastest [1/s].
   double growth(const Case& with) const;
