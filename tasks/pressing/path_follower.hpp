@@ -7,7 +7,7 @@
 #include "burnish/mpc/controller.hpp"
 #include "burnish/tasks/pressing/pressing_path.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
-#include "pressing/contact_detector.hpp"
+#include "estimate/contact_detector.hpp"
 
 namespace burnish::pressing {
 

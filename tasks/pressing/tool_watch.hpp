@@ -3,7 +3,7 @@
 #pragma once
 
 #include "burnish/tasks/pressing/pressing_task.hpp"
-#include "pressing/contact_detector.hpp"
+#include "estimate/contact_detector.hpp"
 
 namespace burnish::pressing {
 

@@ -1,4 +1,4 @@
-#include "pressing/contact_detector.hpp"
+#include "estimate/contact_detector.hpp"
 
 #include <algorithm>
 #include <cmath>

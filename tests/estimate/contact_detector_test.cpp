@@ -1,6 +1,6 @@
 // Detection of touch and contact loss with a noisy force sensor: no false alarms, and the delay of
 // true detections.
-#include "pressing/contact_detector.hpp"
+#include "estimate/contact_detector.hpp"
 
 #include <gtest/gtest.h>
 
