@@ -4,7 +4,9 @@ Specifications and results are dataclasses. Functions and classes that compute a
 All values are in SI units. Spatial vectors have the linear part first. Quaternions are x, y, z, w.
 Placements are 4 x 4 arrays."""
 
-from . import campaign, dataset, plot, polishing, press_hold, push_wall, residual, stand
+import sys as _sys
+
+from . import _renamed, campaign, dataset, model, plot, polishing, press_hold, push_wall, residual, stand
 from ._core import __version__ as __version__
 from .base import *
 from .contact import *
@@ -20,3 +22,5 @@ from .pressing import *
 from .report import *
 from .sim import *
 from .solver import *
+
+_renamed.refuse_old_names(_sys.modules[__name__], model, push_wall, Model)

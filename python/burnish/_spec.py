@@ -8,11 +8,12 @@ import dataclasses
 import functools
 import inspect
 import sys
-from typing import Any, ClassVar, Dict, List, Tuple, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, Tuple, TypeVar
 
 import numpy as np
 
 from . import _core
+from ._renamed import no_attribute
 
 S = TypeVar("S", bound="Spec")
 
@@ -106,6 +107,11 @@ class _SpecType(type):
                     raise TypeError(_unknown(cls, name))
         return super().__call__(*entries, **named)
 
+    if not TYPE_CHECKING:  # mypy takes every attribute of a class with __getattr__ as known
+
+        def __getattr__(cls, name: str) -> Any:
+            raise no_attribute(cls, cls.__name__, name)
+
 
 class Spec(metaclass=_SpecType):
     """Base class of values, which are compared entry by entry and can be copied and pickled.
@@ -160,8 +166,10 @@ class Spec(metaclass=_SpecType):
                 entries.append(f"{f.name}={_text(value, self._brief)}")
         return f"{type(self).__name__}({', '.join(entries)})"
 
-    def __getattr__(self, name: str) -> Any:
-        raise AttributeError(_unknown(type(self), name))
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(_unknown(type(self), name))
 
     def __setattr__(self, name: str, value: Any) -> None:
         if name not in _names(type(self)):

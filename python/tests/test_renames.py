@@ -1,17 +1,21 @@
-"""Names of version 0.3: refused with the new one in files, overrides and keywords; listed in docs; gone from sources."""
+"""Names of version 0.3: refused with the new one in files, overrides, keywords, attributes; listed in docs; gone from
+sources."""
 
 from __future__ import annotations
 
+import copy
 import dataclasses
+import inspect
+import pickle
 import re
 from pathlib import Path
-from typing import Dict, Iterator, List, Tuple
+from typing import Any, Dict, Iterator, List, Tuple
 
 import pytest
 
 import burnish
 from burnish import _core, polishing, press_hold, push_wall, stand
-from test_specs import DEFAULTED, SPECS
+from test_specs import DEFAULTED, ENUMS, SPECS
 
 ROOT = Path(__file__).parents[2]
 RENAMES: List[Tuple[str, str]] = _core.renames()
@@ -31,6 +35,75 @@ def test_old_keyword_is_refused_with_the_new_one(name: str, old: str, new: str) 
     value = SPECS[name]()
     with pytest.raises(AttributeError, match=f"'{old}' is now called '{now}'"):
         setattr(value, old, 1.0)
+
+
+MODEL = burnish.load_robot(str(ROOT / "robots/arm7")).model
+OWNERS: Dict[str, Any] = {"burnish": burnish, "burnish.model": burnish.model, "burnish.push_wall": push_wall,
+                          "burnish.model.Model": MODEL, **ENUMS, **SPECS}
+ATTRIBUTES = [(name, old) for name, owner in OWNERS.items() for old in dict(RENAMES)
+              if any(hasattr(owner, now) for was, now in RENAMES if was == old)]
+
+
+@pytest.mark.parametrize("name, old", ATTRIBUTES, ids=[f"{n}.{o}" for n, o in ATTRIBUTES])
+def test_old_attribute_is_refused_with_the_new_one(name: str, old: str) -> None:
+    owner = OWNERS[name]
+    now = next(now for was, now in RENAMES if was == old and hasattr(owner, now))
+    assert not hasattr(owner, old)
+    assert old not in dir(owner)
+    with pytest.raises(AttributeError, match=f" has no attribute '{old}'; '{old}' is now called '{now}'$"):
+        getattr(owner, old)
+
+
+@pytest.mark.parametrize("name, old, new", KEYWORDS, ids=[f"{n}.{o}" for n, o, _ in KEYWORDS])
+def test_old_entry_is_refused_with_the_new_one(name: str, old: str, new: str) -> None:
+    value = SPECS[name]()
+    assert hasattr(value, new)
+    with pytest.raises(AttributeError, match=f" has no entry '{old}'; '{old}' is now called '"):
+        getattr(value, old)
+
+
+# Old attributes of Python that are neither keys nor columns.
+PYTHON_NAMES = [
+    ("burnish", "StatedJoint", "FileJoint"),
+    ("burnish.model", "StatedJoint", "FileJoint"),
+    ("burnish.model.Model", "stated_joints", "file_joints"),
+    ("burnish.ocp.Penalty", "square", "quadratic"),
+    ("burnish.ocp.PenaltyKind", "SQUARE", "QUADRATIC"),
+    ("burnish.push_wall", "Lean", "ForceSearch"),
+    ("burnish.push_wall.Limit", "MOST", "FORCE_MAX"),
+    ("burnish.push_wall.Limit", "BEAR", "STATICS"),
+    ("burnish.push_wall.Limit", "GIVE", "TRACKING"),
+]
+
+
+@pytest.mark.parametrize("name, old, new", PYTHON_NAMES)
+def test_old_name_of_python_is_in_the_table(name: str, old: str, new: str) -> None:
+    assert hasattr(OWNERS[name], new)
+    assert (old, new) in RENAMES
+    assert (name, old) in ATTRIBUTES
+
+
+def test_old_entry_of_a_setting_is_refused_with_the_new_one() -> None:
+    names = [field.name for field in dataclasses.fields(push_wall.Setting)]
+    assert _core.did_you_mean("lean_end", names) == "; 'lean_end' is now called 'search_end'"
+
+
+@pytest.mark.parametrize("name", ["burnish", "burnish.model.Model", "burnish.push_wall.Limit", "burnish.ocp.Penalty"])
+def test_missing_attribute_without_a_new_name_is_an_attribute_error(name: str) -> None:
+    owner = OWNERS[name]
+    assert not hasattr(owner, "nothing")
+    assert getattr(owner, "__nothing__", None) is None
+    with pytest.raises(AttributeError, match=" has no attribute 'nothing'$"):
+        getattr(owner, "nothing")
+    assert "nothing" not in dict(inspect.getmembers(owner))
+
+
+def test_owners_can_be_copied_and_pickled() -> None:
+    for model in (copy.copy(MODEL), copy.deepcopy(MODEL), pickle.loads(pickle.dumps(MODEL))):
+        assert repr(model) == repr(MODEL)
+    member = push_wall.Limit.FORCE_MAX
+    assert copy.deepcopy(member) is copy.copy(member) is pickle.loads(pickle.dumps(member)) is member
+    assert push_wall.Limit["FORCE_MAX"] is push_wall.Limit(member.value) is member
 
 
 def old_texts(text: str) -> Iterator[Tuple[str, str, str]]:

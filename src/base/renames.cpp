@@ -6,7 +6,7 @@
 namespace burnish {
 namespace {
 
-/// Keys, words and keywords. docs/renames.md explains each row.
+/// Keys, words, keywords and attributes. docs/renames.md explains each row.
 constexpr Rename names[] = {
     // controller: model error, limits of the solver, safety
     {"boost", "transient_scale"},
@@ -44,6 +44,19 @@ constexpr Rename names[] = {
     {"bend", "body_distance_fraction"},
     // robots
     {"stated_joints", "file_joints"},
+    // Python: entries of results, classes, members of enumerations
+    {"outside_knot", "violation_knot"},
+    {"outside_row", "violation_row"},
+    {"start_outside", "start_violations"},
+    {"pushing", "active_constraints"},
+    {"given_way", "unsatisfiable_rows"},
+    {"lean_end", "search_end"},
+    {"StatedJoint", "FileJoint"},
+    {"Lean", "ForceSearch"},
+    {"SQUARE", "QUADRATIC"},
+    {"MOST", "FORCE_MAX"},
+    {"BEAR", "STATICS"},
+    {"GIVE", "TRACKING"},
 };
 
 /// Columns of traces and figures of runs.

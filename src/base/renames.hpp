@@ -1,6 +1,6 @@
-// Names from version 0.3 that have been replaced: keys of files, words, Python keywords, columns of
-// traces and figures. Readers refuse an old name and state the new one. Reports of runs from
-// version 0.3 accept old names.
+// Names from version 0.3 that have been replaced: keys of files, words, keywords and attributes of
+// Python, columns of traces and figures. Readers and the Python package refuse an old name and
+// state the new one. Reports of runs from version 0.3 accept old names.
 #pragma once
 
 #include <span>
