@@ -138,6 +138,9 @@ void Reference::check(const std::string& who) const {
   if (!rotation.isIdentity(0.0))
     throw Error(who +
                 ": the reference has a rotation and a rotation over time; wanted one of them");
+  if (rotation_over_time.depends_on_inputs())
+    throw Error(
+        who + ": the reference's rotation over time depends on inputs; wanted a function of time");
   if (rotation_over_time.size() != 4)
     throw Error(who + ": the reference's rotation over time has " +
                 std::to_string(rotation_over_time.size()) +

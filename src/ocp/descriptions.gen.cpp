@@ -107,11 +107,12 @@ const Description& description_of(const InputSpec* /*of*/) {
           .field("value", &S::value,
                  "Value of the input until Problem::set_input() sets one, constant or over time; "
                  "empty: none")
-          .more("While a scalar, a rotation, a surface or an inertia has no value, its uses keep "
-                "the values of the specification. A vector needs a value, which defines its "
-                "number of entries")
+          .more("While an input has no value, its uses keep the values of the specification. A "
+                "vector needs a value, which defines its number of entries. A surface or an "
+                "inertia cannot have one here")
           .field("frame", &S::frame,
-                 "Frame of the robot that carries the payload; only for an inertia");
+                 "Frame of the robot that carries the payload; required for an inertia, empty for"
+                 " other kinds");
   return all;
 }
 
@@ -210,9 +211,10 @@ const Description& description_of(const CostTerm* /*of*/) {
           .field("penalty", &S::penalty,
                  "Penalty of each row; empty: a square, or the default penalty of the residual")
           .field("offset_input", &S::offset_input,
-                 "Input that is added to the target (empty: none): a scalar or a vector with the "
-                 "target's entries, or a rotation by which the target rotation is turned in its "
-                 "own axes")
+                 "Input that is added to the target; empty: none")
+          .more("A scalar or a vector needs as many entries as the target. A vector of 3 entries "
+                "moves the position of a placement. A rotation turns the target of a rotation or "
+                "placement about the target's own axes")
           .field("friction_ratio_input", &S::friction_ratio_input,
                  "Scalar input that multiplies the coefficient of friction (empty: none), at "
                  "least 0")
@@ -221,8 +223,8 @@ const Description& description_of(const CostTerm* /*of*/) {
           .field("surface_input", &S::surface_input,
                  "Surface input (empty: none): it replaces the surface of the residual's "
                  "reference")
-          .more("A residual without a curved reference needs a target position. This point moves "
-                "into the surface along the normal, by the depth of the input");
+          .more("A residual without a curved reference needs a target position. The target "
+                "position moves into the surface along the normal, by the depth of the input");
   return all;
 }
 
@@ -268,9 +270,10 @@ const Description& description_of(const Constraint* /*of*/) {
                  "Quadratic penalty weight of violations, in cost per squared row unit",
                  {.least = 0})
           .field("offset_input", &S::offset_input,
-                 "Input that is added to the target (empty: none): a scalar or a vector with the "
-                 "target's entries, or a rotation by which the target rotation is turned in its "
-                 "own axes")
+                 "Input that is added to the target; empty: none")
+          .more("A scalar or a vector needs as many entries as the target. A vector of 3 entries "
+                "moves the position of a placement. A rotation turns the target of a rotation or "
+                "placement about the target's own axes")
           .field("friction_ratio_input", &S::friction_ratio_input,
                  "Scalar input that multiplies the coefficient of friction (empty: none), at "
                  "least 0")
@@ -279,8 +282,8 @@ const Description& description_of(const Constraint* /*of*/) {
           .field("surface_input", &S::surface_input,
                  "Surface input (empty: none): it replaces the surface of the residual's "
                  "reference")
-          .more("A residual without a curved reference needs a target position. This point moves "
-                "into the surface along the normal, by the depth of the input");
+          .more("A residual without a curved reference needs a target position. The target "
+                "position moves into the surface along the normal, by the depth of the input");
   return all;
 }
 
@@ -409,8 +412,8 @@ const Description& description_of(const ProblemSpec* /*of*/) {
           .field("inputs", &S::inputs,
                  "Named values that change between solves, such as an estimated surface")
           .field("torque_bias_input", &S::torque_bias_input,
-                 "Vector input of nv entries (empty: none), a torque that acts on the joints in "
-                 "addition to all torques of the model")
+                 "Vector input of nv entries with a constant InputSpec.value (empty: none)")
+          .more("Its torque acts on the joints in addition to all torques of the model")
           .field("stages", &S::stages)
           .field("horizon", &S::horizon)
           .field("terminal", &S::terminal,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "base/sentence.hpp"
@@ -35,32 +36,35 @@ int checked_size(const InputSpec& spec) {
     return size;
   };
   if (!spec.frame.empty() && spec.kind != InputKind::Inertia)
-    refuse(spec.name, text_of(spec.kind) + " has no frame; wanted an inertia");
+    refuse(spec.name, text_of(spec.kind) + " has no frame; wanted no frame, or the kind inertia");
   switch (spec.kind) {
     case InputKind::Scalar:
       return wanted(1);
     case InputKind::Vector:
-      if (stated == 0) refuse(spec.name, "a vector has no value; wanted one, such as zeros");
+      if (stated == 0) refuse(spec.name, "the vector has no value; wanted one, such as zeros");
       return stated;
     case InputKind::Rotation:
       return wanted(4);
     case InputKind::Surface:
     case InputKind::Inertia:
       if (stated != 0)
-        refuse(spec.name, "the value has " + std::to_string(stated) + " entries; " +
-                              text_of(spec.kind) + " has no value until one is set");
+        refuse(spec.name, "the value has " + std::to_string(stated) +
+                              " entries; wanted no value, since " + text_of(spec.kind) +
+                              " gets one only from set_input()");
   }
   return 0;
 }
 
 /// Throws Error for a constant value that is not finite, or a rotation not of length 1.
 void check_constant(const InputSpec& spec) {
+  if (spec.value.depends_on_inputs())
+    refuse(spec.name, "the value depends on inputs; wanted a constant or a function of time");
   if (spec.value.empty() || !spec.value.is_constant()) return;
   Eigen::VectorXd value(spec.value.size());
   spec.value.at(0.0, value);
   if (!value.allFinite()) refuse(spec.name, "the value holds a NaN or an infinity");
   if (spec.kind == InputKind::Rotation && !is_unit_quaternion(value))
-    refuse(spec.name, "the rotation is not a quaternion of length 1");
+    refuse(spec.name, "the value is not a quaternion of length 1; wanted a rotation");
 }
 
 /// Throws Error if an inertia cannot act at its frame, or if another input loads the same body.
@@ -72,7 +76,7 @@ void check_frame(const InputSpec& given, const ProblemSpec& spec) {
       if (other.kind == InputKind::Inertia &&
           frame_on_body("frame", spec.model, other.frame).body == body)
         throw Error("frame " + in_quotes(given.frame) + " is on the body of input " +
-                    in_quotes(other.name) + "; wanted one inertia for each body");
+                    in_quotes(other.name) + "; wanted at most one inertia for each body");
     }
   } catch (const Error& error) {
     refuse(given.name, error.what());
@@ -99,7 +103,8 @@ using How = CompiledUse::How;
 CompiledUse offset_of(const CompiledTerm& term, int input, const InputState& state) {
   const bool has_offset = term.target_size > 0 && !is_friction_margin(term.residual) &&
                           !std::holds_alternative<StateDifference>(term.residual);
-  if (!has_offset) throw Error("the residual has no target that an input can change");
+  if (!has_offset)
+    throw Error("an input cannot change the target of this residual; wanted no offset_input");
   const InputKind kind = state.spec.kind;
   const bool has_rotation = term.load != CompiledTerm::Load::Plain;
   const bool has_point = term.load == CompiledTerm::Load::Placement;
@@ -135,7 +140,10 @@ void add_uses(const Inputs& inputs, const Given& given, const CompiledTerm& term
   });
   named("friction_ratio_input", given.friction_ratio_input, [&] {
     if (!is_friction_margin(term.residual))
-      throw Error("the residual has no coefficient of friction");
+      throw Error(
+          "the residual has no coefficient of friction; wanted a friction cone, or a centre of "
+          "pressure "
+          "with friction");
     const int input = inputs.index(given.friction_ratio_input, InputKind::Scalar);
     stage.uses.push_back({How::Ratio, input, term.target, 1});
   });
@@ -157,7 +165,8 @@ Inputs::Inputs(const ProblemSpec& spec) {
   for (const InputSpec& given : spec.inputs) {
     if (given.name.empty()) throw Error("an input has no name; wanted one");
     for (const InputState& other : states_)
-      if (other.spec.name == given.name) refuse(given.name, "the name is used twice");
+      if (other.spec.name == given.name)
+        refuse(given.name, "the name is used twice; wanted unique names");
     InputState state{.spec = given, .size = checked_size(given)};
     check_constant(given);
     if (given.kind == InputKind::Inertia) check_frame(given, spec);
@@ -166,15 +175,14 @@ Inputs::Inputs(const ProblemSpec& spec) {
     states_.push_back(std::move(state));
   }
   // Contacts that are active in no stage are checked, too.
-  for (const ContactSpec& contact : spec.contacts) {
-    if (contact.friction && !contact.friction->coefficient_input.empty())
-      (void)index(contact.friction->coefficient_input, InputKind::Scalar);
-    if (!contact.surface_input.empty()) (void)index(contact.surface_input, InputKind::Surface);
-  }
+  CompiledStage unused;
+  for (const ContactSpec& contact : spec.contacts)
+    use(contact, contact.friction ? 0 : -1, contact.reference.quadric ? 0 : -1, unused);
   if (spec.torque_bias_input.empty()) return;
-  InputState& bias = states_[to_size(index(spec.torque_bias_input, InputKind::Vector))];
+  const int found = index_of("torque_bias_input", spec.torque_bias_input, InputKind::Vector);
+  InputState& bias = states_[to_size(found)];
   if (bias.size != spec.model.nv || !bias.spec.value.is_constant())
-    refuse(bias.spec.name, "as torque_bias_input, it needs a constant value of " +
+    refuse(bias.spec.name, "it is the torque_bias_input; wanted a constant value of " +
                                std::to_string(spec.model.nv) + " entries");
   bias.is_bias = true;
 }
@@ -195,11 +203,23 @@ int Inputs::index(const std::string& name, InputKind kind) const {
   return input;
 }
 
+int Inputs::index_of(const char* key, const std::string& name, InputKind kind) const {
+  try {
+    return index(name, kind);
+  } catch (const Error& error) {
+    throw Error(std::string(key) + ": " + error.what());
+  }
+}
+
 void Inputs::check_kind(int input, std::initializer_list<InputKind> wanted) const {
   const InputSpec& given = (*this)[input].spec;
   if (std::find(wanted.begin(), wanted.end(), given.kind) != wanted.end()) return;
   std::string words;
-  for (const InputKind kind : wanted) words += (words.empty() ? "" : " or ") + text_of(kind);
+  for (const InputKind kind : wanted)
+    words += (words.empty()                      ? ""
+              : kind == *std::prev(wanted.end()) ? " or "
+                                                 : ", ") +
+             text_of(kind);
   throw Error("input " + in_quotes(given.name) + " is " + text_of(given.kind) + "; wanted " +
               words);
 }
@@ -208,14 +228,16 @@ void Inputs::use(const ContactSpec& contact, int friction, int surface,
                  CompiledStage& stage) const {
   try {
     if (friction >= 0 && !contact.friction->coefficient_input.empty())
-      stage.uses.push_back({How::Coefficient,
-                            index(contact.friction->coefficient_input, InputKind::Scalar), friction,
-                            1});
+      stage.uses.push_back(
+          {How::Coefficient,
+           index_of("coefficient_input", contact.friction->coefficient_input, InputKind::Scalar),
+           friction, 1});
     if (contact.surface_input.empty()) return;
     if (surface < 0)
       throw Error("the reference follows no surface; wanted a reference from Reference::on");
-    stage.uses.push_back(
-        {How::Surface, index(contact.surface_input, InputKind::Surface), surface, surface_size});
+    stage.uses.push_back({How::Surface,
+                          index_of("surface_input", contact.surface_input, InputKind::Surface),
+                          surface, surface_size});
   } catch (const Error& error) {
     throw Error("contact " + in_quotes(contact.name) + ": " + error.what());
   }
@@ -238,7 +260,8 @@ void Inputs::mark_friction(const CompiledStage& stage) {
       double value = 0.0;
       if (state.spec.value.is_constant()) evaluate_value(state, 0.0, &value);
       if (value < 0.0)
-        refuse(state.spec.name, "the friction is " + number(value) + "; wanted at least 0");
+        refuse(state.spec.name, "its value " + number(value) +
+                                    " is used as friction or ratio of friction; wanted at least 0");
     }
 }
 

@@ -1,4 +1,4 @@
-// Inputs of a compiled problem: their values at the knots, and their use in target entries.
+// Inputs of a compiled problem: their state, and their use in target entries.
 #pragma once
 
 #include <initializer_list>
@@ -19,7 +19,7 @@ struct CompiledUse {
   enum class How {
     Offset,       ///< Adds the input to the entries
     Turn,         ///< Multiplies a rotation matrix by the input from the right
-    Ratio,        ///< Multiplies a coefficient of friction by the input, by at most 1
+    Ratio,        ///< Multiplies a coefficient of friction by the input; values above 1 count as 1
     Coefficient,  ///< Replaces a coefficient of friction
     Surface,      ///< Replaces the numbers of a surface
     Depth,        ///< Moves a point into the surface
@@ -37,8 +37,8 @@ struct InputState {
   bool is_friction = false;  ///< True if the value must not be negative
   bool is_bias = false;      ///< True if the input is ProblemSpec::torque_bias_input
   bool is_set = false;       ///< True if set_input() has set a value
-  Eigen::VectorXd value = {}, decaying = {};
-  double decay_time = 0.0;  ///< Time constant of `decaying` [s]; 0: none
+  Eigen::VectorXd value = {}, decaying = {};  ///< Set by set_input(); used if is_set
+  double decay_time = 0.0;                    ///< Time constant of `decaying` [s]; 0: none
   Quadric surface = {};
   double depth = 0.0;  ///< Depth by which the surface yields [m]
 
@@ -61,10 +61,13 @@ class Inputs {
   /// Index of each input's first entry at a knot, and at last the number of all entries.
   const std::vector<int>& first() const { return first_; }
   int entries() const { return first_.back(); }
-  /// Throws Error with the nearest known name.
+  /// Returns the index of an input. Throws Error with the nearest known name if it does not exist.
   int index(const std::string& name) const;
   /// Like index(), and throws Error if the input is of another kind.
   int index(const std::string& name, InputKind kind) const;
+  /// Like index(), with the entry that names the input, such as "surface_input", in the error.
+  int index_of(const char* key, const std::string& name, InputKind kind) const;
+  /// Throws Error if the kind of the input is not in `wanted`.
   void check_kind(int input, std::initializer_list<InputKind> wanted) const;
 
   /// Adds the uses of a contact's inputs to the stage. `friction` and `surface` are the first

@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-/// Returns the status of a value for an input.
+/// Returns Ok, or the reason why an input cannot have this value.
 Status check_value(const ocp::InputState& input, const ConstVectorRef& value) {
   if (value.size() != input.size) return Status::WrongSize;
   if (!value.allFinite()) return Status::NotFinite;
@@ -105,6 +105,7 @@ Status Problem::set_input(int input, const ConstVectorRef& value, const ConstVec
   if (status != Status::Ok) return status;
   if (decaying.size() != state.size) return Status::WrongSize;
   if (!decaying.allFinite() || !(decay_time > 0.0)) return Status::NotFinite;
+  if (state.is_friction && (value + decaying).minCoeff() < 0.0) return Status::NotFinite;
   state.value = value;
   state.decaying = decaying;
   state.decay_time = decay_time;

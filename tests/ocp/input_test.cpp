@@ -159,6 +159,7 @@ TEST_F(Input, FrictionRatio_ScalesConesByAtMostOne) {
   ASSERT_EQ(problem.set_input(0, one(2.0)), Status::Ok);
   expect_same(problem, whole);
   EXPECT_EQ(problem.set_input(0, one(-0.1)), Status::NotFinite);
+  EXPECT_EQ(problem.set_input(0, one(0.1), one(-0.5), 0.1), Status::NotFinite);
 }
 
 TEST_F(Input, Coefficient_ReplacesTheFrictionOfAContact) {
@@ -352,11 +353,16 @@ TEST_F(Input, InvalidSpecifications_AreRefused) {
   refused(offset, {{.name = "error", .frame = "tool"}}, {"has no frame"});
   refused(offset, {{.name = ""}}, {"an input has no name"});
   refused({.residual = residual::State{}, .offset_input = "error"}, {scalar},
-          {"no target that an input can change"});
+          {"cannot change the target"});
   refused({.residual = force, .friction_ratio_input = "error"}, {scalar},
           {"no coefficient of friction"});
   refused({.residual = residual::FrictionCone{.contact = "pad"}, .offset_input = "error"}, {scalar},
-          {"no target that an input can change"});
+          {"cannot change the target"});
+  refused(offset,
+          {{.name = "error",
+            .value = Signal::of_inputs(
+                1, [](double, const InputValues&, Eigen::Ref<Eigen::VectorXd>) {})}},
+          {"'error'", "depends on inputs"});
   refused({.residual = force, .surface_input = "s"}, {{.name = "s", .kind = InputKind::Surface}},
           {"neither a curved reference nor a target position"});
   refused({.residual = residual::FramePosition{"tool", moving(3)}, .surface_input = "error"},
@@ -371,7 +377,7 @@ TEST_F(Input, InvalidSpecifications_AreRefused) {
   second.name = "second";
   refused({.residual = force}, {load, second}, {"'second'", "body of input 'load'"});
   refused({.residual = residual::FrictionCone{.contact = "pad"}, .friction_ratio_input = "error"},
-          {{.name = "error", .value = -0.5}}, {"'error'", "the friction is -0.5"});
+          {{.name = "error", .value = -0.5}}, {"'error'", "its value -0.5 is used as friction"});
 }
 
 TEST_F(Input, InvalidCalls_AreRefused) {

@@ -14,12 +14,12 @@ namespace burnish {
 class InputValues {
  public:
   InputValues() = default;
-  /// `first`: index in `values` of each input's first entry, and at last the number of all entries.
+  /// `first`: index in `values` of each input's first entry, followed by the number of all entries.
   /// Both must outlive the object.
   InputValues(const double* values, std::span<const int> first) : values_(values), first_(first) {}
 
   /// Returns the entries of an input. The result is empty for an input that does not exist, and for
-  /// a surface or an inertia.
+  /// a surface or an inertia. A scalar or rotation without a value has entries of zero.
   Eigen::Map<const Eigen::VectorXd> operator[](int input) const;
   /// Returns the value of a scalar input; NaN if operator[] returns an empty vector.
   double scalar(int input) const;
@@ -51,12 +51,13 @@ class Signal {
   /// if `size` is below 1 or `function` is empty.
   static Signal over_time(int size, Function function);
   /// Returns a signal that is a function of time and of the inputs of an optimal control problem.
-  /// The inputs have their values at the same time. Evaluations outside of a Problem, such as those
-  /// of a trace, pass no inputs. Otherwise like over_time().
+  /// `inputs` has the values at `time`. Evaluations outside of a Problem's knots pass no inputs;
+  /// InputValues::scalar() is then NaN. Otherwise like over_time().
   static Signal of_inputs(int size, FunctionOfInputs function);
 
   bool empty() const { return constant_.size() == 0 && is_constant(); }
   bool is_constant() const { return !function_ && !of_inputs_; }
+  bool depends_on_inputs() const { return of_inputs_ != nullptr; }
   int size() const { return is_constant() ? static_cast<int>(constant_.size()) : size_; }
   /// Returns the function that was passed to over_time(), or an empty function for other signals.
   const Function& function() const { return function_; }

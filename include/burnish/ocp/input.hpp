@@ -21,18 +21,19 @@ enum class InputKind {
 /// tasks set the value between solves. An input changes values only: terms, rows and contacts stay
 /// the same.
 /// @described ocp
-/// An input is used where an entry of the specification names it: CostTerm::offset_input,
-/// friction_ratio_input and surface_input, the same entries of Constraint,
-/// ContactSpec::surface_input, SlidingFriction::coefficient_input and
-/// ProblemSpec::torque_bias_input. A term of another stage can use the same input.
+/// Entries of the specification name the input that they use. Costs and constraints have
+/// offset_input, friction_ratio_input and surface_input. Contacts have ContactSpec::surface_input
+/// and SlidingFriction::coefficient_input. The problem has ProblemSpec::torque_bias_input. Several
+/// entries can name the same input. An inertia acts without being named.
 struct InputSpec {
   std::string name = {};  ///< Unique name @required
   InputKind kind = InputKind::Scalar;
   /// Value of the input until Problem::set_input() sets one, constant or over time; empty: none
-  /// @more While a scalar, a rotation, a surface or an inertia has no value, its uses keep the
-  /// values of the specification. A vector needs a value, which defines its number of entries
+  /// @more While an input has no value, its uses keep the values of the specification. A vector
+  /// needs a value, which defines its number of entries. A surface or an inertia cannot have one
+  /// here
   Signal value = {};
-  /// Frame of the robot that carries the payload; only for an inertia
+  /// Frame of the robot that carries the payload; required for an inertia, empty for other kinds
   std::string frame = {};
 };
 

@@ -71,31 +71,36 @@ class Problem final : public ShootingProblem {
   std::vector<std::string> input_names() const;
   int input_index(const std::string& name) const;
   /// Sets the value of a scalar, vector or rotation input, for all knots. The value replaces
-  /// InputSpec::value and targets set by set_target(), set_surface() and set_friction() where the
-  /// input is used. Signals of inputs follow with the next set_knot() of each knot.
+  /// InputSpec::value where the input is used. It also replaces what set_target(), set_surface(),
+  /// set_term_surface() and set_friction() have set there. Signals of inputs follow with the next
+  /// set_knot() of each knot.
   ///
-  /// Returns Ok, WrongSize, NotFinite (also for a negative coefficient or ratio of friction) or
+  /// Returns Ok, WrongSize, NotFinite (also for a negative friction, ratio or depth) or
   /// NotNormalized. Unless Ok is returned, nothing changes. Throws Error if the input does not
   /// exist, or is of another kind.
   Status set_input(int input, const ConstVectorRef& value);
   /// Sets a scalar input, see above.
   Status set_input(int input, double value);
-  /// Sets a scalar or vector input to value + exp(-(t - t_0) / decay_time) decaying, where t is the
-  /// time of a knot and t_0 the time of knot 0. `decay_time` [s] must be > 0; otherwise returns
-  /// NotFinite. advance() updates the value at all knots. Otherwise like set_input().
+  /// Sets a scalar or vector input to value + exp(-(t - t_0) / decay_time) decaying. Here t is the
+  /// time of a knot, and t_0 is the time of knot 0. `decay_time` [s] must be > 0; otherwise returns
+  /// NotFinite. advance() updates the value at all knots, like a new call of set_input(). After
+  /// set_knot() of knot 0, each other knot follows with its own next set_knot(). Otherwise like
+  /// set_input().
   Status set_input(int input, const ConstVectorRef& value, const ConstVectorRef& decaying,
                    double decay_time);
-  /// Sets a surface input. `surface` is written in the axes in which its users state their surfaces
-  /// and points. `depth` [m] >= 0 is the depth by which the surface yields. Otherwise like
+  /// Sets a surface input. `surface` is written in the axes of the surfaces and target positions
+  /// that it changes. `depth` [m] >= 0 is the depth by which the surface yields. Otherwise like
   /// set_input().
   Status set_input(int input, const Quadric& surface, double depth = 0.0);
   /// Sets an inertia input, see set_payload(). `payload` is written in the axes of
   /// InputSpec::frame. Otherwise like set_input().
   Status set_input(int input, const InertiaSpec& payload);
-  /// Forgets what set_input() has set. Throws Error if the input does not exist.
+  /// Returns the input to InputSpec::value. For an inertia, removes the payload of its body, also
+  /// one from set_payload(). Throws Error if the input does not exist.
   void reset_input(int input);
-  /// Returns the value of a scalar, vector or rotation input at a knot. The result is empty if the
-  /// input has no value. Throws Error if the input or the knot does not exist.
+  /// Returns the value of a scalar, vector or rotation input at a knot. The result is empty for a
+  /// surface, for an inertia, and without a value. It does not show calls of set_torque_bias().
+  /// Throws Error if the input or the knot does not exist.
   Eigen::VectorXd input_at(int input, int knot) const;
   /// Sets the target of one cost or constraint at one knot. The size of `target` depends on the
   /// kind of residual. The target is valid until the next set_knot() for this knot. advance()

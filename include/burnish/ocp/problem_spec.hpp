@@ -80,15 +80,17 @@ struct CostTerm {
 
   /// Penalty of each row; empty: a square, or the default penalty of the residual
   std::optional<Penalty> penalty = {};
-  /// Input that is added to the target (empty: none): a scalar or a vector with the target's
-  /// entries, or a rotation by which the target rotation is turned in its own axes
+  /// Input that is added to the target; empty: none
+  /// @more A scalar or a vector needs as many entries as the target. A vector of 3 entries moves
+  /// the position of a placement. A rotation turns the target of a rotation or placement about the
+  /// target's own axes
   std::string offset_input = {};
   /// Scalar input that multiplies the coefficient of friction (empty: none), at least 0
   /// @more Values above 1 count as 1. For friction cones and centres of pressure with friction
   std::string friction_ratio_input = {};
   /// Surface input (empty: none): it replaces the surface of the residual's reference
-  /// @more A residual without a curved reference needs a target position. This point moves into the
-  /// surface along the normal, by the depth of the input
+  /// @more A residual without a curved reference needs a target position. The target position moves
+  /// into the surface along the normal, by the depth of the input
   std::string surface_input = {};
 };
 
@@ -122,15 +124,17 @@ struct Constraint {
   double l1_weight = std::numeric_limits<double>::infinity();
   /// Quadratic penalty weight of violations, in cost per squared row unit, >= 0
   double quadratic_weight = 0.0;
-  /// Input that is added to the target (empty: none): a scalar or a vector with the target's
-  /// entries, or a rotation by which the target rotation is turned in its own axes
+  /// Input that is added to the target; empty: none
+  /// @more A scalar or a vector needs as many entries as the target. A vector of 3 entries moves
+  /// the position of a placement. A rotation turns the target of a rotation or placement about the
+  /// target's own axes
   std::string offset_input = {};
   /// Scalar input that multiplies the coefficient of friction (empty: none), at least 0
   /// @more Values above 1 count as 1. For friction cones and centres of pressure with friction
   std::string friction_ratio_input = {};
   /// Surface input (empty: none): it replaces the surface of the residual's reference
-  /// @more A residual without a curved reference needs a target position. This point moves into the
-  /// surface along the normal, by the depth of the input
+  /// @more A residual without a curved reference needs a target position. The target position moves
+  /// into the surface along the normal, by the depth of the input
   std::string surface_input = {};
 };
 
@@ -242,8 +246,8 @@ struct ProblemSpec {
   Eigen::VectorXd control_upper = {};
   /// Named values that change between solves, such as an estimated surface
   std::vector<InputSpec> inputs = {};
-  /// Vector input of nv entries (empty: none), a torque that acts on the joints in addition to all
-  /// torques of the model
+  /// Vector input of nv entries with a constant InputSpec.value (empty: none)
+  /// @more Its torque acts on the joints in addition to all torques of the model
   std::string torque_bias_input = {};
   std::vector<Stage> stages = {};
   std::vector<HorizonSegment> horizon = {};
