@@ -108,7 +108,8 @@ void MpcController::Impl::reset() noexcept {
   error.reset();
   ahead_.reset();
   grip.reset();
-  inputs.set_support_friction(problem, grip.friction());
+  for (int i = 0; i < static_cast<int>(problem.spec().inputs.size()); ++i)
+    if (problem.spec().inputs[to_size(i)].kind != InputKind::Inertia) problem.reset_input(i);
   policy.reset();
   holding_.reset();
   plans_.reset();
@@ -117,7 +118,6 @@ void MpcController::Impl::reset() noexcept {
   thrown = nullptr;
   solver.forget_limits();
   tick_ = 0;
-  inputs.forget_surface(problem);
   command_ = Command{std::move(command_.tau)};
   command_.normal_world = spec.normal_base;
   command_.tau.setZero();
@@ -216,7 +216,7 @@ void MpcController::Impl::update_surface() noexcept {
   error.set_surface(*surface, command_.normal_world);
   const double depth = task->surface_depth();
   surface_ = *surface;
-  depth_ = std::isfinite(depth) ? depth : 0.0;
+  depth_ = std::isfinite(depth) ? std::max(0.0, depth) : 0.0;
 }
 
 void MpcController::Impl::update() noexcept {

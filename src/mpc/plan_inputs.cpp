@@ -25,7 +25,8 @@ int find_input(const ProblemSpec& problem, const std::string& name, InputKind ki
     if (problem.inputs[i].kind != kind)
       throw Error(
           "MPC: input " + in_quotes(name) +
-          " has another kind than the controller's input of this name; wanted another name");
+          " has another kind than the controller's input of this name; wanted its kind or another "
+          "name");
     return static_cast<int>(i);
   }
   return -1;
@@ -49,9 +50,14 @@ bool is_at_tool(const MpcSpec& spec, const ContactSpec& contact) {
   return contact.tool == spec.tool && contact.base == base_of(spec);
 }
 
-bool is_one_force(const Residual& residual) {
+/// Returns true for the force of a contact with one direction, in the contact's own reference.
+bool is_one_force(const Residual& residual, const std::vector<ContactSpec>& contacts) {
   const auto* force = std::get_if<residual::ContactForce>(&residual);
-  return force != nullptr && force->target.size() == 1;
+  if (force == nullptr || force->reference || force->target.size() != 1) return false;
+  return std::any_of(contacts.begin(), contacts.end(), [&](const ContactSpec& contact) {
+    const std::string& name = contact.name.empty() ? contact.tool : contact.name;
+    return name == force->contact && contact.directions.count() == 1;
+  });
 }
 
 /// Returns true for a target position of the tool relative to MpcSpec::base.
@@ -62,7 +68,8 @@ bool is_place_of_tool(const Residual& residual, const MpcSpec& spec) {
          place->reference.origin == from && !place->reference.quadric;
 }
 
-/// Calls see(term) for each cost and constraint of the stages.
+/// Calls see(term) for each cost and constraint of the stages. Terms at the end of the horizon are
+/// left out.
 template <class See>
 void each_term(ProblemSpec& problem, const See& see) {
   for (Stage& stage : problem.stages) {
@@ -96,8 +103,9 @@ void add_friction_input(MpcSpec& spec) {
 void add_error_inputs(MpcSpec& spec) {
   ProblemSpec& problem = spec.problem;
   if (spec.model_error.kind == ModelErrorKind::Force && add(problem, {.name = force_name}))
-    each_term(problem, [](auto& term) {
-      if (is_one_force(term.residual)) name_if_empty(term.offset_input, force_name);
+    each_term(problem, [&](auto& term) {
+      if (is_one_force(term.residual, problem.contacts))
+        name_if_empty(term.offset_input, force_name);
     });
   if (spec.model_error.kind == ModelErrorKind::Torque && problem.torque_bias_input.empty()) {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.model.nv);
@@ -153,7 +161,10 @@ PlanInputs::PlanInputs(const MpcSpec& spec)
     : surface_(find_input(spec.problem, surface_name, InputKind::Surface)),
       friction_(find_input(spec.problem, friction_name, InputKind::Scalar)),
       force_error_(find_input(spec.problem, force_name, InputKind::Scalar)),
-      torque_error_(find_input(spec.problem, spec.problem.torque_bias_input, InputKind::Vector)) {
+      torque_error_(find_input(
+          spec.problem,
+          spec.problem.torque_bias_input.empty() ? torque_name : spec.problem.torque_bias_input,
+          InputKind::Vector)) {
   const std::vector<ContactSpec> supports = supports_of(spec.problem, spec.supports);
   cones_.resize(static_cast<Eigen::Index>(supports.size()));
   for (std::size_t i = 0; i < supports.size(); ++i) {
@@ -164,7 +175,7 @@ PlanInputs::PlanInputs(const MpcSpec& spec)
 }
 
 namespace {
-/// Sets a scalar input; -1: nothing.
+/// Sets a scalar input; does nothing if `input` is -1.
 void set_scalar(Problem& problem, int input, double value) noexcept {
   if (input >= 0) (void)problem.set_input(input, value);
 }
@@ -184,10 +195,6 @@ void PlanInputs::set_support_friction(Problem& problem,
 void PlanInputs::set_surface(Problem& problem, const Quadric& surface,
                              double depth) const noexcept {
   if (surface_ >= 0) (void)problem.set_input(surface_, surface, depth);
-}
-
-void PlanInputs::forget_surface(Problem& problem) const noexcept {
-  if (surface_ >= 0) problem.reset_input(surface_);
 }
 
 void PlanInputs::set_force_error(Problem& problem, double error) const noexcept {

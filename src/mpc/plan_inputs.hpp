@@ -10,21 +10,24 @@
 
 namespace burnish {
 
-/// Returns the specification as a controller uses it: with a normal of length 1, contacts for the
-/// robot's loops, fade speeds, and the inputs of PlanInputs. An input that the specification
-/// declares itself is used as the specification says. Otherwise the input is added, and used by
-/// - `surface`: contacts of the tool on a curved surface of MpcSpec::base, and target positions of
-///   the tool there;
+/// Returns the specification as a controller uses it. Adds a normal of length 1, contacts for the
+/// robot's loops, and fade speeds. Adds the following inputs, unless the specification declares
+/// them. Added inputs are used by contacts, and by costs and constraints of stages, that name no
+/// other input:
+/// - `surface`: contacts of the tool on a curved surface of MpcSpec::base; target positions of the
+///   tool relative to MpcSpec::base, also in terminal costs;
 /// - `tool_friction`: contacts with friction between the tool and MpcSpec::base;
 /// - `force_error`: targets of one-dimensional contact forces, with ModelErrorKind::Force;
 /// - `torque_error`: the torque bias, with ModelErrorKind::Torque;
-/// - `SUPPORT/friction`, for each support with a friction cone: friction cones and centres of
-///   pressure of the support.
-/// Other inputs than these are set by MpcTask::set_inputs(). Throws Error if an input of the
-/// specification has another kind.
+/// - `SUPPORT/friction`, for each support that has a friction cone and is in contact in every
+/// stage:
+///   friction cones and centres of pressure of the support.
+/// MpcTask::set_inputs() sets all other inputs. Throws Error if the specification declares one of
+/// these inputs with another kind.
 MpcSpec completed(MpcSpec spec);
 
-/// Returns the indices of the contacts that use the input `surface`, or `tool_friction`.
+/// contacts_on_surface() returns the contacts that use the input `surface`,
+/// contacts_with_friction() those that use `tool_friction`. Both return indices.
 std::vector<int> contacts_on_surface(const std::vector<ContactSpec>& contacts);
 std::vector<int> contacts_with_friction(const std::vector<ContactSpec>& contacts);
 
@@ -40,18 +43,18 @@ class PlanInputs {
   void set_support_friction(Problem& problem, const Eigen::VectorXd& friction) const noexcept;
   /// Surface, and depth by which it yields under the tool [m].
   void set_surface(Problem& problem, const Quadric& surface, double depth) const noexcept;
-  void forget_surface(Problem& problem) const noexcept;
   /// Amount by which the targets of contact forces are lowered [N].
   void set_force_error(Problem& problem, double error) const noexcept;
-  /// Torque error: a constant part, and a part that decays over the horizon [Nm or N]. Returns
-  /// false if it is not finite.
+  /// Torque error: a constant part, and a part that decays over the horizon [Nm or N]. With an
+  /// infinite `decay_time` [s], `decaying` is ignored. Returns false if the problem rejects the
+  /// values.
   bool set_torque_error(Problem& problem, const Eigen::VectorXd& lasting,
                         const Eigen::VectorXd& decaying, double decay_time) const noexcept;
 
  private:
   int surface_, friction_, force_error_, torque_error_;  ///< Indices of inputs; -1: none.
   std::vector<int> support_friction_;
-  Eigen::VectorXd cones_;  ///< Friction in each support's cone in the specification.
+  Eigen::VectorXd cones_;  ///< Friction in each support's cone; infinite: no cone.
 };
 
 }  // namespace burnish

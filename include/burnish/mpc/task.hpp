@@ -135,21 +135,23 @@ class MpcTask {
   /// Returns the events that are present now: bit e stands for entry e of events(). Called first in
   /// every tick, before the schedule's clock advances.
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
-  /// Returns the estimated surface that the tool touches or approaches. If null, plans use the
-  /// surfaces of the specification. Called after sense(). The quadric is a function of the tool's
-  /// position in the frame MpcSpec::base (world if empty). The function is zero where the tool
-  /// touches the surface.
+  /// Returns the estimated surface that the tool touches or approaches. If null, plans keep the
+  /// last surface since reset(), or else the surfaces of the specification. Called after sense().
+  /// The quadric is a function of the tool's position in the frame MpcSpec::base (world if empty).
+  /// The function is zero where the tool touches the surface.
   ///
-  /// In contacts between MpcSpec::tool and MpcSpec::base, the returned surface replaces the surface
-  /// set with Reference::on, at all knots. The normal of the returned surface at the tool becomes
-  /// the controller's surface normal.
+  /// The returned surface is the value of the input `surface` (docs/tasks.md). It replaces the
+  /// surfaces of contacts that use this input, at all knots. The normal of the returned surface at
+  /// the tool becomes the controller's surface normal.
   virtual const Quadric* surface() const noexcept { return nullptr; }
   /// Returns the depth by which the surface yields under the tool [m], at least 0. Plans shift
   /// target positions of the tool into the surface by this depth, along the surface normal.
   virtual double surface_depth() const noexcept { return 0.0; }
-  /// Sets inputs of the plan's problem with Problem::set_input(). Called in the tick that prepares
-  /// a plan, after the controller has set its own inputs. The signals of the plan then see these
-  /// values only, even if a thread computes the plan during later ticks.
+  /// Sets inputs of the plan's problem with Problem::set_input(). The index of an input is its
+  /// position in MpcSpec::problem.inputs. Called in the tick that prepares a plan, after the
+  /// controller has set its own inputs. The plan uses these values, even if a thread computes it
+  /// during later ticks. An input keeps its value until it is set again, or until
+  /// MpcController::reset(). Payloads are set with MpcController::set_payload() instead.
   virtual void set_inputs(Problem& /*problem*/) noexcept {}
   /// Writes one reading for each quantity of watched(). Called after the schedule's clock has
   /// advanced.
