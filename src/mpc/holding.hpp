@@ -15,10 +15,11 @@ struct HoldingSpec {
   Model model;
   Eigen::VectorXd q_start;  ///< Configuration until the first valid measurement.
   Fallback fallback;
-  double tick_period;                   ///< Time between ticks [s].
-  double bad;                           ///< Longest time with invalid measurements [s].
-  std::vector<ContactSpec> supports;    ///< Contacts that always hold the robot, without loops.
-  std::vector<int> sensors;             ///< Column of the wrenches, per support; -1: no sensor.
+  double tick_period;  ///< Time between ticks [s].
+  double bad;          ///< Longest time with invalid measurements [s].
+  std::vector<ContactSpec>
+      supports;              ///< Contacts that hold the robot in every stage, except loops.
+  std::vector<int> sensors;  ///< Column of the wrenches, per support; -1: no sensor.
   std::vector<SoleLimits::Sole> soles;  ///< Soles of the supports with sensors.
 };
 
@@ -80,7 +81,8 @@ class Holding {
   /// Load fraction of each entry of v: 1 for joints of loaded legs, 0 for joints of hanging legs.
   Eigen::VectorXd load_fraction_;
   double gravity_;          ///< Gravitational acceleration [m/s^2].
-  double weight_per_foot_;  ///< Weight of robot and payload, divided by the number of feet [N].
+  double weight_per_foot_;  ///< Weight of robot and payload, divided by the number of feet with
+                            ///< sensors [N].
   /// Results of the last at_rest(): holding torques weight_, and inertia mass_ of the actuated
   /// entries (nv x nv).
   Eigen::VectorXd weight_;

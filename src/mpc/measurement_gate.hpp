@@ -21,9 +21,9 @@ struct GateSpec {
 };
 
 /// Gate that checks measurements and keeps the last valid one. A measurement is invalid if it
-/// contains a NaN or a vector of wrong size, or if its time does not increase. While measurements
-/// are invalid, the time advances by one tick period per tick, until one of the limits `bad` and
-/// `stale` is reached.
+/// contains a NaN, an infinity or a vector of wrong size, or if its time does not increase. While
+/// measurements are invalid, the time advances by one tick period per tick, until one of the limits
+/// `bad` and `stale` is reached.
 class MeasurementGate {
  public:
   explicit MeasurementGate(const GateSpec& spec);
@@ -36,8 +36,11 @@ class MeasurementGate {
 
   bool is_fresh() const { return fresh_; }  ///< True if the measurement of this tick is valid.
   bool is_first() const { return first_; }  ///< True if this measurement is the first valid one.
-  double dt() const { return dt_; }         ///< Time between the last two valid measurements [s].
-  double now() const { return now_; }       ///< Time of this tick [s].
+  double dt() const {
+    return dt_;
+  }  ///< Time since the previous valid measurement; 0 at the first one and at ticks without one
+     ///< [s].
+  double now() const { return now_; }  ///< Time of this tick [s].
   const Measurement& last() const { return last_; }
   /// State of the robot at the last valid measurement, with the contacts of the specification.
   RobotState& state() { return state_; }
@@ -64,7 +67,7 @@ class MeasurementGate {
   Eigen::Index supports_;  ///< Number of supports with measured wrenches.
   Eigen::VectorXd q_start_;
   RobotState state_;
-  Measurement last_;  ///< Last valid measurement; its time is the time of that measurement.
+  Measurement last_;  ///< Last valid measurement, with its own time.
   double now_ = 0.0, dt_ = 0.0;
   bool started_ = false;  ///< True after the first valid measurement, unless a fault came before.
   bool fresh_ = false, first_ = false;

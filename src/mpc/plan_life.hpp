@@ -9,23 +9,23 @@ class PlanLife {
  public:
   enum class State : int {
     Settling,              ///< No plan was requested; the fallback holds the robot.
-    FirstPlan,             ///< The first plan is computed; the fallback holds the robot.
+    FirstPlan,             ///< The first plan is being computed; the fallback holds the robot.
     Following,             ///< The controller follows a plan and computes none.
     FollowingWhileMaking,  ///< The controller follows a plan and computes the next one.
     Faulted,               ///< The fallback holds the robot until reset().
-    FaultedWhileMaking,    ///< Faulted, and the result of a computation was not collected.
+    FaultedWhileMaking,    ///< Faulted, and the result of a computation is not yet collected.
   };
   State state() const noexcept { return state_; }
-  /// Returns true while plans compute the torque.
+  /// Returns true while the controller follows a plan.
   bool follows() const noexcept {
     return state_ == State::Following || state_ == State::FollowingWhileMaking;
   }
-  /// Returns true from begin() until finish(), also after a fault.
+  /// Returns true from begin() until finish() or reset(), also after a fault.
   bool is_making() const noexcept {
     return state_ == State::FirstPlan || state_ == State::FollowingWhileMaking ||
            state_ == State::FaultedWhileMaking;
   }
-  /// Returns true if begin() starts a computation.
+  /// Returns true if a computation may begin.
   bool can_begin() const noexcept {
     return state_ == State::Settling || state_ == State::Following;
   }

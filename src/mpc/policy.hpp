@@ -13,9 +13,11 @@ namespace burnish {
 
 /// Settings of a Policy.
 struct PolicySpec {
-  std::vector<double> steps;  ///< Steps of the first knots of a plan, which the policy keeps [s].
-  bool feedback;              ///< Whether gains are applied; if false, the planned control is held.
-  double tick_period;         ///< Time between ticks [s].
+  std::vector<double>
+      steps;           ///< Steps of the knots that the policy keeps, from the first knot on [s].
+  bool feedback;       ///< Whether gains are applied; if false, the planned control of the knot is
+                       ///< applied alone.
+  double tick_period;  ///< Time between ticks [s].
 };
 
 class Policy {
@@ -25,8 +27,8 @@ class Policy {
 
   void reset() noexcept;
   /// Loads the solver's solution as the next plan. The plan begins at `time` [s]; `times` are the
-  /// times of its knots relative to `time`. The plan comes into use at `done` [s] or later.
-  /// `measured`: time of the measurement from which the plan was computed [s].
+  /// times of its knots relative to `time`. The plan comes into use at `time` or at `done` [s],
+  /// whichever is later. `measured`: time of the measurement from which the plan was computed [s].
   void load(const DdpSolver& solver, double time, const KnotTimes& times,
             double done = -std::numeric_limits<double>::infinity(),
             double measured = -std::numeric_limits<double>::infinity()) noexcept;
@@ -35,7 +37,7 @@ class Policy {
   void fill(const DdpSolver& solver, const KnotTimes& times) noexcept;
   /// Second part of load(), which takes little time. The parameters are those of load().
   void offer(double time, double done, double measured) noexcept;
-  /// Copies the plan in use of `other`, so that a prediction can use it while ticks run.
+  /// Copies the plan that `other` uses, so that a prediction can use it while ticks run.
   void follow(const Policy& other) noexcept { plan_.follow(other.plan_); }
   bool waits() const { return next_ready_; }  ///< True if a loaded plan is not yet in use.
   /// Returns the time of the measurement from which the plan in use was computed [s].

@@ -19,10 +19,10 @@ struct SampledLoopSpec {
   bool presses;                  ///< Whether the tool is in contact with the surface.
   Eigen::Vector3d normal_world;  ///< Unit normal of the surface.
   bool observes;                 ///< Whether the torque error is estimated.
-  bool feedback;         ///< Whether gains are applied; if false, the planned torque is held.
+  bool feedback;  ///< Whether gains are applied; if false, the planned torque is applied alone.
   double tick_period;    ///< Time between ticks [s].
   double update_period;  ///< Time between new plans [s].
-  double solver_delay;   ///< Time from a measurement to the use of the plan from it [s].
+  double solver_delay;   ///< Time from a measurement until its plan comes into use [s].
   double torque_cutoff;  ///< Cut-off of the torque model in plans [rad/s]; 0: none.
 };
 
@@ -32,7 +32,8 @@ struct LoopState {
   Eigen::MatrixXd q_before, v_measured;   ///< State of the velocity measurement.
   Eigen::MatrixXd force, force_measured;  ///< Force along the normal.
   Eigen::MatrixXd v_observed, error;      ///< State of the observer of the model error.
-  Eigen::MatrixXd late;        ///< Torque without gravity, delayed by the lag of the observer.
+  Eigen::MatrixXd late;  ///< Command and change of gravity torque, low-pass filtered with the lag
+                         ///< of the observer.
   Eigen::MatrixXd plan_error;  ///< Torque error that the plan in use assumes.
   Eigen::MatrixXd command, motor;
   Eigen::MatrixXd acted, offset;  ///< State of the torque model.
