@@ -1,4 +1,5 @@
 // Bindings of Problem: sizes, names, knots, targets, states, inputs, and evaluations of one knot.
+#include "base/sentence.hpp"
 #include "bind_derivatives.hpp"
 #include "bind_ocp.hpp"
 #include "specs_model.hpp"
@@ -495,6 +496,7 @@ void bind_contacts_of_knots(ProblemClass& c) {
       [](ProblemMachine& self, int knot, const Name& contact, const Quadric& surface) {
         constexpr const char* call = "Problem.set_surface";
         const Busy::Lock lock(self.busy, call);
+        surface.check(call);
         const int number = contact_number(call, contact, contact_names(self.problem));
         require(self.problem.set_surface(knot, number, surface), call);
       },
@@ -504,6 +506,7 @@ void bind_contacts_of_knots(ProblemClass& c) {
       [](ProblemMachine& self, int knot, const Name& term, const Quadric& surface) {
         constexpr const char* call = "Problem.set_term_surface";
         const Busy::Lock lock(self.busy, call);
+        surface.check(call);
         require(self.problem.set_term_surface(knot, term_index(self.problem, call, knot, term),
                                               surface),
                 call);
@@ -599,19 +602,28 @@ void set_input_value(ProblemMachine& self, const Name& name, const Numbers& valu
   const int input = input_index(self.problem, call, name);
   const InputSpec& spec = self.problem.spec().inputs[static_cast<std::size_t>(input)];
   const Eigen::VectorXd entries = input_entries(call, "value", value, spec);
+  const auto accept = [&](Status status) {
+    const std::string of = std::string(call) + ": input " + in_quotes(spec.name);
+    if (status == Status::NotNormalized)
+      throw Error(of + ": the value is not a quaternion of length 1; wanted a rotation");
+    if (status == Status::NotFinite && entries.allFinite())
+      throw Error(of + " is " + number(entries[0]) +
+                  "; wanted a friction of at least 0, now and after the decay");
+    require(status, call);
+  };
   if (decaying.has_value() != decay_time.has_value())
     throw Error(std::string(call) + ": " + (decaying ? "decay_time" : "decaying") +
                 " is missing; wanted decaying and decay_time together");
   if (!decaying) {
-    require(self.problem.set_input(input, entries), call);
+    accept(self.problem.set_input(input, entries));
     return;
   }
   if (!(*decay_time > 0.0))
-    throw Error(std::string(call) + ": decay_time is " + std::to_string(*decay_time) +
+    throw Error(std::string(call) + ": decay_time is " + number(*decay_time) +
                 " s; wanted a positive number");
-  require(self.problem.set_input(input, entries, input_entries(call, "decaying", *decaying, spec),
-                                 *decay_time),
-          call);
+  const Eigen::VectorXd faded = input_entries(call, "decaying", *decaying, spec);
+  if (!faded.allFinite()) require(Status::NotFinite, call);
+  accept(self.problem.set_input(input, entries, faded, *decay_time));
 }
 
 /// Binds the overloads of set_input(). The value comes last, since NumPy converts many objects to
@@ -622,6 +634,10 @@ void bind_set_input(ProblemClass& c) {
        [](ProblemMachine& self, const Name& input, const Quadric& surface, double depth) {
          constexpr const char* call = "Problem.set_input";
          const Busy::Lock lock(self.busy, call);
+         surface.check(call);
+         if (!(depth >= 0.0))
+           throw Error(std::string(call) + ": depth is " + number(depth) +
+                       " m; wanted at least 0 m");
          require(self.problem.set_input(input_index(self.problem, call, input), surface, depth),
                  call);
        },

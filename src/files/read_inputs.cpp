@@ -56,7 +56,7 @@ InputSpec read_input(const std::string& name, const Reader& reader, const Model&
   if (input.kind == InputKind::Inertia) {
     const Reader frame = reader["frame"];
     input.frame = frame.text();
-    frame.named([&] { (void)frame_on_body("input", model, input.frame); });
+    frame.named([&] { (void)frame_on_body("inertia", model, input.frame); });
   } else if (const auto frame = reader.find("frame")) {
     frame->refuse("only an input of the kind 'inertia' has a frame; wanted no frame");
   }

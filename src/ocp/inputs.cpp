@@ -69,17 +69,16 @@ void check_constant(const InputSpec& spec) {
 
 /// Throws Error if an inertia cannot act at its frame, or if another input loads the same body.
 void check_frame(const InputSpec& given, const ProblemSpec& spec) {
-  try {
-    const int body = frame_on_body("frame", spec.model, given.frame).body;
-    for (const InputSpec& other : spec.inputs) {
-      if (&other == &given) return;
-      if (other.kind == InputKind::Inertia &&
-          frame_on_body("frame", spec.model, other.frame).body == body)
-        throw Error("frame " + in_quotes(given.frame) + " is on the body of input " +
-                    in_quotes(other.name) + "; wanted at most one inertia for each body");
-    }
-  } catch (const Error& error) {
-    refuse(given.name, error.what());
+  if (given.frame.empty())
+    refuse(given.name, "an inertia has no frame; wanted a frame of the robot");
+  const std::string call = "input " + in_quotes(given.name);
+  const int body = frame_on_body(call, spec.model, given.frame).body;
+  for (const InputSpec& other : spec.inputs) {
+    if (&other == &given) return;
+    if (other.kind == InputKind::Inertia &&
+        frame_on_body(call, spec.model, other.frame).body == body)
+      refuse(given.name, "frame " + in_quotes(given.frame) + " is on the body of input " +
+                             in_quotes(other.name) + "; wanted at most one inertia for each body");
   }
 }
 
@@ -234,7 +233,7 @@ void Inputs::use(const ContactSpec& contact, int friction, int surface,
            friction, 1});
     if (contact.surface_input.empty()) return;
     if (surface < 0)
-      throw Error("the reference follows no surface; wanted a reference from Reference::on");
+      throw Error("the reference follows no surface; wanted a reference on a curved surface");
     stage.uses.push_back({How::Surface,
                           index_of("surface_input", contact.surface_input, InputKind::Surface),
                           surface, surface_size});
@@ -256,9 +255,9 @@ void Inputs::mark_friction(const CompiledStage& stage) {
   for (const CompiledUse& use : stage.uses)
     if (use.how == How::Ratio || use.how == How::Coefficient) {
       InputState& state = states_[to_size(use.input)];
-      state.is_friction = true;
       double value = 0.0;
       if (state.spec.value.is_constant()) evaluate_value(state, 0.0, &value);
+      state.is_friction = true;
       if (value < 0.0)
         refuse(state.spec.name, "its value " + number(value) +
                                     " is used as friction or ratio of friction; wanted at least 0");
@@ -271,8 +270,10 @@ void evaluate_value(const InputState& state, double time, double* out) {
     value = state.value;
   } else if (!state.spec.value.empty()) {
     state.spec.value.at(time, value);
-    if (state.spec.kind == InputKind::Rotation && !is_unit_quaternion(value))
-      value.setConstant(std::numeric_limits<double>::quiet_NaN());
+    const bool is_valid = state.spec.kind == InputKind::Rotation ? is_unit_quaternion(value)
+                          : state.is_friction                    ? value[0] >= 0.0
+                                                                 : true;
+    if (!is_valid) value.setConstant(std::numeric_limits<double>::quiet_NaN());
   } else {
     value.setZero();
   }

@@ -122,6 +122,7 @@ Problem::Impl::Impl(const ProblemSpec& given)
   for (std::size_t k = 0; k < stage_of.size(); ++k) {
     load_targets(static_cast<int>(k));
     check_rotations(static_cast<int>(k));
+    check_inputs(static_cast<int>(k));
   }
   ranges.reserve(stage_of.size());
   cut_ranges();

@@ -63,6 +63,8 @@ struct Problem::Impl {
   /// Evaluates an input at all knots and writes the targets that use it. Other targets stay.
   void load_input(int input);
   void evaluate_input(int input, int knot);
+  /// Throws Error if an input has no valid value at a knot.
+  void check_inputs(int knot);
   double* inputs_of(int knot) {
     return inputs.data() + static_cast<std::ptrdiff_t>(knot) * compiled.inputs.entries();
   }

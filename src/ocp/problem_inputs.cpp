@@ -48,6 +48,19 @@ void Problem::Impl::evaluate_input(int index, int knot) {
   for (int i = 0; i < state.size; ++i) out[i] += remaining * state.decaying[i];
 }
 
+void Problem::Impl::check_inputs(int knot) {
+  const InputValues values(inputs_of(knot), compiled.inputs.first());
+  for (int i = 0; i < compiled.inputs.count(); ++i) {
+    if (values[i].allFinite()) continue;
+    const ocp::InputState& state = compiled.inputs[i];
+    throw Error("input " + in_quotes(state.spec.name) + ": its value at " +
+                number(times[to_size(knot)]) + " s is not valid; wanted " +
+                (state.is_friction                        ? "a friction of at least 0"
+                 : state.spec.kind == InputKind::Rotation ? "a quaternion of length 1"
+                                                          : "finite numbers"));
+  }
+}
+
 void Problem::Impl::load_targets(int knot) {
   const ocp::CompiledStage& at = stage(knot);
   for (int i = 0; i < compiled.inputs.count(); ++i) evaluate_input(i, knot);

@@ -68,17 +68,28 @@ TEST(PlanInputs, DeclaredInput_IsUsedAsTheSpecificationSays) {
   spec.model_error.kind = ModelErrorKind::Torque;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(spec.problem.model.nv);
   spec.problem.inputs = {{.name = "surface", .kind = InputKind::Surface},
-                         {.name = "torque_error", .kind = InputKind::Vector, .value = none}};
+                         {.name = "bias", .kind = InputKind::Vector, .value = none}};
+  spec.problem.torque_bias_input = "bias";
   const MpcSpec made = completed(spec);
   EXPECT_EQ(made.problem.contacts[0].surface_input, "");
-  EXPECT_EQ(made.problem.torque_bias_input, "");
+  EXPECT_EQ(made.problem.torque_bias_input, "bias");
   Problem problem(made.problem);
   const Eigen::VectorXd error = Eigen::VectorXd::LinSpaced(none.size(), 1.0, 2.0);
   EXPECT_TRUE(PlanInputs(made).set_torque_error(problem, error, none, INFINITY));
   EXPECT_EQ(problem.input_at(1, 0), error);
-  spec.problem.inputs[0].kind = InputKind::Scalar;
-  testing::expect_words(testing::refusal([&] { (void)completed(spec); }),
-                        {"input 'surface'", "another kind"});
+}
+
+TEST(PlanInputs, InputsThatCannotWork_AreRefused) {
+  MpcSpec spec = pressing_toy({"touch", {}, 5.0});
+  spec.model_error.kind = ModelErrorKind::Torque;
+  spec.problem.inputs = {{.name = "surface"}};
+  const auto refused = [&](const std::vector<std::string>& words) {
+    testing::expect_words(testing::refusal([&] { (void)completed(spec); }), words);
+  };
+  refused({"input 'surface'", "another kind"});
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(spec.problem.model.nv);
+  spec.problem.inputs = {{.name = "torque_error", .kind = InputKind::Vector, .value = none}};
+  refused({"'torque_error'", "no torque_bias_input"});
 }
 
 }  // namespace

@@ -364,6 +364,11 @@ TEST_F(Input, InvalidSpecifications_AreRefused) {
             .value = Signal::of_inputs(
                 1, [](double, const InputValues&, Eigen::Ref<Eigen::VectorXd>) {})}},
           {"'error'", "depends on inputs"});
+  refused({.residual = residual::FrictionCone{.contact = "pad"}, .friction_ratio_input = "error"},
+          {{.name = "error",
+            .value = Signal::over_time(
+                1, [](double t, Eigen::Ref<Eigen::VectorXd> out) { out[0] = 0.7 - t; })}},
+          {"'error'", "value at 0.71 s", "at least 0"});
   refused({.residual = force, .surface_input = "s"}, {{.name = "s", .kind = InputKind::Surface}},
           {"neither a curved reference nor a target position"});
   refused({.residual = residual::FramePosition{"tool", moving(3)}, .surface_input = "error"},
