@@ -397,8 +397,10 @@ def test_surface_input_replaces_the_surface_of_a_cost(robot):
     np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.1], atol=1e-12)
     problem.reset_input("surface")
     np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.4], atol=1e-12)
-    with pytest.raises(bn.EvaluationError, match="Problem.set_input: "):
+    with pytest.raises(bn.Error, match="Problem.set_input: depth is -0.1 m; wanted at least 0 m"):
         problem.set_input("surface", bn.Quadric.plane(tool, [0, 0, 1]), depth=-0.1)
+    with pytest.raises(bn.Error, match="Problem.set_input: .*not symmetric"):
+        problem.set_input("surface", bn.Quadric([[1, 2, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 1], 0.0))
 
 
 def test_surface_input_moves_a_target_position_into_the_surface(robot):
