@@ -347,7 +347,7 @@ def test_set_surface_changes_costs_and_contacts_of_a_knot(robot):
 
 def pressing_with_an_input(robot, **entries):
     """Returns a problem whose cost 'force' has a target of 5 N, with the given entries."""
-    cost = bn.CostTerm(residual.ContactForce("pad", 5.0), name="force", **entries)
+    cost = bn.CostTerm(residual.ContactForce("pad", target=5.0), name="force", **entries)
     spec = spec_of(robot, [cost], contacts=[bn.ContactSpec("pad", tool="tool", directions="z")])
     spec.stages[0].contacts = ["pad"]
     spec.inputs = [bn.InputSpec("unused", "vector", [1.0, 2.0]), bn.InputSpec("force_error")]
