@@ -48,7 +48,7 @@ struct InputState {
 /// Writes the value of an input at `time` [s], without the decaying part. The value is zero if
 /// there is none. It is NaN if a value over time is a rotation that is not of length 1, or a
 /// negative friction.
-void evaluate_value(const InputState& input, double time, double* out);
+void evaluate_value(const InputState& state, double time, double* out);
 
 /// Inputs of a problem. Values at the knots are kept by the problem.
 class Inputs {

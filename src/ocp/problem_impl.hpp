@@ -61,8 +61,8 @@ struct Problem::Impl {
   /// Evaluates inputs and signals of a knot, and writes its targets.
   void load_targets(int knot);
   /// Evaluates an input at all knots and writes the targets that use it. Other targets stay.
-  void load_input(int input);
-  void evaluate_input(int input, int knot);
+  void load_input(int index);
+  void evaluate_input(int index, int knot);
   /// Throws Error if an input has no valid value at a knot.
   void check_inputs(int knot);
   double* inputs_of(int knot) {
@@ -77,7 +77,7 @@ struct Problem::Impl {
   /// Puts a value into effect that was written to the input.
   void accept_input(int index);
   /// Sets the torque bias to the value of its input.
-  void load_bias(const ocp::InputState& input);
+  void load_bias(const ocp::InputState& state);
   void check_rotations(int knot);
   void cut_ranges();
   void prepare(int count);
