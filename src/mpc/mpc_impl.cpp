@@ -108,19 +108,28 @@ void MpcController::Impl::reset() noexcept {
   error.reset();
   ahead_.reset();
   grip.reset();
-  for (int i = 0; i < static_cast<int>(problem.spec().inputs.size()); ++i)
-    if (problem.spec().inputs[to_size(i)].kind != InputKind::Inertia) problem.reset_input(i);
   policy.reset();
   holding_.reset();
   plans_.reset();
   motors_.reset();
   black_box_.reset();
   thrown = nullptr;
+  reset_inputs();
   solver.forget_limits();
   tick_ = 0;
   command_ = Command{std::move(command_.tau)};
   command_.normal_world = spec.normal_base;
   command_.tau.setZero();
+}
+
+/// Resets the inputs of the problem, except payloads.
+void MpcController::Impl::reset_inputs() noexcept {
+  try {  // values over time are functions of the specification
+    for (int i = 0; i < static_cast<int>(problem.spec().inputs.size()); ++i)
+      if (problem.spec().inputs[to_size(i)].kind != InputKind::Inertia) problem.reset_input(i);
+  } catch (...) {
+    keep_exception();
+  }
 }
 
 const Command& MpcController::Impl::tick(const Measurement& m) noexcept {

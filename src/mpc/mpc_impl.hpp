@@ -32,6 +32,7 @@ struct MpcController::Impl {
   const Command& tick(const Measurement& m) noexcept;
 
  private:
+  void reset_inputs() noexcept;
   // Steps of a tick.
   bool has_settled() const noexcept;
   void process_measurement() noexcept;

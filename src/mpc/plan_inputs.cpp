@@ -166,10 +166,7 @@ PlanInputs::PlanInputs(const MpcSpec& spec)
     : surface_(find_input(spec.problem, surface_name, InputKind::Surface)),
       friction_(find_input(spec.problem, friction_name, InputKind::Scalar)),
       force_error_(find_input(spec.problem, force_name, InputKind::Scalar)),
-      torque_error_(find_input(
-          spec.problem,
-          spec.problem.torque_bias_input.empty() ? torque_name : spec.problem.torque_bias_input,
-          InputKind::Vector)) {
+      torque_error_(find_input(spec.problem, spec.problem.torque_bias_input, InputKind::Vector)) {
   const std::vector<ContactSpec> supports = supports_of(spec.problem, spec.supports);
   cones_.resize(static_cast<Eigen::Index>(supports.size()));
   for (std::size_t i = 0; i < supports.size(); ++i) {

@@ -19,8 +19,7 @@ namespace burnish {
 /// - `tool_friction`: contacts with friction between the tool and MpcSpec::base;
 /// - `force_error`: targets of one-dimensional contact forces, with ModelErrorKind::Force;
 /// - `torque_error`: the torque bias, with ModelErrorKind::Torque;
-/// - `SUPPORT/friction`, for each support that has a friction cone and is in contact in every
-/// stage:
+/// - `SUPPORT/friction`, for each support with a friction cone that is in contact in every stage:
 ///   friction cones and centres of pressure of the support.
 /// MpcTask::set_inputs() sets all other inputs. Throws Error if the specification declares one of
 /// these inputs with another kind.

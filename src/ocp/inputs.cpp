@@ -114,7 +114,7 @@ CompiledUse offset_of(const CompiledTerm& term, int input, const InputState& sta
     throw Error(
         "input " + in_quotes(state.spec.name) + " is " + text_of(kind) +
         (kind == InputKind::Vector ? " of " + std::to_string(state.size) + " entries" : "") +
-        "; wanted " +
+        "; wanted " + (has_point ? "a rotation or " : "") +
         (entries == 0   ? "a rotation"
          : entries == 1 ? "a scalar"
                         : "a vector of " + std::to_string(entries) + " entries"));
@@ -141,8 +141,7 @@ void add_uses(const Inputs& inputs, const Given& given, const CompiledTerm& term
     if (!is_friction_margin(term.residual))
       throw Error(
           "the residual has no coefficient of friction; wanted a friction cone, or a centre of "
-          "pressure "
-          "with friction");
+          "pressure with friction");
     const int input = inputs.index(given.friction_ratio_input, InputKind::Scalar);
     stage.uses.push_back({How::Ratio, input, term.target, 1});
   });
@@ -153,7 +152,7 @@ void add_uses(const Inputs& inputs, const Given& given, const CompiledTerm& term
       return;
     }
     if (!has_target_point(term.residual))
-      throw Error("the residual has neither a curved reference nor a target position");
+      throw Error("the residual has neither a curved reference nor a target position; wanted one");
     stage.uses.push_back({How::Depth, input, term.target, 3});
   });
 }

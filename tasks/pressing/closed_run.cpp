@@ -30,6 +30,7 @@ class Stopwatch final : public Controller {
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
     return timed_->set_payload(frame, payload);
   }
+  double payload_mass() const noexcept override { return timed_->payload_mass(); }
   void reset() noexcept override {
     timed_->reset();
     times_.clear();

@@ -59,6 +59,7 @@ class HomeController final : public Controller {
     const Status status = then_.set_payload(frame, payload);
     return status == Status::Ok ? dynamics_.set_payload(frame, payload) : status;
   }
+  double payload_mass() const noexcept override { return then_.payload_mass(); }
   void reset() noexcept override {
     then_.reset();
     is_over_ = started_ = false;
