@@ -34,7 +34,7 @@ class RobotState {
   const Eigen::VectorXd& q() const { return q_; }
   const Eigen::VectorXd& v() const { return v_; }
   const RigidBody& body() const { return body_; }
-  /// Returns the motion of the tool relative to the surface, at the state.
+  /// Returns the motion of the tool relative to the surface, at the state; zero without a tool.
   const ToolMotion& tool() noexcept;
   /// Computes accelerations and contact forces for joint torques `tau` (nv) [Nm or N], with the
   /// contacts in `active`. The result is in dynamics().

@@ -55,15 +55,6 @@ Trace without_start(const Trace& trace, int rows) {
   return result;
 }
 
-/// Returns a scene with a surface out of reach, for a motion without contact.
-SceneSpec empty_scene(const std::string& frame) {
-  SceneSpec scene;
-  scene.tip.frame = frame;
-  scene.surface.point = Eigen::Vector3d(0.0, 0.0, -1e3);
-  scene.surface.normal = Eigen::Vector3d::UnitZ();
-  return scene;
-}
-
 }  // namespace
 
 Trace record_motion(Plant& plant, const Model& known, const Excitation& motion,
@@ -88,8 +79,10 @@ Trace record_motion(const Model& model, const Payload& payload, const Excitation
                     const Disturbances& disturbances) {
   IdealPlantOptions options;
   options.dt = 1e-3;
-  const auto plant = make_ideal_plant(plant_model(with_payload(model, payload), disturbances),
-                                      empty_scene(payload.frame), options);
+  SceneSpec scene;
+  scene.tip.frame.clear();
+  const auto plant =
+      make_ideal_plant(plant_model(with_payload(model, payload), disturbances), scene, options);
   return record_motion(*plant, model, motion, disturbances);
 }
 

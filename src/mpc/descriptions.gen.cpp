@@ -268,7 +268,7 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "Function that creates the task, which defines events and monitored quantities; "
                  "none: no task")
           .field("tool", &S::tool,
-                 "Frame at which Measurement::tool_force_world acts")
+                 "Frame at which Measurement::tool_force_world acts; empty: the robot has no tool")
           .field("base", &S::base,
                  "Robot frame that carries the surface, such as a plate in the other hand; empty:"
                  " the world")

@@ -11,7 +11,7 @@ namespace burnish {
 struct GateSpec {
   Model model;
   std::vector<ContactSpec> contacts;  ///< Contacts of MeasurementGate::state().
-  std::string tool;                   ///< Frame of the tool.
+  std::string tool;                   ///< Frame of the tool; empty: the robot has no tool.
   std::string surface_frame;          ///< Robot frame that carries the surface; empty: world.
   Eigen::VectorXd q_start;            ///< Configuration until the first valid measurement.
   bool force_sensor;                  ///< Whether Measurement::tool_force_world is measured.

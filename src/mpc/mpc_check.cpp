@@ -146,6 +146,10 @@ int checked_ticks_per_update(const MpcSpec& spec) {
     throw Error(
         "MPC: without a force sensor, the force is estimated from torques, and this requires an "
         "estimate of the torque error; wanted model_error.kind torque");
+  if (!spec.force_sensor && spec.tool.empty())
+    throw Error(
+        "MPC: the force at the tool is to be estimated (force_sensor is false), but tool is empty; "
+        "wanted the frame of the tool, or force_sensor true");
   check_ranges(description_of(&spec.fallback), &spec.fallback,
                [](const std::string& entry) { return "MPC: the fallback's " + entry; });
   check_limits(spec.limits, spec.tick_period);

@@ -62,7 +62,7 @@ MpcController::Impl::Impl(MpcSpec given)
       black_box_(spec.problem.model, spec.tick_period, fault),
       watched_(task->watched()),
       readings_(watched_.size()),
-      tool_(RigidBody(spec.problem.model).frame(spec.tool)),
+      tool_(spec.tool.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.tool)),
       base_(spec.base.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.base)),
       x_(spec.problem.initial_state),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)),
@@ -209,7 +209,7 @@ void MpcController::Impl::rotate_normal() noexcept {
 
 void MpcController::Impl::update_surface() noexcept {
   const Quadric* const surface = task->surface();
-  if (surface == nullptr || !surface->is_finite()) return;
+  if (tool_ < 0 || surface == nullptr || !surface->is_finite()) return;
   const Eigen::Vector3d p_tool_world = gate.body().placement(tool_).translation();
   Eigen::Vector3d gradient;
   if (base_ < 0) {

@@ -120,7 +120,7 @@ struct MpcController::Impl {
   BlackBox black_box_;
   std::vector<WatchedQuantity> watched_;
   std::vector<Reading> readings_;  ///< Readings of the quantities in watched_.
-  int tool_;                       ///< Frame of the tool.
+  int tool_;                       ///< Frame of the tool; -1: none.
   int base_;                       ///< Frame of the robot that carries the surface; -1: the world.
   Command command_;
   Eigen::VectorXd x_, u_, v_ahead_, decaying_;

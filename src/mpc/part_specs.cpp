@@ -147,7 +147,7 @@ GateSpec gate_spec(const MpcSpec& spec) {
           .tool = spec.tool,
           .surface_frame = spec.base,
           .q_start = problem.initial_state.head(problem.model.nq),
-          .force_sensor = spec.force_sensor,
+          .force_sensor = spec.force_sensor && !spec.tool.empty(),
           .sensors = spec.support_sensors ? spec.supports : std::vector<std::string>(),
           .limits = spec.limits,
           .tick_period = spec.tick_period};

@@ -15,7 +15,7 @@ struct SampledLoopSpec {
   PlanSlopes plan;
   Model model;
   Eigen::VectorXd q;             ///< Configuration about which the loop is linearized.
-  std::string tool;              ///< Frame of the tool.
+  std::string tool;              ///< Frame of the tool; used if `presses`.
   bool presses;                  ///< Whether the tool is in contact with the surface.
   Eigen::Vector3d normal_world;  ///< Unit normal of the surface.
   bool observes;                 ///< Whether the torque error is estimated.

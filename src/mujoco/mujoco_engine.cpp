@@ -159,34 +159,38 @@ void add_supports(const Model& model, const SceneSpec& scene, Additions& to) {
   }
 }
 
-/// Returns the surface, the tip, the supports, followers and loops as additions to the robot's
-/// text. Tip and surface collide only with each other.
-Additions additions_for(const Model& model, const SceneSpec& scene,
-                        const MujocoPlantOptions& options) {
+/// Adds the surface and the tip, which collide only with each other.
+void add_tip(const Model& model, const SceneSpec& scene, bool collides, Additions& to) {
   const SurfaceSpec& surface = scene.surface;
   const Frame& tip = model.frames[to_size(model.frame_index(scene.tip.frame))];
+  const std::string common = " condim=\"" + std::string(surface.friction > 0.0 ? "3" : "1") +
+                             "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
+  const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
+  const Frame* const carrier =
+      surface.frame.empty() ? nullptr : &model.frames[to_size(model.frame_index(surface.frame))];
+  std::string& holder = carrier == nullptr ? to.world : to.bodies[carrier->body];
+  const Eigen::Isometry3d place =
+      carrier == nullptr ? Eigen::Isometry3d::Identity() : carrier->placement;
+  holder += "<geom name=\"surface\" " + geom_of(surface, side, place) + common +
+            (collides ? " contype=\"2\"" : " contype=\"0\"") +
+            (collides ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
+  to.bodies[tip.body] += R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
+                         " size=\"" + numbers(scene.tip.radius) + "\"" + common +
+                         " contype=\"1\" conaffinity=\"2\"/>\n";
+}
+
+/// Returns the surface, the tip, the supports, followers and loops as additions to the robot's
+/// text.
+Additions additions_for(const Model& model, const SceneSpec& scene,
+                        const MujocoPlantOptions& options) {
   Additions result;
   result.joint_stops = options.joint_stops;
   result.options = R"(cone="elliptic" integrator="Euler" timestep=")" + numbers(options.dt) +
                    "\" impratio=\"" + numbers(options.friction_ratio) + "\" tolerance=\"" +
                    numbers(options.tolerance) + "\" iterations=\"" +
                    std::to_string(options.max_iterations) + "\"";
-  const std::string common = " condim=\"" + std::string(surface.friction > 0.0 ? "3" : "1") +
-                             "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
-  const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
-  const bool collides = options.contact == MujocoContact::Engine;
-  const Frame* const carrier =
-      surface.frame.empty() ? nullptr : &model.frames[to_size(model.frame_index(surface.frame))];
-  std::string& holder = carrier == nullptr ? result.world : result.bodies[carrier->body];
-  const Eigen::Isometry3d place =
-      carrier == nullptr ? Eigen::Isometry3d::Identity() : carrier->placement;
-  holder += "<geom name=\"surface\" " + geom_of(surface, side, place) + common +
-            (collides ? " contype=\"2\"" : " contype=\"0\"") +
-            (collides ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
+  if (scene.tip.exists()) add_tip(model, scene, options.contact == MujocoContact::Engine, result);
   add_supports(model, scene, result);
-  result.bodies[tip.body] += R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
-                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
-                             " contype=\"1\" conaffinity=\"2\"/>\n";
   // Upper bound of the number of constraint rows: friction, limits, followers, loops and contacts.
   const std::size_t contacts = 8 + 4 * scene.supports.size();
   const auto rows =
@@ -250,6 +254,12 @@ int load_followers(mjModel& m) {
   return i;
 }
 
+/// Returns MuJoCo's id of the site at a frame of the robot; -1 for an empty name.
+int site_id(const Model& robot, const mjModel& m, const std::string& frame) {
+  if (frame.empty()) return -1;
+  return mj_name2id(&m, mjOBJ_SITE, site_name(robot.frame_index(frame)).c_str());
+}
+
 }  // namespace
 
 Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOptions& options)
@@ -260,20 +270,17 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
       coordinates(robot, *m),
       tip_geom(mj_name2id(m.get(), mjOBJ_GEOM, "tip")),
       surface_geom(mj_name2id(m.get(), mjOBJ_GEOM, "surface")),
-      tip_site(
-          mj_name2id(m.get(), mjOBJ_SITE, site_name(robot.frame_index(scene.tip.frame)).c_str())),
-      tip_body(m->geom_bodyid[tip_geom]),
-      surface_site(scene.surface.frame.empty()
-                       ? -1
-                       : mj_name2id(m.get(), mjOBJ_SITE,
-                                    site_name(robot.frame_index(scene.surface.frame)).c_str())),
+      tip_site(site_id(robot, *m, scene.tip.frame)),
+      tip_body(tip_geom < 0 ? -1 : m->geom_bodyid[tip_geom]),
+      surface_site(site_id(robot, *m, scene.surface.frame)),
       own_contact(options.contact == MujocoContact::Engine) {
-  if (own_contact) check_engine_supports(scene.surface);
+  if (own_contact && has_tip()) check_engine_supports(scene.surface);
   load_figures(model, *m, *d);
   load_joint_friction(model, coordinates, *m);
   load_loops(model, load_followers(*m), *m);
-  load_contact(scene.surface.stiffness, scene.surface.damping, options.impedance, *m, surface_geom,
-               tip_geom);
+  if (has_tip())
+    load_contact(scene.surface.stiffness, scene.surface.damping, options.impedance, *m,
+                 surface_geom, tip_geom);
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const SupportSpec& support = scene.supports[i];
     const auto id = [&](int kind, const std::string& name) {
@@ -302,7 +309,7 @@ void Engine::stiffen_equalities() const {
 
 /// MuJoCo's planes are infinite, so collisions beside the surface are switched off.
 void Engine::update_surface_extent(bool in_contact) const {
-  if (std::isinf(scene.surface.extent) || !own_contact) return;
+  if (std::isinf(scene.surface.extent) || !own_contact || !has_tip()) return;
   mj_kinematics(m.get(), d.get());
   const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * tip_site);
   const bool over = is_over(scene, tip, in_contact);
@@ -339,6 +346,7 @@ Eigen::Matrix<double, 6, 1> Engine::support_wrench(const Support& support) const
 
 Eigen::Vector3d Engine::contact_force_world() const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  if (!has_tip()) return sum;
   // MuJoCo orders the two geoms by type. The force is that on geom2.
   for (int i = 0; i < d->ncon; ++i) {
     const mjContact& contact = d->contact[i];

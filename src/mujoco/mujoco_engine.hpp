@@ -22,10 +22,12 @@ struct Engine {
   ModelPointer m;
   DataPointer d;
   Coordinates coordinates;
-  int tip_geom, surface_geom, tip_site, tip_body;
+  int tip_geom, surface_geom, tip_site, tip_body;  ///< -1 if the robot has no tool
   int surface_site;               ///< Site of the frame that carries the surface; -1: none
   std::vector<Support> supports;  ///< Supports of the scene, in its order
   bool own_contact;               ///< Whether the contact is MujocoContact::Engine
+
+  bool has_tip() const { return tip_geom >= 0; }
 
   /// Stiffens the equality constraints of followers and loops, so that their error is 1e-8 of the
   /// acceleration. Must be called between mj_fwdPosition() and mj_fwdConstraint().

@@ -29,7 +29,7 @@ class MujocoPlant final : public Plant {
   MujocoPlant(const Model& model, const SceneSpec& scene, const MujocoPlantOptions& options)
       : engine_(model, scene, options),
         exact_(engine_.scene, *engine_.m, engine_.tip_site, engine_.tip_body, engine_.surface_site),
-        is_exact_(options.contact == MujocoContact::Exact),
+        is_exact_(options.contact == MujocoContact::Exact && engine_.has_tip()),
         q_(model.q_neutral),
         v_(Eigen::VectorXd::Zero(model.nv)),
         friction_(Eigen::VectorXd::Zero(model.nv)),
@@ -148,7 +148,7 @@ void MujocoPlant::load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& 
   add_spring_torque(springs_, q_.data(), v_.data(), spring_torque_.data());
   total_ = tau + spring_torque_;
   engine_.coordinates.torque_to(total_, d->qfrc_applied);
-  if (push_world.isZero(0.0)) return;
+  if (push_world.isZero(0.0) || !engine_.has_tip()) return;
   const mjtNum torque[3] = {0.0, 0.0, 0.0};
   mj_applyFT(engine_.m.get(), d, push_world.data(), torque, d->site_xpos + 3 * engine_.tip_site,
              engine_.tip_body, d->qfrc_applied);

@@ -65,7 +65,7 @@ Json about_json(const RunPage& run) {
                                 })},
             {"command", run.command},
             {"outcome", run.outcome},
-            {"polished", run.polished},
+            {"succeeded", run.succeeded},
             {"fault", nullptr},
             {"task_file", run.task_file},
             {"duration", number_json(run.duration)}};

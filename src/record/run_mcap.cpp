@@ -112,17 +112,13 @@ Json entity_json(std::uint64_t time, const std::string& frame, const std::string
 class Recorder {
  public:
   Recorder(const RunPage& run, const std::filesystem::path& file)
-      : run_(run), model_(run.robot.model), links_(model_), out_(file, "burnish " + run.version) {
+      : run_(run),
+        model_(run.robot.model),
+        has_tool_(!run.tool_frame.empty()),
+        links_(model_),
+        out_(file, "burnish " + run.version) {
     joints_ = channel("/joint_states", "burnish.JointStates", mcap::joint_states());
-    forces_ = table("/force", "burnish.Force",
-                    {"force_normal", "force_normal_mean", "force_estimated", "force_measured",
-                     "force_target", "force_t1", "force_t2", "in_contact"});
-    task_ =
-        table("/task", "burnish.Task",
-              {"phase", "path_u", "path_w", "target_u", "target_w", "path_error", "tool_turned"});
-    const std::uint16_t pose = out_.add_schema("foxglove.PoseInFrame", mcap::pose_in_frame());
-    tool_ = out_.add_channel(pose, "/tool_pose");
-    target_ = out_.add_channel(pose, "/target_pose");
+    if (has_tool_) add_tool();
     const std::uint16_t tf = out_.add_schema("foxglove.FrameTransforms", mcap::frame_transforms());
     transforms_ = out_.add_channel(tf, "/tf");
     fixed_ = out_.add_channel(tf, "/tf_static");
@@ -147,8 +143,8 @@ class Recorder {
       const std::uint64_t time = moment(run_.time[row]);
       write_until(run_.time[row]);
       write_joints(row, time);
-      write_table(forces_, row, time);
-      write_table(task_, row, time);
+      if (has_tool_) write_table(forces_, row, time);
+      if (has_tool_) write_table(task_, row, time);
       write_placements(row, time, run_.time[row] >= next_transform);
       if (run_.time[row] >= next_transform) next_transform = run_.time[row] + transform_period;
     }
@@ -163,6 +159,18 @@ class Recorder {
     std::vector<const Eigen::VectorXd*> columns;
   };
 
+  /// Adds the channels of a tool, its forces and its path.
+  void add_tool() {
+    forces_ = table("/force", "burnish.Force",
+                    {"force_normal", "force_normal_mean", "force_estimated", "force_measured",
+                     "force_target", "force_t1", "force_t2", "in_contact"});
+    task_ =
+        table("/task", "burnish.Task",
+              {"phase", "path_u", "path_w", "target_u", "target_w", "path_error", "tool_turned"});
+    const std::uint16_t pose = out_.add_schema("foxglove.PoseInFrame", mcap::pose_in_frame());
+    tool_ = out_.add_channel(pose, "/tool_pose");
+    target_ = out_.add_channel(pose, "/target_pose");
+  }
   std::uint64_t moment(double seconds) const {
     return static_cast<std::uint64_t>(std::max<std::int64_t>(0, run_.created)) * 1'000'000'000 +
            static_cast<std::uint64_t>(std::llround(1e9 * std::max(0.0, seconds)));
@@ -220,9 +228,11 @@ class Recorder {
     Eigen::VectorXd q(model_.nq);
     for (int k = 0; k < model_.nq; ++k) q[k] = (*q_[to_size(k)])[row];
     const std::vector<Eigen::Isometry3d> frames = frame_placements(model_, q);
-    write_pose(tool_, time, frames[to_size(model_.frame_index(run_.tool_frame))]);
-    write_pose(target_, time,
-               moved(frames) * target_at({(*task_.columns[3])[row], (*task_.columns[4])[row]}));
+    if (has_tool_) {
+      write_pose(tool_, time, frames[to_size(model_.frame_index(run_.tool_frame))]);
+      write_pose(target_, time,
+                 moved(frames) * target_at({(*task_.columns[3])[row], (*task_.columns[4])[row]}));
+    }
     Json transforms = Json::array();
     for (const int main : links_.main())
       if (main >= 0)
@@ -321,6 +331,7 @@ class Recorder {
 
   const RunPage& run_;
   const Model& model_;
+  bool has_tool_;
   LinkTree links_;
   McapWriter out_;
   std::uint16_t joints_ = 0, tool_ = 0, target_ = 0, transforms_ = 0, fixed_ = 0, scene_ = 0,

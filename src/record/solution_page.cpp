@@ -120,7 +120,7 @@ RunPage solution_page(const SolvedFile& solved, Problem& problem, const DdpSolve
                          {"knots", std::to_string(problem.knots())}},
                .command = "burnish solve " + solved.file,
                .outcome = solver.text(),
-               .polished = summary.reason == StopReason::Converged,
+               .succeeded = summary.reason == StopReason::Converged,
                .task_file = read_text(file, "problem file"),
                .robot = drawing_of(solved.problem.robot, solved.problem.robot_name,
                                    problem.spec().initial_state.head(problem.model().nq))};

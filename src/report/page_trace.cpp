@@ -80,6 +80,8 @@ class PageFiller {
 };
 
 void add_forces(PageFiller& fill, const RunPage& page, const Trace& trace) {
+  fill.copy("force_target", "target_force");
+  if (page.tool_frame.empty()) return;
   const Eigen::Matrix3d& axes = page.surface.true_axes;
   const auto pressing = [&](const char* what) { return fill.along_rows(what, "surface_normal"); };
   const Eigen::VectorXd force = pressing("tool_force");
@@ -90,7 +92,6 @@ void add_forces(PageFiller& fill, const RunPage& page, const Trace& trace) {
   fill.add("force_normal_mean", "N", moving_mean(force, width));
   fill.add_with_envelope("force_estimated", "N", pressing("estimated_force"));
   fill.add_with_envelope("force_measured", "N", pressing("measured_force"));
-  fill.copy("force_target", "target_force");
   fill.add("force_t1", "N", fill.along("tool_force", axes.col(0)));
   fill.add("force_t2", "N", fill.along("tool_force", axes.col(1)));
 }
@@ -325,10 +326,12 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
   page.time = fill.chosen(trace.column("time"));
   page.duration = trace.rows() == 0 ? 0.0 : trace.at(trace.rows() - 1, trace.index("time"));
   fill.copy("phase", "phase");
-  fill.copy("in_contact", "in_contact");
   add_forces(fill, page, trace);
-  add_motion(fill, page, trace);
-  add_normals(fill, page, trace);
+  if (!page.tool_frame.empty()) {
+    fill.copy("in_contact", "in_contact");
+    add_motion(fill, page, trace);
+    add_normals(fill, page, trace);
+  }
   add_joints(fill, model, trace);
   add_standing(fill, page, trace);
   add_limits(fill, trace);

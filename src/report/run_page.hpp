@@ -124,15 +124,15 @@ struct RunPage {
   std::vector<std::pair<std::string, std::string>> facts = {};  ///< Names and values to show
   std::string command = {};                                     ///< Command that repeats the run
   std::string outcome = {};
-  bool polished = false;  ///< True for success; for a planned motion: the solver converged
+  bool succeeded = false;  ///< For a planned motion: whether the solver converged
   std::optional<PageFault> fault = {};
   std::vector<PageMetric> metrics = {};
   std::optional<std::pair<double, double>> window = {};  ///< Time window of the metrics [s]
   std::string task_file = {};                            ///< Text of the task file
   double duration = 0.0;                                 ///< Duration of the run [s]
   RobotDrawing robot;
-  std::string tool_frame = {};
-  double tip_radius = 0.0;  ///< Radius of the tip [m]
+  std::string tool_frame = {};  ///< Frame of the tool; empty: the robot has no tool
+  double tip_radius = 0.0;      ///< Radius of the tip [m]
   PageSurface surface = {};
   /// Commanded path along the two tangents, from its origin [m]
   Eigen::VectorXd path_u = {}, path_w = {};
@@ -176,9 +176,9 @@ int page_stride(const Trace& trace, const Model& model, int record_every,
                 const PageSize& size = {});
 
 /// Fills time, columns, envelopes, phases, duration and solver of a page from a trace of
-/// ClosedLoop. Robot, surface and path_origin_world must be set before; for a standing robot, also
-/// supports.
-///  - Forces are along the true axes of the surface.
+/// ClosedLoop. Robot, tool_frame, surface and path_origin_world must be set before; for a standing
+/// robot, also supports.
+///  - Forces on the tool are along the true axes of the surface.
 ///  - The path is that of the contact point, along the surface axes of the controller's model.
 ///    It is relative to the surface if the robot carries the surface.
 ///  - For a standing robot, adds columns of the supports' wrenches, the centre of mass and the

@@ -158,7 +158,7 @@ struct ClosedLoop::Impl {
         sensing(driven.model(), disturbances, sensed_supports(driven, chosen),
                 chosen.control_period),
         body(driven.model()),
-        tip(body.frame(driven.scene().tip.frame)),
+        tip(driven.scene().tip.exists() ? body.frame(driven.scene().tip.frame) : -1),
         carrier(driven.scene().surface.frame.empty() ? -1
                                                      : body.frame(driven.scene().surface.frame)),
         hoist(driven.scene().hoist),
@@ -170,10 +170,15 @@ struct ClosedLoop::Impl {
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
     measurement.support_wrenches.setZero(6, sensed_supports(driven, chosen));
-    for (const Push& push : pushes)
+    for (const Push& push : pushes) {
+      if (push.frame.empty() && tip < 0)
+        throw Error("a push at " + number(push.start) +
+                    " s states no frame, and the robot has no tool; wanted the push's frame");
       pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
+    }
     // Allocates here, because steps must not allocate.
-    body.frame_derivatives(tip, Reference::centered(), motion);
+    for (const int frame : pushed) body.frame_derivatives(frame, Reference::centered(), motion);
+    if (hung >= 0) body.frame_derivatives(hung, Reference::centered(), motion);
     if (chosen.imu_frame) sensing.mount_imu(driven.model(), *chosen.imu_frame);
   }
 
@@ -187,6 +192,7 @@ struct ClosedLoop::Impl {
   static std::vector<TraceColumn> columns_of(const std::vector<Signal>& signals);
   void record(Row& row, bool of_step) const noexcept;
   Eigen::Vector3d normal_world() const noexcept;
+  Eigen::Vector3d sum_of_pushes() const noexcept;
   void place_tool() noexcept;
   void hang();
   void add_hoist(double fraction) noexcept;
@@ -203,7 +209,7 @@ struct ClosedLoop::Impl {
   Sensing sensing;
   std::optional<EstimatedBase> estimated;
   RigidBody body;
-  int tip;
+  int tip;                  ///< Frame of the tip; -1: the robot has no tool
   int carrier;              ///< Frame that carries the surface; -1: the world
   std::vector<int> pushed;  ///< Frames on which pushes act
   FrameDerivatives motion;
@@ -271,8 +277,9 @@ Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexc
   if (impl_->body.update(impl_->plant->q(), impl_->plant->v()) == Status::Ok) {
     impl_->place_surface();
     impl_->hang();
-    impl_->start_R =
-        impl_->surface_world.linear().transpose() * impl_->body.placement(impl_->tip).linear();
+    if (impl_->tip >= 0)
+      impl_->start_R =
+          impl_->surface_world.linear().transpose() * impl_->body.placement(impl_->tip).linear();
   }
   return status;
 }
@@ -309,9 +316,10 @@ Status ClosedLoop::run(double duration) noexcept {
 
 void ClosedLoop::Impl::place_tool() noexcept {
   if (body.update(plant->q(), plant->v()) != Status::Ok) return;
+  place_surface();
+  if (tip < 0) return;
   const Eigen::Isometry3d placement = body.placement(tip);
   p_tool_world = placement.translation();
-  place_surface();
   turned =
       vector_of(start_R.transpose() * (surface_world.linear().transpose() * placement.linear()));
 }
@@ -381,19 +389,22 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
     const auto put = [get](const Impl& loop, Row& row) { row.put(get(loop)); };
     signals.push_back({std::move(columns), put, is_of_step});
   };
+  const auto of_tool = [&](std::vector<TraceColumn> columns, const auto& get) {
+    if (scene.tip.exists()) add(std::move(columns), get);
+  };
   const auto speeds = [&](const char* of) { return entries_of_v(model, of, "rad/s", "m/s"); };
   const auto torques = [&](const char* of) { return entries_of_v(model, of, "Nm", "N"); };
   using L = const Impl&;
   add({{"time", "s"}}, [](L l) { return l.plant->time(); });
   add({{"phase", "-"}}, [](L l) { return l.command.phase; });
   add({{"status", "-"}}, [](L l) { return l.command.status; });
-  add(axes("tool", "m"), [](L l) { return l.p_tool_world; });
-  add(rotation("tool", "start"), [](L l) { return l.turned; });
+  of_tool(axes("tool", "m"), [](L l) { return l.p_tool_world; });
+  of_tool(rotation("tool", "start"), [](L l) { return l.turned; });
   add(axes("target", "m"), [](L l) { return l.command.p_target_world; });
   add({{"target_force", "N"}}, [](L l) { return l.command.target_force; });
-  add(axes("measured_force", "N"), [](L l) { return l.measurement.tool_force_world; });
-  add(axes("estimated_force", "N"), [](L l) { return l.command.force_estimate_world; });
-  add(axes("push", "N"), [](L l) { return l.push_world; });
+  of_tool(axes("measured_force", "N"), [](L l) { return l.measurement.tool_force_world; });
+  of_tool(axes("estimated_force", "N"), [](L l) { return l.command.force_estimate_world; });
+  add(axes("push", "N"), [](L l) { return l.sum_of_pushes(); });
   add(
       entries_of_q(model, "q_"), [](L l) -> const auto& { return l.plant->q(); });
   add(
@@ -411,11 +422,11 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   is_of_step = true;
   add(
       torques("tau_friction_"), [](L l) -> const auto& { return l.plant->friction_torque(); });
-  add(axes("tool_force", "N"), [](L l) { return l.plant->contact_force_world(); });
-  add(axes("surface_normal", "-"), [](L l) { return l.normal_world(); });
-  add(axes("estimated_normal", "-"), [](L l) { return l.command.normal_world; });
-  add({{"estimated_friction", "-"}}, [](L l) { return l.command.friction; });
-  add({{"in_contact", "-"}}, [](L l) { return l.plant->in_contact(); });
+  of_tool(axes("tool_force", "N"), [](L l) { return l.plant->contact_force_world(); });
+  of_tool(axes("surface_normal", "-"), [](L l) { return l.normal_world(); });
+  of_tool(axes("estimated_normal", "-"), [](L l) { return l.command.normal_world; });
+  of_tool({{"estimated_friction", "-"}}, [](L l) { return l.command.friction; });
+  of_tool({{"in_contact", "-"}}, [](L l) { return l.plant->in_contact(); });
   add({{"plant_status", "-"}}, [](L l) { return l.step_status; });
   add({{"limited_joints", "-"}}, [](L l) { return l.actuation.step().limited; });
   add({{"held_command", "-"}}, [](L l) { return l.actuation.step().held; });
@@ -448,6 +459,14 @@ void ClosedLoop::Impl::record(Row& row, bool of_step) const noexcept {
     if (signal.is_of_step == of_step) signal.put(*this, row);
 }
 
+/// Returns the sum of the forces of all pushes, on any frame, in world axes [N].
+Eigen::Vector3d ClosedLoop::Impl::sum_of_pushes() const noexcept {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Push& push : pushes)
+    if (acts_at(push, plant->time())) sum += push.force_world;
+  return sum;
+}
+
 /// Returns the true normal of the surface at the tool, in world axes.
 Eigen::Vector3d ClosedLoop::Impl::normal_world() const noexcept {
   const SurfaceSpec& surface = plant->scene().surface;
@@ -462,7 +481,7 @@ const Measurement& ClosedLoop::measurement() const { return impl_->measurement; 
 const Command& ClosedLoop::command() const { return impl_->command; }
 
 const Trace& seen_from_surface(const Trace& trace, Trace& room) {
-  if (!trace.has("surface_rx_world")) return trace;
+  if (!trace.has("surface_rx_world") || !trace.has("tool_x_world")) return trace;
   room = Trace(trace.columns(), trace.rows());
   const int place = trace.index("surface_x_world"), turn = trace.index("surface_rx_world");
   std::vector<int> points, directions;

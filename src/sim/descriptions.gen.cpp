@@ -68,6 +68,8 @@ const Description& description_of(const Push* /*of*/) {
           .key("force")
           .field("frame", &S::frame,
                  "Frame that the force acts on (tip, or empty: the tip's frame)")
+          .more("If the robot has no tool, ClosedLoop refuses an empty frame. Tasks without a "
+                "tool use the floating base.")
           .word("tip");
   return all;
 }
@@ -441,7 +443,7 @@ const Description& description_of(const ToolTipSpec* /*of*/) {
                   "touches a plane at one point, and the normal force passes through the frame's "
                   "origin.")
           .field("frame", &S::frame,
-                 "Frame at the sphere's centre")
+                 "Frame at the sphere's centre (empty: the robot has no tool)")
           .field("radius", &S::radius,
                  "Radius of the sphere [{m}]",
                  {.least = 0, .open = true});
@@ -533,7 +535,9 @@ const Description& description_of(const SceneSpec* /*of*/) {
       Describe<S>("sim", "SceneSpec",
                   "Scene of a simulation: the surface, the tool's tip, and what the robot stands "
                   "on.")
-          .field("surface", &S::surface)
+          .field("surface", &S::surface,
+                 "Surface that the tool touches")
+          .more("Nothing touches the surface if the robot has no tool")
           .field("tip", &S::tip)
           .field("supports", &S::supports,
                  "Parts of the robot that stand on a plane, such as feet")

@@ -59,12 +59,13 @@ ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options)
   return spec;
 }
 
-/// Returns the contacts of the plant: first the contact with the surface, then those that close the
-/// robot's loops. The latter are always active.
+/// Returns the contacts of the plant: first the contact of the tip, if there is one, then those
+/// that close the robot's loops. The latter are always active.
 std::vector<ContactSpec> contacts_of(const Model& model, const SceneSpec& scene,
                                      const IdealPlantOptions& options) {
-  return with_loops(model, {contact_of(scene, options)},
-                    {options.stabilize_kp, options.stabilize_kd});
+  std::vector<ContactSpec> contacts;
+  if (scene.tip.exists()) contacts.push_back(contact_of(scene, options));
+  return with_loops(model, std::move(contacts), {options.stabilize_kp, options.stabilize_kd});
 }
 
 /// State and rates at the intermediate stages of a Runge-Kutta step.
@@ -132,7 +133,7 @@ class IdealPlant final : public Plant {
   Eigen::Matrix3d axes_;  ///< Axes of the surface: two tangents, then the normal
   ContactDynamics dynamics_;
   RigidBody body_;
-  int tip_;
+  int tip_;  ///< Frame of the tip; -1: none
   FrameDerivatives tip_motion_;
   CoulombStep coulomb_;
   Springs springs_;
@@ -160,7 +161,7 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
       axes_(Reference::surface_with_normal(scene_.surface.normal).rotation),
       dynamics_(model, contacts_of(model, scene_, options)),
       body_(model),
-      tip_(body_.frame(scene_.tip.frame)),
+      tip_(scene_.tip.exists() ? body_.frame(scene_.tip.frame) : -1),
       coulomb_(model.nv),
       springs_(model),
       work_(model),
@@ -173,7 +174,7 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
       spring_torque_(v_) {
   coulomb_.joint_viscous = model.damping;
   coulomb_.joint_coulomb = model.friction;
-  body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
+  if (tip_ >= 0) body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
   start(q_, v_);
   save(before_);
 }
@@ -196,6 +197,7 @@ Status IdealPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexc
 }
 
 double IdealPlant::gap_at(const Eigen::VectorXd& q) {
+  if (tip_ < 0) return std::numeric_limits<double>::infinity();
   work_.v.setZero();
   if (body_.update(q, work_.v) != Status::Ok) return 0.0;
   const Eigen::Vector3d p_tip_world = body_.placement(tip_).translation();
@@ -265,9 +267,11 @@ Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d&
   Status status = body_.update(q_, v_);
   if (!is_usable(status)) return status;
   if (touching_ && !is_over(scene_, body_.placement(tip_).translation(), true)) set_touching(false);
-  body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
   work_.tau = tau + coulomb_.torque();
-  add_product(1.0, tip_motion_.jacobian.topRows(3).transpose(), push_world, work_.tau);
+  if (tip_ >= 0) {
+    body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
+    add_product(1.0, tip_motion_.jacobian.topRows(3).transpose(), push_world, work_.tau);
+  }
   spring_torque_.setZero();
   add_spring_torque(springs_, q_.data(), v_.data(), spring_torque_.data());
   status = forward(q_, v_);
@@ -288,7 +292,7 @@ Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d&
 Status IdealPlant::find_friction() {
   // Friction acts at the contact point, which is one radius below the tip's origin.
   const Eigen::Vector3d arm = -scene_.tip.radius * axes_.col(2);
-  for (int t = 0; t < 2; ++t) {
+  for (int t = 0; t < 2 && tip_ >= 0; ++t) {
     const Eigen::Vector3d tangent = axes_.col(t), moment = arm.cross(tangent);
     auto row = coulomb_.tangents.row(t);
     multiply(tangent.transpose(), tip_motion_.jacobian.topRows(3), row);
@@ -380,7 +384,7 @@ Status IdealPlant::respond_with_loops() {
 
 void IdealPlant::set_touching(bool touching) {
   touching_ = touching;
-  dynamics_.set_active(0, touching);
+  if (tip_ >= 0) dynamics_.set_active(0, touching);
 }
 
 void IdealPlant::accept() {

@@ -31,7 +31,7 @@ void check_carried(const Model& model, const SceneSpec& scene) {
   const auto body = [&](const std::string& name) {
     return model.frames[to_size(model.frame_index(name))].body;
   };
-  if (body(frame) == body(scene.tip.frame))
+  if (scene.tip.exists() && body(frame) == body(scene.tip.frame))
     throw Error("the surface's frame " + in_quotes(frame) + " and the tip's " +
                 in_quotes(scene.tip.frame) + " are on one body; wanted frames that move relative " +
                 "to each other");
@@ -69,7 +69,7 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
                [](const std::string& entry) { return "the surface's " + entry; });
   check_ranges(description_of(&scene.tip), &scene.tip,
                [](const std::string& entry) { return "the tip's " + entry; });
-  check_moves(model, scene.tip.frame, "the tip's");
+  if (scene.tip.exists()) check_moves(model, scene.tip.frame, "the tip's");
   if (!surface.frame.empty()) check_carried(model, scene);
   for (const SupportSpec& support : scene.supports) check_support(model, support);
   for (const SlipperyGround& ground : scene.slippery_ground) check_ground(scene, ground);
@@ -78,7 +78,7 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   if (!scene.hoist.frame.empty()) check_moves(model, scene.hoist.frame, "the hoist's");
   surface.shape.check("the surface");
   const double concavity = surface_of(surface).max_concavity();
-  if (!(concavity * scene.tip.radius < 1.0))
+  if (scene.tip.exists() && !(concavity * scene.tip.radius < 1.0))
     throw Error("the tip's radius of " + number(scene.tip.radius) + " m does not fit into the " +
                 surface.shape.text() + "; wanted a tip radius below " + number(1.0 / concavity) +
                 " m, the smallest concave radius");
@@ -111,6 +111,8 @@ double friction_under(const SceneSpec& scene, const SupportSpec& support, double
 
 SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                           const Eigen::Vector3d& normal, SceneSpec scene, double clearance) {
+  if (!scene.tip.exists())
+    throw Error("the scene has no tip, to which the surface could be moved; wanted tip.frame");
   scene.surface.normal = normal;
   scene = checked_scene(model, scene);
   const Eigen::Vector3d p_tip = surface_placement(model, q, scene.surface).inverse() *

@@ -133,6 +133,7 @@ void Sensing::measure_velocity(const Plant& plant) noexcept {
 }
 
 void Sensing::measure_force(const Plant& plant) noexcept {
+  if (!plant.scene().tip.exists()) return;
   Eigen::Vector3d reading = plant.contact_force_world();
   if (disturbances_.force_noise > 0.0)
     for (double& entry : reading) entry += disturbances_.force_noise * random_->force.normal();

@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
 #include "burnish/sim/closed_loop.hpp"
+#include "pressing/foot_posture.hpp"
 #include "pressing/standing_terms.hpp"
 
 namespace burnish::pressing {
@@ -120,11 +121,20 @@ RunEnd advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanR
 
 }  // namespace
 
+std::vector<Push> with_frames(std::vector<Push> pushes, const Model& model,
+                              const SceneSpec& scene) {
+  for (Push& push : pushes)
+    if (push.frame.empty()) push.frame = scene.tip.exists() ? scene.tip.frame : base_frame(model);
+  return pushes;
+}
+
 RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   const double dt = plant_step(run.period);
   const Model model = plant_model(run.model, run.disturbances);
   SceneSpec scene = plant_scene(run.scene, run.disturbances);
   if (run.standing != nullptr) scene.hoist = hoist_of(model, *run.standing);
+  Disturbances disturbances = run.disturbances;
+  if (!scene.tip.exists()) disturbances.pushes = with_frames(disturbances.pushes, model, scene);
   const auto plant = make_plant(run.plant, model, scene, dt);
   std::optional<PlanRecorder> plans;
   if (run.mpc != nullptr)
@@ -141,7 +151,7 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
     from_home = make_home_controller(run.model, *run.home, scene.tip.frame, scene.surface.normal,
                                      stopwatch);
   Controller& controller = from_home ? *from_home : stopwatch;
-  ClosedLoop loop(*plant, controller, run.disturbances, options);
+  ClosedLoop loop(*plant, controller, disturbances, options);
   if (const auto estimator = estimator_of(run))
     loop.estimate_base(run.model, *estimator, foot_contact_options(run.model));
   const Clock::time_point begin = Clock::now();

@@ -32,6 +32,10 @@ struct ClosedRun {
   RunProgress progress = {};
 };
 
+/// Returns the pushes with a frame each. A push without one acts on the tip or, without a tool, on
+/// the floating base.
+std::vector<Push> with_frames(std::vector<Push> pushes, const Model& model, const SceneSpec& scene);
+
 /// State at the first fault of a run, or at its end.
 struct RunEnd {
   double time = 0.0;  ///< Time of the plant [s].

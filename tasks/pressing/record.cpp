@@ -1,6 +1,7 @@
 #include "pressing/record.hpp"
 
 #include "burnish/dynamics/reference.hpp"
+#include "pressing/closed_run.hpp"
 #include "pressing/figures.hpp"
 #include "record/figures_json.hpp"
 
@@ -36,7 +37,7 @@ void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
   const SceneSpec plant_has = plant_scene(scene, disturbances);
   const SurfaceSpec& plant = plant_has.surface;
   page.tool_frame = scene.tip.frame;
-  page.tip_radius = scene.tip.radius;
+  if (scene.tip.exists()) page.tip_radius = scene.tip.radius;
   page.surface = {.point = scene.surface.point,
                   .axes = Reference::surface_with_normal(scene.surface.normal).rotation,
                   .true_point = plant.point,
@@ -47,9 +48,7 @@ void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
   if (!plant.shape.is_flat()) add_curved_surface(page, surface_of(plant));
   page.supports = plant_has.supports;
   if (!page.supports.empty()) page.plant_model = plant_model(page.robot.model, disturbances);
-  page.pushes = disturbances.pushes;
-  for (Push& push : page.pushes)
-    if (push.frame.empty()) push.frame = scene.tip.frame;
+  page.pushes = with_frames(disturbances.pushes, page.robot.model, scene);
   if (run.standing)
     for (PageMetric& figure : page_metrics(*run.standing))
       page.metrics.push_back(std::move(figure));

@@ -27,7 +27,8 @@ struct PlottedRun {
   double update_period;          ///< Time between two plans [s].
   bool has_estimate = true;      ///< Whether the controller estimates the force.
 };
-/// Returns the plots force.svg, path.svg, torques.svg and solver.svg.
+/// Returns the plots torques.svg and solver.svg and, if the robot has a tool, force.svg and
+/// path.svg.
 std::vector<PlotFile> run_plots(const PlottedRun& run);
 
 /// Adds outcome, fault, surface, plans and rows of the trace to the HTML page of a run. The page

@@ -33,7 +33,7 @@ RunPage make_run_page(const RecordedRun& r, int record_every) {
                          {"seed", std::to_string(r.disturbances.seed)}},
                .command = r.command.empty() ? "burnish run task.yaml --plant " + name_of(r.plant)
                                             : r.command,
-               .polished = r.done,
+               .succeeded = r.done,
                .metrics = r.metrics ? page_metrics(r.metrics) : std::vector<PageMetric>(),
                .task_file = r.task_file,
                .robot = drawing_of(r.robot, r.robot_name, r.q_start)};
@@ -63,8 +63,7 @@ std::vector<std::string> write_run(const RecordedRun& r, const RunFilesOptions& 
                                               .origin_world = r.origin_world,
                                               .phase = r.phase,
                                               .phase_title = r.phase_title,
-                                              .update_period = r.update_period,
-                                              .has_estimate = r.has_estimate}),
+                                              .update_period = r.update_period}),
                           .page = [&] { return make_run_page(r, options.record_every); }},
                          options, folder, pages);
 }

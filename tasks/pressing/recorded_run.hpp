@@ -47,10 +47,9 @@ struct RecordedRun {
   Eigen::Vector3d origin_world = Eigen::Vector3d::Zero();
   /// Names of the phases, by their number in the trace.
   std::vector<std::string> phase_names = {};
-  int phase = 0;                 ///< Phase that has its own plots.
+  int phase = 0;                 ///< Phase of a tool that has its own plots.
   std::string phase_title = {};  ///< Title of the plots of `phase`, such as "while it holds".
   double update_period = 0.0;    ///< Time between two plans [s].
-  bool has_estimate = true;      ///< Whether the controller estimates the force.
   std::optional<Metrics> metrics = {};
   OwnFigures figures = {};
   Json more = Json::object();  ///< Further entries of metrics.json.

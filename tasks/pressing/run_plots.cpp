@@ -163,10 +163,12 @@ std::vector<PlotFile> run_plots(const PlottedRun& run) {
   const auto made_by = [&](PlotSpec (*plot)(const PlottedRun&)) {
     return [plot, run] { return plot(run); };
   };
-  return {{"force.svg", made_by(force_plot)},
-          {"path.svg", made_by(path_plot)},
-          {"torques.svg", made_by(torque_plot)},
-          {"solver.svg", made_by(solver_plot)}};
+  std::vector<PlotFile> plots;
+  if (run.run.trace.has("tool_force_x_world"))
+    plots = {{"force.svg", made_by(force_plot)}, {"path.svg", made_by(path_plot)}};
+  plots.push_back({"torques.svg", made_by(torque_plot)});
+  plots.push_back({"solver.svg", made_by(solver_plot)});
+  return plots;
 }
 
 }  // namespace burnish::pressing

@@ -273,8 +273,7 @@ const Description& description_of(const Setting* /*of*/) {
           .field("scene", &S::scene,
                  "Scene as the controller assumes it: feet and hands are supports, the wall is "
                  "the surface")
-          .more("The feet come before the hands. The scene's tool tip is a ball in the second "
-                "hand, too small to touch the wall.")
+          .more("The feet come before the hands. The robot has no tool")
           .required()
           .field("wall_axes", &S::wall_axes,
                  "Axes of the wall in the world; the columns are two tangents and the normal")

@@ -11,12 +11,8 @@ pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("push_wall", run, result);
   record.force = number(task.force) + " N of each hand";
-  record.surface_axes = setting.wall_axes;
   record.origin_world = setting.p_hands.col(1);
-  record.phase = hold;
-  record.phase_title = "while it holds";
   record.update_period = 1.0 / task.update_rate;
-  record.has_estimate = false;
   record.figures =
       pressing::own_figures("push", result.push, [](const auto& see) { each_push_figure(see); });
   record.more = {{"limit", name_of(result.limit)}, {"limited_by", result.limited_by}};

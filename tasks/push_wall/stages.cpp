@@ -203,11 +203,9 @@ void place_wall(const Task& task, Setting& s) {
 /// Returns the scene with the feet on the ground and the hands on the wall, all modelled as
 /// supports.
 SceneSpec make_scene(const Task& task, const Setting& s) {
-  // A tip of smaller radius never touches the surface of the scene.
-  constexpr double radius_ratio = 0.5;
   const Eigen::Vector3d n = s.wall_axes.col(2);
   SceneSpec scene;
-  scene.tip = {task.hands[1], radius_ratio * task.tip_radius};
+  scene.tip.frame.clear();
   scene.surface.point = s.p_hands.rowwise().mean() - task.tip_radius * n;
   scene.surface.normal = n;
   scene.surface.friction = task.wall.friction;
@@ -379,9 +377,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared force_search) 
   mpc.task = [task, setting, force_search](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
     return std::make_unique<Pushing>(spec, task, setting, force_search);
   };
-  mpc.tool = task.hands[1];
-  mpc.normal_base = setting.wall_axes.col(2);
-  mpc.contact_threshold = task.contact_threshold;
+  mpc.tool.clear();
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
   mpc.solver_delay = task.solver_delay;

@@ -168,8 +168,7 @@ const Description& description_of(const Setting* /*of*/) {
           .field("scene", &S::scene,
                  "Scene as the controller assumes it: the feet are supports, the ground is the "
                  "surface")
-          .more("The scene's tool tip has no effect: it is a small ball in the base and never "
-                "touches the ground.")
+          .more("The robot has no tool")
           .required()
           .field("base", &S::base,
                  "Name of a frame on the body of the floating base")

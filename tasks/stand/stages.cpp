@@ -95,12 +95,11 @@ struct Builder {
   }
 };
 
-/// Returns the scene with the feet on the ground. The ground is also the surface of the scene.
+/// Returns the scene with the feet on the ground. The ground is also the surface that is drawn.
 SceneSpec make_scene(const Setting& s) {
-  constexpr double tip_radius = 0.005;  // [m]
   SceneSpec scene;
+  scene.tip.frame.clear();
   scene.supports = pressing::supports_at(s.robot.model, s.standing, s.q_start);
-  scene.tip = {s.base, tip_radius};
   Eigen::Vector3d ground = Eigen::Vector3d::Zero();
   for (const SupportSpec& foot : scene.supports)
     ground += foot.point / static_cast<double>(scene.supports.size());
@@ -200,7 +199,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
     return std::make_unique<Swaying>(spec, task, setting);
   };
   pressing::set_standing(setting.standing, mpc);
-  mpc.tool = setting.base;
+  mpc.tool.clear();
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
   mpc.solver_delay = task.solver_delay;

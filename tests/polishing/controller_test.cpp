@@ -401,6 +401,13 @@ TEST(MpcController, InvalidSpec_IsRefused) {
                  s.model_error.kind = ModelErrorKind::Force;
                }),
                {"without a force sensor", "model_error.kind torque"});
+  expect_words(with([](S& s) {
+                 s.force_sensor = false;
+                 s.tool.clear();
+                 s.task = {};
+                 for (SchedulePhase& phase : s.schedule) phase.until.clear();
+               }),
+               {"force_sensor is false", "tool is empty"});
   expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "nan", "at least 0"});
   expect_words(with([](S& s) { s.fallback.saturation_fraction = 1.5; }),
                {"saturation_fraction", "1.5", "between 0 and 1"});

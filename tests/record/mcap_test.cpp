@@ -323,6 +323,24 @@ TEST(Mcap, Run_IsWrittenWithFramesForcesAndMetrics) {
   std::filesystem::remove(file);
 }
 
+TEST(Mcap, RobotWithoutATool_HasNoForceAndNoPath) {
+  const std::filesystem::path file = scratch_file();
+  RunPage run = page_of_run(0);
+  run.tool_frame.clear();
+  add_trace(run, page_trace(run.robot.model, 400), 10);
+  for (const PageColumn& column : run.columns)
+    EXPECT_TRUE(column.name == "force_target" ||
+                (column.name.rfind("force_", 0) != 0 && column.name.rfind("path_", 0) != 0))
+        << column.name;
+  write_run_mcap(run, file);
+  const Reader reader(file);
+  for (const char* topic : {"/force", "/task", "/tool_pose", "/target_pose"})
+    EXPECT_FALSE(reader.schema_of.contains(topic)) << topic;
+  EXPECT_TRUE(reader.schema_of.contains("/joint_states"));
+  EXPECT_GT(reader.messages.size(), 40U);
+  std::filesystem::remove(file);
+}
+
 TEST(Mcap, CurvedSurface_TargetTipTouchesTheSurface) {
   const std::filesystem::path file = scratch_file();
   RunPage run = page_of_run(400, 10);

@@ -118,7 +118,7 @@ inline RunPage page_of_run(int rows = 1000, int record_every = 10) {
   page.version = "0.0.0";
   page.facts = {{"task", "made up"}};
   page.outcome = "polished";
-  page.polished = true;
+  page.succeeded = true;
   page.metrics = page_metrics(std::nullopt);
   page.phase_names = {"reach", "approach", "ramp", "track", "retreat"};
   page.robot.model = page_model();

@@ -119,7 +119,7 @@ class NoTorque final : public Controller {
 TEST(ClosedLoop, Hoist_CarriesTheRobotUntilItReleases) {
   const Model model = biped::model(Base::FreeFlyer);
   SceneSpec scene;
-  scene.surface.point.z() = -100.0;
+  scene.tip.frame.clear();
   scene.hoist = {.frame = "pelvis", .duration = 0.4};
   const auto plant = make_ideal_plant(model, scene);
   NoTorque limp(model.nv);
@@ -131,6 +131,28 @@ TEST(ClosedLoop, Hoist_CarriesTheRobotUntilItReleases) {
   EXPECT_NEAR(plant->q()[6], 1.0, 0.01);  // the base is upright
   ASSERT_LE(loop.run(0.4), Status::NotConverged);
   EXPECT_LT(plant->q()[2], height - 0.1);
+}
+
+TEST(ClosedLoop, RobotWithoutATool_RecordsNone) {
+  const Model model = right_arm();
+  SceneSpec scene;
+  scene.tip.frame.clear();
+  const auto plant = make_ideal_plant(model, scene);
+  NoTorque limp(model.nv);
+  Disturbances disturbances = disturbance_preset("sensors");
+  ClosedLoop loop(*plant, limp, disturbances);
+  ASSERT_EQ(loop.reset(model.q_neutral, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+  ASSERT_EQ(loop.run(0.01), Status::Ok);
+  for (const TraceColumn& column : loop.trace().columns())
+    EXPECT_TRUE(column.name.find("tool") == std::string::npos &&
+                column.name.find("contact") == std::string::npos)
+        << column.name;
+  EXPECT_TRUE(loop.trace().has("target_x_world"));
+  disturbances.pushes = {{1.0, 0.1, {0.0, 10.0, 0.0}}};
+  testing::expect_words(testing::refusal([&] { ClosedLoop(*plant, limp, disturbances); }),
+                        {"push at 1 s states no frame", "no tool"});
+  disturbances.pushes[0].frame = "tool";
+  EXPECT_EQ(testing::refusal([&] { ClosedLoop(*plant, limp, disturbances); }), "");
 }
 
 TEST(HoistSpec, LoadFraction_FallsInTheSecondHalf) {

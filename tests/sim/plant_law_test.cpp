@@ -329,6 +329,29 @@ TEST_P(PlantLaw, InvalidInput_ReturnsAStatusAndKeepsTheState) {
   EXPECT_EQ(plant->time(), 0.0);
 }
 
+TEST_P(PlantLaw, RobotWithoutATool_TouchesNothing) {
+  // The surface is where the tool is.
+  SceneSpec without = scene({0.0, 0.0, 1.0}, -0.01);
+  const auto above = started(model, scene({0.0, 0.0, 1.0}, 0.5));
+  without.tip.frame.clear();
+  const auto plant = started(model, without);
+  const Eigen::VectorXd tau = Eigen::VectorXd::LinSpaced(model.nv, -5.0, 5.0);
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(plant->step(tau, {0.0, 0.0, 50.0}), Status::Ok);  // the push has nothing to act on
+    ASSERT_EQ(above->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  }
+  EXPECT_LT((plant->q() - above->q()).norm(), 1e-12);
+  EXPECT_FALSE(plant->in_contact());
+  EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
+  PlantSnapshot snapshot;
+  plant->save(snapshot);
+  EXPECT_EQ(plant->restore(snapshot), Status::Ok);
+  testing::expect_words(testing::refusal([&] {
+                          scene_under_tip(model, q, {0.0, 0.0, 1.0}, without);
+                        }),
+                        {"no tip", "tip.frame"});
+}
+
 TEST_P(PlantLaw, InvalidScenes_AreRefused) {
   const auto refused = [&](auto&& change) {
     SceneSpec bad = scene({0.0, 0.0, 1.0}, 0.0);

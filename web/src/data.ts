@@ -173,12 +173,13 @@ export interface Run {
   facts: [string, string][];
   command: string;
   outcome: string;
-  polished: boolean;
+  succeeded: boolean;
   fault: { kind: string; time: number; text: string } | null;
   metrics: Metric[];
   task_file: string;
   duration: number;
   robot: Robot;
+  /** The frame is empty if the robot has no tool. */
   tool: { frame: string; tip_radius: number };
   surface: Surface;
   /** Target path along the tangents [m]; h: height of a curved surface over the tangent plane [m] */
@@ -301,11 +302,8 @@ export function rowAt(times: ArrayLike<number>, t: number): number {
 export const column = (run: Run, name: string): Numbers | null =>
   run.columns.get(name)?.data ?? null;
 
-/** Whether the run presses a tool on a surface. A standing robot without a force target does not. */
-export const presses = (run: Run): boolean =>
-  !run.plan &&
-  ((run.supports ?? []).length === 0 ||
-    ['force_target', 'in_contact'].some((name) => column(run, name)?.some((value) => value > 0)));
+/** Whether the run has a tool that presses on a surface. */
+export const presses = (run: Run): boolean => !run.plan && run.tool.frame !== '';
 
 /** Value of a column in the row nearest to time t; NaN for an unknown column. */
 export function valueAt(run: Run, name: string, t: number): number {

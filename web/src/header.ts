@@ -1,7 +1,7 @@
 // Head of the page: title, outcome, metrics, facts of the run, and the command that repeats it.
 
 import { copyButton, format, h, readable } from './dom';
-import { presses, type Metric, type Page, type Run } from './data';
+import { type Metric, type Page, type Run } from './data';
 import { runColour, toggleTheme } from './theme';
 
 /** First line of the page: title and buttons. */
@@ -54,10 +54,10 @@ export const runMark = (index: number): HTMLElement => {
 };
 
 function badge(run: Run): HTMLElement {
-  const well = run.plan ? 'converged' : presses(run) ? 'polished' : 'stood';
+  const well = run.plan ? 'converged' : 'succeeded';
   const [kind, text] = run.fault
     ? ['bad', 'fault']
-    : run.polished
+    : run.succeeded
       ? ['good', run.outcome.includes('cut short: ') ? `${well}, cut short` : well]
       : ['bad', `not ${well}`];
   const sign = kind === 'good' ? '✓' : '✕';

@@ -358,7 +358,7 @@ export class RunScene {
     this.parts.normals.add(this.normals.true.group, this.normals.estimated.group);
     for (const name of ['forces', 'normals', 'triad', 'path', 'surface'] as const)
       this.parts[name].visible = this.has(name);
-    this.ball.visible = this.ring.visible = !this.run.plan;
+    this.ball.visible = this.ring.visible = presses(this.run);
     this.parts.feet.add(this.standing.feet);
     this.parts.balance.add(this.standing.balance);
     this.parts.pushes.add(this.standing.pushes);

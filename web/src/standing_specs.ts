@@ -1,6 +1,6 @@
 // Plots of a standing robot: feet, centre of mass, momentum.
 
-import { column, type Run, type Support } from './data';
+import { column, presses, type Run, type Support } from './data';
 import { isLevel, shortFoot } from './supports';
 import { categorical, runColour } from './theme';
 import type { Curve, Level, PlotSpec } from './time_plot';
@@ -86,6 +86,15 @@ const loads = (runs: Run[]): PlotSpec => ({
   height: 180,
 });
 
+/** Adds the target force of the first run. If the run has a tool, the target is the tool's. */
+function withTarget(runs: Run[], curves: Curve[]): Curve[] {
+  const run = runs[0];
+  const values = run && !presses(run) ? column(run, 'force_target') : null;
+  if (curves.length === 0 || !values) return curves;
+  const look = { label: 'target', colour: 'target', dash: [7, 4], unit: 'N', decimals: 1 };
+  return [...curves, { ...look, time: run!.time, values }];
+}
+
 /** Hands: supports on a surface that is not level, such as a wall. */
 const hands = (runs: Run[]): PlotSpec => ({
   id: 'hand_force',
@@ -96,10 +105,13 @@ const hands = (runs: Run[]): PlotSpec => ({
     'Normal force of the wall on the hand with the smallest force (true)',
   ),
   axis: 'force [N]',
-  curves: ofSupports(runs, (support) => !isLevel(support), 'load', 'smallest', {
-    unit: 'N',
-    decimals: 1,
-  }),
+  curves: withTarget(
+    runs,
+    ofSupports(runs, (support) => !isLevel(support), 'load', 'smallest', {
+      unit: 'N',
+      decimals: 1,
+    }),
+  ),
   height: 180,
 });
 

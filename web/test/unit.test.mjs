@@ -271,23 +271,12 @@ test('the force per 10 cm of arrow is a round fraction of the weight', () => {
   assert.deepEqual([90, 30, 12, 0].map(scaleOf), [200, 50, 20, 100]);
 });
 
-test('a robot with feet presses only with a force target or a contact', () => {
-  const run = (supports, force) => ({
-    supports,
-    columns: new Map([['force_target', { unit: 'N', data: Float32Array.of(0, force) }]]),
-  });
-  assert.ok(
-    data.presses(run(undefined, 0)),
-    'an arm presses, even if the run ended before contact',
-  );
-  assert.ok(data.presses(run([{}], 30)));
-  assert.ok(!data.presses(run([{}], 0)));
-});
-
-test('a planned motion presses nothing, even with a column of contact', () => {
-  const columns = new Map([['in_contact', { data: new Float32Array([0, 1]) }]]);
-  assert.equal(data.presses({ columns }), true);
-  assert.equal(data.presses({ columns, plan: { frames: [], forces: [], limits: [] } }), false);
+test('a run presses if the robot has a tool and the motion is not only planned', () => {
+  const run = (frame) => ({ tool: { frame, tip_radius: 0 } });
+  assert.equal(data.presses(run('tool')), true);
+  assert.equal(data.presses(run('')), false);
+  const plan = { frames: [], forces: [], limits: [] };
+  assert.equal(data.presses({ ...run('tool'), plan }), false);
 });
 
 test('a vertical axis does not show the rounding of its unit', () => {

@@ -113,7 +113,7 @@ struct MpcSpec {
   std::vector<SchedulePhase> schedule = {};
   /// Function that creates the task, which defines events and monitored quantities; none: no task
   MakeTask task = {};
-  /// Frame at which Measurement::tool_force_world acts
+  /// Frame at which Measurement::tool_force_world acts; empty: the robot has no tool
   std::string tool = "tool";
   /// Robot frame that carries the surface, such as a plate in the other hand; empty: the world
   /// @more The reaction to the force on the tool acts on this frame

@@ -38,7 +38,9 @@ struct ClosedLoopOptions {
 /// A row of the trace describes one plant step. Time, state, tool, measurement and command are
 /// values at the start of the step. Forces and torques are values during the step.
 ///
-/// Columns of the trace, where `<joint>` is a name from Model::v_name (from Model::q_name for q):
+/// Columns of the trace, where `<joint>` is a name from Model::v_name (from Model::q_name for q).
+/// If the robot has no tool, the columns of the tool, its forces, normals, friction and contact are
+/// missing:
 ///     time [s], phase [-], status [-]              phase and status of the Command
 ///     tool_x|y|z_world [m]                         true position of the tip's frame
 ///     tool_rx|ry|rz_start [rad]                    rotation of the tip's frame since reset(), as a
@@ -48,7 +50,7 @@ struct ClosedLoopOptions {
 ///     target_x|y|z_world [m], target_force [N]     targets of the controller
 ///     measured_force_x|y|z_world [N]               reading of the tool's force sensor
 ///     estimated_force_x|y|z_world [N]              controller's estimate of the force on the tool
-///     push_x|y|z_world [N]                         disturbance force on the tip
+///     push_x|y|z_world [N]                         sum of the pushes on all frames
 ///     q_<joint>, v_<joint>                         true state
 ///     measured_q_<joint>, measured_v_<joint>       measured state
 ///     tau_command_<joint>                          commanded torque

@@ -24,6 +24,8 @@ struct Push {
   /// Force in world axes, at the frame's origin [N] @key force
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
   /// Frame that the force acts on (tip, or empty: the tip's frame)
+  /// @more If the robot has no tool, ClosedLoop refuses an empty frame. Tasks without a tool use
+  /// the floating base.
   /// @word tip
   std::string frame = {};
 };

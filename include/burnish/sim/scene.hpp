@@ -1,5 +1,5 @@
-// Scene of a simulation: a surface with its shape, position and orientation, a round tool tip, and
-// the planes that the robot stands on.
+// Scene of a simulation: a surface with its shape, position and orientation, the round tip of a
+// tool, and the planes that the robot stands on.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -64,8 +64,10 @@ struct SurfaceSpec {
 /// one point, and the normal force passes through the frame's origin.
 /// @described sim
 struct ToolTipSpec {
-  std::string frame = "tool";  ///< Frame at the sphere's centre
+  std::string frame = "tool";  ///< Frame at the sphere's centre (empty: the robot has no tool)
   double radius = 0.02;        ///< Radius of the sphere [m], > 0
+
+  bool exists() const { return !frame.empty(); }
 };
 
 /// A part of the robot that stands on a plane or leans against it, such as a foot. Each support has
@@ -133,6 +135,8 @@ struct HoistSpec {
 /// Scene of a simulation: the surface, the tool's tip, and what the robot stands on.
 /// @described sim
 struct SceneSpec {
+  /// Surface that the tool touches
+  /// @more Nothing touches the surface if the robot has no tool
   SurfaceSpec surface = {};
   ToolTipSpec tip = {};
   /// Parts of the robot that stand on a plane, such as feet
@@ -169,7 +173,7 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
 /// Returns `scene` with its surface moved to the tip at the configuration q (nq). The surface's
 /// normal is set to `normal`, a vector of any length in the axes of the surface's frame.
 /// `clearance` is the distance from tip to surface along the normal [m]. Throws Error if
-/// checked_scene() rejects the scene.
+/// checked_scene() rejects the scene, and for a scene without a tip.
 SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                           const Eigen::Vector3d& normal, SceneSpec scene = {},
                           double clearance = 0.0);

@@ -224,8 +224,7 @@ struct Setting {
   Robot robot;              ///< Robot of the task, with a floating base @required
   Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
   /// Scene as the controller assumes it: feet and hands are supports, the wall is the surface
-  /// @more The feet come before the hands. The scene's tool tip is a ball in the second hand, too
-  /// small to touch the wall.
+  /// @more The feet come before the hands. The robot has no tool
   /// @required
   SceneSpec scene;
   /// Axes of the wall in the world; the columns are two tangents and the normal

@@ -165,8 +165,7 @@ struct Setting {
   std::vector<std::string> notes = {};
   Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
   /// Scene as the controller assumes it: the feet are supports, the ground is the surface
-  /// @more The scene's tool tip has no effect: it is a small ball in the base and never touches the
-  /// ground.
+  /// @more The robot has no tool
   /// @required
   SceneSpec scene;
   std::string base;  ///< Name of a frame on the body of the floating base @required
