@@ -189,7 +189,9 @@ void count_standing_tick() {
   const auto estimator = pressing::base_estimator(setting.standing);
   require(estimator.has_value(), "standing Talos");
   EstimatedBase base(model, *estimator, pressing::foot_contact_options(model));
-  Measurement measured{.q = setting.q_start, .v = Eigen::VectorXd::Zero(model.nv)};
+  Measurement measured;
+  measured.q = setting.q_start;
+  measured.v = measured.tau = Eigen::VectorXd::Zero(model.nv);
   measured.imu = ImuReading{Eigen::Vector3d::Zero(), -model.gravity};
   measured.support_wrenches.setZero(6, 2);
   measured.support_wrenches.row(2).setConstant(0.5 * model.total_mass() * model.gravity.norm());

@@ -84,6 +84,7 @@ def another(value: Any, hint: Any) -> Any:
         members = list(type(value))
         return members[(members.index(value) + 1) % len(members)]
     if isinstance(value, np.ndarray):
+        value = np.nan_to_num(value)
         if value.shape == (4, 4):
             value = np.eye(4)
             value[:3, 3] = [0.25, 0.5, -1.0]

@@ -22,6 +22,7 @@ constexpr Rename names[] = {
     {"bend_change", "curvature_change"},
     {"normal_world", "normal_base"},
     {"point_world", "point_base"},
+    {"tool_force_world", "tool_wrench"},
     // solver
     {"price", "l1_weight"},
     {"largest_price", "max_l1_weight"},

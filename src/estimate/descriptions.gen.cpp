@@ -269,8 +269,11 @@ const Description& description_of(const Measurement* /*of*/) {
                  "Measured velocity, nv entries")
           .field("tau", &S::tau,
                  "Joint torques measured between motor and link, nv entries [{Nm (N)}]")
-          .field("tool_force_world", &S::tool_force_world,
-                 "Force of the surface on the tool, from the force sensor, in world axes [{N}]")
+          .field("tool_wrench", &S::tool_wrench,
+                 "Measured wrench of the surface on the tool: force (N), then moment (Nm)")
+          .more("Moments are about the origin of the tool's frame, and both parts are in the axes"
+                " of that frame, without the weight of the tool. Components that no sensor "
+                "measures are NaN. Controllers use only the force")
           .field("imu", &S::imu,
                  "Reading of the inertial measurement unit; empty if the robot has none")
           .field("support_wrenches", &S::support_wrenches,

@@ -76,7 +76,7 @@ void ErrorEstimate::update(RobotState& state, const ErrorInput& input) noexcept 
   total_ = m.tau;
   if (options_.kind == ModelErrorKind::Torque) {
     // If the dynamics cannot be evaluated, observer and estimate stay unchanged.
-    const Eigen::Vector3d force = observed_force(m, input.dt, input.waits);
+    const Eigen::Vector3d force = observed_force(input);
     const Status seen = observer_
                             ? observer_->update(state, acted_, force, input.dt, m.support_wrenches)
                             : Status::Ok;
@@ -101,11 +101,10 @@ void ErrorEstimate::update(RobotState& state, const ErrorInput& input) noexcept 
 /// with a force below the contact threshold. In this case, plans do not yet contain the surface and
 /// push no harder. While contact is due, the observer therefore does not receive the normal force
 /// and treats it as a model error. Plans push against this error until the contact is detected.
-Eigen::Vector3d ErrorEstimate::observed_force(const Measurement& m, double dt,
-                                              bool waits) noexcept {
-  waits_for_ = waits ? waits_for_ + dt : 0.0;
+Eigen::Vector3d ErrorEstimate::observed_force(const ErrorInput& input) noexcept {
+  waits_for_ = input.waits ? waits_for_ + input.dt : 0.0;
   const double hidden = std::clamp((waits_for_ - waiting) / waiting_fade, 0.0, 1.0);
-  return m.tool_force_world - hidden * normal_force(m) * normal_world_;
+  return input.tool_force_world - hidden * normal_force(input) * normal_world_;
 }
 
 /// Updates the torque that acts on the joints. It is the command, low-pass filtered if there is a
@@ -128,13 +127,12 @@ void ErrorEstimate::follow_command(const ErrorInput& input) noexcept {
 /// on a heavy arm. The estimate is therefore the ratio of friction to normal force. The feedback is
 /// this ratio times the target force.
 void ErrorEstimate::follow_friction(RobotState& state, const ErrorInput& input) noexcept {
-  const Measurement& m = input.measurement;
   const Eigen::Vector3d& n = normal_world_;
   const double bandwidth =
       options_.sliding_bandwidth > 0.0 ? options_.sliding_bandwidth : options_.usual_bandwidth();
   const double weight = -std::expm1(-bandwidth * input.dt);
-  pressed_ += weight * (normal_force(m) - pressed_);
-  const Eigen::Vector3d across = m.tool_force_world - normal_force(m) * n;
+  pressed_ += weight * (normal_force(input) - pressed_);
+  const Eigen::Vector3d across = input.tool_force_world - normal_force(input) * n;
   friction_force_ += weight * (across - explained_friction(state, input, across) - friction_force_);
   const double target = std::max(input.target_force, 0.0);
   const bool presses = pressed_ > contact_threshold_;
@@ -153,7 +151,7 @@ void ErrorEstimate::update_force_feedback(RobotState& state, const ErrorInput& i
   const double gain = observer_ ? options_.usual_force_gain() : 0.0;
   const bool presses = pressed_ > contact_threshold_ && input.target_force > contact_threshold_;
   pressed_for_ = presses ? pressed_for_ + input.dt : 0.0;
-  const double error = normal_force(input.measurement) - input.target_force;
+  const double error = normal_force(input) - input.target_force;
   const double bounded = std::clamp(error, -options_.limit, options_.limit);
   const double faded_gain = gain * std::min(1.0, pressed_for_ / touch_fade);
   force_feedback_.noalias() =
@@ -198,7 +196,7 @@ Eigen::Vector3d ErrorEstimate::friction_along_plan(const ToolMotion& tool, doubl
 Eigen::Vector3d ErrorEstimate::explained_friction(RobotState& state, const ErrorInput& input,
                                                   const Eigen::Vector3d& across) noexcept {
   if (!friction_) return Eigen::Vector3d::Zero();
-  const double force = normal_force(input.measurement);
+  const double force = normal_force(input);
   const Eigen::Vector3d v = state.tool().velocity(state.body());
   const Eigen::Vector3d v_across = v - normal_world_ * normal_world_.dot(v);
   const Eigen::Vector3d s = sliding_direction(v_across, planned_speed_);
@@ -210,14 +208,13 @@ Eigen::Vector3d ErrorEstimate::explained_friction(RobotState& state, const Error
 
 void ErrorEstimate::follow_force_error(RobotState& state, const ErrorInput& input,
                                        double weight) noexcept {
-  const Measurement& m = input.measurement;
-  const bool pressed = normal_force(m) > contact_threshold_;
+  const bool pressed = normal_force(input) > contact_threshold_;
   double error = 0.0;
   if (pressed && contact_force_.has_contact(input.stage)) {
     Eigen::Vector3d model_force;
     if (!contact_force_.force_at(state, input.stage, input.schedule_time, acted_, model_force))
       return;
-    error = normal_force(m) - model_force.dot(normal_world_);
+    error = normal_force(input) - model_force.dot(normal_world_);
   }
   force_error_ += weight * (error - force_error_);
   force_error_ = std::clamp(force_error_, -options_.limit, options_.limit);

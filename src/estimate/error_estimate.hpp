@@ -18,7 +18,7 @@ struct ErrorEstimateSpec {
   /// Initial unit normal of the surface in world axes, until set_surface() or set_normal().
   Eigen::Vector3d normal_world;
   double contact_threshold;           ///< Normal force above which the tool is in contact [N].
-  bool force_sensor;                  ///< Whether Measurement::tool_force_world is measured.
+  bool force_sensor;                  ///< Whether the force at the tool is measured.
   std::vector<ContactSpec> supports;  ///< Contacts that always hold the robot, without loops.
   std::vector<ContactSpec> held;      ///< `supports`, followed by the loops of the robot.
   std::vector<std::string> measured;  ///< Frames of the columns of Measurement::support_wrenches.
@@ -33,6 +33,9 @@ struct ErrorEstimateSpec {
 /// Inputs of an ErrorEstimate at a valid measurement.
 struct ErrorInput {
   const Measurement& measurement;
+  /// Force of the surface on the tool, in world axes [N]. Without a force sensor, the force that
+  /// feel() returned.
+  const Eigen::Vector3d& tool_force_world;
   double dt;            ///< Time since the previous valid measurement [s]; 0 at the first one.
   double target_force;  ///< Target of the normal force at the previous tick [N].
   /// Torque command in effect until the measurement, before the filter of the torque model and
@@ -53,7 +56,7 @@ class ErrorEstimate {
   void update(RobotState& state, const ErrorInput& input) noexcept;
 
   /// Estimates the force at the tool, in world axes [N]. Without a force sensor, call it before
-  /// update(), and store the result in the measurement.
+  /// update(), which receives the result as its input.
   const Eigen::Vector3d& feel(RobotState& state, const ErrorInput& input) noexcept;
   /// Returns the estimate of contact forces, with the current surface and friction.
   ContactForceEstimate& contacts() { return contact_force_; }
@@ -99,9 +102,9 @@ class ErrorEstimate {
   const Eigen::VectorXd& force_feedback() const { return force_feedback_; }
 
  private:
-  Eigen::Vector3d observed_force(const Measurement& m, double dt, bool waits) noexcept;
-  double normal_force(const Measurement& m) const noexcept {
-    return m.tool_force_world.dot(normal_world_);
+  Eigen::Vector3d observed_force(const ErrorInput& input) noexcept;
+  double normal_force(const ErrorInput& input) const noexcept {
+    return input.tool_force_world.dot(normal_world_);
   }
   const Eigen::VectorXd& model_error() const {
     return felt_ ? felt_->model_error() : observer_->torque_error();

@@ -122,7 +122,7 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   d.status = d.follow(measured);
   Measurement& result = d.result;
   result.time = measured.time;
-  result.tool_force_world = measured.tool_force_world;
+  result.tool_wrench = measured.tool_wrench;
   result.imu = measured.imu;
   // Copies the wrenches of all feet into memory that was reserved at the start. Without wrenches of
   // all feet, the result has none.

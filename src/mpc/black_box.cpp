@@ -44,19 +44,20 @@ BlackBox::BlackBox(const Model& model, double tick_period, FaultLatch& latch) {
   rows_ = RowMatrix::Zero(rows, static_cast<Eigen::Index>(trace.columns().size()));
 }
 
-void BlackBox::record(double now, double schedule_time, const Measurement& m,
-                      const Command& command, FaultLatch& latch) noexcept {
+void BlackBox::record(const MeasurementGate& gate, double schedule_time, const Command& command,
+                      FaultLatch& latch) noexcept {
+  const Measurement& m = gate.last();
   FaultReport& report = latch.report;
   const bool frozen = report.last_second.rows() > 0;
   if (frozen) return;
   auto row = rows_.row(count_ % rows_.rows());
   ++count_;
   const Eigen::Index nq = m.q.size(), nv = m.v.size();
-  row[0] = now;
+  row[0] = gate.now();
   row[1] = schedule_time;
   row[2] = static_cast<double>(command.phase);
   row[3] = static_cast<double>(report.kind);
-  row.segment<3>(4) = m.tool_force_world.transpose();
+  row.segment<3>(4) = gate.tool_force_world().transpose();
   row[7] = command.force_estimate_world.dot(command.normal_world);
   row[8] = command.target_force;
   row[9] = command.solve_time;

@@ -3,6 +3,7 @@
 
 #include "burnish/mpc/controller.hpp"
 #include "mpc/fault_latch.hpp"
+#include "mpc/measurement_gate.hpp"
 
 namespace burnish {
 
@@ -13,9 +14,9 @@ class BlackBox {
   BlackBox(const Model& model, double tick_period, FaultLatch& latch);
 
   void reset() noexcept { count_ = 0; }
-  /// Records a tick at the time `now` [s]. `m`: last valid measurement. At the first fault, the
-  /// recorded ticks are copied into the fault report; later calls have no effect.
-  void record(double now, double schedule_time, const Measurement& m, const Command& command,
+  /// Records a tick with the last valid measurement of `gate`. At the first fault, the recorded
+  /// ticks are copied into the fault report; later calls have no effect.
+  void record(const MeasurementGate& gate, double schedule_time, const Command& command,
               FaultLatch& latch) noexcept;
 
  private:

@@ -74,7 +74,7 @@ bool DelayedState::predict(ContactForceEstimate& contacts, MeasurementGate& gate
   int left = std::min(max_ticks_, ticks_ + std::max(0, missed));
   // Adds the measured force that the contact model lacks. In free air, this is the whole force.
   // During contact, it is the force along the surface, unless the contact has a friction model.
-  Eigen::Vector3d felt_world = m.tool_force_world;
+  Eigen::Vector3d felt_world = gate.tool_force_world();
   if (holds) felt_world -= input.normal_world * input.normal_world.dot(felt_world);
   const bool feels = !(holds && input.has_friction);
   const auto jacobian = gate.state().tool().jacobian();

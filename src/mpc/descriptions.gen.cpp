@@ -268,7 +268,7 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "Function that creates the task, which defines events and monitored quantities; "
                  "none: no task")
           .field("tool", &S::tool,
-                 "Frame at which Measurement::tool_force_world acts; empty: the robot has no tool")
+                 "Frame of Measurement::tool_wrench; empty: the robot has no tool")
           .field("base", &S::base,
                  "Robot frame that carries the surface, such as a plate in the other hand; empty:"
                  " the world")
@@ -289,8 +289,8 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .more("Torque errors are then estimated in all joints, including the joints of "
                 "supporting legs")
           .field("force_sensor", &S::force_sensor,
-                 "Whether Measurement.tool_force_world is measured; if false, the force at the "
-                 "tool is estimated")
+                 "Whether the force of Measurement.tool_wrench is measured; if false, the force "
+                 "is estimated")
           .more("The estimated force explains the change of the torque error at contact. The "
                 "estimate uses torques, positions and velocities, and requires model_error.kind "
                 "torque")

@@ -11,7 +11,7 @@ MeasurementGate::MeasurementGate(const GateSpec& spec)
     : limits_(spec.limits),
       support_names_(spec.sensors),
       tick_period_(spec.tick_period),
-      has_force_(spec.force_sensor),
+      sensor_(spec.force_sensor ? RigidBody(spec.model).frame(spec.tool) : -1),
       supports_(static_cast<Eigen::Index>(spec.sensors.size())),
       q_start_(spec.q_start),
       state_(spec.model, spec.contacts, spec.tool, spec.surface_frame) {
@@ -28,7 +28,7 @@ void MeasurementGate::reset() noexcept {
   last_.q = q_start_;
   last_.v.setZero();
   last_.tau.setZero();
-  last_.tool_force_world.setZero();
+  tool_force_world_.setZero();
   last_.support_wrenches.setZero();
   last_.base_lost_for = 0.0;
   started_ = fresh_ = first_ = false;
@@ -71,7 +71,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   }
   const double gap = started_ ? m.time - last_.time : 0.0;
   const bool forces = m.tau.size() == last_.tau.size() && m.tau.allFinite() &&
-                      (!has_force_ || m.tool_force_world.allFinite()) &&
+                      (sensor_ < 0 || m.tool_wrench.head<3>().allFinite()) &&
                       (supports_ == 0 ||
                        (m.support_wrenches.cols() == supports_ && m.support_wrenches.allFinite()));
   if (!std::isfinite(m.time) || !forces || !take_state(m)) {
@@ -81,7 +81,9 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
     return false;
   }
   last_.tau = m.tau;
-  if (has_force_) last_.tool_force_world = m.tool_force_world;
+  last_.tool_wrench = m.tool_wrench;
+  if (sensor_ >= 0)
+    tool_force_world_ = state_.body().placement(sensor_).linear() * m.tool_wrench.head<3>();
   if (supports_ > 0) last_.support_wrenches = m.support_wrenches;
   last_.base_lost_for = m.base_lost_for;
   now_ = last_.time = m.time;
@@ -126,8 +128,10 @@ void MeasurementGate::describe_defect(const Measurement& m) noexcept {
   if (is_bad("q", m.q.transpose(), q_names_) || is_bad("v", m.v.transpose(), v_names_) ||
       is_bad("tau", m.tau.transpose(), v_names_))
     return;
-  if (has_force_ && !m.tool_force_world.allFinite()) {
-    std::snprintf(bad_, sizeof bad_, "the force at the tool is not finite");
+  if (sensor_ >= 0 && !m.tool_wrench.head<3>().allFinite()) {
+    std::snprintf(bad_, sizeof bad_,
+                  "the force at the tool is not finite; a robot without a tool needs an empty "
+                  "MpcSpec::tool");
     return;
   }
   if (supports_ > 0 && is_bad("the wrench of the support", m.support_wrenches, support_names_))

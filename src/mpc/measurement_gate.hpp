@@ -14,7 +14,7 @@ struct GateSpec {
   std::string tool;                   ///< Frame of the tool; empty: the robot has no tool.
   std::string surface_frame;          ///< Robot frame that carries the surface; empty: world.
   Eigen::VectorXd q_start;            ///< Configuration until the first valid measurement.
-  bool force_sensor;                  ///< Whether Measurement::tool_force_world is measured.
+  bool force_sensor;                  ///< Whether the force at the tool is measured.
   std::vector<std::string> sensors;   ///< Supports with a column of Measurement::support_wrenches.
   SafetyLimits limits;                ///< Only `bad` and `stale` are used.
   double tick_period;                 ///< Time between ticks [s].
@@ -45,8 +45,11 @@ class MeasurementGate {
   /// State of the robot at the last valid measurement, with the contacts of the specification.
   RobotState& state() { return state_; }
   const RigidBody& body() const { return state_.body(); }  ///< Kinematics of state().
+  /// Returns the force of the surface on the tool at the last valid measurement, in world axes [N].
+  /// The force is zero without a tool.
+  const Eigen::Vector3d& tool_force_world() const { return tool_force_world_; }
   /// Sets the force at the tool for robots without a force sensor, in world axes [N].
-  void feel(const Eigen::Vector3d& force_world) noexcept { last_.tool_force_world = force_world; }
+  void feel(const Eigen::Vector3d& force_world) noexcept { tool_force_world_ = force_world; }
   /// Multiplies the velocity of last() by `factor`. Called while the last valid measurement is old.
   void fade_velocity(double factor) noexcept { last_.v *= factor; }
 
@@ -63,11 +66,12 @@ class MeasurementGate {
   std::vector<std::string> q_names_, v_names_, support_names_;
   char bad_[160] = "";  ///< Description of what was wrong with the last invalid measurement.
   double tick_period_;
-  bool has_force_;
+  int sensor_;             ///< Frame of the force sensor at the tool; -1: none.
   Eigen::Index supports_;  ///< Number of supports with measured wrenches.
   Eigen::VectorXd q_start_;
   RobotState state_;
   Measurement last_;  ///< Last valid measurement, with its own time.
+  Eigen::Vector3d tool_force_world_ = Eigen::Vector3d::Zero();
   double now_ = 0.0, dt_ = 0.0;
   bool started_ = false;  ///< True after the first valid measurement, unless a fault came before.
   bool fresh_ = false, first_ = false;

@@ -159,7 +159,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   limit_torque(controls);
   ahead_.send(command_.tau, error.joint_friction().torque());
   set_targets();
-  black_box_.record(gate.now(), schedule.time(), gate.last(), command_, fault);
+  black_box_.record(gate, schedule.time(), command_, fault);
   ++tick_;
   return command_;
 }
@@ -171,8 +171,14 @@ bool MpcController::Impl::has_settled() const noexcept {
 /// Processes a valid measurement: updates estimates, clock and monitors, and starts a new plan if
 /// one is due.
 void MpcController::Impl::process_measurement() noexcept {
-  const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
+  const TaskView view{.measurement = gate.last(),
+                      .body = gate.body(),
+                      .schedule = schedule,
+                      .command = command_,
+                      .dt = gate.dt(),
+                      .tool_force_world = gate.tool_force_world()};
   const ErrorInput input{.measurement = gate.last(),
+                         .tool_force_world = gate.tool_force_world(),
                          .dt = gate.dt(),
                          .target_force = command_.target_force,
                          .sent = ahead_.acted(),
@@ -414,7 +420,7 @@ const Eigen::VectorXd& MpcController::Impl::acting_state() noexcept {
   (void)measured_state();
   const double time = schedule.time() + ahead_.lead();
   const int stage = horizon.stage_of(schedule.phase_at(time));
-  const double pressed = gate.last().tool_force_world.dot(command_.normal_world);
+  const double pressed = gate.tool_force_world().dot(command_.normal_world);
   const bool has_friction = error.models_friction();
   // If the prediction fails, x_ stays at the measured state.
   (void)ahead_.predict(

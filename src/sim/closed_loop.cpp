@@ -234,6 +234,8 @@ struct ClosedLoop::Impl {
   /// Placement of the frame that carries the surface.
   Eigen::Isometry3d surface_world = Eigen::Isometry3d::Identity();
   Eigen::Vector3d p_tool_world = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R_tool_world = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d measured_force_world = Eigen::Vector3d::Zero();  ///< Reading at the last tick
   /// Rotation vector of the tool since the start, in the axes of the surface [rad].
   Eigen::Vector3d turned = Eigen::Vector3d::Zero();
 };
@@ -288,8 +290,10 @@ Status ClosedLoop::step() noexcept {
   Impl& loop = *impl_;
   loop.ticked = loop.steps % loop.ticks == 0;
   if (loop.ticked) {
+    loop.place_tool();
     const Measurement& measured = loop.sensing.measure(*loop.plant, loop.actuation.step().applied);
     loop.measurement = loop.estimated ? loop.estimated->update(measured) : measured;
+    loop.measured_force_world = loop.R_tool_world * loop.measurement.tool_wrench.head<3>();
     loop.command = loop.controller->tick(loop.measurement);
     if (loop.steps == 0 && loop.command.tau.allFinite()) loop.actuation.reset(loop.command.tau);
   }
@@ -298,7 +302,7 @@ Status ClosedLoop::step() noexcept {
   double* const begin = loop.steps % loop.record_every == 0 ? loop.trace.add_row() : nullptr;
   Row row(begin);
   if (begin != nullptr) {
-    loop.place_tool();
+    if (!loop.ticked) loop.place_tool();
     loop.record(row, false);
   }
   loop.step_status = loop.plant->step(loop.with_pushes(tau), loop.push_world);
@@ -320,6 +324,7 @@ void ClosedLoop::Impl::place_tool() noexcept {
   if (tip < 0) return;
   const Eigen::Isometry3d placement = body.placement(tip);
   p_tool_world = placement.translation();
+  R_tool_world = placement.linear();
   turned =
       vector_of(start_R.transpose() * (surface_world.linear().transpose() * placement.linear()));
 }
@@ -402,7 +407,7 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   of_tool(rotation("tool", "start"), [](L l) { return l.turned; });
   add(axes("target", "m"), [](L l) { return l.command.p_target_world; });
   add({{"target_force", "N"}}, [](L l) { return l.command.target_force; });
-  of_tool(axes("measured_force", "N"), [](L l) { return l.measurement.tool_force_world; });
+  of_tool(axes("measured_force", "N"), [](L l) { return l.measured_force_world; });
   of_tool(axes("estimated_force", "N"), [](L l) { return l.command.force_estimate_world; });
   add(axes("push", "N"), [](L l) { return l.sum_of_pushes(); });
   add(

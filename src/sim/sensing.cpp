@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/to_size.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
 #include "sim/random.hpp"
 
@@ -44,7 +45,8 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances, int suppo
       random_(std::make_unique<Random>(disturbances.seed)),
       q_before_(model.q_neutral),
       differences_(Eigen::VectorXd::Zero(model.nv)),
-      work_(differences_) {
+      work_(differences_),
+      body_(std::make_unique<RigidBody>(model)) {
   measurement_.q = model.q_neutral;
   measurement_.v = measurement_.tau = differences_;
   measurement_.support_wrenches.setZero(6, supports);
@@ -63,7 +65,7 @@ void Sensing::reset() noexcept {
   *random_ = Random(disturbances_.seed);
   measurement_.support_wrenches.setZero();
   // Zero exactly: the filter would leave a rounding error of the old value.
-  measurement_.tool_force_world.setZero();
+  tool_force_world_.setZero();
   if (imu_) imu_->reset();
   started_ = false;
 }
@@ -138,8 +140,11 @@ void Sensing::measure_force(const Plant& plant) noexcept {
   if (disturbances_.force_noise > 0.0)
     for (double& entry : reading) entry += disturbances_.force_noise * random_->force.normal();
   const double gain = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
-  Eigen::Vector3d& force = measurement_.tool_force_world;
-  force += gain * (reading - force);
+  tool_force_world_ += gain * (reading - tool_force_world_);
+  if (!is_usable(body_->update(plant.q(), plant.v()))) return;
+  const int tool = body_->frame(plant.scene().tip.frame);
+  measurement_.tool_wrench.head<3>() =
+      body_->placement(tool).linear().transpose() * tool_force_world_;
 }
 
 void Sensing::measure_supports(const Plant& plant) noexcept {

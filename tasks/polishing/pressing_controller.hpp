@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "burnish/dynamics/placement.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 
@@ -22,7 +23,8 @@ class PressingController {
     measured_.q = problem.initial_state.head(model.nq);
     measured_.v = Eigen::VectorXd::Zero(model.nv);
     measured_.tau = Eigen::VectorXd::Zero(model.nv);
-    measured_.tool_force_world.z() = force;
+    measured_.tool_wrench.head<3>() =
+        frame_placement(model, measured_.q, tool).linear().transpose().col(2) * force;
   }
 
   void tick() {

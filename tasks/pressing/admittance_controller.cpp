@@ -76,6 +76,8 @@ class AdmittanceController final : public Controller {
   AdmittanceSpec spec_;
   Tree tree_;
   ContactDynamics dynamics_;
+  RigidBody body_;
+  int tool_;
   long every_;  ///< Period of the outer loop [ticks].
   pressing::PathFollower follower_;
   pressing::AdmittanceLoop outer_;
@@ -87,12 +89,15 @@ class AdmittanceController final : public Controller {
   bool saturated_ = false;  ///< True if a torque exceeded its limit at the last tick.
   Eigen::VectorXd effort_limit_, zero_, error_, integral_, response_, step_, tau_;
   Eigen::MatrixXd M_;
+  Eigen::Vector3d force_world_ = Eigen::Vector3d::Zero();  ///< Measured force on the tool [N].
 };
 
 AdmittanceController::AdmittanceController(const Model& model, const AdmittanceSpec& spec)
     : spec_(checked(model, spec)),
       tree_(model),
       dynamics_(model),
+      body_(model),
+      tool_(body_.frame(spec_.path.tool)),
       every_(std::max(1L, ticks(1.0 / spec_.gains.rate, spec_.path.period))),
       follower_(spec_.path),
       outer_(model, spec_.path, spec_.gains, static_cast<double>(every_) * spec_.path.period),
@@ -120,8 +125,10 @@ void AdmittanceController::reset() noexcept {
 
 const Command& AdmittanceController::tick(const Measurement& measurement) noexcept {
   command_.status = dynamics_.forward(measurement.q, measurement.v, zero_);
+  if (is_usable(command_.status)) command_.status = body_.update(measurement.q, measurement.v);
   if (!is_usable(command_.status)) return command_;
-  if (!measurement.tool_force_world.allFinite()) {
+  force_world_ = body_.placement(tool_).linear() * measurement.tool_wrench.head<3>();
+  if (!force_world_.allFinite()) {
     command_.status = Status::NotFinite;
     return command_;
   }
@@ -141,15 +148,15 @@ Status AdmittanceController::run_outer(const Measurement& measurement) noexcept 
     wanted_.v.setZero();
     started_ = true;
   }
-  follower_.update(measurement, command_);
+  follower_.update(force_world_, command_);
   if (follower_.touched()) {
     outer_.touch();
     integral_.setZero();
   }
   if (tick_ % every_ != 0) return Status::Ok;
   const TaskPoint target = follower_.ahead(spec_.gains.delay);
-  const Status status = outer_.step(target, measurement.tool_force_world,
-                                    follower_.phase() != Phase::Approach, !saturated_, M_);
+  const Status status =
+      outer_.step(target, force_world_, follower_.phase() != Phase::Approach, !saturated_, M_);
   if (is_usable(status)) line_.send(tick_, outer_.command());
   return status;
 }

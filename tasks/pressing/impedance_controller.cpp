@@ -45,6 +45,7 @@ class ImpedanceController final : public Controller {
   RigidBody body_;
   ContactDynamics dynamics_;
   int tool_;
+  Eigen::Vector3d force_world_ = Eigen::Vector3d::Zero();  ///< Measured force on the tool [N].
   pressing::PathFollower follower_;
   FrameDerivatives motion_;
   Command command_;
@@ -92,7 +93,7 @@ void ImpedanceController::reset() noexcept {
 const Command& ImpedanceController::tick(const Measurement& measurement) noexcept {
   command_.status = update_model(measurement);
   if (!is_usable(command_.status)) return command_;
-  const TaskPoint target = follower_.update(measurement, command_);
+  const TaskPoint target = follower_.update(force_world_, command_);
   integrate(target);
   const Eigen::Vector3d force = tool_force(target);
   tau_ = dynamics_.bias();
@@ -109,7 +110,8 @@ const Command& ImpedanceController::tick(const Measurement& measurement) noexcep
 Status ImpedanceController::update_model(const Measurement& measurement) {
   Status status = body_.update(measurement.q, measurement.v);
   if (!is_usable(status)) return status;
-  if (!measurement.tool_force_world.allFinite()) return Status::NotFinite;
+  force_world_ = body_.placement(tool_).linear() * measurement.tool_wrench.head<3>();
+  if (!force_world_.allFinite()) return Status::NotFinite;
   status = dynamics_.forward(measurement.q, measurement.v, zero_);
   if (!is_usable(status)) return status;
   body_.frame_derivatives(tool_, Reference::centered(), motion_);

@@ -54,8 +54,8 @@ void PathFollower::reset(Command& command) noexcept {
   command.status = Status::Ok;
 }
 
-TaskPoint PathFollower::update(const Measurement& measurement, Command& command) noexcept {
-  measured_ = measurement.tool_force_world.dot(command.normal_world);
+TaskPoint PathFollower::update(const Eigen::Vector3d& force_world, Command& command) noexcept {
+  measured_ = force_world.dot(command.normal_world);
   const Phase before = phase_;
   touch_.add(measured_, phase_ == Phase::Approach);
   touched_ = phase_ == Phase::Approach && touch_.touches();
@@ -76,7 +76,7 @@ TaskPoint PathFollower::update(const Measurement& measurement, Command& command)
   command.target_force = target.force;
   command.normal_world = target.normal_world;
   command.p_target_world = target.p_world;
-  command.force_estimate_world = measurement.tool_force_world;
+  command.force_estimate_world = force_world;
   target_ = target;
   return target;
 }

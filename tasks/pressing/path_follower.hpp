@@ -26,9 +26,9 @@ class PathFollower {
 
   void reset(Command& command) noexcept;
   /// Switches to the next phase if its time has come, and returns the current target with its
-  /// normal. Writes phase, target and force estimate to `command`. The measured force must be
-  /// finite.
-  TaskPoint update(const Measurement& measurement, Command& command) noexcept;
+  /// normal. Writes phase, target and force estimate to `command`. `force_world`: measured force on
+  /// the tool, finite [N].
+  TaskPoint update(const Eigen::Vector3d& force_world, Command& command) noexcept;
 
   /// Returns the last target, with position, velocity and normal extrapolated by `lead` [s].
   TaskPoint ahead(double lead) const noexcept;

@@ -92,7 +92,7 @@ class Pressing final : public MpcTask {
   }
 
   unsigned sense(const TaskView& view) noexcept override {
-    const Eigen::Vector3d& force = view.measurement.tool_force_world;
+    const Eigen::Vector3d& force = view.tool_force_world;
     if (base_ >= 0) {
       base_world_ = view.body.placement(base_);
       normal_world_ = base_world_.linear() * (surface_ ? surface_->normal() : normal_at_first_);

@@ -8,6 +8,7 @@
 #include "base/decomposition.hpp"
 #include "mpc/measurement_gate.hpp"
 #include "mpc/part_specs.hpp"
+#include "support/tool_force.hpp"
 #include "support/toy_task.hpp"
 
 namespace burnish::test {
@@ -20,6 +21,7 @@ ErrorEstimate estimate_of(const MpcSpec& spec) {
 void update(ErrorEstimate& estimate, MeasurementGate& gate, double target,
             const Eigen::VectorXd& acted, int stage) {
   estimate.update(gate.state(), {.measurement = gate.last(),
+                                 .tool_force_world = gate.tool_force_world(),
                                  .dt = gate.dt(),
                                  .target_force = target,
                                  .sent = acted,
@@ -43,6 +45,11 @@ struct Pressing {
     jacobian = motion.jacobian.topRows(3);
     gravity = body.gravity_torque();
   }
+  /// Sets the measured force, in world axes [N].
+  void press(const Eigen::Vector3d& force_world) {
+    pressed = force_world;
+    set_tool_force(m, spec.problem.model, pressed);
+  }
   /// Simulates one second at rest with the force in `m` on the tool and this command.
   void rest(ErrorEstimate& estimate, const Eigen::VectorXd& tau, double target, int stage = 0) {
     MeasurementGate gate(gate_spec(spec));
@@ -56,11 +63,12 @@ struct Pressing {
     }
     ASSERT_FALSE(latch.is_set());
   }
-  Eigen::VectorXd against(const Eigen::Vector3d& force) const {
-    return gravity - jacobian.transpose() * force;
+  Eigen::VectorXd against(const Eigen::Vector3d& force_world) const {
+    return gravity - jacobian.transpose() * force_world;
   }
   MpcSpec spec = toy_spec();
   Measurement m;
+  Eigen::Vector3d pressed = Eigen::Vector3d::Zero();  ///< See press()
   Eigen::MatrixXd jacobian;
   Eigen::VectorXd gravity;
 };
@@ -69,8 +77,8 @@ TEST(ErrorEstimate, UnexplainedTorque_IsTheTorqueError) {
   Pressing arm(ModelErrorKind::Torque);
   ErrorEstimate estimate = estimate_of(arm.spec);
   const Eigen::VectorXd missing = Eigen::VectorXd::LinSpaced(7, -0.5, 0.7);
-  arm.m.tool_force_world = {0.0, 0.0, 20.0};
-  arm.rest(estimate, arm.against(arm.m.tool_force_world) - missing, 20.0);
+  arm.press({0.0, 0.0, 20.0});
+  arm.rest(estimate, arm.against(arm.pressed) - missing, 20.0);
   EXPECT_LT((estimate.torque_error() - missing).norm(), 1e-3);
   EXPECT_EQ(estimate.force_error(), 0.0);
   estimate.reset();
@@ -81,8 +89,8 @@ TEST(ErrorEstimate, ForceDeviation_IsFedBackUpToItsLimit) {
   Pressing arm(ModelErrorKind::Torque);
   arm.spec.model_error.force_gain = 0.5;
   arm.spec.model_error.limit = 3.0;
-  arm.m.tool_force_world = {1.0, -2.0, 22.0};
-  const Eigen::VectorXd tau = arm.against(arm.m.tool_force_world);
+  arm.press({1.0, -2.0, 22.0});
+  const Eigen::VectorXd tau = arm.against(arm.pressed);
   const Eigen::VectorXd normal = arm.jacobian.transpose() * Eigen::Vector3d::UnitZ();
   ErrorEstimate estimate = estimate_of(arm.spec);
   const auto pushed = [&](double target) {
@@ -93,7 +101,7 @@ TEST(ErrorEstimate, ForceDeviation_IsFedBackUpToItsLimit) {
   EXPECT_LT((pushed(23.0) + 0.5 * 1.0 * normal).norm(), 1e-9) << "the force is below its target";
   EXPECT_LT((pushed(40.0) + 0.5 * 3.0 * normal).norm(), 1e-9) << "the feedback reaches its limit";
   EXPECT_TRUE(pushed(0.0).isZero(0.0)) << "the target force is zero";
-  arm.m.tool_force_world.setZero();
+  arm.press({0.0, 0.0, 0.0});
   EXPECT_TRUE(pushed(20.0).isZero(0.0)) << "the tool is in free motion";
   estimate.reset();
   EXPECT_TRUE(estimate.force_feedback().isZero(0.0));
@@ -101,8 +109,8 @@ TEST(ErrorEstimate, ForceDeviation_IsFedBackUpToItsLimit) {
 
 TEST(ErrorEstimate, FrictionTorque_ScalesWithTheTargetForce) {
   Pressing arm(ModelErrorKind::Torque);
-  arm.m.tool_force_world = {5.0, -2.0, 20.0};
-  const Eigen::VectorXd tau = arm.against(arm.m.tool_force_world);
+  arm.press({5.0, -2.0, 20.0});
+  const Eigen::VectorXd tau = arm.against(arm.pressed);
   const Eigen::VectorXd friction = arm.jacobian.transpose() * Eigen::Vector3d(5.0, -2.0, 0.0);
   for (const double target : {0.0, 20.0, 40.0}) {
     ErrorEstimate estimate = estimate_of(arm.spec);
@@ -134,9 +142,8 @@ TEST(ErrorEstimate, PredictedSliding_TurnsTheFrictionWithTheMotion) {
     for (int tick = 0; tick < 1500; ++tick) {
       t = 1e-3 * tick;
       arm.m.time = t;
-      arm.m.tool_force_world =
-          Eigen::Vector3d(0.0, 0.0, 20.0) - sign * friction * direction(t - sensor_delay);
-      arm.m.tau = arm.against(arm.m.tool_force_world);
+      arm.press(Eigen::Vector3d(0.0, 0.0, 20.0) - sign * friction * direction(t - sensor_delay));
+      arm.m.tau = arm.against(arm.pressed);
       gate.take(arm.m, latch, status);
       const double ahead =
           estimate.joint_friction().lead() + arm.spec.solver_delay + 0.5 * arm.spec.update_period;
@@ -160,7 +167,7 @@ TEST(ErrorEstimate, PredictedSliding_TurnsTheFrictionWithTheMotion) {
 TEST(ErrorEstimate, UnpredictedForce_IsTheForceError) {
   Pressing arm(ModelErrorKind::Force);
   const Eigen::VectorXd tau = arm.against({0.0, 0.0, 20.0});
-  arm.m.tool_force_world = {0.0, 0.0, 26.0};
+  arm.press({0.0, 0.0, 26.0});
   ErrorEstimate estimate = estimate_of(arm.spec);
   arm.rest(estimate, tau, 20.0);
   EXPECT_NEAR(estimate.force_error(), 6.0, 1e-3);

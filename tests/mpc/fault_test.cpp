@@ -114,7 +114,7 @@ TEST(MeasurementGate, InvalidMeasurement_IsNamedInTheReport) {
   expect_words(text_of([=](Measurement& m) { m.tau[3] = nan; }), {"tau of '" + joint + "'"});
   expect_words(text_of([](Measurement& m) { m.v.conservativeResize(3); }),
                {"v has 3 entries; wanted 7"});
-  expect_words(text_of([=](Measurement& m) { m.tool_force_world.x() = nan; }),
+  expect_words(text_of([=](Measurement& m) { m.tool_wrench[0] = nan; }),
                {"the force at the tool is not finite"});
   expect_words(text_of([=](Measurement& m) { m.time = nan; }),
                {"measurement's time is not finite"});

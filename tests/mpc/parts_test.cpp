@@ -435,10 +435,14 @@ TEST(BlackBox, Fault_FreezesTheLastSecond) {
   FaultLatch latch;
   BlackBox box(spec.problem.model, spec.tick_period, latch);
   Command command{Eigen::VectorXd::Constant(7, 2.0)};
-  const Measurement m = toy_measurement(spec);
+  Measurement m = toy_measurement(spec);
+  MeasurementGate gate(gate_spec(spec));
+  Status status = Status::Ok;
   for (int tick = 0; tick < 1500; ++tick) {
-    if (tick == 1499) latch.raise(1e-3 * tick, FaultKind::Watched, 2.0, 1.0);
-    box.record(1e-3 * tick, 0.5, m, command, latch);
+    m.time = 1e-3 * tick;
+    gate.take(m, latch, status);
+    if (tick == 1499) latch.raise(m.time, FaultKind::Watched, 2.0, 1.0);
+    box.record(gate, 0.5, command, latch);
   }
   const Trace& trace = latch.report.last_second;
   ASSERT_EQ(trace.rows(), 1000);
@@ -447,7 +451,7 @@ TEST(BlackBox, Fault_FreezesTheLastSecond) {
   EXPECT_EQ(trace.column("fault")[999], static_cast<double>(FaultKind::Watched));
   EXPECT_EQ(trace.column("fault")[998], 0.0);
   EXPECT_EQ(trace.column("q_" + spec.problem.model.q_name(0))[3], m.q[0]);
-  box.record(2.0, 0.5, m, command, latch);
+  box.record(gate, 0.5, command, latch);
   EXPECT_EQ(trace.rows(), 1000);
 }
 

@@ -31,7 +31,7 @@ MpcSpec swaying(const Model& model, const VectorXd& q) {
          .residual = residual::CenterOfPressure{sole, 0.1, 0.05, cone / std::sqrt(2.0)}});
   }
   spec.schedule = {{.name = "stand", .stage = "stand"}};
-  spec.tool = soles[0];
+  spec.tool.clear();
   spec.supports = soles;
   spec.support_sensors = true;
   spec.tick_period = tick_period;

@@ -3,6 +3,7 @@
 
 #include "burnish/mpc/mpc.hpp"
 #include "support/fault_checks.hpp"
+#include "support/tool_force.hpp"
 
 namespace burnish::test {
 namespace {
@@ -105,7 +106,7 @@ struct StillRobot {
   /// Ticks until this time [s], with a measured force along the normal [N].
   void feed(double until, double force) {
     for (; m.time < until - 1e-9; m.time = 5e-4 * static_cast<double>(++ticks)) {
-      m.tool_force_world = force * setting.scene.surface.normal;
+      set_tool_force(m, setting.robot.model, force * setting.scene.surface.normal);
       m.tau = mpc.tick(m).tau;
     }
   }
@@ -170,11 +171,14 @@ TEST(Fault, TouchInRetreat_ReportsUnexpectedContact) {
   // In closed loop, without and with a push.
   wanted.task.polish_duration = 0.3;
   for (const double push : {0.0, -25.0}) {
-    const double end = polishing::make_setting(wanted.task).track_end;
+    const polishing::Setting setting = polishing::make_setting(wanted.task);
+    const double end = setting.track_end;
     wanted.task.disturbances.pushes = {{end + 0.3, 0.5, Eigen::Vector3d(0.0, 0.0, push)}};
     // The force sensor measures the push.
-    wanted.spoil = [end, push](Measurement& m) {
-      if (m.time > end + 0.3 && m.time < end + 0.8) m.tool_force_world.z() -= push;
+    wanted.spoil = [end, push, model = setting.robot.model](Measurement& m) {
+      if (!(m.time > end + 0.3 && m.time < end + 0.8)) return;
+      const Eigen::Matrix3d R_tool = frame_placement(model, m.q, "tool").linear();
+      m.tool_wrench.head<3>() -= push * R_tool.transpose().col(2);
     };
     MpcRun run(wanted);
     ASSERT_EQ(run.run(end + 0.5), Status::Ok);

@@ -309,7 +309,7 @@ TEST(MpcController, CorruptMeasurements_TorqueStaysFinite) {
           m.tau[entry] = value;
           break;
         case 4:
-          m.tool_force_world[entry % 3] = value;
+          m.tool_wrench[entry % 3] = value;
           break;
         default:
           m.q.resize(entry);

@@ -272,7 +272,7 @@ class SensingTest : public ::testing::Test {
       measured.q.col(i) = m.q;
       measured.v.col(i) = m.v;
       measured.tau.col(i) = m.tau;
-      measured.force.col(i) = m.tool_force_world;
+      measured.force.col(i) = m.tool_wrench.head<3>();
       EXPECT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
       tau = body.gravity_torque() + Eigen::VectorXd::LinSpaced(model.nv, -2.0, 2.0);
       for (int k = 0; k < 2; ++k) EXPECT_EQ(plant->step(tau, {0.0, 0.0, -40.0}), Status::Ok);
@@ -361,7 +361,7 @@ TEST_F(SensingTest, Reset_GivesTheSameBits) {
     EXPECT_EQ(measured[i].q, measured[20 + i].q);
     EXPECT_EQ(measured[i].v, measured[20 + i].v);
     EXPECT_EQ(measured[i].tau, measured[20 + i].tau);
-    EXPECT_EQ(measured[i].tool_force_world, measured[20 + i].tool_force_world);
+    EXPECT_EQ(measured[i].tool_wrench.head<3>(), measured[20 + i].tool_wrench.head<3>());
   }
 }
 

@@ -8,6 +8,7 @@
 #include "support/allocation_guard.hpp"
 #include "support/polishing_run.hpp"
 #include "support/refusal.hpp"
+#include "support/tool_force.hpp"
 
 namespace burnish::test {
 namespace {
@@ -109,7 +110,7 @@ TEST_P(PathController, InvalidMeasurement_ReturnsAStatusAndTheLastTorque) {
   ASSERT_EQ(run.run(0.1), Status::Ok);
   Measurement bad = run.loop().measurement();
   const Eigen::VectorXd before = run.controller().tick(bad).tau;
-  bad.tool_force_world.z() = std::nan("");
+  bad.tool_wrench[2] = std::nan("");
   EXPECT_EQ(run.controller().tick(bad).status, Status::NotFinite);
   EXPECT_EQ(run.controller().tick(bad).tau, before);
   bad.q = Eigen::VectorXd::Zero(2);
@@ -157,7 +158,7 @@ std::vector<Eigen::VectorXd> torques_of_fixed_robot(const MakeController& make, 
   Measurement fixed;
   fixed.q = q;
   fixed.v = fixed.tau = Eigen::VectorXd::Zero(model.nv);
-  fixed.tool_force_world = {0.0, 0.0, 20.0};
+  set_tool_force(fixed, model, {0.0, 0.0, 20.0});
   std::vector<Eigen::VectorXd> torques;
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k < 100; ++k) controller->tick(fixed);
@@ -180,14 +181,19 @@ TEST(Impedance, Integrals_StopAtTheirLimitsAndAtTorqueLimits) {
 /// Admittance controller with a target of 30 N, on an arm that does not move.
 struct FixedAdmittance {
   explicit FixedAdmittance(const AdmittanceGains& gains) {
-    const Model model = right_arm(&measured.q);
+    model = right_arm(&measured.q);
     const Eigen::Vector3d p = frame_placement(model, measured.q, "tool").translation();
     PressingPath path;
     path.posture = measured.q;
     path.task = [p](double) { return TaskPoint{.p_world = p, .force = 30.0}; };
     controller = make_admittance_controller(model, {path, gains});
     measured.v = measured.tau = Eigen::VectorXd::Zero(model.nv);
+    press(0.0);
   }
+  /// Sets the measured force, upwards [N].
+  void press(double force) { set_tool_force(measured, model, {0.0, 0.0, force}); }
+
+  Model model;
   Measurement measured;
   std::unique_ptr<Controller> controller;
 };
@@ -212,7 +218,7 @@ TEST(Admittance, OuterLoopRate_SamplesTheForce) {
     FixedAdmittance fixed(gains);
     Eigen::VectorXd tau;
     for (int tick = 0; tick < 45; ++tick) {
-      fixed.measured.tool_force_world = {0.0, 0.0, tick == pushed_tick ? 60.0 : 20.0};
+      fixed.press(tick == pushed_tick ? 60.0 : 20.0);
       tau = fixed.controller->tick(fixed.measured).tau;
     }
     return tau;

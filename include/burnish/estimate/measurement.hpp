@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 
+#include "burnish/base/views.hpp"
 #include "burnish/estimate/imu.hpp"
 
 namespace burnish {
@@ -18,12 +20,15 @@ struct Measurement {
   /// Measured velocity, nv entries
   Eigen::VectorXd v;
   /// Reading of the inertial measurement unit; empty if the robot has none
-  /// @after tool_force_world
+  /// @after tool_wrench
   std::optional<ImuReading> imu = {};
   /// Joint torques measured between motor and link, nv entries [Nm (N)]
   Eigen::VectorXd tau;
-  /// Force of the surface on the tool, from the force sensor, in world axes [N]
-  Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();
+  /// Measured wrench of the surface on the tool: force (N), then moment (Nm)
+  /// @more Moments are about the origin of the tool's frame, and both parts are in the axes of that
+  /// frame, without the weight of the tool. Components that no sensor measures are NaN. Controllers
+  /// use only the force
+  Vector6 tool_wrench = Vector6::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Measured wrench of the ground on each support, one column per support: force (N), then moment
   /// (Nm)
   /// @more Moments are about the origin of the support's frame, and both parts are in the axes of

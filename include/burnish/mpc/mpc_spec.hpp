@@ -113,7 +113,7 @@ struct MpcSpec {
   std::vector<SchedulePhase> schedule = {};
   /// Function that creates the task, which defines events and monitored quantities; none: no task
   MakeTask task = {};
-  /// Frame at which Measurement::tool_force_world acts; empty: the robot has no tool
+  /// Frame of Measurement::tool_wrench; empty: the robot has no tool
   std::string tool = "tool";
   /// Robot frame that carries the surface, such as a plate in the other hand; empty: the world
   /// @more The reaction to the force on the tool acts on this frame
@@ -133,7 +133,7 @@ struct MpcSpec {
   /// Whether Measurement.support_wrenches is measured, with one column per entry of `supports`
   /// @more Torque errors are then estimated in all joints, including the joints of supporting legs
   bool support_sensors = false;
-  /// Whether Measurement.tool_force_world is measured; if false, the force at the tool is estimated
+  /// Whether the force of Measurement.tool_wrench is measured; if false, the force is estimated
   /// @more The estimated force explains the change of the torque error at contact. The estimate
   /// uses torques, positions and velocities, and requires model_error.kind torque
   bool force_sensor = true;

@@ -98,6 +98,9 @@ struct TaskView {
   const Schedule& schedule;
   const Command& command;  ///< Command of the previous tick, with its targets
   double dt;               ///< Time since the previous valid measurement [s]; 0 at the first one
+  /// Force of the surface on the tool, measured or estimated, in world axes [N]; zero without a
+  /// tool
+  const Eigen::Vector3d& tool_force_world;
 };
 
 /// Quantity that a task monitors. A value beyond its limit is a fault.

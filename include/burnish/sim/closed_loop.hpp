@@ -48,7 +48,8 @@ struct ClosedLoopOptions {
 ///                                                  the rotation is relative to the frame that
 ///                                                  carries the surface
 ///     target_x|y|z_world [m], target_force [N]     targets of the controller
-///     measured_force_x|y|z_world [N]               reading of the tool's force sensor
+///     measured_force_x|y|z_world [N]               reading of the tool's force sensor, rotated
+///                                                  to world axes
 ///     estimated_force_x|y|z_world [N]              controller's estimate of the force on the tool
 ///     push_x|y|z_world [N]                         sum of the pushes on all frames
 ///     q_<joint>, v_<joint>                         true state
