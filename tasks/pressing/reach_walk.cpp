@@ -33,7 +33,8 @@ class ReachWalk::Impl {
         tool_(body_.frame(scene.tip.frame)),
         q_start_(q_start),
         q_(q_start),
-        has_path_(has_path) {
+        has_path_(has_path),
+        carrying_(scene.supports) {
     report_.joint_margin = report_.clearance = std::numeric_limits<double>::infinity();
     find_skeleton();
     evaluate(q_);
@@ -41,6 +42,15 @@ class ReachWalk::Impl {
     start_com_ = body_.com();
     for (const SupportSpec& support : scene_.supports)
       stood_.push_back(body_.placement(body_.frame(support.frame)));
+  }
+
+  void load(const std::string& support, const Eigen::Vector3d& force_world) {
+    const auto at = std::find_if(carrying_.begin(), carrying_.end(),
+                                 [&](const SupportSpec& each) { return each.frame == support; });
+    if (at == carrying_.end())
+      throw Error("reach check: " + in_quotes(support) + " is not a support of the scene");
+    carrying_.erase(at);
+    loads_.push_back({body_.frame(support), force_world});
   }
 
   /// Moves to a stop and checks it. Returns false at the first problem.
@@ -338,10 +348,14 @@ class ReachWalk::Impl {
   bool torques_fit(const ReachStop& stop, double force) {
     evaluate(q_);
     const Eigen::Vector3d normal = surface_.at(stop.p_world).normal;
-    const Eigen::VectorXd tau =
-        torque_on_supports(model_, body_, scene_.supports,
-                           Eigen::VectorXd(body_.gravity_torque()) -
-                               derivatives_.jacobian.topRows(3).transpose() * (force * normal));
+    Eigen::VectorXd needed = Eigen::VectorXd(body_.gravity_torque()) -
+                             derivatives_.jacobian.topRows(3).transpose() * (force * normal);
+    FrameDerivatives loaded;
+    for (const Load& load : loads_) {
+      body_.frame_derivatives(load.frame, Reference::centered(), loaded);
+      needed -= loaded.jacobian.topRows(3).transpose() * load.force_world;
+    }
+    const Eigen::VectorXd tau = torque_on_supports(model_, body_, carrying_, needed);
     if (force > 0.0) note_force_sensitivity(normal);
     for (int k = 0; k < model_.nv; ++k) {
       const double limit = model_.effort_limit[k];
@@ -386,6 +400,12 @@ class ReachWalk::Impl {
     Eigen::Vector3d origin;
   };
 
+  /// Stated force on a support.
+  struct Load {
+    int frame;
+    Eigen::Vector3d force_world;  ///< [N]
+  };
+
   ReachOptions options_;
   const SceneSpec& scene_;
   Surface surface_;
@@ -396,6 +416,8 @@ class ReachWalk::Impl {
   const Eigen::VectorXd& q_start_;
   Eigen::VectorXd q_;
   bool has_path_;
+  std::vector<SupportSpec> carrying_;  ///< Supports without a stated force.
+  std::vector<Load> loads_;
   Eigen::Matrix3d start_rotation_;
   Eigen::Vector3d start_com_;
   std::vector<Eigen::Isometry3d> stood_;  ///< Starting placements of the supports' frames.
@@ -410,6 +432,9 @@ ReachWalk::ReachWalk(const Model& model, const SceneSpec& scene, const Eigen::Ve
     : impl_(std::make_unique<Impl>(model, scene, q_start, options, has_path)),
       spacing_(options.spacing) {}
 ReachWalk::~ReachWalk() = default;
+void ReachWalk::load(const std::string& support, const Eigen::Vector3d& force_world) {
+  impl_->load(support, force_world);
+}
 bool ReachWalk::visit(const ReachStop& stop) { return impl_->visit(stop); }
 bool ReachWalk::pass(const Eigen::VectorXd& q, const std::string& where) {
   return impl_->pass(q, where);

@@ -33,6 +33,9 @@ class ReachWalk {
   ReachWalk(const Model& model, const SceneSpec& scene, const Eigen::VectorXd& q_start,
             const ReachOptions& options, bool has_path = true);
   ~ReachWalk();
+  /// States the force on a support, in world axes [N]. Without a stated force, the check assumes
+  /// the forces on supports that need the smallest torques. Throws Error for an unknown support.
+  void load(const std::string& support, const Eigen::Vector3d& force_world);
   /// Moves to a stop and checks it. Returns false at the first problem, which report() describes.
   bool visit(const ReachStop& stop);
   /// Visits points on a straight line, including both ends. `s_end`: path length at `to` [m].
