@@ -105,6 +105,7 @@ def _polishing() -> Dict[str, Case]:
             "standing.feet=[left_sole_link, right_sole_link]", "controller.solver_delay=0.005",
             "controller.horizon=0.3", "controller.knots=8", "model_error.bandwidth=60", "model_error.transient_scale=2",
             "weights.velocity=5", "limits.force=200", "standing.settle=0.1", "standing.hoist=0.05")
+    resting = (*feet, "posture=standing_rest", "rest.frame=left_tool")
     slips = (*feet, f"disturbances.slippery_ground={slippery('left_sole_link')}")
     sine = ("force_profile.kind=sine", "force_profile.frequency=10")
     steps = "force_profile.points=[[0.02, 20], [0.05, 30]]"
@@ -139,6 +140,10 @@ def _polishing() -> Dict[str, Case]:
         "limits.base_lost": at(*feet, "disturbances.imu_faults=[{start: 0.05, duration: 1, gyro_offset: [0, 0, 0], "
                                "accelerometer_offset: [0, 0, 0], frozen: false, silent: true}]", *_NEVER,
                                push("[0, 0, 6000]", 0.2, 0.12, "base_link"), to=["0.001"]),
+        "rest.frame": at(*feet, "posture=standing_rest", to=["left_tool"]),
+        **{f"rest.{key}": at(*resting) for key in ("force", "radius", "stiffness", "weight")},
+        "rest.normal": at(*resting, to=["[0.1, 0, 1]"]), "rest.friction": at(*resting, to=["0"]),
+        "rest.plan_friction": at(*resting, to=["0.001"]), "rest.slip": at(*resting, to=["1e-7"]),
         "path.kind": at(to=["spiral"]),
         "path.pitch": at("path.kind=spiral"),
         **{f"path.{key}": at("path.kind=zigzag") for key in ("width", "height", "rows", "speed")},

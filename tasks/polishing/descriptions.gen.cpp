@@ -290,6 +290,48 @@ const Description& description_of(const Waving* /*of*/) {
   return all;
 }
 
+const Description& description_of(const RestingHand* /*of*/) {
+  using S = RestingHand;
+  static const Description all =
+      Describe<S>("polishing", "RestingHand",
+                  "Second hand that rests on a plane fixed in the world, while a robot that "
+                  "stands polishes. The plane touches the hand at the start. The hand stays in "
+                  "contact in all phases.")
+          .field("frame", &S::frame,
+                 "Frame of the resting hand; its origin is the centre of the round tip (none: no "
+                 "hand rests)")
+          .word("none")
+          .field("force", &S::force,
+                 "Normal force that the hand rests with [{N}]",
+                 {.least = 0, .open = true})
+          .field("normal_world", &S::normal_world,
+                 "Normal of the plane [x, y, z] in world axes, towards the hand",
+                 {.direction = true})
+          .more("The normal points out of the material. It need not have unit length.")
+          .key("normal")
+          .field("radius", &S::radius,
+                 "Radius of the round tip of the hand [{m}]",
+                 {.least = 0, .open = true})
+          .field("friction", &S::friction,
+                 "Coulomb friction coefficient of the plane in the plant",
+                 {.least = 0})
+          .field("plan_friction", &S::plan_friction,
+                 "Friction coefficient of the plane that plans assume",
+                 {.least = 0, .open = true})
+          .field("stiffness", &S::stiffness,
+                 "Stiffness of the plane in the plant [{N/m}]",
+                 {.least = 0, .open = true})
+          .field("weight", &S::weight,
+                 "Weight on errors of the normal force of the hand [{1/N^2}]",
+                 {.least = 0})
+          .more("A hundredth of this weight acts on the tangential force.")
+          .field("slip", &S::slip,
+                 "Largest distance that the hand may slide on the plane [{m}]",
+                 {.least = 0, .open = true, .infinite = true})
+          .more("A greater distance is a fault.");
+  return all;
+}
+
 const Description& description_of(const Weights* /*of*/) {
   using S = Weights;
   static const Description all =
@@ -450,6 +492,9 @@ const Description& description_of(const Task* /*of*/) {
                  "`home`.")
           .field("standing", &S::standing,
                  "Feet and ground of a robot with a floating base.")
+          .field("rest", &S::rest,
+                 "Second hand that rests on a fixed plane in all phases, if the robot "
+                 "stands.\nThe plane touches the hand in the starting posture.")
           .field("path", &S::path,
                  "Path in the plane of the surface. The path begins at rest at the point below "
                  "the tool's position at the start.")

@@ -39,6 +39,7 @@ const Description& description_of(const RunSpec*);
 const Description& description_of(const Setting*);
 const Words& words_of(ForceAxes);
 const Description& description_of(const Waving*);
+const Description& description_of(const RestingHand*);
 const Description& description_of(const Weights*);
 const Description& description_of(const Verdict*);
 const Description& description_of(const Task*);

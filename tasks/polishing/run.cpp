@@ -10,6 +10,7 @@
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "polishing/resting_hand.hpp"
 #include "polishing/run_descriptions.hpp"
 #include "polishing/verdict.hpp"
 #include "pressing/closed_run.hpp"
@@ -126,6 +127,22 @@ void judge(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
                                    seen_from_surface(result.trace, buffer), begin, last);
 }
 
+/// Computes the statistics of a resting hand on the path. The figures of standing are computed
+/// again, for the feet alone.
+void measure_rest(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
+                  RunResult& result) {
+  if (!spec.task.rest.is_stated()) return;
+  const Setting& setting = result.setting;
+  if (result.standing)
+    result.standing =
+        measure_standing(result.trace, plant_model(setting.robot.model, spec.task.disturbances),
+                         feet_in(spec.task, setting.scene));
+  const double begin = watch.track_begin();
+  const double last = std::min(end.time, begin + spec.task.polish_duration);
+  if (begin < 0.0 || !has_rows(result.trace, begin, last)) return;
+  result.rest = rest_figures(spec.task.rest, setting, result.trace, begin, last);
+}
+
 /// Returns the outcome of a run in one sentence. `failure`: reason why the run did not pass the
 /// verdict; empty: it passed.
 std::string outcome_of(const Task& task, const RunResult& result, const Watch& watch,
@@ -190,6 +207,7 @@ RunResult run_task(const RunSpec& spec) {
   const pressing::RunEnd end = pressing::run_closed_loop(run, result);
   measure_path(spec, end, watch, result);
   judge(spec, end, watch, result);
+  measure_rest(spec, end, watch, result);
   std::string failure =
       result.verdict ? verdict_failure(spec.task, *result.verdict) : std::string();
   if (const std::string beyond = beyond_limits(setting.robot.model, result.trace, end.time);

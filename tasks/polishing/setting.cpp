@@ -10,6 +10,7 @@
 #include "burnish/tasks/polishing/stages.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
+#include "polishing/resting_hand.hpp"
 #include "polishing/rotors.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/home_move.hpp"
@@ -147,6 +148,7 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   pressing::check_standing(robot.model, task.standing);
   check_home(task);
   check_carrier(task, robot.model);
+  check_rest(task, robot.model);
   Setting s;
   s.robot = robot;
   s.q_start = q_start;
@@ -162,6 +164,8 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   scene.surface.stiffness = task.stiffness;
   scene.surface.damping = task.damping;
   scene.supports = pressing::supports_at(robot.model, task.standing, q_start);
+  if (task.rest.is_stated())
+    scene.supports.push_back(resting_support(task.rest, robot.model, q_start));
   if (task.point_base) {
     scene.surface.point = *task.point_base;
     s.scene = checked_scene(s.robot.model, scene);
@@ -180,6 +184,7 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
     s.scene.surface.extent = Path(task.path).reach() + task.extent;
   }
   check_path_on(s, task);
+  refuse_weak_rest(task, s);
   s.home = pressing::home_move(task.home, s.robot, q_start, s.scene);
   s.reach_end = task.reach_duration;
   s.touch = s.reach_end + task.clearance / task.approach_speed;

@@ -13,6 +13,7 @@
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/horizon.hpp"
+#include "polishing/resting_hand.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/foot_contacts.hpp"
 #include "pressing/stage_terms.hpp"
@@ -75,13 +76,9 @@ struct Builder {
     if (filtered > 0) x.tail(filtered) = rest_torque();
     return x;
   }
-  /// Returns the torque that holds the start posture against gravity.
-  Eigen::VectorXd rest_torque() const {
-    RigidBody body(model);
-    if (!is_usable(body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv))))
-      throw Error("the starting posture cannot be evaluated");
-    return pressing::torque_on_supports(model, body, setting.scene.supports, body.gravity_torque());
-  }
+  /// Returns the torque that holds the start posture against gravity and the force of a resting
+  /// hand.
+  Eigen::VectorXd rest_torque() const { return torque_at_start(task, setting); }
   /// Returns the entries of rest_torque() that have motors.
   Eigen::VectorXd rest_control() const {
     const Eigen::VectorXd torque = rest_torque();
@@ -187,6 +184,7 @@ struct Builder {
          pressing::torque_rate_limits(model, task.constraints, task.torque_cutoff))
       result.constraints.push_back(rows);
     pressing::keep_standing(model, task.standing, feet, result);
+    keep_resting(task.rest, result);
     if (!contact) return result;
     result.contacts.insert(result.contacts.begin(), "surface");
     const double min_force = task.force_profile.min_force(task.force);
@@ -357,6 +355,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   if (!task.force_profile.preview) problem.inputs = {{.name = "time", .value = 0.0}};
   problem.contacts = {surface_contact(task, setting)};
   for (const ContactSpec& foot : build.feet) problem.contacts.push_back(foot);
+  if (task.rest.is_stated()) problem.contacts.push_back(resting_contact(task));
   problem.initial_state = build.state_target();
   if (task.torque_cutoff > 0.0) problem.torque_model = TorqueModel{task.torque_cutoff};
   const CostTerm press = pressing::force_cost(build.force(), task.weights.force);
@@ -396,6 +395,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.task = pressing_task(task, setting, path);
   set_controller(task, model, mpc);
   pressing::set_standing(task.standing, mpc);
+  set_resting(task, mpc);
   return mpc;
 }
 

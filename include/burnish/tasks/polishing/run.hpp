@@ -58,6 +58,17 @@ struct VerdictFigures {
   double path_allowed = 1.0;
 };
 
+/// Statistics of the hand that rests on a plane (Task::rest), over the time on the path. They are
+/// computed from the plant's true force and position. The force is averaged over 10 ms.
+struct RestFigures {
+  double force_mean = 0.0;  ///< Mean normal force of the hand [N].
+  double force_rmse = 0.0;  ///< RMS error of the normal force of the hand [N].
+  double force_peak = 0.0;  ///< Largest error of the normal force of the hand [N].
+  /// Largest distance that the hand slid on the plane since the start of the path [m]. Rolling of
+  /// the round tip does not count.
+  double slip = 0.0;
+};
+
 /// Result of run_task(). `outcome` is one of three texts: "polished: ...", the problem that ended
 /// the run, or "not polished: ..." with the results that miss their requirements. If the time was
 /// too short for the path, "cut short: ..." is added.
@@ -77,6 +88,8 @@ struct RunResult : TaskRun {
   /// Results to compare with Task::verdict, over the part of the path that was run; none if the
   /// path was never reached.
   std::optional<VerdictFigures> verdict;
+  /// Statistics of the resting hand; none without Task::rest, or if the path was never reached.
+  std::optional<RestFigures> rest;
 };
 
 /// Runs the task in simulated time. An MPC run ends after the retreat, a run of the baseline or

@@ -52,6 +52,35 @@ struct Waving {
   double rotation = 1e3;
 };
 
+/// Second hand that rests on a plane fixed in the world, while a robot that stands polishes. The
+/// plane touches the hand at the start. The hand stays in contact in all phases.
+/// @described polishing
+/// Plans keep the hand in place and bring its normal force to `force`. The force is measured by a
+/// sensor in the hand, as for the feet. The path of the tool, its force and the balance have costs
+/// of their own, so that the robot does not lean on the hand more than stated.
+struct RestingHand {
+  /// Frame of the resting hand; its origin is the centre of the round tip (none: no hand rests)
+  /// @word none
+  std::string frame = {};
+  double force = 20.0;  ///< Normal force that the hand rests with [N], > 0
+  /// Normal of the plane [x, y, z] in world axes, towards the hand, not zero
+  /// @more The normal points out of the material. It need not have unit length.
+  /// @key normal
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  double radius = 0.02;        ///< Radius of the round tip of the hand [m], > 0
+  double friction = 0.5;       ///< Coulomb friction coefficient of the plane in the plant, >= 0
+  double plan_friction = 0.2;  ///< Friction coefficient of the plane that plans assume, > 0
+  double stiffness = 1e5;      ///< Stiffness of the plane in the plant [N/m], > 0
+  /// Weight on errors of the normal force of the hand [1/N^2], >= 0
+  /// @more A hundredth of this weight acts on the tangential force.
+  double weight = 1.0;
+  /// Largest distance that the hand may slide on the plane [m], > 0 or infinite
+  /// @more A greater distance is a fault.
+  double slip = 0.03;
+
+  bool is_stated() const { return !frame.empty(); }
+};
+
 /// Cost weights. Costs are integrated over the horizon in seconds. Doubling the weight of a term
 /// halves the part of its error that is caused by the other terms.
 /// @described polishing
@@ -181,12 +210,16 @@ struct Task {
   /// Target force as a function of the time on the path. Before the path, the force rises to
   /// `force`.
   ForceProfile force_profile = {};
+  /// Second hand that rests on a fixed plane in all phases, if the robot stands.\nThe plane touches
+  /// the hand in the starting posture.
+  /// @after standing
+  RestingHand rest = {};
   // @section phases Reach above the surface, approach until contact, ramp the force, polish,
   // retreat.
 
   /// Path in the plane of the surface. The path begins at rest at the point below the tool's
   /// position at the start.
-  /// @after standing
+  /// @after rest
   PathSpec path = {};
   /// Distance between tool and surface at the end of the phase Reach [m], > 0
   double clearance = 0.02;

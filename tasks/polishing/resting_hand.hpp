@@ -1,0 +1,53 @@
+// Hand that rests on a plane while the tool polishes: scene, contact, costs, monitors, figures.
+#pragma once
+
+#include <vector>
+
+#include "burnish/tasks/polishing/run.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
+
+namespace burnish::polishing {
+
+/// Throws EntryError if the resting hand does not fit to the robot or to the rest of the task.
+void check_rest(const Task& task, const Model& model);
+
+/// Returns the hand as a support. Its plane touches the hand in the configuration q (nq), and is
+/// indented there by the stated force.
+SupportSpec resting_support(const RestingHand& rest, const Model& model, const Eigen::VectorXd& q);
+
+/// Returns the supports of a scene without the resting hand.
+std::vector<SupportSpec> feet_in(const Task& task, const SceneSpec& scene);
+
+/// Returns the motor torques (nv) that hold the starting posture against gravity and, with a
+/// resting hand, against the force on the hand.
+Eigen::VectorXd torque_at_start(const Task& task, const Setting& setting);
+
+/// Throws EntryError if the starting posture cannot hold the force on the resting hand within the
+/// torque limits of plans.
+void refuse_weak_rest(const Task& task, const Setting& setting);
+
+/// Returns the contact of the hand with its plane. Plans keep the centre of the hand in place.
+ContactSpec resting_contact(const Task& task);
+
+/// Adds the contact of the hand, the cost on its force, and its friction cone to a stage. Without a
+/// resting hand, the stage stays unchanged.
+void keep_resting(const RestingHand& rest, Stage& stage);
+
+/// Adds the resting hand to the supports of a controller, and monitors its force and its slip. The
+/// stages and the task of the controller must be set before. Without a resting hand, `mpc` stays
+/// unchanged.
+///
+/// Also adds a stage in which the hand is lifted, and which no phase uses. The fallback leans only
+/// on supports that are in contact in every stage, and thus on the feet. Leaning on the hand as on
+/// a foot, the fallback would load it with much more than its force.
+void set_resting(const Task& task, MpcSpec& mpc);
+
+/// Returns the statistics of the hand over the rows of a trace between `begin` and `end` [s].
+RestFigures rest_figures(const RestingHand& rest, const Setting& setting, const Trace& trace,
+                         double begin, double end);
+
+/// Returns the statistics as a sentence, such as "left_tool rested with 20.1 N, rms error 0.31 N,
+/// slip 0.2 mm".
+std::string rest_text(const RestingHand& rest, const RestFigures& figures);
+
+}  // namespace burnish::polishing
