@@ -16,6 +16,7 @@
 #include "polish_arguments.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
+#include "polishing/resting_hand.hpp"
 #include "polishing/rotors.hpp"
 #include "polishing/verdict.hpp"
 #include "progress_bar.hpp"
@@ -315,6 +316,9 @@ void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, con
       if (const std::string text = cut_short_text(jobs[i].spec.task, *results[i].verdict);
           !text.empty())
         fmt::print("{}: {}\n", jobs[i].name, text);
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i].rest)
+      fmt::print("{}: {}\n", jobs[i].name, rest_text(jobs[i].spec.task.rest, *results[i].rest));
   if (!stood.empty()) fmt::print("\n{}", standing_table(stood));
   fmt::print("{}", rotors);
   print_timing(jobs, results);

@@ -1073,6 +1073,7 @@ from .polishing import (
     PathSpec,
     PlanarPoint,
     RequiredMargins,
+    RestFigures,
     ResultTable,
     RunSpec,
     Setting,
@@ -1154,6 +1155,8 @@ class RunResult(_TaskRun):
     def metrics(self) -> Optional[Metrics]: ...
     @property
     def verdict(self) -> Optional[VerdictFigures]: ...
+    @property
+    def rest(self) -> Optional[RestFigures]: ...
 
 
 def named_surfaces() -> List[NamedSurface]: ...

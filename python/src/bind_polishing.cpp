@@ -396,7 +396,7 @@ std::string repr_of(const Run& run) {
 py::tuple state_of_run(const Run& run) {
   const RunResult& r = run.result;
   return py::make_tuple(run.spec, state_of(r), r.setting, r.reach, r.fitted, r.polished, r.metrics,
-                        r.verdict);
+                        r.verdict, r.rest);
 }
 
 Run run_of(const py::tuple& state) {
@@ -414,6 +414,7 @@ Run run_of(const py::tuple& state) {
   take(r.polished);
   take(r.metrics);
   take(r.verdict);
+  take(r.rest);
   return run;
 }
 
@@ -449,6 +450,9 @@ void bind_result(py::module_& m) {
   add_result(run_class, "verdict", &RunResult::verdict,
              "VerdictFigures over the completed part of the path; None if the path was not "
              "reached.");
+  add_result(run_class, "rest", &RunResult::rest,
+             "RestFigures over the completed part of the path; None without a resting hand, or if "
+             "the path was not reached.");
 #ifdef BURNISH_HAS_RECORD
   const auto write = [](const Run& run, const std::string& name, const RunFilesOptions& options,
                         const std::filesystem::path& folder, PageWriter& pages) {

@@ -97,7 +97,8 @@ def documented(spec):
 def test_figures_match_the_table_in_the_docs():
     specs = {"": report.Metrics, "solver": report.SolverFigures,
              "standing": report.StandingFigures, "ticks": polishing.TickTimes,
-             "verdict": polishing.VerdictFigures, "hold": press_hold.HoldFigures,
+             "verdict": polishing.VerdictFigures,
+             "rest": polishing.RestFigures, "hold": press_hold.HoldFigures,
              "push": push_wall.PushFigures, "sway": stand.SwayFigures}
     texts = {group: documented(spec) for group, spec in specs.items()}
     table = (DOCS / "polishing.md").read_text().split("<!-- figures -->")[1]

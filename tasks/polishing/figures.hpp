@@ -1,4 +1,5 @@
-// Table of the metrics in the verdict of a polishing run; report/figures.hpp describes such tables.
+// Tables of the metrics of a polishing run: its verdict, and a resting hand. report/figures.hpp
+// describes such tables.
 #pragma once
 
 #include "burnish/tasks/polishing/run.hpp"
@@ -23,6 +24,28 @@ void each_verdict_figure(const See& see) {
   see(FigureEntry{"path_share", share,
                   "fraction of the path's length on which the tip was over its target"},
       &V::path_share, &Verdict::path_share, true);
+}
+
+/// Calls see(entry, member) for each figure of a resting hand. The full name of a figure is "rest."
+/// followed by the name of its entry.
+template <class See>
+void each_rest_figure(const See& see) {
+  using R = RestFigures;
+  using namespace figure_units;
+  see(FigureEntry{"force_mean", newton, "mean normal force of the resting hand on the path",
+                  "mean force of the resting hand", 2},
+      &R::force_mean);
+  see(FigureEntry{"force_rmse", newton,
+                  "root mean square error of the resting hand's force (mean over 10 ms)",
+                  "force error of the resting hand, rms"},
+      &R::force_rmse);
+  see(FigureEntry{"force_peak", newton, "largest error of the resting hand's force",
+                  "force error of the resting hand, peak", 2},
+      &R::force_peak);
+  see(FigureEntry{"slip", metre,
+                  "largest distance that the resting hand slid on the path, without rolling",
+                  "slip of the resting hand"},
+      &R::slip);
 }
 
 }  // namespace burnish::polishing

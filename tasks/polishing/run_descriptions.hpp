@@ -1,4 +1,4 @@
-// Descriptions of the metrics of a run's verdict, from their table.
+// Descriptions of the metrics of a run's verdict and of its resting hand, from their tables.
 #pragma once
 
 #include "polishing/descriptions.hpp"
@@ -7,5 +7,6 @@
 namespace burnish::polishing {
 
 const Description& description_of(const VerdictFigures*);
+const Description& description_of(const RestFigures*);
 
 }  // namespace burnish::polishing

@@ -32,6 +32,7 @@ void each_figure(const See& see) {
   each_run_figure(under(""));
   each_tick_figure(under("ticks."));
   each_verdict_figure(under("verdict."));
+  each_rest_figure(under("rest."));
   press_hold::each_hold_figure(under("hold."));
   push_wall::each_push_figure(under("push."));
   stand::each_sway_figure(under("sway."));

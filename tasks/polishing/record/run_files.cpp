@@ -24,6 +24,14 @@ Json verdict_json(const Task& task, const VerdictFigures& figures) {
   return json;
 }
 
+Json rest_json(const RestFigures& figures) {
+  Json json;
+  each_rest_figure([&](const FigureEntry& entry, auto member) {
+    json[entry.key()] = figure_json(figures.*member);
+  });
+  return json;
+}
+
 }  // namespace
 
 Json run_json(const PolishJob& job, const RunResult& result) {
@@ -37,6 +45,7 @@ Json run_json(const PolishJob& job, const RunResult& result) {
             {"fault", fault_json(result.fault)}};
   json["verdict"] = result.verdict ? verdict_json(job.spec.task, *result.verdict) : Json(nullptr);
   json["metrics"] = result.metrics ? metrics_json(*result.metrics) : Json(nullptr);
+  if (result.rest) json["rest"] = rest_json(*result.rest);
   if (result.standing) json["standing"] = pressing::standing_json(result);
   json["ticks"] = pressing::ticks_json(result);
   json["reach"] = {{"points", result.reach.points},
