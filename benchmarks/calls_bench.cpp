@@ -1,4 +1,5 @@
-// C++ part of python_calls.py: the calls of the Python part on its states, read from a file.
+// C++ part of python_calls.py. It measures the calls that the Python part measures, at the same
+// states, which it reads from a file.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -25,8 +26,8 @@ States read_states(const char* file, const Model& model, int count) {
   return states;
 }
 
-/// Returns the smallest time per state over repetitions of pass(first, end) on all pieces of the
-/// states [us]. Small pieces are less affected by other load of the machine.
+/// Calls pass(first, end) repeatedly for each piece of the states, and returns the smallest time
+/// per state [us]. Small pieces are less affected by other load of the machine.
 template <class Pass>
 double min_time(int count, int piece, int repetitions, const Pass& pass) {
   using Clock = std::chrono::steady_clock;

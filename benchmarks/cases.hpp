@@ -34,7 +34,7 @@ struct States {
 };
 
 /// Returns random states within 0.3 rad (m) of the reference posture, with |v| <= 1 rad/s (m/s) and
-/// |tau| <= 10 Nm (N). The numbers are equal in every run.
+/// |tau| <= 10 Nm (N). Every run draws the same random numbers.
 States states_near_reference(const std::string& robot, int count);
 
 }  // namespace burnish::bench

@@ -103,8 +103,8 @@ BURNISH_INLINE FloatPack<N> arc_tangent2(const FloatPack<N>& y, const FloatPack<
   return r;
 }
 
-/// Computes sine and cosine as for Pack, with the shorter single-precision polynomials of the
-/// Cephes library. Accurate for angles of a few turns.
+/// Computes sine and cosine as for Pack, but with the single-precision polynomials of the Cephes
+/// library, which are shorter. Accurate for angles of a few turns.
 template <int N>
 BURNISH_INLINE void sine_cosine(const FloatPack<N>& angle, FloatPack<N>& sine,
                                 FloatPack<N>& cosine) {

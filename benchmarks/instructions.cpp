@@ -1,5 +1,6 @@
-// Fixed tasks between marks of valgrind's callgrind. scripts/instructions counts their instructions
-// and compares them with instruction_budgets.txt. The program itself measures nothing.
+// Fixed work between marks for valgrind's callgrind. scripts/instructions counts the instructions
+// of this work and compares the counts with instruction_budgets.txt. The program itself measures
+// nothing.
 #include <valgrind/callgrind.h>
 
 #include <cmath>
@@ -26,7 +27,7 @@ namespace {
 
 constexpr int knots = 100;
 
-/// Counts the second execution of `work`, after caches and memory are set up.
+/// Counts the instructions of the second execution of `work`, when caches and memory are set up.
 void count(const std::string& name, const std::function<void()>& work) {
   work();
   CALLGRIND_ZERO_STATS;
@@ -41,7 +42,7 @@ void require(bool holds, const std::string& what) {
   if (!holds) throw Error(what + ": the counted work failed");
 }
 
-/// Counts 64 states in packs, and one state alone.
+/// Counts the instructions for 64 states in packs, and for one state alone.
 void count_kernels(const Case& what) {
   const std::string name = what.label + "/" + what.contact;
   const Model& model = model_of(what.robot);
@@ -58,7 +59,8 @@ void count_kernels(const Case& what) {
   });
 }
 
-/// Counts 64 states of a chain that is long enough to use articulated bodies.
+/// Counts the instructions for 64 states of a chain that is long enough for the articulated-body
+/// algorithm.
 void count_chain(int joints) {
   const std::string name = "derivatives of 64 states/chain of " + std::to_string(joints);
   const Model model = chain(joints);
@@ -68,7 +70,8 @@ void count_chain(int joints) {
   count(name, [&] { require(batch.forward_with_derivatives(q, zero, zero) == Status::Ok, name); });
 }
 
-/// Counts one solver iteration, as at each step of a controller, always from the same guess.
+/// Counts the instructions of one solver iteration, as at each step of a controller. Every
+/// execution starts from the same guess.
 void count_iteration(const std::string& name, const ProblemSpec& spec, StepUpdate update) {
   Problem problem(spec);
   DdpSolver solver(problem, {.update = update, .max_iterations = 1});
@@ -93,7 +96,7 @@ ProblemSpec polishing(bool filter) {
   return spec;
 }
 
-/// Returns the polishing problem with limits of range, speed and torque of every joint, and of the
+/// Returns the polishing problem with limits on range, speed and torque of every joint, and on the
 /// sign of the force. `effort_fraction`: fraction of the effort limits; many limits are active if
 /// it is too small to hold the posture.
 ProblemSpec limited_polishing(double effort_fraction) {
@@ -123,9 +126,9 @@ ProblemSpec limited_polishing(double effort_fraction) {
   return spec;
 }
 
-/// Counts one tick that starts no plan: the estimate of the base, if `base` is set, and the
-/// controller. `sense`: measurement after a tick with the torques `tau`. Ticks run until the task
-/// has followed plans in `phase` for 50 of them.
+/// Counts the instructions of one tick that starts no plan: of the controller and, if `base` is
+/// set, of the estimate of the base. Before this tick, the controller follows plans in `phase` for
+/// 50 ticks. `sense`: returns the measurement after a tick with the torques `tau`.
 void count_tick(const std::string& name, const MpcSpec& spec, int phase,
                 std::optional<EstimatedBase> base,
                 const std::function<const Measurement&(const Eigen::VectorXd& tau)>& sense) {
@@ -147,7 +150,8 @@ void count_tick(const std::string& name, const MpcSpec& spec, int phase,
   });
 }
 
-/// Counts a tick of an arm that polishes. Plans are short and rare, because they are not counted.
+/// Counts the instructions of a tick of an arm that polishes. Plans are short and rare, because
+/// their instructions are not counted.
 void count_arm_tick() {
   polishing::Task task;
   task.reach_duration = task.ramp_duration = 0.1;
@@ -156,7 +160,7 @@ void count_arm_tick() {
   task.update_rate = 25.0;
   const polishing::Setting setting = polishing::make_setting(task);
   const MpcSpec spec = polishing::make_mpc(task, setting);
-  constexpr int steps = 2;  // of the plant in a tick
+  constexpr int steps = 2;  // steps of the plant per tick
   const std::unique_ptr<Plant> plant =
       make_ideal_plant(spec.problem.model, setting.scene, {.dt = spec.tick_period / steps});
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(spec.problem.model.nv);
@@ -170,8 +174,8 @@ void count_arm_tick() {
              });
 }
 
-/// Counts a tick of Talos on its feet, whose base is estimated. The robot stands still in all
-/// measurements, and each foot carries half of its weight.
+/// Counts the instructions of a tick of Talos, which stands on its feet and whose base is
+/// estimated. The robot stands still in all measurements, and each foot carries half of its weight.
 void count_standing_tick() {
   stand::Task task;
   task.robot = "talos";

@@ -10,9 +10,11 @@ namespace {
 /// Largest violation, as a fraction of the scale, and largest gap of a converged trajectory; chosen
 /// by hand.
 constexpr double max_violation = 1e-6, max_gap = 1e-6;
-/// Violation by the optimum without limits above which limits count as active; chosen by hand.
+/// Limits count as active if the optimum without limits violates them by more than this fraction of
+/// their scale; chosen by hand.
 constexpr double min_active_violation = 1e-3;
-/// Largest number of problems drawn until one can be solved without limits; chosen by hand.
+/// Largest number of problems that are drawn to find one that can be solved without limits; chosen
+/// by hand.
 constexpr int max_attempts = 100;
 
 Error unsolved() {

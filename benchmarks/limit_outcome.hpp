@@ -34,9 +34,9 @@ struct Outcome {
   double seconds = 0.0;
   double violation = 0.0;       ///< Largest final violation, as a fraction of the row's scale.
   double gap = 0.0;             ///< Largest final gap.
-  int cut_short = 0;            ///< Iterations in which the LQ problem used up its recursions.
-  int zero_steps = 0;           ///< Iterations without an acceptable step.
-  double regularization = 0.0;  ///< Largest regularization.
+  int cut_short = 0;            ///< Number of iterations whose LQ problem used up its recursions.
+  int zero_steps = 0;           ///< Number of iterations without an acceptable step.
+  double regularization = 0.0;  ///< Largest regularization over all iterations.
   Judgement judgement = {};
   std::string text = {};  ///< Result of the solver in one sentence.
 
@@ -45,7 +45,7 @@ struct Outcome {
   bool converged() const { return reason == StopReason::Converged; }
   bool called_infeasible() const { return reason == StopReason::Infeasible; }
   bool ended() const { return converged() || called_infeasible(); }
-  bool is_wrongly_converged() const;  ///< Converged with a violation or a gap.
+  bool is_wrongly_converged() const;  ///< True if converged with a violation or a gap.
   bool is_wrong() const { return is_wrongly_converged() || (can_be_kept() && called_infeasible()); }
   bool failed() const { return is_wrong() || !ended(); }
   std::string text_of_problem() const;  ///< Description of the problem in one line.

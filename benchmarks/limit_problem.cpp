@@ -11,10 +11,10 @@
 namespace burnish::bench {
 namespace {
 
-/// Bundled arm, with the frame and posture that press and the range of its force.
+/// Bundled arm, with the frame that presses, a pressing posture and the range of the contact force.
 struct ShippedArm {
   const char *robot, *frame, *posture;
-  double min_force, max_force;  ///< Range of the force [N].
+  double min_force, max_force;  ///< Range of the contact force [N].
 };
 constexpr ShippedArm shipped_arms[] = {
     {"arm7", "tool", "ready", 10.0, 25.0},
@@ -50,7 +50,7 @@ Eigen::Vector3d tilted(Draws& draws, const Eigen::Vector3d& from, double angle) 
   return Eigen::AngleAxisd(angle, about) * from;
 }
 
-/// Replaces limits that the description does not state by 10.
+/// Returns the limits of the description, with 10 in place of limits that it does not state.
 Eigen::VectorXd stated(const Eigen::VectorXd& limits) {
   return limits.unaryExpr([](double x) { return std::isfinite(x) && x > 0.0 ? x : 10.0; });
 }
@@ -227,7 +227,7 @@ std::vector<Limit> free_limits(Draws& draws, const LimitProblem& p,
         symmetric(stated(model.effort_limit) * draws.log_uniform(0.05, 0.7));
         break;
       case LimitKind::Box: {
-        // A box that applies later may be away from the start.
+        // A box that applies only to later knots need not contain the start.
         const Eigen::Vector2d middle =
             moved * Eigen::Vector2d(draws.uniform(-0.15, 0.15), draws.uniform(-0.15, 0.15));
         limit.lower = middle - Eigen::Vector2d(draws.uniform(0.0, 0.1), draws.uniform(0.0, 0.1));

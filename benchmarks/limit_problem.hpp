@@ -50,10 +50,10 @@ struct Limit {
 /// Weights and targets of the costs.
 struct Aims {
   double posture = 0.1, torque = 1e-4, along = 1e4, force = 1.0, turn = 100.0;
-  double length = 0.1;    ///< Length of a line or radius [m].
+  double length = 0.1;    ///< Length of a line, or radius of a circle [m].
   double swing = 3.0;     ///< Amplitude of the target force [N].
-  double sideways = 0.0;  ///< Tangential amplitude, if holding [N].
-  Eigen::Vector2d inclination_goal = Eigen::Vector2d::Zero();  ///< Target tilt, if holding [rad].
+  double sideways = 0.0;  ///< Amplitude of the tangential target force, if the tool holds [N].
+  Eigen::Vector2d inclination_goal = Eigen::Vector2d::Zero();  ///< Target tilt [rad].
 };
 
 /// Arm with a tool that presses on a board. The tool slides along a path, or holds a point and
@@ -78,7 +78,6 @@ struct LimitProblem {
   Eigen::Matrix3d board() const;  ///< Axes of the board in columns: tangents and normal.
 };
 
-/// Choice of robots.
 struct RobotChoice {
   std::string robot = {};  ///< Name or URDF file; empty: the bundled arms in turn.
   std::string frame = {};
@@ -88,16 +87,17 @@ struct RobotChoice {
 LimitProblem draw_problem(Draws& draws, const RobotChoice& choice);
 /// Draws other aims for a problem. Their optimum is a feasible trajectory of the original problem.
 Aims other_aims(Draws& draws, const Aims& aims);
-/// Draws one to four kinds, each with a limit too wide to have an effect.
+/// Draws one to four kinds of limits. The limits themselves are too wide to have an effect.
 std::vector<Limit> draw_kinds(Draws& draws, const LimitProblem& problem);
-/// Draws limits of these kinds, independent of any solution.
+/// Draws limits of the given kinds that are independent of any solution.
 std::vector<Limit> free_limits(Draws& draws, const LimitProblem& problem,
                                const std::vector<Limit>& kinds);
 
 /// Form of the limits in a problem file.
 struct TextForm {
   bool limits = true;
-  /// Weight of squared violations over their scales, as costs in place of limits; 0: limits.
+  /// Weight of costs on the squared violations (over their scales), which replace the limits; 0: no
+  /// such costs.
   double penalty = 0.0;
   std::string description = {};
 };

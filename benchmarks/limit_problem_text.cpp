@@ -71,7 +71,7 @@ std::string constraint_text(const LimitProblem& p, const Limit& limit) {
          ", upper: " + rows_text(limit, limit.upper) + scale + "}";
 }
 
-/// Returns a cost with the squared violations over their scales.
+/// Returns a cost on the squared violations of a limit, each divided by its scale.
 std::string penalty_text(const LimitProblem& p, const Limit& limit, double weight) {
   const std::string residual = residual_text(p, limit);
   if (limit.kind == LimitKind::Cone)

@@ -26,17 +26,17 @@ class ScratchFile {
   std::filesystem::path path_;
 };
 
-/// Largest number of iterations without limits, half of that with limits. Slower problems are not
-/// used, because their difficulty is not due to limits.
+/// Largest number of iterations of solves without limits: half of the number for solves with
+/// limits. Problems that need more are not used, because their difficulty is not due to limits.
 constexpr int max_iterations_without_limits = 25;
 
-/// Violation at the first knot above which limits are infeasible, as a fraction of the scale;
-/// chosen by hand.
+/// Limits are judged infeasible if the violation at the first knot exceeds this fraction of the
+/// scale; chosen by hand.
 constexpr double max_start_violation = 1e-6;
 
 TrajectoryGuess trajectory_of(const DdpSolver& solver) { return {solver.xs(), solver.us()}; }
 
-/// Smallest range of a row for limits around it, in the unit of the row.
+/// Returns the smallest range of a row that limits_around() uses, in the unit of the row.
 double min_range(const LimitProblem& p, LimitKind kind) {
   switch (kind) {
     case LimitKind::Band:
@@ -109,7 +109,7 @@ std::vector<double> violations_at(Problem& limited, int k, const TrajectoryGuess
   return values;
 }
 
-/// Returns the largest violation of rows at the first knot that depend only on the state.
+/// Returns the largest violation at the first knot, of rows that depend only on the state.
 double violated_at_start(const LimitProblem& problem, Problem& limited, const TrajectoryGuess& at) {
   const std::vector<double> violations = violations_at(limited, 0, at);
   const std::vector<std::string> names = limited.row_names(0);

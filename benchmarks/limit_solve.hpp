@@ -34,20 +34,21 @@ double violation(Problem& limited, const TrajectoryGuess& at);
 /// Returns the largest entry of the gaps between the knots of a trajectory.
 double largest_gap(Problem& problem, const TrajectoryGuess& at);
 
-/// Draws limits of the problem's kinds that a trajectory satisfies. The distance to a limit is a
-/// random fraction of the row's range, from `min_margin` to `max_margin`. Returns nothing if there
-/// are none, for example a friction cone for a pulled tool.
+/// Draws limits of the problem's kinds that a trajectory satisfies. The distance of the trajectory
+/// to a limit is a random fraction of the row's range, from `min_margin` to `max_margin`. Returns
+/// nothing if no such limits exist, for example no friction cone for a pulled tool.
 std::optional<std::vector<Limit>> limits_around(Draws& draws, const LimitProblem& problem,
                                                 const TrajectoryGuess& trajectory,
                                                 double min_margin, double max_margin);
 
-/// Feasibility of limits, from solves with quadratic penalties of increasing weight in their place.
+/// Feasibility of limits, judged by solves in which quadratic penalties of increasing weight
+/// replace the limits.
 struct Judgement {
   enum class Verdict { Feasible, Infeasible, Unclear };
   Verdict verdict = Verdict::Unclear;
   double start = 0.0;      ///< Violation at the first knot that depends only on the initial state.
   double violation = 0.0;  ///< Violation with the largest weight, as a fraction of a row's scale.
-  double before = 0.0;     ///< Violation with the weight before, which is a hundredth.
+  double before = 0.0;     ///< Violation with the last but one weight, in the same unit.
   bool settled = false;    ///< True if the solve with the largest weight converged.
 };
 Judgement judge(const LimitProblem& problem, Problem& limited);

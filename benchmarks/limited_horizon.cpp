@@ -28,12 +28,12 @@ LimitedRobot::LimitedRobot(const RobotSize& of, double load) : size(of), load_(l
   const auto draw = [&](int rows, int columns) {
     return RowMatrix(RowMatrix::NullaryExpr(rows, columns, [&] { return normal(random); }));
   };
-  // The masses in principal directions are from 0.3 to 3.
+  // The eigenvalues of the mass matrix are from 0.3 to 3.
   const RowMatrix turn = Eigen::HouseholderQR<RowMatrix>(draw(nv, nv)).householderQ();
   VectorXd inverse(nv);
   for (int i = 0; i < nv; ++i) inverse[i] = std::pow(10.0, -i / std::max(1.0, nv - 1.0)) / 0.3;
   inverse_mass_ = turn * inverse.asDiagonal() * turn.transpose();
-  // The ground supports entries without motors.
+  // Entries of the position without motors get a larger stiffness, in place of the ground.
   stiffness_ = RowMatrix::Identity(nv, nv);
   stiffness_.topLeftCorner(nv - nu, nv - nu) *= 30.0;
   const int per_foot = size.soles ? 5 : 3, forces = size.feet * per_foot;
@@ -236,8 +236,8 @@ void LimitedHorizon::load(const std::vector<LimitedStage>& stages, const VectorX
   limits(stages);
 }
 
-/// Sets quadratic and L1 penalty weights of hard rows as DdpSolver, in units of the cost's
-/// curvature.
+/// Sets the limits, and the quadratic and L1 penalty weights of hard rows. As in DdpSolver, the
+/// unit of the weights is the cost's curvature.
 void LimitedHorizon::limits(const std::vector<LimitedStage>& stages) {
   constexpr double weight = 1000.0, l1_weight = 1e4;
   double unit = 0.0;
@@ -265,7 +265,8 @@ void LimitedHorizon::limits(const std::vector<LimitedStage>& stages) {
   }
 }
 
-/// Stores the controls of the policies at z, which may result from a shortened step.
+/// Stores the feedforward of each policy that reproduces the controls in z, also after a shortened
+/// step.
 void LimitedHorizon::remember() {
   const int nu = robot_.size.nu, stride = recursion_.layout().gain_stride;
   for (int k = 0; k < N_; ++k) {

@@ -40,7 +40,8 @@ double quantile(std::vector<double> of, double fraction) {
   return of[static_cast<std::size_t>(fraction * static_cast<double>(of.size() - 1))];
 }
 
-/// Plant in closed loop with the plans: the model of the plans, with small random disturbances.
+/// Closed loop of plans and plant. The plant is the model of the plans with small random
+/// disturbances.
 class Loop {
  public:
   Loop(const RobotSize& size, double load, int ticks_per_knot)

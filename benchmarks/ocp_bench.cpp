@@ -122,7 +122,7 @@ void add(const std::string& name) {
           iteration, name, usual_knots, DdpOptions{.update = update, .threads = threads}));
 }
 
-/// Adds benchmarks of long horizons in segments.
+/// Adds benchmarks of long horizons that are solved in segments.
 void add_segments(const std::string& name, int knots) {
   for (const int segments : {1, 3, 5, 9, 17})
     for (const int threads : {1, 2}) {

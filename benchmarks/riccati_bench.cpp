@@ -220,8 +220,8 @@ void structured(benchmark::State& state) {
   Recursion recursion(h, DynamicsForm::SecondOrder);
   run(state, recursion);
 }
-/// Measures the structured recursion by two threads, and reports the multiplications by which a
-/// solver decides whether to use several threads.
+/// Measures the structured recursion by two threads, and reports the number of multiplications,
+/// from which a solver decides whether to use several threads.
 void shared(benchmark::State& state) {
   const Horizon h = horizon_of(state);
   Recursion recursion(h, DynamicsForm::SecondOrder, 2);

@@ -1,5 +1,5 @@
 // Computing time over size: a solver iteration for horizons of 10 to 1000 knots, and dynamics with
-// all derivatives for chains of 6 to 100 joints. Prints tables and fitted exponents. With a folder
+// all derivatives for chains of 6 to 100 joints. Prints tables and growth exponents. With a folder
 // as argument, draws scaling_horizon.svg and scaling_chain.svg there.
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ double median_time(const std::function<void()>& work) {
   return times[times.size() / 2];
 }
 
-/// Sizes and times, with the exponent fitted to the larger half of the sizes.
+/// Sizes and times, with the growth exponent between the middle and the largest size.
 struct Growth {
   std::string name;
   std::vector<double> size, time;

@@ -194,7 +194,7 @@ class Evaluation {
     Json result = Json::object();
     const std::vector<Eigen::Isometry3d> placements = frame_placements(model_, x.q);
     for (std::size_t i = 0; i < placements.size(); ++i) {
-      // If a link and a joint have one name, the frame of the link is used.
+      // If a link and a joint have the same name, the name refers to the link's frame.
       const std::string& name = model_.frames[i].name;
       if (model_.frame_index(name) == static_cast<int>(i)) {
         result[name] = placement_json(placements[i]);

@@ -22,8 +22,8 @@ struct BenchLine {
   std::string group;  ///< Group of measurements: "state", "iteration" or "tick".
   std::string work;
   double median = 0.0, best = 0.0, p99 = 0.0;  ///< Durations over all repetitions [s].
-  /// Ratio of the measured rate of multiply-adds to the core's peak rate; 0: unknown. Each
-  /// multiplication counts together with an addition.
+  /// Ratio of the measured rate of multiply-adds to the core's peak rate; 0: unknown. The number of
+  /// multiply-adds is that of multiplications or of additions, whichever is larger.
   double peak_share = 0.0;
   /// Memory allocations per repetition; negative: not counted in this build.
   double allocations = 0.0;

@@ -45,8 +45,8 @@ Spread spread(std::vector<double> times) {
   return result;
 }
 
-/// Real-time priority and locked memory for this thread, during the lifetime of the object and if
-/// the system permits.
+/// Gives this thread real-time priority and locked memory for the lifetime of the object, if the
+/// system permits it.
 class Urgent {
  public:
   Urgent() {

@@ -35,7 +35,8 @@ std::string angle(double value) {
 /// Returns a number with four significant digits, for values that users will edit.
 std::string brief(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
 
-/// Returns the value nearest to zero, at least a tenth of the joint's range away from its limits.
+/// Returns the joint value nearest to zero that is at least a tenth of the joint's range away from
+/// the limits. If only one limit is finite, the value may be at this limit.
 double away_from_limits(const JointSpec& joint) {
   if (joint.type == JointType::Continuous) return 0.0;
   const double lower = joint.lower, upper = joint.upper;
@@ -221,8 +222,8 @@ void check_tool(const Model& model, const std::string& tool) {
                     model.name));
 }
 
-/// Returns the link that is most likely at the end of a body. Names such as "tcp" decide, or else
-/// the largest distance from the joint; of equally distant links, the last one.
+/// Returns the link that is most likely at the end of a body. Links with names such as "tcp" are
+/// preferred, then links far from the joint; of equally distant links, the last one is returned.
 std::string outermost_link(const Model& model, int body) {
   constexpr double same = 1e-3;  // distances that differ by less count as equal [m]; chosen by hand
   const Frame* outermost = nullptr;

@@ -17,7 +17,7 @@ void describe_job(const polishing::PolishJob& job, const polishing::ReachReport&
                   const std::vector<document::Reader>& said, bool talks);
 
 /// Prints the motion from the posture `home` to the start of the path. Without `home`, prints the
-/// postures of `free_homes`; a motion from any of these is free of collisions.
+/// postures `free_homes`, from which the motion to the start would be free of collisions.
 void describe_home_move(const std::string& place, const std::optional<HomeMove>& home,
                         const std::vector<polishing::FreeHome>& free_homes);
 

@@ -119,7 +119,7 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
     polishing::Task& task = said.spec;
     std::string place =
         surface.empty() ? fs::path(arguments.file).stem().string() : place_name(surface, task);
-    if (texts.contains(place)) place = surface;  // two surfaces got one name from the settings
+    if (texts.contains(place)) place = surface;  // two surfaces would have the same name
     std::vector<int> seeds = arguments.seeds;
     if (seeds.empty()) seeds = {static_cast<int>(task.disturbances.seed)};
     for (const int seed : seeds) {

@@ -50,8 +50,8 @@ class RunProgressText {
  public:
   RunProgressText(std::string name, bool bar) : name_(std::move(name)), bar_(bar) {}
   void show(double time, double end) {
-    // The sentence is printed if elapsed and remaining time exceed these values [s]; chosen by
-    // hand.
+    // The sentence is printed if the elapsed and the remaining time both exceed these limits [s];
+    // chosen by hand.
     constexpr double min_elapsed = 10.0, min_remaining = 60.0;
     const double done = time / std::max(end, 1e-9);
     const std::string left = left_.text(done);

@@ -111,7 +111,8 @@ void print_notes(const RunArguments& a, const std::string& name, const RunSpec& 
     print_margins(name, spec.task, make_mpc(spec.task, *spec.setting), !a.quiet && !a.json);
 }
 
-/// Returns the run with one seed, after all checks of the task and the robot. Creates no folder.
+/// Reads and checks the task and the robot, and returns the specification of the run with this
+/// seed. Creates no folder.
 template <class TaskType>
 auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) {
   using RunSpec = typename TaskType::RunSpec;

@@ -17,7 +17,7 @@ namespace burnish::app {
 ///     |  left_wrist_joint
 ///     +- right_luff_joint
 ///
-/// with box-drawing characters (UTF-8) in place of these.
+/// with box-drawing characters (UTF-8) in place of +, - and |.
 std::vector<std::string> draw_tree(const Model& model);
 
 /// Returns the number of characters of UTF-8 text.

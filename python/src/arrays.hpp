@@ -12,12 +12,12 @@ namespace burnish::python {
 
 namespace py = pybind11;
 
-/// Copy in memory of Python.
+/// Returns a copy in memory that Python owns.
 py::array_t<double> copied(const VectorView& view);
 py::array_t<double> copied(const MatrixView& view);
 
-/// Read-only view of memory that `owner` keeps alive. One size and one stride [bytes] per
-/// dimension.
+/// Returns a read-only view of memory that `owner` keeps alive. `sizes` and `strides` [bytes] have
+/// one entry per dimension.
 py::array_t<double> view_of(const double* data, std::vector<py::ssize_t> sizes,
                             std::vector<py::ssize_t> strides, py::handle owner);
 

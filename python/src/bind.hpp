@@ -7,7 +7,7 @@ namespace burnish::python {
 
 namespace py = pybind11;
 
-void bind_specs(py::module_& m);  ///< Binds functions for all dataclasses
+void bind_specs(py::module_& m);  ///< Binds the functions that all dataclasses use
 void bind_described(py::module_& m);
 void bind_base(py::module_& m);
 void bind_model(py::module_& m);

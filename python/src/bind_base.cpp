@@ -26,7 +26,7 @@ Returns
 -------
 str)";
 
-/// Structured array of the rows of a trace, in the memory of the trace.
+/// Returns the rows of a trace as a structured array, a view of the trace's memory.
 py::array rows_of(const Trace& trace, py::handle owner) {
   py::list fields;
   for (const TraceColumn& column : trace.columns())
@@ -39,7 +39,7 @@ py::array rows_of(const Trace& trace, py::handle owner) {
   return array;
 }
 
-/// Makes a trace from columns with units, and rows.
+/// Makes a trace from the units of its columns, by name, and from its rows.
 Trace trace_of(const py::dict& units, const std::optional<Eigen::Ref<const RowMatrix>>& rows) {
   std::vector<TraceColumn> columns;
   for (const auto& [name, unit] : units)
@@ -60,7 +60,7 @@ py::dict units_of(const Trace& trace) {
   return units;
 }
 
-/// Units and rows of a trace, for pickling; without the number of dropped rows.
+/// Returns units and rows of a trace, for pickling. The number of dropped rows is not included.
 py::tuple trace_state(const Trace& trace) {
   const auto columns = static_cast<Eigen::Index>(trace.columns().size());
   RowMatrix rows(trace.rows(), columns);
@@ -68,7 +68,7 @@ py::tuple trace_state(const Trace& trace) {
   return py::make_tuple(units_of(trace), rows);
 }
 
-/// Whether two traces are equal, bit by bit.
+/// Returns whether two traces are equal, bit by bit.
 bool same(const Trace& a, const Trace& b) {
   if (a.rows() != b.rows() || !units_of(a).equal(units_of(b))) return false;
   for (int column = 0; column < static_cast<int>(a.columns().size()); ++column)

@@ -251,8 +251,8 @@ struct Dynamics {
     require_size(name, "q", q.size(), nq);
     require_size(name, "v", v.size(), machine.nv());
   }
-  /// Throws EvaluationError unless the last evaluation is in `by`, and has derivatives if
-  /// `differentiated` is true.
+  /// Throws EvaluationError unless `by` contains the bit of the last evaluation. If
+  /// `differentiated`, derivatives must have been evaluated too.
   void require_result(const char* name, unsigned by, bool differentiated) const {
     if ((evaluated & by) != 0 && (!differentiated || (evaluated & derivatives) != 0)) return;
     std::string wanted;
@@ -268,7 +268,7 @@ struct Dynamics {
 
   ContactDynamics machine;
   std::string robot;
-  std::vector<std::string> names;  ///< of the contacts
+  std::vector<std::string> names;  ///< Names of the contacts
   int nq;
   unsigned evaluated = 0;
   Busy busy;
@@ -276,7 +276,7 @@ struct Dynamics {
 
 using DynamicsClass = py::class_<Dynamics>;
 
-/// Binds a property that copies a result of the evaluations `by`.
+/// Binds a property that copies a result. `by`: bits of the evaluations that compute this result.
 template <class View>
 void result(DynamicsClass& of, const char* name, View (ContactDynamics::*view)() const, unsigned by,
             bool differentiated, const char* text) {
@@ -481,7 +481,6 @@ void bind_parameters(DynamicsClass& of) {
           py::arg("bodies"), dynamics_inertia_derivatives_doc);
 }
 
-/// Binds payloads.
 void bind_payload(DynamicsClass& of) {
   of.def(
       "set_payload",

@@ -145,9 +145,9 @@ struct Batch {
 
   ContactDynamicsBatch machine;
   std::string robot;
-  std::vector<std::string> names;  ///< of the contacts
+  std::vector<std::string> names;  ///< Names of the contacts
   int nq, nv;
-  int states = 0;  ///< evaluated last
+  int states = 0;  ///< Number of states in the last evaluation
   bool differentiated = false;
   Status most_severe = Status::Ok;
   Busy busy;

@@ -44,7 +44,8 @@ Raises
 Error
     If a file cannot be read, or does not fit the problem.)";
 
-/// Python object of a document: dictionaries, lists, texts, numbers, True, False, None.
+/// Returns a document as Python object, made of dictionaries, lists, texts, numbers, True, False
+/// and None.
 py::object object_of(const document::Node& node) {
   switch (node.kind) {
     case document::Kind::Null:

@@ -151,7 +151,7 @@ py::dict named(const Vector10& values) {
   return result;
 }
 
-/// Two arrays: values and standard deviations; None without estimates.
+/// Returns two arrays, values and standard deviations; None without estimates.
 py::object arrays_of(const std::vector<Estimate>& estimates) {
   if (estimates.empty()) return py::none();
   Eigen::VectorXd values(static_cast<Eigen::Index>(estimates.size())), sigma(values);

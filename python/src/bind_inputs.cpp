@@ -88,7 +88,7 @@ int input_index(const Problem& problem, const char* call, const Name& input) {
   return index;
 }
 
-/// Number of entries of an input; 0 for a surface and an inertia.
+/// Returns the number of entries of an input; 0 for a surface or an inertia.
 int entries_of(const InputSpec& input) {
   switch (input.kind) {
     case InputKind::Scalar:
@@ -104,8 +104,8 @@ int entries_of(const InputSpec& input) {
   return 0;
 }
 
-/// Entries of a number or a vector. Throws Error if the input has another number of entries. The
-/// size is not checked for an input without entries, whose kind Problem::set_input() refuses.
+/// Returns the number or vector `given` as a vector. Throws Error if `input` has another number of
+/// entries. Surfaces and inertias have no entries; Problem::set_input() rejects vectors for them.
 Eigen::VectorXd input_entries(const char* call, const char* argument, const Numbers& given,
                               const InputSpec& input) {
   if (given.ndim() > 1)
@@ -148,8 +148,8 @@ void set_input_value(ProblemMachine& self, const Name& name, const Numbers& valu
   accept(self.problem.set_input(input, entries, faded, *decay_time));
 }
 
-/// Binds the overloads of set_input(). The value comes last, since NumPy converts many objects to
-/// arrays.
+/// Binds the overloads of set_input(). The overload for vectors comes last, because it accepts all
+/// objects that NumPy can convert to arrays.
 void bind_set_input(ProblemClass& c) {
   c.def(
        "set_input",

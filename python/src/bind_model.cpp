@@ -241,7 +241,7 @@ Raises
 Error
     If the text is invalid.)";
 
-/// All members of a model by name, for pickling.
+/// Calls visit(name, member) for all members of a model, for pickling.
 template <class Visit>
 void for_each_member(Visit&& visit) {
   visit("name", &Model::name);
@@ -301,7 +301,8 @@ bool equal(const Robot& a, const Robot& b) {
          same(py::cast(a.collisions), py::cast(b.collisions)) && a.warnings == b.warnings &&
          a.notes == b.notes;
 }
-/// Comparison with an object of the same class; NotImplemented for other objects.
+/// Returns whether two objects of one class are equal; NotImplemented for an object of another
+/// class.
 template <class Machine>
 py::object equals(const Machine& self, const py::object& other) {
   if (!py::isinstance<Machine>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);

@@ -189,7 +189,7 @@ int stage_index(const Problem& problem, const char* call, const Name& stage) {
   return index;
 }
 
-/// Copy of limits; empty without rows.
+/// Returns a copy of the limits of constraint rows; empty without rows.
 Eigen::VectorXd limits_of(const double* limits, int rows) {
   if (rows == 0) return {};
   return Eigen::Map<const Eigen::VectorXd>(limits, rows);
@@ -314,7 +314,7 @@ void bind_what_it_is(ProblemClass& c) {
       .def("__repr__", &shown);
 }
 
-/// Binds a property of a knot.
+/// Binds a function that returns get(problem, knot).
 template <class Get>
 void of_knot(ProblemClass& c, const char* name, Get get, const char* text) {
   c.def(

@@ -115,7 +115,7 @@ void bind_setting_up(SolverClass& c) {
           py::arg("xs"), py::arg("us"), solver_guess_doc);
 }
 
-/// Binds limits of a solve, and its initial multipliers.
+/// Binds the functions that set time and iteration limits of a solve, and its initial multipliers.
 void bind_budgets(SolverClass& c) {
   c.def(
        "set_time_budget",

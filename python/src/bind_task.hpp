@@ -110,7 +110,7 @@ struct TaskName {
   std::string refused;
 };
 
-/// Types of a task; overloads select its functions.
+/// Types of a task. Overloads on these types select the functions of the task.
 template <class TaskType, class SettingType, class RunSpecType, class RunResultType>
 struct TaskTypes {
   using Task = TaskType;
@@ -119,8 +119,8 @@ struct TaskTypes {
   using Run = MadeRun<RunSpecType, RunResultType>;
 };
 
-/// Returns the state of a run for pickling. `own` calls see(name, member, text) for each entry of
-/// the result that only this task has.
+/// Returns the state of a run for pickling. `own(see)` must call see(name, member, text) for each
+/// entry of the result that only this task has.
 template <class Spec, class Own>
 py::tuple state_of_run(const typename Spec::Run& run, const Own& own) {
   py::list values;
@@ -175,8 +175,8 @@ void bind_task_result(py::module_& m, const TaskName& name, const Own& own) {
 #endif
 }
 
-/// Functions for task files. `read` reads a file, and `reads` is the first sentence of its
-/// docstring.
+/// Binds the functions for task files. `read`: function that reads a file; `reads`: first sentence
+/// of its docstring.
 template <class Task, class Read>
 void bind_task_file(py::module_& m, const std::string& prefix, const Read& read,
                     const std::string& reads) {
@@ -210,7 +210,7 @@ void bind_task_file(py::module_& m, const std::string& prefix, const Read& read,
       "Returns the units of the keys of task files, by the paths of the keys.");
 }
 
-/// Functions for settings, controllers and runs.
+/// Binds the functions for settings, controllers and runs.
 template <class Spec>
 void bind_task_functions(py::module_& m, const TaskName& name) {
   using Task = typename Spec::Task;
@@ -234,7 +234,7 @@ void bind_task_functions(py::module_& m, const TaskName& name) {
       py::arg("spec"), (task_run_doc + name.refused).c_str());
 }
 
-/// Adds all bindings of a task, and its name to the list of tasks that task files can name.
+/// Adds all bindings of a task, and adds its name to the list of tasks that task files can select.
 template <class Spec, class Own>
 void bind_task(py::module_& m, const TaskName& name, const Own& own) {
   bind_task_result<Spec>(m, name, own);

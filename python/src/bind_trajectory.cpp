@@ -63,7 +63,8 @@ TrajectoryView trajectory(const char* call, const Problem& problem, const Number
   return {xs.data(), us.data()};
 }
 
-/// Calls call(worker, range) for all ranges of knots, with a number of threads, without the GIL.
+/// Calls call(worker, range) for all ranges of knots on `threads` threads. Must be called without
+/// the GIL.
 template <class Call>
 void for_each_range(ProblemMachine& machine, const char* name, int threads, Call&& call) {
   if (threads < 1)
@@ -78,7 +79,7 @@ void for_each_range(ProblemMachine& machine, const char* name, int threads, Call
   });
 }
 
-/// Common part of values and expansions.
+/// Sets the members that TrajectoryValues and TrajectoryExpansion have in common.
 template <class Answer>
 void take_values(const std::vector<KnotValue>& values, const RowMatrix& next, Answer& answer) {
   answer.next_states = next.topRows(next.rows() - 1);
@@ -117,7 +118,7 @@ struct ExpansionRoom {
     std::size_t tangent_blocks = 0;
     for (const NonEuclideanBlock& block : state.blocks)
       tangent_blocks += 2 * static_cast<std::size_t>(block.size * block.size);
-    // The problem writes whole packs, which can extend beyond the end of a row.
+    // The problem writes whole packs (SIMD vectors), which can extend beyond the end of a row.
     constexpr std::size_t slack = 16;
     const std::size_t stride = entries + slack;
     const std::size_t each = stride * (1 + entries + rows) + tangent_blocks + rows + slack;

@@ -8,7 +8,8 @@ namespace {
 template <class Answer, class... Given>
 using Function = std::function<Answer(Given...)>;
 
-/// Expression for a named reference, such as Reference.world().
+/// Returns the Python code of a dataclass field whose default is a named reference, such as
+/// Reference.world().
 std::string named_reference(const void* at) {
   return "field(default_factory=lambda: Reference." + static_cast<const Reference*>(at)->name() +
          "())";

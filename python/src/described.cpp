@@ -196,7 +196,7 @@ bool set_value(const ValueType& type, void* at, py::handle from) {
   return carried_as(type).set(at, from);
 }
 
-/// Value as plain Python objects, from which scripts/describe writes defaults.
+/// Returns a value as plain Python objects, from which scripts/describe writes defaults.
 py::object plain(const ValueType& type, void* at);
 
 py::dict plain_entries(const Description& description, void* spec) {

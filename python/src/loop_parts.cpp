@@ -17,7 +17,7 @@ std::string type_of(const py::object& object) {
   return py::cast<std::string>(py::type::of(object).attr("__name__"));
 }
 
-/// Required attribute of an object.
+/// Returns an attribute of an object. Throws Error if the object lacks the attribute.
 py::object attribute(const py::object& object, const char* kind, const char* name) {
   try {
     return object.attr(name);

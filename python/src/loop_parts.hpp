@@ -71,10 +71,10 @@ class BoundPressing final : public BoundController {
   std::shared_ptr<KeptException> kept_;
 };
 
-/// Path whose task stores its exceptions.
+/// Returns `path` with a task function that stores exceptions in `kept`.
 PressingPath guarded(PressingPath path, const std::shared_ptr<KeptException>& kept);
 
-/// `Spec` must have a PressingPath.
+/// Makes a controller from `spec`, which must have a member `path` of type PressingPath.
 template <class Spec>
 std::unique_ptr<BoundController> bound(const Model& model, Spec spec,
                                        std::unique_ptr<Controller> (*make)(const Model&,
@@ -98,7 +98,8 @@ class PlantPart {
   const py::object& object() const { return object_; }
   /// Returns and clears the exception that Python code has thrown in reset() or step().
   std::exception_ptr take_exception() noexcept;
-  /// Locks a plant of the library while a loop uses it.
+  /// Returns a lock for a plant of the library, to hold while a loop uses the plant; nothing for a
+  /// Python plant.
   std::optional<Busy::Lock> lock(const char* what) const;
 
  private:

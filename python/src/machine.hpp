@@ -1,5 +1,5 @@
-// Common parts of Python objects with a workspace: use by one thread at a time, exceptions for
-// failed evaluations.
+// Common parts of Python objects that have a workspace: lock for use by one thread at a time,
+// exception for failed evaluations.
 #pragma once
 
 #include <atomic>
@@ -19,8 +19,8 @@ class EvaluationError : public Error {
 /// Throws EvaluationError for a status above NotConverged: "ContactDynamics.forward: ...".
 void require(Status status, const char* what);
 
-/// Lock of an object. Without the GIL, several threads can call an object, but its workspace
-/// supports only one.
+/// Lock of an object. Without the GIL, several threads can call an object at the same time, but its
+/// workspace supports only one thread.
 class Busy {
  public:
   /// Holds the lock during a call. Throws Error if another thread holds it.

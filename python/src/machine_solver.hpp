@@ -7,7 +7,7 @@
 
 namespace burnish::python {
 
-/// Solver with its lock. Python keeps its problem alive.
+/// Solver with its lock. Python keeps the problem of the solver alive.
 struct SolverMachine {
   SolverMachine(ProblemMachine& machine, const DdpOptions& options)
       : problem(machine), callback(options.callback), solver(machine.problem, watched(options)) {}

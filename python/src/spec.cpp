@@ -16,7 +16,7 @@ std::string small(std::string word) {
   return word;
 }
 
-/// Short text of an object for messages.
+/// Returns a short text of a Python object, for messages.
 std::string shown(py::handle value) {
   std::string text = py::repr(value);
   constexpr std::size_t longest = 60;
@@ -93,7 +93,7 @@ KnownSpec known_spec(const std::string& name) {
   throw Error("there is no dataclass '" + name + "'" + did_you_mean(name, names));
 }
 
-/// Description of burnish.layer.Name; null if it has none.
+/// Returns the description of the dataclass burnish.layer.Name; null if the dataclass has none.
 const Description* described(const std::string& name) {
   const auto specs = described_specs();
   const auto found = specs.find(name.substr(std::min(name.size(), std::string("burnish.").size())));

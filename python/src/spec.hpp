@@ -121,15 +121,15 @@ class EnumTable {
   mutable std::vector<py::handle> members_{};  ///< Members, looked up once and never released
 };
 
-/// Description of the values of a field, for error messages.
+/// Returns a text about the values that a field accepts, for error messages.
 template <class Value>
 std::string wanted();
 
-/// A struct and its dataclass, for tests of all structs.
+/// Conversions between a struct and its dataclass, for tests of all structs.
 struct KnownSpec {
   const SpecTable& (*table)();
-  py::object (*make_default)();             ///< Dataclass of the defaults of the struct
-  py::object (*round_trip)(py::handle of);  ///< Converts to the struct and back
+  py::object (*make_default)();             ///< Makes a dataclass with default values
+  py::object (*round_trip)(py::handle of);  ///< Converts a dataclass to the struct and back
 };
 /// Lists of the types that bindings use: structs and enumerations, without and with descriptions.
 std::vector<KnownSpec>& known_specs();
@@ -144,7 +144,7 @@ std::map<std::string, const Words*> described_enums();
 struct EntryTraits {
   const char* annotation;                  ///< Annotation in Python
   const char* default_value;               ///< Default in Python; "": none
-  std::string (*default_of)(const void*);  ///< Default of a value; null: equal for all values
+  std::string (*default_of)(const void*);  ///< Value as Python code; null: default_value
   std::string (*wanted)();
   py::object (*get)(const void*);
   bool (*set)(void*, py::handle);
@@ -262,7 +262,7 @@ bool carry(const char* annotation, const char* default_value = "",
       .second;
 }
 
-std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1: arbitrary
+std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1: any size
 
 template <class Value>
 std::string wanted() {

@@ -13,7 +13,7 @@ std::string what_came(const Numbers& numbers) {
 
 namespace {
 
-/// Function of time from Python.
+/// Signal whose values a Python function of time computes.
 struct PythonSignal {
   Kept function;
 

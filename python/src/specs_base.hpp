@@ -1,4 +1,5 @@
-// Values of the base layer. A signal is None, a number, an array, or a function of time.
+// Conversion of the types of the base layer between Python and C++. A signal is None, a number, an
+// array, or a function of time.
 #pragma once
 
 #include "base/descriptions.gen.hpp"
@@ -11,7 +12,7 @@ namespace burnish::python {
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Converts the return value of a Python function to an array; null if the value is not numeric.
 Numbers numbers_of(const py::object& answer);
-/// Text of an object for messages.
+/// Returns a text about the received array, for messages.
 std::string what_came(const Numbers& numbers);
 
 /// Function of time from C++, for example from a problem file. Python can call it, and pass it

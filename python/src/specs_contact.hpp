@@ -1,4 +1,5 @@
-// Values of the contact layer. Directions are texts such as "z,rx,ry".
+// Conversion of the types of the contact layer between Python and C++. Directions are texts such as
+// "z,rx,ry".
 #pragma once
 
 #include "burnish/contact/contact.hpp"

@@ -1,4 +1,4 @@
-// Values of the derivatives layer.
+// Conversion of the types of the derivatives layer between Python and C++.
 #pragma once
 
 #include "base/descriptions.gen.hpp"

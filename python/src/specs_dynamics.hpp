@@ -1,4 +1,5 @@
-// Values of the dynamics layer. Origin and axes of a reference are texts, in the format of Anchor.
+// Conversion of the types of the dynamics layer between Python and C++. Origin and axes of a
+// reference are texts, in the format of Anchor.
 #pragma once
 
 #include "burnish/dynamics/reference.hpp"

@@ -1,4 +1,4 @@
-// Values of the estimate layer.
+// Conversion of the types of the estimate layer between Python and C++.
 #pragma once
 
 #include "estimate/descriptions.gen.hpp"

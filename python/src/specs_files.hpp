@@ -1,4 +1,4 @@
-// Values of the files layer.
+// Conversion of the types of the files layer between Python and C++.
 #pragma once
 
 #include "burnish/files/problem_file.hpp"

@@ -1,4 +1,4 @@
-// Values of the model layer.
+// Conversion of the types of the model layer between Python and C++.
 #pragma once
 
 #include "burnish/model/inertia.hpp"

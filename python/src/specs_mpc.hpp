@@ -1,4 +1,4 @@
-// Values of the mpc layer, and of tasks that press.
+// Conversion of the types of the mpc layer, and of tasks that press, between Python and C++.
 #pragma once
 
 #include "burnish/tasks/pressing/pressing_task.hpp"

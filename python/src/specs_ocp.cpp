@@ -6,7 +6,7 @@ namespace burnish::python {
 
 namespace {
 
-/// Function of a residual from Python.
+/// Function of a residual, implemented in Python.
 struct PythonResidual {
   Kept function;
   std::shared_ptr<const residual::Custom> names;  ///< Name, frames and contacts of the residual
@@ -49,8 +49,8 @@ struct PythonJacobian : PythonResidual {
 
 std::string wanted_function() { return "a function of a NodeView, or None"; }
 
-/// Function of a residual for Python: the original Python function, or a wrapper of a C++ function.
-/// `empty` makes the array to which a C++ function writes.
+/// Returns a function of a residual to Python: the original Python function, or a wrapper of a C++
+/// function. `empty`: makes the array to which a C++ function writes.
 template <class Given, class Function, class Empty>
 py::object function_for_python(const Function& function, Empty empty) {
   if (!function) return py::none();

@@ -1,4 +1,5 @@
-// Values of the ocp layer. User-defined residuals hold Python functions.
+// Conversion of the types of the ocp layer between Python and C++. User-defined residuals hold
+// Python functions.
 #pragma once
 
 #include "burnish/ocp/check.hpp"

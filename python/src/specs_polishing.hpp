@@ -1,4 +1,4 @@
-// Values of the polishing task, its runs and its experiments.
+// Conversion of the types of the polishing task, its runs and experiments between Python and C++.
 #pragma once
 
 #include "burnish/tasks/polishing/reach.hpp"

@@ -1,4 +1,4 @@
-// Values of the task press_hold and its runs.
+// Conversion of the types of the task press_hold and its runs between Python and C++.
 #pragma once
 
 #include "press_hold/run_descriptions.hpp"

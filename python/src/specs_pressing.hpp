@@ -1,4 +1,4 @@
-// Values of the common parts of tasks that press, and of their runs.
+// Conversion of the types that tasks that press have in common, between Python and C++.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -17,7 +17,8 @@ struct PlanCube {
   py::array_t<T> array;
 };
 
-/// burnish.pressing.PlanRecord: arrays of a burnish::PlanRecord.
+/// burnish.pressing.PlanRecord: arrays of a burnish::PlanRecord. The comments of arrays state their
+/// dimensions.
 struct PlanArrays {
   Eigen::VectorXd time;            ///< plans
   std::vector<std::string> terms;  ///< names of the rows of `costs`

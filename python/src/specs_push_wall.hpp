@@ -1,4 +1,4 @@
-// Values of the task push_wall and its runs.
+// Conversion of the types of the task push_wall and its runs between Python and C++.
 #pragma once
 
 #include "push_wall/run_descriptions.hpp"

@@ -1,4 +1,4 @@
-// Values of the report layer.
+// Conversion of the types of the report layer between Python and C++.
 #pragma once
 
 #include "burnish/report/metrics.hpp"

@@ -1,4 +1,4 @@
-// Values of the sim layer.
+// Conversion of the types of the sim layer between Python and C++.
 #pragma once
 
 #include "burnish/mujoco/mujoco_plant.hpp"

@@ -1,4 +1,4 @@
-// Values of the solver layer.
+// Conversion of the types of the solver layer between Python and C++.
 #pragma once
 
 #include "burnish/solver/ddp.hpp"

@@ -1,4 +1,4 @@
-// Values of the task stand and its runs.
+// Conversion of the types of the task stand and its runs between Python and C++.
 #pragma once
 
 #include "specs_model.hpp"

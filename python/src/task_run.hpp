@@ -9,7 +9,7 @@
 
 namespace burnish::python {
 
-/// Result of a run, and its specification.
+/// Result of a run, and specification of the run.
 template <class Spec, class Result>
 struct MadeRun {
   Spec spec = {};
@@ -20,8 +20,8 @@ struct MadeRun {
 /// Must be called with the GIL.
 inline bool goes_on(const py::object& answer) { return answer.is_none() || py::cast<bool>(answer); }
 
-/// Returns the entry `progress` of a spec, or None. Throws TypeError for an object of another
-/// class.
+/// Returns the entry `progress` of a spec, or None. Throws TypeError if `spec` is of another class
+/// than `wanted`.
 py::object progress_of(const py::object& spec, const char* what, const char* module,
                        const char* wanted);
 
@@ -47,7 +47,7 @@ Run run_given(const py::object& given, const char* module) {
 py::tuple state_of(const TaskRun& run);
 void set_state(TaskRun& run, const py::tuple& state);
 
-/// Binds a member of the result as a property, a copy.
+/// Binds a property that returns a copy of a member of the result.
 template <class Run, class Member>
 void add_result(py::class_<Run>& of, const char* name, Member member, const char* text) {
   of.def_property_readonly(
@@ -82,7 +82,7 @@ void bind_task_run(py::class_<Run>& of, const char* outcome) {
   add_result(of, "outcome", &TaskRun::outcome, outcome);
 }
 
-/// Adds write(); `write` is called with run, name, options, folder and pages.
+/// Binds the method write(), which calls `write` with run, name, options, folder and pages.
 template <class Run, class Write>
 void bind_write(py::class_<Run>& of, const Write& write, const char* command) {
   const std::string text =

@@ -9,7 +9,8 @@
 
 namespace burnish::python {
 
-/// Python function. Its exceptions pass to the caller. Throws Error if the result is not a Value.
+/// Function of time [s] in Python. Its exceptions pass to the caller. Throws Error if the result is
+/// not a Value.
 template <class Value>
 struct TimeFunction {
   Kept function;

@@ -37,7 +37,7 @@ const char* AllocationGuard::unavailable() {
 }  // namespace burnish
 
 #if defined(BURNISH_COUNTS_ALLOCATIONS)
-// Original functions of the C library, under the names that glibc provides for wrappers.
+// Original functions of the C library. glibc provides these names for programs that wrap them.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);

@@ -31,7 +31,8 @@ Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& A, const Eigen::MatrixXd& 
 Eigen::MatrixXd solve_positive_half(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 /// Returns x = J^T (J J^T + diag(damping))^-1 error, the damped least-squares step for J x = error,
-/// with J (m x n). `damping` (m) must be positive for rows of J that may be linearly dependent.
+/// with J (m x n) and `damping` (m entries). If rows of J may be linearly dependent, `damping` must
+/// be positive at these rows.
 Eigen::VectorXd damped_step(const Eigen::MatrixXd& J, const Eigen::VectorXd& damping,
                             const Eigen::VectorXd& error);
 

@@ -29,9 +29,9 @@ struct Range {
   bool open = false;       ///< Excludes both ends
   bool below = false;      ///< Excludes the upper end
   bool infinite = false;   ///< Includes infinity
-  bool direction = false;  ///< For a vector: any length except zero
+  bool direction = false;  ///< Allows a vector of any length except zero
   bool holds(double value) const;
-  std::string text() const;  ///< Text such as "more than 0"; empty: any number
+  std::string text() const;  ///< Returns a text such as "more than 0"; empty for any number
 };
 
 namespace range {
@@ -48,8 +48,8 @@ constexpr Range between(double least, double most) {
 }
 }  // namespace range
 
-/// Description of an enumeration: its words in files, requests and Python. The values of the
-/// enumeration must count from 0.
+/// Description of an enumeration: its words in files, requests and Python. The enumerators must
+/// have the values 0, 1, 2, ... in the order of the words.
 struct Words {
   struct Word {
     std::string word, meaning = {};
@@ -58,7 +58,7 @@ struct Words {
   std::vector<Word> words;
 
   std::vector<std::string> list() const;
-  /// Throws Error with the nearest word: "<name>: there is no '...'".
+  /// Returns the value of `word`. Throws Error with the nearest word if there is no such word.
   int value_of(const std::string& word) const;
 };
 
@@ -73,33 +73,33 @@ concept Worded = std::is_enum_v<T> && requires(T value) {
   { words_of(value) } -> std::same_as<const Words&>;
 };
 
-/// Type of an entry, and access to a value by its address. The comment of a member names the kinds
-/// for which the member is set.
+/// Type of an entry, with functions that read and change a value at its address. The comment of a
+/// member lists the kinds of type for which the member is set.
 struct ValueType {
   enum class Kind { Number, Count, Flag, Word, Text, Array, List, Map, Optional, Struct, Other };
   Kind kind = Kind::Other;
   std::type_index id = typeid(void);
   void (*assign)(void* to, const void* from) = nullptr;  ///< Copies a value; null: not copyable
-  bool is_unsigned = false;                              ///< Count
-  Eigen::Index rows = 1, columns = 1;                    ///< Array; -1: any number
-  const Words& (*words)() = nullptr;                     ///< Word
-  const Description& (*description)() = nullptr;         ///< Struct
-  const ValueType& (*element)() = nullptr;               ///< List, Map, Optional
-  std::int64_t (*get)(const void*) = nullptr;            ///< Count, Word
-  void (*set)(void*, std::int64_t) = nullptr;            ///< Count, Word
-  std::size_t (*size)(const void*) = nullptr;            ///< List, Map; Optional: 0 or 1
-  void (*resize)(void*, std::size_t) = nullptr;          ///< List, Optional; Map: to 0
-  void* (*entry)(void*, std::size_t) = nullptr;          ///< List, Map, Optional
-  const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Map: key of an entry
+  bool is_unsigned = false;                              ///< For a Count
+  Eigen::Index rows = 1, columns = 1;                    ///< For an Array; -1: any number
+  const Words& (*words)() = nullptr;                     ///< For a Word
+  const Description& (*description)() = nullptr;         ///< For a Struct
+  const ValueType& (*element)() = nullptr;               ///< For a List, Map or Optional
+  std::int64_t (*get)(const void*) = nullptr;            ///< For a Count or Word
+  void (*set)(void*, std::int64_t) = nullptr;            ///< For a Count or Word
+  std::size_t (*size)(const void*) = nullptr;            ///< For a List or Map; Optional: 0 or 1
+  void (*resize)(void*, std::size_t) = nullptr;          ///< For a List or Optional; Map: to 0
+  void* (*entry)(void*, std::size_t) = nullptr;          ///< For a List, Map or Optional
+  const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< For a Map: key of an entry
   void* (*named)(void*, const std::string&) = nullptr;  ///< Map: finds or adds an entry by its key
-  bool by_rows = false;                                 ///< Array: numbers are stored row by row
-  double* (*numbers)(void*) = nullptr;                  ///< Array
-  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Array
+  bool by_rows = false;                                 ///< For an Array: stored row by row
+  double* (*numbers)(void*) = nullptr;                  ///< For an Array
+  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< For an Array
   Eigen::Index (*columns_of)(const void*) = nullptr;
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
 };
 
-/// Removes const from an address, to read a value through functions of ValueType with a void*.
+/// Removes const from an address. Functions of ValueType that only read a value take a void*.
 inline void* to_read(const void* at) {
   return const_cast<void*>(at);  // NOLINT(cppcoreguidelines-pro-type-const-cast): read only
 }
@@ -111,17 +111,18 @@ struct Field {
   std::string key;      ///< Key in files
   std::string meaning;  ///< Text with the unit in braces: "Normal force [{N}]"
   std::string in_code;  ///< Text that replaces `meaning` in docs, Python and C++; or empty
-  std::string more;     ///< Further text, which the comments of files leave out
+  std::string more;     ///< Further text, left out of the comments in files
   std::string word;     ///< Word in files for an absent or infinite value; or empty
   Range range;
   std::size_t offset = 0;
   const ValueType* type = nullptr;
-  /// Kind of object that a text, or each text of a list, must name: "frame", "joint" or "contact";
-  /// empty: any text.
+  /// Kind of object that a text, or each text of a list, must name: "frame", "joint" or "contact".
+  /// Empty if any text is allowed.
   std::string name_of = {};
-  /// Words that files use for the counts 0, 1, ..., separated by spaces; empty: files use numbers.
+  /// Words that files use for the counts 0, 1, ..., separated by spaces. Empty if files use
+  /// numbers.
   std::string words = {};
-  bool required = false;    ///< Python: users must pass it, it has no default
+  bool required = false;    ///< Python: has no default, so users must pass it
   bool stated = false;      ///< Files: the entry must be stated
   bool number_too = false;  ///< Python: one number is also accepted for this vector
 
@@ -158,9 +159,9 @@ struct Description {
 void check_ranges(const Description& description, const void* spec,
                   const std::function<std::string(const std::string& entry)>& subject);
 
-/// Overwrites `spec` with the stated parts of `changes`: optionals that are set, entries of maps by
-/// key, and entries of lists of structs by their `name`. Other kinds of entries do not change,
-/// since they do not record whether they are stated.
+/// Overwrites the parts of `spec` that `changes` states: optionals that are set, entries of maps
+/// with the same key, and entries of lists of structs with the same `name`. All other entries keep
+/// their values, because `changes` does not record whether they are stated.
 void put_over(const Description& description, void* spec, const void* changes);
 
 template <class T>
@@ -285,7 +286,7 @@ ValueType make_type() {
       return description_of(static_cast<const T*>(nullptr));
     };
   }
-  return type;  // Other: only code that uses the type itself can handle it
+  return type;  // kind Other: only code that knows the C++ type can handle the value
 }
 
 }  // namespace detail

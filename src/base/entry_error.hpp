@@ -21,7 +21,8 @@ class EntryError : public Error {
   std::string entry_, sentence_;
 };
 
-/// Calls `work`. Rethrows an Error with one sentence as an EntryError about `entry`.
+/// Calls `work`. If `work` throws an Error with one sentence, rethrows it as an EntryError about
+/// `entry`.
 template <class Work>
 decltype(auto) about(const std::string& entry, const Work& work) {
   try {

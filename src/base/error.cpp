@@ -62,7 +62,7 @@ std::vector<std::string> sentences_of(const std::string& origin,
   return sentences;
 }
 
-/// Joins problems to one message with numbers: "<origin>: 2 problems: (1) ... (2) ...".
+/// Joins problems into one message and numbers them: "<origin>: 2 problems: (1) ... (2) ...".
 std::string numbered(const std::string& origin, const std::vector<std::string>& problems) {
   std::string text = origin.empty() ? "" : one_line(origin) + ": ";
   if (problems.size() == 1) return text + one_line(problems.front());
@@ -108,12 +108,13 @@ Error::Error(std::vector<std::string> sentences, const std::string& joined)
       sentences_(std::make_shared<const std::vector<std::string>>(std::move(sentences))) {}
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
-  // The time for a distance grows with the product of the lengths, and files may contain text of
-  // any length in place of a name.
+  // The time to compute an edit distance grows with the product of the two lengths. A file may
+  // contain a text of any length in place of a name.
   constexpr std::size_t max_length = 200;
   if (name.size() > max_length) return "";
   std::string best;
-  // Accepts one edit, plus one for every three letters. A name with more edits is another word.
+  // Accepts at most one edit plus one for every three letters. With more edits, the name is another
+  // word.
   std::size_t best_distance = 1 + name.size() / 3 + 1;
   for (const std::string& candidate : known) {
     const std::size_t longer = std::max(name.size(), candidate.size());

@@ -17,7 +17,7 @@ class Findings {
   explicit Findings(std::string origin) : origin_(std::move(origin)) {}
 
   void problem(const std::string& what) { problems_.push_back(what); }
-  /// Adds a warning. After 1000 warnings, one sentence replaces all further warnings.
+  /// Adds a warning. After 1000 warnings, a single sentence replaces all further ones.
   void warn(const std::string& what);
 
   /// Appends the problems and warnings of `other`.
@@ -51,8 +51,8 @@ class Findings {
   const std::string& origin() const { return origin_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   bool has_problems() const { return !problems_.empty(); }
-  /// Returns true for fewer than 50 problems and warnings. With more, readers do not search for
-  /// similar names.
+  /// Returns true if there are fewer than 50 problems and warnings. If there are more, readers do
+  /// not search for similar names.
   bool are_few() const { return problems_.size() + warnings_.size() < 50; }
   /// Throws an Error that lists all problems, if there are any.
   void refuse_problems() const;

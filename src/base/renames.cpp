@@ -60,7 +60,7 @@ constexpr Rename names[] = {
     {"GIVE", "TRACKING"},
 };
 
-/// Columns of traces and figures of runs.
+/// Columns of traces, and statistics in reports of runs.
 constexpr Rename columns[] = {
     {"believed_normal_x_world", "estimated_normal_x_world"},
     {"believed_normal_y_world", "estimated_normal_y_world"},

@@ -1,6 +1,6 @@
 // Names from version 0.3 that have been replaced: keys of files, words, keywords and attributes of
-// Python, columns of traces and figures. Readers and the Python package refuse an old name and
-// state the new one. Reports of runs from version 0.3 accept old names.
+// Python, columns of traces, and statistics of runs. Readers and the Python package reject an old
+// name and state the new one. Reports of runs from version 0.3 accept old names.
 #pragma once
 
 #include <span>
@@ -17,15 +17,15 @@ struct Rename {
 /// Returns all renames. An old name with two meanings occurs twice.
 std::span<const Rename> renames();
 
-/// Returns the name that replaced `old_name` and is one of `known`. Empty: there is none.
+/// Returns the name that replaced `old_name` and is one of `known`. Empty if there is no such name.
 std::string_view replacement(std::string_view old_name, const std::vector<std::string>& known);
 
-/// Returns the current name of the trace column or figure `name` of version 0.3. Returns `name`
-/// itself if it has not changed.
+/// Returns the current name of a trace column or statistic that version 0.3 called `name`. Returns
+/// `name` itself if it has not changed.
 std::string_view current_column(std::string_view name);
 
-/// Returns the current name of the task phase `name` of version 0.3. Returns `name` itself if it
-/// has not changed.
+/// Returns the current name of the task phase that version 0.3 called `name`. Returns `name` itself
+/// if it has not changed.
 std::string_view current_phase(std::string_view name);
 
 }  // namespace burnish

@@ -14,8 +14,8 @@
 namespace burnish {
 namespace {
 
-// Number of polls before a thread sleeps. During a solve, loops follow each other within
-// microseconds, and this many polls bridge the gap (about 100 us).
+// Number of polls before a thread sleeps (about 100 us). The next loop of a solve usually starts
+// within microseconds, so a thread rarely sleeps between two loops.
 constexpr int looks_with_a_core_each = 4000;
 
 int looks_for(int workers) {
@@ -41,7 +41,7 @@ void relax(int look) {
 #endif
 }
 
-/// Returns when the value is no longer `old`.
+/// Waits until the value differs from `old`. Polls `looks` times before it sleeps.
 template <class T>
 void wait_for_change(const std::atomic<T>& value, T old, int looks) {
   for (int i = 0; i < looks; ++i) {
@@ -130,7 +130,7 @@ MeetingPoint::MeetingPoint(int workers, int looks)
     : workers_(workers), looks_(looks), missing_(workers) {}
 
 void MeetingPoint::wait() {
-  // No change of meetings_ is possible between this load and the arrival of this worker.
+  // Until this worker arrives, the meeting is incomplete, so meetings_ cannot change.
   const std::uint32_t before = meetings_.load(std::memory_order_relaxed);
   if (missing_.fetch_sub(1, std::memory_order_acq_rel) > 1) {
     wait_for_change(meetings_, before, looks_);
@@ -193,7 +193,8 @@ void ThreadPool::serve(int worker) {
     seen = round_.load(std::memory_order_acquire);
     if (stop_.load(std::memory_order_relaxed)) return;
     if (!enter()) continue;
-    // A thread that woke late may have joined the next loop already, and would then run it twice.
+    // A thread that woke late for the last loop may already have taken part in this loop. It must
+    // not run the same loop twice.
     if (inner_round_ != done) {
       done = inner_round_;
       take_pieces(worker);

@@ -61,8 +61,8 @@ class ThreadPool {
   };
 
   /// Calls body(worker, piece) once for each piece from 0 to pieces - 1 and returns when all pieces
-  /// are done. After an exception, the other pieces still run. Then the exception of the lowest
-  /// piece is rethrown, for any number of workers.
+  /// are done. An exception does not stop the other pieces. At the end, the exception of the failed
+  /// piece with the lowest index is rethrown, whatever the number of workers.
   template <class Body>
   void for_each(int pieces, Body&& body) {
     using Target = std::remove_reference_t<Body>;
@@ -109,7 +109,7 @@ class ThreadPool {
   Call call_ = nullptr;
   void* context_ = nullptr;
   int pieces_ = 0;
-  bool one_piece_each_ = false;  ///< Worker i takes piece i
+  bool one_piece_each_ = false;  ///< Whether each worker i takes exactly piece i
   std::atomic<int> next_{0};
   std::atomic<int> inside_{0};           ///< Number of threads at work, plus the bit `open`
   std::atomic<std::uint32_t> round_{0};  ///< Number of the loop; idle threads wait for a change

@@ -32,7 +32,7 @@ struct ThreadTeam {
   MeetingPoint* meeting = nullptr;
 
   bool alone() const { return workers == 1; }
-  /// Returns true in one worker of the team, which does the work that cannot be divided.
+  /// Returns true for one worker of the team. This worker does the work that cannot be divided.
   bool leads() const { return worker == workers - 1; }
   /// Waits for all workers of the team. Every worker must call meet() equally often.
   void meet() const {

@@ -1,5 +1,5 @@
-// Contact compiled against a model: bodies, frame offsets, rows, and the entries of v that move
-// tool, base and reference.
+// Constants of a contact for one model: bodies, frame offsets, constrained rows, and the entries of
+// v that move tool, base and reference.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,16 @@
 
 namespace burnish {
 
-/// Entry of v that moves the tool's body, the base's body or the bodies of the reference. Each body
-/// moves along its own axis (or sum of axes, tree.hpp). The axis is -1 if the entry does not move
-/// the body. The axes differ only for followers.
+/// Entry of v that moves the body of the tool, the body of the base, or a body of the reference.
+/// The entry moves each body along an axis or a sum of axes (tree.hpp); -1 if it does not move the
+/// body. Two bodies move along different axes only if the entry has followers or moves just one of
+/// them.
 struct ContactSupport {
   int v;
   int tool_axis, base_axis;
   ReferenceAxes reference = {};
-  /// Scale of a linear row of the Jacobian at this entry: one over the longest lever arm that the
-  /// lengths of the robot allow [1/m]. 1 for a sliding joint.
+  /// Factor that scales the entry's column in linear rows of the Jacobian. For a rotation: one over
+  /// the longest lever arm that the lengths of the robot allow [1/m]. For a sliding joint: 1.
   double per_reach = 1.0;
 
   bool moves_tool() const { return tool_axis >= 0; }
@@ -41,12 +42,12 @@ struct CompiledContact {
   bool holds_rotation;                  ///< Whether a constrained direction is angular
   bool has_friction = false;            ///< Whether spec.friction is set; row 0 is then the normal
   std::vector<ContactSupport> support;  ///< Entries that move tool or base, ascending in v
-  /// Entries of `support` and entries that move only the reference: the constrained acceleration
-  /// depends on all of them. Ascending in v.
+  /// Entries on which the constrained acceleration depends: the entries of `support` and those that
+  /// move only the reference. Ascending in v.
   std::vector<ContactSupport> influences;
   double offset_weight = 0.0;  ///< Weight of a squared distance, row_size.hpp [1/m^2]
-  /// Nonzero rows of L^-T J^T, ascending: entries of `support` and all their ancestors. Equals
-  /// `support` unless followers couple branches.
+  /// Rows of L^-T J^T (with M = L^T L) that can be nonzero, ascending: entries of `support` and all
+  /// their ancestors. Equals `support` unless followers couple branches.
   std::vector<int> coupled;
   std::vector<int> influenced;  ///< Entries of `influences` and all their ancestors, ascending
 };

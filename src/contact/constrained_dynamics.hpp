@@ -49,19 +49,20 @@ class ConstrainedDynamics {
   void set_state(const S* q, const S* v);
 
   /// Recomputes the active contacts at the loaded state, after contacts, references, surfaces or
-  /// friction have changed. Kinematics and mass matrix stay. Requires set_state().
+  /// friction have changed. Does not recompute kinematics and mass matrix. Requires set_state().
   void update_contacts();
 
-  /// Computes a and lambda at joint torques tau (nv), eq. (3). J^T lambda includes any friction
-  /// (friction_coupling.hpp). A tool that jams gets status SingularContacts. Requires set_state().
+  /// Computes a and lambda at joint torques tau (nv), eq. (3). With friction, J^T lambda includes
+  /// the torques of friction (friction_coupling.hpp). If a tool jams, the status is
+  /// SingularContacts. Requires set_state().
   void forward(const S* tau);
 
-  /// Computes tau = M a + b - J^T lambda minus the torques of friction, eq. (5). Sizes: a has nv
-  /// entries, lambda the rows of the active contacts.
+  /// Computes tau = M a + b - J^T lambda minus the torques of friction, eq. (5). a has nv entries,
+  /// lambda one entry for each row of the active contacts.
   void inverse(const S* a, const S* lambda);
 
-  /// Computes the active rows of alpha + kd nu + kp e: the contact acceleration, plus gains times
-  /// velocity and pose error. `a`: joint accelerations (nv).
+  /// Computes alpha + kd nu + kp e in the active rows: contact acceleration alpha, plus gains times
+  /// velocity nu and pose error e. `a`: joint accelerations (nv).
   void acceleration(const S* a);
 
   /// Computes the inelastic impact of the active contacts at q (nq), from the velocity v_before
@@ -100,7 +101,7 @@ class ConstrainedDynamics {
   std::vector<S> alpha;                         ///< Active rows: acceleration
   std::vector<S> velocity_after;                ///< nv entries: impact
   std::vector<ContactState<S>> contact_states;  ///< One state per contact of the set
-  int proximal_iterations = 0;                  ///< Largest count of a lane: forward, impact
+  int proximal_iterations = 0;                  ///< Largest number of all lanes: forward, impact
   std::vector<S> lane_iterations;               ///< Proximal iterations of each lane (1 entry)
   /// Largest |mu (lambda - previous lambda)| per lane (1 entry): forward [m/s^2], impact [m/s]
   std::vector<S> proximal_residual;
@@ -121,8 +122,8 @@ class ConstrainedDynamics {
   /// Returns the rows that contradict each other in the last forward() or impact().
   const Contradiction<S>& contradiction() const { return contradiction_; }
   InverseDynamics<S>& inverse_dynamics() { return id_; }
-  /// Loads `a` into the inverse dynamics and applies the contact forces lambda to its bodies. Also
-  /// applies the forces `more` (rows), if given; they cause no friction.
+  /// Loads `a` into the inverse dynamics and applies the contact forces lambda to its bodies. If
+  /// `more` is given, also applies these forces (one number per row); they cause no friction.
   void apply_forces(const S* more = nullptr);
   /// Zeroes the lanes whose status is above NotConverged; their values are finite but meaningless.
   void clear_failed(std::vector<S>& results) const;
@@ -138,12 +139,14 @@ class ConstrainedDynamics {
   void for_each_coupled(const auto& visit) const;
   /// Solves for lambda (column 0 of rho_) and for the responses to friction (other columns).
   void solve_lambda();
-  /// Calls visit(i, c) for the entries of rho_ in `columns_`. i: index in rho_; c: column.
+  /// Calls visit(i, c) for every entry of rho_ in the columns `columns_`: i is its index in rho_, c
+  /// its column.
   void for_each_solved(const auto& visit);
   /// Runs proximal iterations for the lanes in `open`. Returns the lanes that did not converge.
   auto refine(auto open);
-  /// Solves again for lanes in `open` with contradictory rows, without the null-space component of
-  /// the right-hand side. Returns the lanes in `open` that did not converge.
+  /// Solves again in those lanes of `open` whose rows contradict each other, after the null-space
+  /// component of the right-hand side has been removed. Returns the lanes of `open` that did not
+  /// converge.
   auto settle_contradiction(const auto& open);
   void update_friction();
   void add_friction();
@@ -154,19 +157,19 @@ class ConstrainedDynamics {
   ActiveContacts active_;
   int active_version_ = 0;
   std::vector<char> is_active_;
-  std::vector<Mat3<S>> reference_axes_;     ///< Per contact, in the body that they are fixed in
-  std::vector<CurvedSurface<S>> surfaces_;  ///< Per contact, used if its reference is curved
-  std::vector<S> coefficients_;             ///< Per contact, used if it has friction
+  std::vector<Mat3<S>> reference_axes_;     ///< Axes of each contact's reference, in their body
+  std::vector<CurvedSurface<S>> surfaces_;  ///< One per contact, used if its reference is curved
+  std::vector<S> coefficients_;             ///< One per contact, used if it has friction
   std::vector<S> q_neutral_;
   std::vector<S> q_, v_, drift_;
-  /// Right-hand sides and solutions of the contact-space system, rows x stride_. Column 0 is for
-  /// the forces, the other columns for friction.
+  /// Right-hand sides and solutions of the contact-space system, rows x stride_. Column 0 belongs
+  /// to the contact forces, the other columns to friction.
   std::vector<S> rho_, solved_, solved_before_;
   int stride_;
   std::vector<int> columns_;           ///< Columns to solve for
   std::vector<S> at_rest_;             ///< nv zeros
-  std::vector<Status> motion_status_;  ///< Status of the state and the mass matrix, per lane
-  std::vector<Status> state_status_;   ///< The same, with the active contacts, per lane
+  std::vector<Status> motion_status_;  ///< Status of state and mass matrix, per lane
+  std::vector<Status> state_status_;   ///< Status of state, mass matrix and contacts, per lane
   std::vector<Status> status_;         ///< Status of the last evaluation, per lane
   bool has_mass_factor_ = false;       ///< Whether mass_ is factorized at the loaded state
   bool has_delassus_ = false;          ///< Whether delassus_ belongs to the active contacts

@@ -65,7 +65,7 @@ template <class S>
 void ConstrainedDynamics<S>::set_active(int contact, bool active) {
   is_active_[contact] = active ? 1 : 0;
   ++active_version_;
-  // Rows get other contacts. Entries outside the support of the new contact must be zero.
+  // From now on, rows can belong to other contacts. Entries outside the new support must be zero.
   std::fill(delassus_.T.begin(), delassus_.T.end(), S(0.0));
   std::fill(delassus_.jacobian_by_v.begin(), delassus_.jacobian_by_v.end(), S(0.0));
   active_.contacts.clear();
@@ -208,7 +208,8 @@ auto ConstrainedDynamics<S>::refine(auto open) {
     S largest(0.0);
     for_each_solved([&](int i, int c) {
       S change = absolute(S((solved_[i] - solved_before_[i]) * mu));
-      // Scales the change of a response to friction by the normal force, to compare forces.
+      // Multiplies the change of a response to friction by the normal force. All changes are then
+      // comparable.
       if (c > 0) change = change * absolute(solved_[friction_.rows[c - 1] * stride_]);
       largest = select(less(largest, change), change, largest);
       solved_[i] = select(open, solved_[i], solved_before_[i]);
@@ -254,7 +255,7 @@ auto ConstrainedDynamics<S>::settle_contradiction(const auto& open) {
       [&](int i, int) { solved_[i] = select(contradicts, solved_[i], solved_before_[i]); });
   lane_iterations[0] = select(contradicts, S(0.0), lane_iterations[0]);
   unconverged = mask_or(mask_and(open, mask_not(contradicts)), refine(contradicts));
-  // Rounding errors accumulate in the null space.
+  // Rounding errors have accumulated in the null space.
   remove_null_part(c, c.present, m, columns, solved_.data(), stride_);
   const auto more = mask_and(contradicts, less(proximal_residual[0], largest));
   proximal_residual[0] = select(more, largest, proximal_residual[0]);
@@ -285,7 +286,8 @@ void ConstrainedDynamics<S>::solve_lambda() {
   for (int r = 0; r < m; ++r) lambda[r] = solved_[r * stride_];
 }
 
-/// Fills the columns of friction in rho_ with J M^-1 F_j.
+/// Fills the columns of friction in rho_ with J M^-1 F_j. F_j are the joint torques of friction per
+/// unit of the normal force of contact j.
 template <class S>
 void ConstrainedDynamics<S>::update_friction() {
   const S* const T = delassus_.T.data();
@@ -303,7 +305,7 @@ void ConstrainedDynamics<S>::update_friction() {
   }
 }
 
-/// Corrects lambda and a, computed without friction, for friction.
+/// Adds the effect of friction to lambda and a, which were computed without friction.
 template <class S>
 void ConstrainedDynamics<S>::add_friction() {
   const int n = friction_.size();
@@ -351,7 +353,8 @@ void ConstrainedDynamics<S>::forward(const S* tau_in) {
   factorize_once();
   status_ = state_status_;
   load_finite(tau_in, n, a.data());
-  // t = L^-T (tau - b); lambda = G^-1 (-alpha_0 - T^T t); a = L^-1 (t + T lambda)
+  // Eq. (3) with T = L^-T J^T:
+  // t = L^-T (tau - b); lambda = G^-1 (-alpha_0 - T^T t); a = L^-1 (t + T lambda).
   for (int i = 0; i < n; ++i) a[i] -= mass_.bias[i];
   solve_transposed(tree_, mass_, a.data());
   if (m > 0) {
@@ -381,7 +384,7 @@ void ConstrainedDynamics<S>::impact(const S* q, const S* v_before) {
   factorize_once();
   status_ = state_status_;
   load_finite(v_before, n, velocity_after.data());
-  // Lambda = G^-1 (-J v-); v+ - v- = L^-1 T Lambda
+  // With T = L^-T J^T: Lambda = G^-1 (-J v-); v+ - v- = L^-1 T Lambda.
   std::fill(a.begin(), a.end(), S(0.0));
   std::fill(rho_.begin(), rho_.end(), S(0.0));
   const S* const J = delassus_.jacobian_by_v.data();

@@ -86,7 +86,7 @@ ContactForce ContactForce::in(const Reference& other) const {
   ContactForce result = *this;
   result.reference = other;
   if (other.quadric) {
-    // The force contains the poses of base and world only.
+    // A ContactForce contains no poses of bodies other than the base and the world.
     const bool of_base = other.axes == Anchor::Base;
     if (!of_base && other.axes != Anchor::World)
       throw Error("contact force of '" + contact +

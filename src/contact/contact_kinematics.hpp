@@ -55,22 +55,23 @@ template <class S>
 void friction_torque(const CompiledContact& contact, const Kinematics<S>& kinematics,
                      const ContactState<S>& state, S* out);
 
-/// Returns C2 and C1 with an empty support.
+/// Return the frames C2 (tool_of) and C1 (base_of), each with an empty support.
 CompiledFrame tool_of(const CompiledContact& contact);
 CompiledFrame base_of(const CompiledContact& contact);
 /// Compiles `reference` for the tool and base of this contact.
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledContact& contact);
 
-/// Computes J^T for the entries k of the support, as out_by_v[k * stride + row]: the constrained
-/// rows of the velocity nu at a unit rate of entry k.
+/// Computes J^T for the entries k of the support: out_by_v[k * stride + row] is a constrained row
+/// of the velocity nu at a unit rate of entry k.
 template <class S>
 void contact_jacobian(const CompiledContact& contact, const Kinematics<S>& kinematics,
                       const ContactState<S>& state, S* out_by_v, int stride);
 
-/// Computes the constrained rows of alpha + kd nu + kp e: the contact acceleration, plus gains
-/// times velocity and error. The gains are scaled by the step ratio. `a_tool` and `a_base` are the
-/// spatial accelerations of the bodies, without gravity, in world axes about the world's origin.
+/// Computes the constrained rows of alpha + kd nu + kp e: contact acceleration alpha, plus gains
+/// times velocity nu and pose error e. The gains are scaled by the step ratio. `a_tool` and
+/// `a_base` are the spatial accelerations of the bodies, without gravity, in world axes about the
+/// world's origin.
 template <class S>
 void contact_acceleration(const CompiledContact& contact, const ContactState<S>& state,
                           const Motion<S>& a_tool, const Motion<S>& a_base, S* out);
@@ -92,16 +93,17 @@ Force<S> wrench_of_rows(const CompiledContact& contact, const S* lambda,
 template <class S>
 void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state);
 
-/// Returns state.force_world without friction. This part moves with the reference.
+/// Returns the part of state.force_world that is not friction. This part moves rigidly with the
+/// reference.
 template <class S>
 BURNISH_INLINE Force<S> held_force(const CompiledContact& contact, const ContactState<S>& state) {
   if (!contact.has_friction) return state.force_world;
   return state.force_world - state.sliding.per_normal * state.sliding.normal_force;
 }
 
-/// Returns the derivative of the friction wrench by entry k of q, at constant lambda. tool_axis and
-/// base_axis: axes along which entry k moves tool and base; -1 if the body does not move. w_axes is
-/// the angular velocity of the reference axes at a unit rate of entry k.
+/// Returns the derivative of the friction wrench by entry k of q, at constant lambda. Entry k moves
+/// the tool along axis `tool_axis` and the base along axis `base_axis`; -1 if it does not move the
+/// body. w_axes is the angular velocity of the reference axes at a unit rate of entry k.
 template <class S>
 BURNISH_INLINE Force<S> friction_by_q(const CompiledContact& contact, const ContactState<S>& state,
                                       int tool_axis, int base_axis, const Vec3<S>& w_axes,

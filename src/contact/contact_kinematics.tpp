@@ -30,8 +30,8 @@ BURNISH_INLINE S component(const Mat3<S>& axes, const Motion<S>& m, int d) {
 }
 
 /// Returns the twist of the tool frame relative to the reference. Inputs: the twist `tool` of the
-/// tool, the angular velocity `w_axes` of the axes, and a function that returns the twist of the
-/// reference. A reference at the tool's point translates with the tool.
+/// tool, the angular velocity `w_axes` of the reference axes, and a function that returns the twist
+/// of the reference. A reference with its origin at the tool translates with the tool.
 template <class S>
 BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact,
                                              const ContactState<S>& state, const Motion<S>& tool,
@@ -40,8 +40,8 @@ BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact,
   return tool - twist();
 }
 
-/// Returns the twist of the tool relative to the base at a unit rate of `entry`, which must not
-/// move both as one body.
+/// Returns the twist of the tool relative to the base at a unit rate of `entry`. The entry must not
+/// move tool and base as one body.
 template <class S>
 BURNISH_INLINE Motion<S> relative_axis(const ContactSupport& entry,
                                        const Kinematics<S>& kinematics) {
@@ -50,7 +50,8 @@ BURNISH_INLINE Motion<S> relative_axis(const ContactSupport& entry,
   return entry.moves_tool() ? kinematics.axes[entry.tool_axis].axis + base : base;
 }
 
-/// Rotates state.axes by the least rotation from their normal to the surface normal at the tool.
+/// Rotates state.axes by the smallest rotation that turns their normal into the surface normal at
+/// the tool.
 template <class S>
 void update_curved(const CompiledContact& contact, const CurvedSurface<S>& surface,
                    const Kinematics<S>& kinematics, ContactState<S>& state) {

@@ -1,7 +1,8 @@
 // Redundant contact rows that contradict each other: the right-hand side of G lambda = rho has a
-// component in the null space of G = J M^-1 J^T. No force can produce it. Without this component,
-// the system has a least-squares solution of minimum norm, and the component remains as a residual
-// contact acceleration. This code runs only if the proximal iterations do not converge.
+// component in the null space of G = J M^-1 J^T, which no contact force can produce. Once this
+// component is removed, the system has a least-squares solution of minimum norm. The component
+// remains as a residual contact acceleration. This code runs only if the proximal iterations do not
+// converge.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace burnish {
 /// Workspace and result of one evaluation. Only the constructor allocates.
 template <class S>
 struct Contradiction {
-  /// `set`: all contacts, or an empty set if the solver runs no proximal iterations.
+  /// `set` contains all contacts. It is empty if the solver runs no proximal iterations.
   Contradiction(const Tree& tree, const ContactSet& set)
       : rigid(tree, set),
         basis(to_size(set.rows() * set.rows()), S(0.0)),
@@ -28,7 +29,7 @@ struct Contradiction {
   S present = S(0.0);       ///< 1 in lanes with a contradiction, 0 in the others
   Delassus<S> rigid;        ///< Factor of G without compliance, zero at dependent rows
   std::vector<S> basis;     ///< Null-space basis, stride x stride: one column per dependent row
-  std::vector<int> listed;  ///< Nonzero columns of `basis`; zero in lanes with an independent row
+  std::vector<int> listed;  ///< Columns of `basis` that are nonzero in some lane
   std::vector<S> unmet;     ///< Residual J a + alpha_0 + kd nu + kp e of each row [m/s^2, rad/s^2]
 };
 
@@ -76,7 +77,7 @@ void find_null_space(const Tree& tree, const ContactSet& set, const ActiveContac
     const auto dependent = mask_not(less(S(0.0), d.inverse_diagonal[i]));
     if (!any(dependent)) continue;
     of.listed.push_back(i);
-    // e_i minus the coefficients of row i in terms of the earlier rows.
+    // Fills column i: e_i minus the coefficients that express row i by the earlier rows.
     n[i * m + i] = select(dependent, S(1.0), S(0.0));
     for (int k = i - 1; k >= 0; --k) {
       S sum = select(dependent, d.factor[i * m + k], S(0.0));
@@ -85,8 +86,8 @@ void find_null_space(const Tree& tree, const ContactSet& set, const ActiveContac
     }
   }
   contradiction_detail::orthonormalize(of, active.rows);
-  // Each pass multiplies rounding errors outside the null space by mu / (mu + s), as a proximal
-  // iteration does, where s is an eigenvalue of G.
+  // Like a proximal iteration, each pass multiplies the components outside the null space (rounding
+  // errors) by mu / (mu + s) for an eigenvalue s of G.
   for (int pass = 0; pass < 2; ++pass) {
     solve_delassus(compliant, active.rows, std::span<const int>(of.listed), n, m);
     for (int k = 0; k < active.rows; ++k)
@@ -95,8 +96,8 @@ void find_null_space(const Tree& tree, const ContactSet& set, const ActiveContac
   }
 }
 
-/// Subtracts from X its null-space component, in lanes where `selected` is 1. X has `rows` rows;
-/// only the columns in `columns` change.
+/// Removes the null-space component from X, in lanes where `selected` is 1. X has `rows` rows; only
+/// the columns in `columns` change.
 template <class S>
 void remove_null_part(const Contradiction<S>& of, const S& selected, int rows,
                       std::span<const int> columns, S* x, int stride) {

@@ -60,9 +60,9 @@ void transform_jacobian(const Tree& tree, const CompiledContact& contact, const 
   transform_coupled(tree, contact, mass, d.T.data() + first, d.stride, rows);
 }
 
-/// Sets the lower bounds of the pivots of a contact's rows. The bound is the squared
-/// independence_tolerance of the row's attainable squared length in the metric of M^-1. A row of
-/// zeros gets a bound above every pivot.
+/// Sets the lower bounds of the pivots of a contact's rows: independence_tolerance squared, times
+/// the squared length that a row can attain in the metric of M^-1. The bound of a row of zeros is
+/// NaN; no pivot exceeds it.
 template <class S>
 void set_pivot_bounds(const CompiledContact& contact, const ContactState<S>& state, int first,
                       Delassus<S>& d) {

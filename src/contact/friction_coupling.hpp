@@ -1,12 +1,13 @@
 // Sliding friction in the contact-space system. The friction of contact j acts on the joints with
 // the torques F_j lambda_j. lambda_j is the normal force of the contact, and F_j are the friction
-// torques per unit of normal force. With lambda_0 = G^-1 rho, the forces without friction, the
+// torques per unit of normal force. If lambda_0 = G^-1 rho are the forces without friction, the
 // forces with friction are
 //   lambda = lambda_0 - sum over j of R_j lambda_j,   R_j = G^-1 J M^-1 F_j.
 // Their normal rows form a small system, with one row per contact with friction:
 //   (1 + R at normal rows) lambda_normal = lambda_0 at normal rows.
-// A pivot of this system is the fraction of the inverse apparent inertia that friction leaves. At
-// zero the tool jams (P. Painleve, "Sur les lois du frottement de glissement", 1895).
+// A pivot of this system is the inverse apparent inertia with friction, relative to its value
+// without friction. If the pivot is zero, the tool jams (P. Painleve, "Sur les lois du frottement
+// de glissement", 1895).
 #pragma once
 
 #include <algorithm>
@@ -41,13 +42,13 @@ struct FrictionCoupling {
   S* torque_of(int j) { return torque.data() + j * nv; }
   S* transformed_of(int j) { return transformed.data() + j * nv; }
 
-  int nv, max_contacts = 0;    ///< Number of contacts of the set with friction
+  int nv, max_contacts = 0;    ///< max_contacts: number of contacts with friction in the set
   std::vector<int> contacts;   ///< Active contacts with friction
   std::vector<int> rows;       ///< Active row of the normal of each of `contacts`
   std::vector<S> torque;       ///< F_j, nv entries per contact
   std::vector<S> transformed;  ///< L^-T F_j, nv entries per contact
   std::vector<S> response;     ///< R_j as column j: active rows x max_contacts
-  std::vector<S> factor;       ///< LU factor of the small system, without pivoting; 1 / pivots
+  std::vector<S> factor;       ///< LU factor of the small system, no pivoting; diagonal: 1 / pivot
   std::vector<S> normal;       ///< lambda_normal
 };
 

@@ -50,8 +50,9 @@ class Descent {
     upper_ = model_.q_upper.cwiseMax(q);
   }
 
-  /// Searches from `q` until the loops are closed, no step reduces the error, or the iterations
-  /// reach their maximum. Returns the posture found; adds to `iterations`.
+  /// Searches from `q` until the loops are closed, no step reduces the error, or `iterations`
+  /// reaches its maximum. Returns the posture found, and adds the number of its steps to
+  /// `iterations`.
   Eigen::VectorXd from(Eigen::VectorXd q, int& iterations) {
     q = within_range(q);
     rows_.update(q);
@@ -159,7 +160,7 @@ LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eig
   descent.set_range(q);
   // At a dead point the gradient of the error vanishes, so later attempts start beside q.
   constexpr int attempts = 6;
-  constexpr double spread = 0.1;  // increase per attempt of the largest offset, by hand [rad, m]
+  constexpr double spread = 0.1;  // largest offset: attempt * spread, chosen by hand [rad, m]
   std::mt19937_64 generator(20260102);
   double smallest_error = std::numeric_limits<double>::infinity();
   Eigen::VectorXd best = q;
@@ -224,7 +225,7 @@ Eigen::VectorXd project_velocity_onto_loops(const Model& model,
   if (metric == LoopMetric::Plain) {
     const Eigen::MatrixXd J_moving = J * moves.asDiagonal();
     Eigen::VectorXd result = v - least_squares(J_moving, nu);
-    // All joints correct the error that the moving joints cannot.
+    // All joints correct the error that remains after the joints outside `keep` have moved.
     if (!keep.empty()) result -= least_squares(J, J * result);
     return result;
   }

@@ -51,9 +51,9 @@ std::vector<Eigen::MatrixXd> jacobians_on_the_loops(const Model& model, LoopRows
   return result;
 }
 
-/// Returns directions whose rows are independent except at dead points of the mechanism. Chooses
-/// rows at each sample posture. Returns the choice whose smallest rating over all postures is
-/// largest.
+/// Returns directions whose rows are independent except at dead points of the mechanism. Each
+/// sample posture proposes a choice of rows, which is rated at all postures. The result is the
+/// choice whose lowest rating is highest.
 std::vector<Directions> independent_directions(const Model& model) {
   LoopRows rows(model);
   const std::vector<Eigen::MatrixXd> jacobians = jacobians_on_the_loops(model, rows);
@@ -66,7 +66,7 @@ std::vector<Directions> independent_directions(const Model& model) {
   std::vector<int> best;
   double best_rating = 0.0;
   for (const IndependentRows& choice : choices) {
-    if (choice.rows.size() < rank) continue;  // at a dead point
+    if (choice.rows.size() < rank) continue;  // the posture is a dead point
     double rating = 1.0;
     for (std::size_t i = 0; i < jacobians.size(); ++i) {
       if (choices[i].rows.size() < rank) continue;

@@ -86,7 +86,7 @@ void set_reaches(const Model& model, CompiledContact& contact) {
     for (const Lever& lever : reach.back()) longest_arm = std::max(longest_arm, lever.arm);
   }
   if (!(longest_arm > 0.0)) longest_arm = usual_travel;
-  // Lower bound of lever arms. A robot description may contain arms of 1e-17 m by rounding.
+  // Lower bound of lever arms. Rounding in a robot description can produce an arm of 1e-17 m.
   const double shortest_arm = 0.01 * longest_arm;
   const bool elsewhere = !contact.reference.at_tool;
   for (std::size_t i = 0; i < reach.size(); ++i) {

@@ -3,11 +3,11 @@
 // velocity v of the tool relative to the base at c,
 //   c = p - r n,   v_t = v - n (n . v),   s = v_t / sqrt(|v_t|^2 + speed^2),
 // the force on the tool is lambda (n - coefficient s). The friction wrench per unit of lambda
-// depends on the state. With w, the angular velocity of the axes, a change of q gives
+// depends on the state. If a change of q turns the axes by w, it changes these quantities by
 //   dn = w x n,   dc = dp - r dn,   dv = dnu(c) + nu.angular x dc,
 //   dv_t = dv - n (dn . v + n . dv) - dn (n . v),
-//   ds = (dv_t - s (s . dv_t)) / sqrt(|v_t|^2 + speed^2),
-// and a change of v gives dv = J_c dv (dn = dc = 0). All vectors are in world axes.
+//   ds = (dv_t - s (s . dv_t)) / sqrt(|v_t|^2 + speed^2).
+// A change of v gives dv = J_c dv (dn = dc = 0). All vectors are in world axes.
 #pragma once
 
 #include "contact/compiled_contact.hpp"
@@ -48,7 +48,7 @@ BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coe
 }
 
 /// Returns the change of the friction force, per unit of lambda, when the tangential velocity
-/// changes by dv_across. The normal n and the point c where friction acts are constant.
+/// changes by dv_across while the normal n and the point c of friction are constant.
 template <class S>
 BURNISH_INLINE Vec3<S> friction_force_change(const Sliding<S>& at, const Vec3<S>& dv_across) {
   const Vec3<S> ds = (dv_across - at.s * dot(at.s, dv_across)) * at.per_speed;
@@ -58,7 +58,7 @@ BURNISH_INLINE Vec3<S> friction_force_change(const Sliding<S>& at, const Vec3<S>
 /// Effect of one entry of v on a contact with friction. Motions are about the world's origin.
 template <class S>
 struct SlidingEntry {
-  Motion<S> tool, relative;  ///< Twist of the tool, and relative to the base, at a unit rate
+  Motion<S> tool, relative;  ///< Twist of the tool at unit rate: absolute, relative to the base
   Motion<S> dnu_dq;          ///< Derivative of nu by this entry of q, in world axes
   Vec3<S> w_axes;            ///< Angular velocity of the axes at a unit rate
 };

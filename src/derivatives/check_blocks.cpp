@@ -6,8 +6,8 @@
 namespace burnish {
 namespace {
 
-// Default tolerance of the check. The scale of an error must not depend on the tolerance that the
-// user chooses, so this value is fixed.
+// Default tolerance of the check. It is fixed, because the scale of an error must not depend on the
+// tolerance that the user chooses.
 constexpr double usual_tolerance = 1e-6;
 
 }  // namespace

@@ -13,8 +13,8 @@ struct DerivativeBlock {
   Eigen::MatrixXd expected;                ///< Finite differences
   double floor = 0.0;                      ///< Lower bound of the scale of relative errors
   double noise = 0.0;                      ///< Rounding error of `expected`
-  /// Units of the rows, and of the arguments of the columns (empty: 1). `floor` and `noise` are in
-  /// these units.
+  /// Units of the rows, and units of the arguments to which the columns belong. Empty: all units
+  /// are 1. `floor` and `noise` are numbers in these units.
   Eigen::VectorXd row_units = {}, column_units = {};
 };
 
@@ -25,8 +25,9 @@ struct BlockMismatch {
 };
 
 /// Compares the entries of a block in their units. The scale of relative errors is the largest
-/// entry of `expected`, but at least `floor` and 1e6 times `noise`. Noise therefore passes with the
-/// default tolerance 1e-6. Throws Error if derivatives, differences or names differ in size.
+/// entry of `expected`, but at least `floor` and 1e6 times `noise`. With this scale, errors as
+/// small as `noise` pass the default tolerance 1e-6. Throws Error if derivatives, differences or
+/// names differ in size.
 BlockMismatch compare(const DerivativeBlock& block);
 
 }  // namespace burnish

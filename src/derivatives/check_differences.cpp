@@ -36,8 +36,8 @@ double largest(const Eigen::Ref<const Eigen::MatrixXd>& block) {
   return result;
 }
 
-/// Returns true if the uncertainty of every group is below max(wanted times its largest entry, its
-/// noise).
+/// Returns true if the uncertainty of each group is at most its noise, or at most `wanted` times
+/// its largest entry.
 bool settled(const Estimate& best, const std::vector<DifferenceGroup>& groups, double wanted) {
   Eigen::Index first = 0;
   const auto is_settled = [&](Eigen::Index rows, double noise) {
@@ -55,7 +55,7 @@ bool settled(const Estimate& best, const std::vector<DifferenceGroup>& groups, d
 void improve(Estimate& best, const Estimate& next) {
   for (Eigen::Index j = 0; j < best.value.cols(); ++j)
     for (Eigen::Index i = 0; i < best.value.rows(); ++i) {
-      // A number replaces a NaN; a NaN replaces nothing.
+      // Keeps `best` where `next` is NaN. Replaces `best` where only `best` is NaN.
       if (best.uncertainty(i, j) <= next.uncertainty(i, j)) continue;
       if (std::isnan(next.uncertainty(i, j))) continue;
       best.value(i, j) = next.value(i, j);

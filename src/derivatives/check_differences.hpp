@@ -22,13 +22,13 @@ Eigen::MatrixXd central_differences(const AllMovedValues& values, double step);
 /// Group of consecutive rows with the same unit.
 struct DifferenceGroup {
   int rows;            ///< Number of rows
-  double noise = 0.0;  ///< Rounding error of differences; smaller errors need no smaller step
+  double noise = 0.0;  ///< Rounding error of differences; smaller steps cannot reduce it
 };
 
 /// Computes m x n derivatives by extrapolation of central differences. Each entry comes from the
 /// steps with the smallest estimated error (C. Ridders, Accurate computation of F'(x), 1982).
 ///
-/// Smaller steps are tried while the estimated error of a group exceeds both its noise and `wanted`
+/// Tries smaller steps until the estimated error of each group is at most its noise or `wanted`
 /// times its largest entry. Rows after the last group form a group of their own. `finer` scales all
 /// steps.
 Eigen::MatrixXd extrapolated_differences(const AllMovedValues& values,

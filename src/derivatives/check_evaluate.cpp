@@ -14,8 +14,8 @@ namespace {
 /// Such differences have no truncation error.
 constexpr double exact_step = 0.5;
 
-/// Returns the rounding error of central differences of sums whose terms have this size. The factor
-/// 16 includes the amplification by the extrapolation.
+/// Returns the rounding error of central differences, for values that are sums of terms of the
+/// given size. The factor 16 includes the amplification by the extrapolation.
 double noise_of(double size, double step) {
   return 16.0 * std::numeric_limits<double>::epsilon() * size / step;
 }
@@ -38,8 +38,8 @@ double finer_on(const CheckState& state, const ContactSet& set, const ContactDyn
   return 1.0 / sharpest;
 }
 
-/// Finite differences of the values at one state. Columns are the entries of the argument; rows are
-/// those of CheckValues::at().
+/// Finite differences of the values at one state. Each column belongs to one entry of the argument.
+/// The rows are the rows of CheckValues::at().
 class Differences {
  public:
   Differences(const Model& model, CheckValues& values, const CheckState& state, bool forward)
@@ -141,7 +141,7 @@ class Blocks {
                        columns.units});
     if (!good_) blocks_.back().value.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
-  /// Makes the blocks that follow fail (NaN) unless the status is Ok.
+  /// Sets the values of all further blocks to NaN unless the status is Ok, so that they fail.
   void require(Status status) { good_ = status == Status::Ok; }
   double q_step() const { return finer_ * smallest_difference; }
 

@@ -16,7 +16,7 @@ constexpr double largest_condition = 1e5;  // condition number of J M^-1 J^T (co
 constexpr int tries_per_state = 20;
 constexpr double largest_surface_offset = 0.02;  // per axis, relative to the robot's length
 constexpr double largest_tilt = 0.6;             // change of each entry of a unit normal
-constexpr double min_normal_cosine = -0.9;  // cosine to the first normal; curved axes jump at -1
+constexpr double min_normal_cosine = -0.9;       // cos(angle to the first normal); axes jump at -1
 
 /// Returns the position of a contact's tool in its base [m].
 Eigen::Vector3d tool_in_base(const Model& model, const ContactSpec& contact,
@@ -108,7 +108,7 @@ double CheckStates::compliance(ContactDynamics& dynamics) {
   for (Eigen::Index r = 0; r < rows.relative_size.size(); ++r)
     if (rows.relative_size[r] > 0.0)
       sum += rows.Y.row(r).squaredNorm() / std::min(1.0, rows.relative_size[r]);
-  // Rows that no joint moves add nothing to the sum. If no joint moves any row, the result is 1e-2.
+  // Rows that no joint moves contribute zero to the sum. If no joint moves any row, returns 1e-2.
   return sum > 0.0 ? 1e-2 * sum / static_cast<double>(rows.relative_size.size()) : 1e-2;
 }
 

@@ -29,9 +29,9 @@ class CheckStates {
   /// valid.
   ///
   /// q is within limits and away from jumps of the pose error; if `rigid`, also away from singular
-  /// postures. Entries of v and a are at most 1 and 5, in rad or robot lengths. Entries of lambda
-  /// are at most a tenth of the weight, or of the weight times the robot length. tau is the inverse
-  /// dynamics of a random acceleration.
+  /// postures. Entries of v are at most 1 and entries of a at most 5, in rad or robot lengths.
+  /// Entries of lambda are at most a tenth of the weight (forces), or of the weight times the robot
+  /// length (moments). tau is the inverse dynamics of a random acceleration.
   std::optional<std::vector<CheckState>> draw(ContactDynamics& dynamics, int count, bool rigid);
 
   /// Returns a compliance that regularizes the contacts at singular postures [m/s^2 per N]: a
@@ -42,7 +42,7 @@ class CheckStates {
  private:
   Eigen::VectorXd uniform(Eigen::Index size, double reach);
   bool far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q) const;
-  /// Returns the quadric that osculates, at the tool, a surface placed at random near the tool.
+  /// Places a surface at random near the tool. Returns the quadric that osculates it at the tool.
   Quadric surface_near(const ContactSpec& contact, const Eigen::VectorXd& q);
 
   const Model& model_;

@@ -15,7 +15,7 @@ struct CheckUnits {
   explicit CheckUnits(const Model& model, const ContactSet& set = {});
 
   double length;              ///< Power of ten nearest to robot_size() [m]
-  double force;               ///< Weight; on Earth if the model has no gravity [N]
+  double force;               ///< Weight of the robot, on Earth if the model has no gravity [N]
   Eigen::VectorXd motion;     ///< Units of q, v and a (nv) [rad, m]
   Eigen::VectorXd torque;     ///< Units of tau (nv) [N m, N]
   Eigen::VectorXd row;        ///< Units of alpha (rows) [rad, m]

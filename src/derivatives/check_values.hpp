@@ -13,7 +13,7 @@ struct Evaluations {
   bool forward = false, inverse = false, acceleration = false;
 };
 
-/// States, one per column. A matrix with one column holds for all states.
+/// States, one per column. A matrix with only one column applies to all states.
 struct CheckColumns {
   explicit CheckColumns(const CheckState& state)
       : q(state.q), v(state.v), tau(state.tau), a(state.a), lambda(state.lambda) {}
@@ -38,7 +38,7 @@ class CheckValues {
   /// Replaces the surface that the first contact follows.
   void set_surface(const Quadric& surface);
 
-  /// Returns the sizes at one state. Those of a and lambda are zero if M is singular.
+  /// Returns the sizes at one state. The sizes of a and lambda are zero if M is singular.
   CheckSizes sizes(const CheckState& state);
   const CheckUnits& units() const { return units_; }
 

@@ -8,7 +8,8 @@
 
 namespace burnish {
 
-/// Derivatives of one ConstrainedDynamics, with their workspace. Only the constructor allocates.
+/// Derivatives of the results of one ConstrainedDynamics, with workspace. Only the constructor
+/// allocates.
 ///
 /// All matrices are row-major with nv columns. The first nv rows belong to a, the next rows() to
 /// lambda.
@@ -23,11 +24,13 @@ class ConstrainedDerivatives {
   /// dtau/dq and dtau/dv (dtau/da is M, dtau/dlambda is -J^T).
   void inverse(ConstrainedDynamics<S>& dynamics);
   /// Computes the derivatives of the last acceleration(). The rows of rhs_q and rhs_v after the
-  /// first nv then hold minus d(alpha + kd nu + kp e)/dq and /dv (d/da is J).
+  /// first nv then hold the negated derivatives of alpha + kd nu + kp e by q and v. (The derivative
+  /// by a is J.)
   void acceleration(ConstrainedDynamics<S>& dynamics);
   /// Computes the derivatives of the last impact(). The first nv rows of d_dq, d_dv and d_dtau
-  /// belong to velocity_after, the others to the impulse lambda. Arguments are q, the velocity
-  /// before the impact, and an impulse on the joints during the impact (nv) [N m s, N s].
+  /// belong to velocity_after, the other rows to the impulse lambda. The derivatives are by q, by
+  /// the velocity before the impact, and by an impulse on the joints during the impact (nv) [N m s,
+  /// N s].
   void impact(ConstrainedDynamics<S>& dynamics);
 
   /// Right-hand sides. The first nv rows hold dtau/dq and dtau/dv at constant a and lambda. The
@@ -40,20 +43,20 @@ class ConstrainedDerivatives {
   /// Unbranched chain of entries of v.
   struct Segment {
     int first, end;              ///< Entries of v in the chain
-    std::vector<int> related;    ///< Entries of v whose rows of rhs are nonzero here, ascending
+    std::vector<int> related;    ///< Joint rows of rhs that are nonzero in these columns, ascending
     std::vector<int> ancestors;  ///< Entries of v in the chain and above it
   };
-  /// Fill rows of rhs_q and rhs_v: the rows after the first nv, and the first nv rows.
+  /// Fill rhs_q and rhs_v: the rows of contacts (after the first nv rows), and the rows of joints.
   void fill_contact_rows(ConstrainedDynamics<S>& dynamics,
                          const std::vector<CompiledContact>& contacts);
   void fill_joint_rows(ConstrainedDynamics<S>& dynamics);
   /// Subtracts the derivative of friction by v from the first nv rows of rhs_v.
   void subtract_friction(ConstrainedDynamics<S>& dynamics);
-  /// Corrects the results of the system without friction for friction.
+  /// Adds the effect of friction to results that were computed without friction.
   void add_friction(ConstrainedDynamics<S>& dynamics);
   /// Add the effect of rows that contradict each other to d_dq (contradiction.hpp).
-  /// fill_shifted_rows() computes shifted_ at changed forces and accelerations, before rhs_q is
-  /// filled. add_contradiction() then corrects d_dq.
+  /// fill_shifted_rows(), called before rhs_q is filled, computes shifted_: the rows of rhs_q at
+  /// changed forces and accelerations. add_contradiction() then corrects d_dq.
   void fill_shifted_rows(ConstrainedDynamics<S>& dynamics);
   void add_contradiction(const ConstrainedDynamics<S>& dynamics);
   /// Fills rhs_q and rhs_v for an impact.
@@ -73,7 +76,7 @@ class ConstrainedDerivatives {
   int version_ = -1;  ///< active_version() for which the lists below are valid
   std::vector<Segment> segments_;
   std::vector<std::vector<int>> shared_ancestors_;  ///< Common ancestors of each pair of segments
-  std::vector<std::vector<int>> segment_rows_;      ///< Segment::related and rows of contacts
+  std::vector<std::vector<int>> segment_rows_;      ///< Segment::related and rows of its contacts
   std::vector<int> all_columns_, contact_rows_, supported_columns_;
   std::vector<char> supported_;
   std::vector<Coriolis<S>> coriolis_;
@@ -81,7 +84,7 @@ class ConstrainedDerivatives {
   std::vector<S> factor_inverse_;  ///< L^-T, row-major: entry (k, i) for ancestors k of i
   std::vector<S> Z_;               ///< J M^-1, rows x nv
   std::vector<S> lambda_by_tau_;   ///< (dlambda/dtau)^T, nv x rows
-  std::vector<S> by_friction_;     ///< da per unit of normal force, nv entries per contact
+  std::vector<S> by_friction_;     ///< da per unit of normal force, nv entries per sliding contact
   std::vector<S> solved_, before_, frozen_;
   /// Change of rhs_q due to contradictory rows, and a copy of a; empty without proximal iterations
   std::vector<S> shifted_, a_;

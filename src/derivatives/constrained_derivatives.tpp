@@ -29,8 +29,8 @@ inline bool is_influenced(const CompiledContact& contact, int k) {
   return contains(contact.influenced, k);
 }
 
-/// Returns the entries of v related to a chain: entries above, in and below it, and entries coupled
-/// to it by a contact that moves more than the tool.
+/// Returns the entries of v related to a chain: entries above, in and below the chain, and entries
+/// that are coupled to the chain by a contact in which more than the tool moves.
 inline std::vector<int> related_rows(const Tree& tree, const ContactSet& set,
                                      const std::vector<int>& above, int first) {
   std::vector<int> result;
@@ -156,8 +156,8 @@ void ConstrainedDerivatives<S>::subtract_friction(ConstrainedDynamics<S>& dynami
 
 template <class S>
 void ConstrainedDerivatives<S>::add_friction(ConstrainedDynamics<S>& dynamics) {
-  // The columns hold da and dlambda of the system without friction. A unit of normal force j
-  // changes them by da = P F_j and dlambda = -R_j, with the block P = da/dtau.
+  // The columns hold da and dlambda without friction. A unit of the normal force of contact j adds
+  // P F_j to da and subtracts R_j from dlambda, with P = da/dtau (friction_coupling.hpp).
   FrictionCoupling<S>& f = dynamics.friction();
   const int m = dynamics.rows();
   for (int j = 0; j < f.size(); ++j) {
@@ -200,7 +200,7 @@ void ConstrainedDerivatives<S>::acceleration(ConstrainedDynamics<S>& dynamics) {
 
 template <class S>
 void ConstrainedDerivatives<S>::fill_impact_rows(ConstrainedDynamics<S>& dynamics) {
-  // At zero velocity, the contact acceleration for joint accelerations v+ is J v+, for all kinds of
+  // At zero velocity, joint accelerations v+ cause the contact acceleration J v+, for all kinds of
   // acceleration and references. Its derivative by q is d(J v+)/dq, without gravity.
   InverseDynamics<S>& id = dynamics.inverse_dynamics();
   accelerate(dynamics.tree(), dynamics.kinematics(), dynamics.velocity_after.data(), id);
@@ -232,15 +232,15 @@ void ConstrainedDerivatives<S>::impact(ConstrainedDynamics<S>& dynamics) {
   by_torque(dynamics);
   by_state(dynamics, rhs_q, d_dq);
   by_state(dynamics, rhs_v, d_dv);
-  // The rows hold the derivatives of v+ - v-; adding 1 gives those of v+.
+  // The first n_ rows hold d(v+ - v-)/dv-. Adding the identity gives dv+/dv-.
   for (int k = 0; k < n_; ++k) d_dv[k * n_ + k] += S(1.0);
   for (auto* matrix : {&d_dq, &d_dv, &d_dtau}) dynamics.clear_failed(*matrix);
 }
 
 template <class S>
 void ConstrainedDerivatives<S>::invert_factor(const ConstrainedDynamics<S>& dynamics) {
-  // Row i of W = L^-1: W_ii = 1/L_ii, W_ij = -1/L_ii sum over k in (j, i) of L_ik W_kj. Stored as
-  // column i of W^T.
+  // Row i of W = L^-1: W_ii = 1/L_ii, W_ij = -1/L_ii sum of L_ik W_kj over j <= k < i. Row i of W
+  // is stored as column i of W^T.
   const MassMatrix<S>& mass = dynamics.mass();
   const auto& parent = dynamics.tree().parent_of_v;
   S* const W = factor_inverse_.data();
@@ -268,7 +268,7 @@ void ConstrainedDerivatives<S>::solve_contacts(const ConstrainedDynamics<S>& dyn
   solve_delassus(dynamics.delassus(), m, std::span<const int>(columns), x, n_);
   const S mu(dynamics.solver().mu);
   for (int iteration = 0; iteration < dynamics.proximal_iterations; ++iteration) {
-    // Each lane runs as many iterations as forward() did, so it does not depend on other lanes.
+    // Each lane runs as many iterations as in forward(), whatever the other lanes do.
     const auto closed =
         mask_not(less(S(static_cast<double>(iteration)), dynamics.lane_iterations[0]));
     const bool some_closed = any(closed);
@@ -288,8 +288,7 @@ void ConstrainedDerivatives<S>::solve_contacts(const ConstrainedDynamics<S>& dyn
 
 template <class S>
 void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics) {
-  // [da; dlambda]/dtau = K^-1 [1; 0]: with Z = J M^-1, dlambda/dtau = -G^-1 Z and
-  // da/dtau = M^-1 + Z^T dlambda/dtau.
+  // With Z = J M^-1, dlambda/dtau = -G^-1 Z and da/dtau = M^-1 + Z^T dlambda/dtau.
   if (dynamics.tree().deep) {
     by_torque_deep(dynamics);
     return;
@@ -320,7 +319,7 @@ void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics
     }
 }
 
-/// Computes dlambda/dtau from Z, and its transpose.
+/// Computes dlambda/dtau and its transpose from Z = J M^-1.
 template <class S>
 void ConstrainedDerivatives<S>::lambda_by_torque(const ConstrainedDynamics<S>& dynamics) {
   const int m = dynamics.rows();
@@ -348,6 +347,7 @@ void ConstrainedDerivatives<S>::by_torque_deep(const ConstrainedDynamics<S>& dyn
 template <class S>
 void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
                                          const std::vector<S>& rhs, std::vector<S>& out) {
+  // For z = q and z = v:
   // da/dz = -da/dtau dtau/dz - (dlambda/dtau)^T (minus dalpha/dz),
   // dlambda/dz = -dlambda/dtau dtau/dz + G^-1 (minus dalpha/dz).
   const int m = dynamics.rows();
@@ -373,17 +373,18 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
   for (int r = 0; r < m; ++r)
     for (const int j : supported_columns_) out[(n_ + r) * n_ + j] += solved_[r * n_ + j];
   if (!deep) return;
-  // The deep form: da/dz = Z^T dlambda/dz - M^-1 dtau/dz.
+  // Deep trees use an equivalent formula: da/dz = Z^T dlambda/dz - M^-1 dtau/dz.
   gram<Gram::Add>(
       StridedView<const S>{Z_.data(), n_}, StridedView<const S>{out.data() + n_ * n_, n_},
       std::span<const int>(contact_rows_), 0, n_, 0, n_, StridedView<S>{out.data(), n_});
 }
 
-// Let n be the component of rho in the null space of G = J M^-1 J^T. The forces are
-// lambda = G^+ (rho - n), with J^T n = 0, and lambda is orthogonal to the null space. dlambda/dq
-// consists of the derivative at constant n and null space, and of two more terms:
+// Let n be the component of rho in the null space of G = J M^-1 J^T. J^T n is zero. The forces
+// lambda = G^+ (rho - n) are orthogonal to the null space. With Z = J M^-1, dlambda/dq is the
+// derivative at constant n and null space, plus two terms:
 //   G^+ G^+ Z d(J^T n)/dq, and the null-space component of d(J y)/dq with y = Z^T G^+ lambda.
-// The rows of rhs_q are affine in lambda and a, so differences of these rows give both terms.
+// The rows of rhs_q are affine in lambda and a. Both terms are therefore computed from the
+// difference between shifted_ and rhs_q; shifted_ is rhs_q at changed lambda and a.
 template <class S>
 void ConstrainedDerivatives<S>::fill_shifted_rows(ConstrainedDynamics<S>& dynamics) {
   const int m = dynamics.rows();
@@ -397,7 +398,7 @@ void ConstrainedDerivatives<S>::fill_shifted_rows(ConstrainedDynamics<S>& dynami
   dynamics.apply_forces();
   fill_contact_rows(dynamics, dynamics.set().contacts());
   dynamics.a = a_;
-  // `unmet` is -n.
+  // `unmet` is -n, with n the null-space component of rho.
   dynamics.apply_forces(dynamics.contradiction().unmet.data());
   fill_joint_rows(dynamics);
   shifted_ = rhs_q;
@@ -418,7 +419,7 @@ void ConstrainedDerivatives<S>::add_contradiction(const ConstrainedDynamics<S>& 
   for (int r = 0; r < m; ++r)
     for (int k = 0; k < n_; ++k)
       for (int j = 0; j < n_; ++j) d_dq[k * n_ + j] += Z_[r * n_ + k] * solved_[r * n_ + j];
-  // The lambda rows of shifted_ are -d(J y)/dq. Adds minus their null-space component.
+  // The rows of lambda in shifted_ are -d(J y)/dq. Subtracts their null-space component.
   S* const by_y = shifted_.data() + n_ * n_;
   const Contradiction<S>& c = dynamics.contradiction();
   for (int i = 0; i < m * n_; ++i) d_dq[n_ * n_ + i] += solved_[i] - by_y[i];

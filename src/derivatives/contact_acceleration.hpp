@@ -34,9 +34,9 @@ void contact_acceleration_derivatives(const CompiledContact& contact,
                                       const ContactAccelerations<S>& at, S* minus_dq, S* minus_dv,
                                       int stride);
 
-/// Subtracts from dtau_dq (nv x nv, row-major) the term of the reference in d(J^T lambda)/dq
-/// (Proposition 4, eq. 32). A wrench that moves rigidly with the bodies lacks this term. It is zero
-/// for `Local` with one moving body.
+/// Subtracts from dtau_dq (nv x nv, row-major) the term that the motion of the reference adds to
+/// d(J^T lambda)/dq (Proposition 4, eq. 32). Without this term, dtau_dq treats the wrench as moving
+/// rigidly with the bodies. The term is zero for `Local` with one moving body.
 template <class S>
 void subtract_force_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                               const ContactState<S>& state, S* dtau_dq, int stride);

@@ -18,7 +18,7 @@ struct EntryMotion {
   Motion<S> dnu_dq;                ///< Derivative of nu in tool axes
   Motion<S> dalpha_dq, dalpha_dv;  ///< Derivatives of a_L in tool axes
   Motion<S> tool_rate;             ///< psi'_k if k moves the tool, else zero
-  Vec3<S> curved_turn;  ///< Part of w_axes due to the surface; valid if the axes follow one
+  Vec3<S> curved_turn;  ///< Part of w_axes due to a surface; valid if the axes follow one
 };
 
 /// Adds the rotation of axes that follow a surface.
@@ -58,7 +58,8 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   AxisState<S> difference;
   Motion<S> difference_acc;
   if (two_bodies && tool_moves && entry.moves_base()) {
-    // The entry has two axes. All terms below are linear in the axis, so their difference works.
+    // The entry moves tool and base along different axes. All terms below are linear in the axis,
+    // so they can be computed from the difference of the two axes.
     const AxisState<S>& of_base = kinematics.axes[entry.base_axis];
     difference = {moving->axis - of_base.axis, moving->parent_rate - of_base.parent_rate,
                   moving->rate_sum - of_base.rate_sum};
@@ -69,7 +70,7 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   const AxisState<S>& axis = *moving;
   m.relative = axis.axis;
   m.dnu_dq = axis.parent_rate;
-  // psi''_k without gravity
+  // Computes psi''_k without gravity: the second line removes the part of gravity.
   m.dalpha_dq = *moving_acc;
   m.dalpha_dq.linear += cross(at.gravity, axis.axis.angular);
   m.dalpha_dv = axis.rate_sum - cross(state.v_tool, axis.axis);
@@ -113,8 +114,9 @@ template <class S>
 struct TurningRates {
   Vec3<S> dq, dv;
 };
-/// Computes the derivatives for axes that follow a surface of the base. Then eta's angular part is
-/// that of nu minus w. The step of the point and the change of its velocity are relative to the
+/// Computes the derivatives for axes that follow a surface of the base. The angular part of eta is
+/// then the angular part of nu minus the angular velocity of the axes relative to the base. `step`
+/// and `dv` are the changes of position and velocity of the tool's point, both relative to the
 /// base.
 template <class S>
 BURNISH_INLINE TurningRates<S> following_rates(const ContactState<S>& state,
@@ -139,7 +141,8 @@ BURNISH_INLINE TurningRates<S> turning_rates(const CompiledContact& contact,
   if (body < 0 || contact.spec.acceleration == Acceleration::Classical)
     return {m.tool_rate.angular, m.tool.angular};
   if (body == contact.base_body) return {m.dnu_dq.angular, m.relative.angular};
-  // D_k w_A = psi'_k + (S_k - T_k) x w_A. T_k is the axis of the tool, S_k that of the body of A.
+  // w_A is the angular velocity of the body A to which the axes are fixed. Its derivative in tool
+  // axes is psi'_k + (S_k - T_k) x w_A. Entry k moves the tool along T_k and A along S_k.
   const Vec3<S> turned = m.w_axes - m.tool.angular;
   Vec3<S> axes_rate = cross(turned, kinematics.bodies[body].v.angular);
   if (entry.reference.axes >= 0)
@@ -167,7 +170,8 @@ BURNISH_INLINE Motion<S> error_derivative(const CompiledContact& contact,
   if (contact.reference.at_tool)
     return {d.linear - cross(m.w_axes, state.error.linear),
             d.angular - cross(m.w_axes, state.error.angular)};
-  // The error as a motion about the world's origin. -V_k is xi_k minus the twist of the tool.
+  // Converts d to the derivative of the error as a motion about the world's origin. In the last
+  // line, xi - tool is -V_k, with V_k the twist of the reference.
   d.linear += cross(tool_at_p, state.error.angular) + cross(state.p, d.angular);
   if (contact.reference.at_world && contact.reference.axes_body < 0) return d;
   const Motion<S> error = moving_at(state.p, state.error.linear, state.error.angular);
@@ -249,7 +253,8 @@ BURNISH_INLINE EntryRates<S> rates_anywhere(
       eta_dq = turning_at(state.p, m.tool_rate.angular);
       eta_dv = turning_at(state.p, m.tool.angular);
     } else if (reference.origin_body >= 0 || reference.axes_body >= 0) {
-      // D_k V = dV/dq_k - T_k x V, and V is the twist of the tool minus eta.
+      // The twist of the reference is V = v_tool - eta, and entry k moves the tool along T_k. The
+      // derivative of V in tool axes is dV/dq_k - T_k x V.
       eta_dq += cross(m.tool, state.v_tool - state.eta) -
                 reference_twist_by_q(reference, entry.reference, state.origin, kinematics);
     }
@@ -325,7 +330,8 @@ void contact_acceleration_derivatives(const CompiledContact& contact,
 namespace contact_detail {
 
 /// Subtracts the term for one moving body, axes fixed in the world and origin at the tool. Relative
-/// to the tool, the wrench rotates with delta_k = w_axes - w_tool, where w_axes is zero. This gives
+/// to the tool, the wrench (f, m) rotates with delta_k = w_axes - w_tool, where w_axes is zero.
+/// With the linear and angular parts u_j and w_j of S_j,
 /// S_j . (delta_k x (f, m)) = delta_k . (f x u_j + m x w_j).
 template <class S>
 void subtract_turning_axes(const CompiledContact& contact, const Kinematics<S>& kinematics,
@@ -340,8 +346,9 @@ void subtract_turning_axes(const CompiledContact& contact, const Kinematics<S>& 
   }
 }
 
-/// Subtracts the term for any contact: dW_k - S_k x* W. dW_k is the true derivative of the world
-/// wrench, which moves with the reference. The sweep of inverse dynamics assumed S_k x* W.
+/// Subtracts the term for any contact: dW_k - S_k x* W, where W is the wrench in world axes. W
+/// moves with the reference, and dW_k is its derivative. The sweep of inverse dynamics used the
+/// derivative of a wrench that moves with the body, S_k x* W.
 template <class S>
 void subtract_general_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                                 const ContactState<S>& state, S* dtau_dq, int stride) {

@@ -131,7 +131,7 @@ struct ContactDynamics::Impl {
     evaluated = what;
     return dynamics.status();
   }
-  /// Runs `kernel` if the workspace holds the evaluation that it differentiates.
+  /// Runs `kernel` if the workspace holds the evaluation that `kernel` differentiates.
   Status differentiate(Evaluation what, const auto& kernel) {
     if (evaluated != what) return Status::NotEvaluated;
     kernel(derivatives, dynamics);
@@ -164,7 +164,7 @@ struct ContactDynamics::Impl {
   RowMatrix mass, jacobian;           ///< Dense copies, nv x nv and rows x nv
   RowMatrix negated_q, negated_v;     ///< dalpha/dq and dalpha/dv
   Eigen::VectorXd velocity, error, zeros;
-  bool is_loaded = false;         ///< Whether the workspace holds a state of the present masses
+  bool is_loaded = false;         ///< Whether a state is loaded with the present masses
   bool contacts_changed = false;  ///< Whether contacts changed since the state was loaded
   Evaluation evaluated = Evaluation::Nothing;
   bool differentiated = false;           ///< Whether the derivatives of `evaluated` are valid

@@ -94,7 +94,7 @@ struct ContactDynamicsBatch::Impl {
     const bool fits = n > 0 && n <= capacity && q_in.rows() == nq && v_in.rows() == nv &&
                       tau_in.rows() == nv && v_in.cols() == n && tau_in.cols() == n;
     if (!fits) return Status::WrongSize;
-    // Pieces large enough to make the overhead of the thread pool negligible.
+    // A piece has so many states that the overhead of the thread pool is negligible.
     constexpr int states_per_piece = 8 * native_lanes;
     pool.for_each((n + states_per_piece - 1) / states_per_piece, [&](int worker, int piece) {
       const int end = std::min(n, (piece + 1) * states_per_piece);
@@ -128,8 +128,9 @@ struct ContactDynamicsBatch::Impl {
     }
   }
 
-  /// Records the causes of a failure in `out`, first for each entry of v, then for each row. 1: the
-  /// entry moves no mass, or the row is dependent; 2: normal row of a tool that jams; 0: no cause.
+  /// Writes the causes of a failure to `out`, one for each entry of v, then one for each row. 0: no
+  /// cause; 1: the entry moves no mass, or the row is dependent; 2: the row is the normal of a tool
+  /// that jams.
   void record_causes(const ConstrainedDynamics<NativePack>& dynamics, int lane, char* out) const {
     for (int k = 0; k < nv; ++k) out[k] = dynamics.moves_no_mass(k, lane) ? 1 : 0;
     for (int r = 0; r < dynamics.rows(); ++r) out[nv + r] = dynamics.is_dependent(r, lane) ? 1 : 0;
@@ -167,10 +168,10 @@ struct ContactDynamicsBatch::Impl {
   ThreadPool pool;
   std::vector<Worker> workers;  ///< One per thread
   std::vector<Status> status;
-  std::vector<char> causes;                ///< nv + rows entries per state; valid if not Ok
+  std::vector<char> causes;                ///< nv + rows entries per state; valid unless status Ok
   std::vector<std::string> joint_names;    ///< Joint of each entry of v
   std::vector<double> a, lambda;           ///< nv and rows entries per state
-  std::vector<double> unmet;               ///< rows entries per state; valid if not Ok
+  std::vector<double> unmet;               ///< rows entries per state; valid unless status Ok
   std::vector<double> d_dq, d_dv, d_dtau;  ///< (nv + rows) x nv per state, row-major
 };
 

@@ -35,14 +35,14 @@ ContactRows contact_rows(const Model& model, ContactDynamics& dynamics,
 namespace {
 
 /// Gram-Schmidt orthogonalization, row by row. Each basis vector is also stored as a combination of
-/// rows of Y, to find the rows of Y that imply a redundant row.
+/// rows of Y. The combination shows which rows of Y imply a redundant row.
 struct OrthogonalRows {
   std::vector<Eigen::VectorXd> basis;         ///< Orthonormal vectors
   std::vector<Eigen::VectorXd> combinations;  ///< Coefficients of the rows of Y, per vector
   std::vector<double> uncertain;  ///< Relative rounding error of each squared length before scaling
 
-  /// Subtracts from a row its projection onto the basis. Returns the rounding error of the squared
-  /// length of the remainder, if it is computed as a pivot (delassus.hpp).
+  /// Subtracts from a row its projection onto the basis. Returns the rounding error that the
+  /// squared length of the remainder has when computed as a pivot (delassus.hpp).
   double reduce(Eigen::VectorXd& row, Eigen::VectorXd& combination) const {
     double rounding = pivot_rounding * row.squaredNorm();
     // Two passes make the row orthogonal up to rounding.
@@ -57,7 +57,7 @@ struct OrthogonalRows {
   }
 };
 
-/// Returns the condition number of Y Y^T for scaled rows. A largest eigenvalue below 1 counts as 1.
+/// Returns the condition number of Y Y^T for scaled rows, with a largest eigenvalue of at least 1.
 double condition_of(const Eigen::MatrixXd& Y) {
   const Eigen::VectorXd values = symmetric_eigen(Y * Y.transpose()).values;
   return std::max(1.0, values.maxCoeff()) / values.minCoeff();

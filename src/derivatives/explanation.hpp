@@ -15,9 +15,9 @@ struct UnmetRow {
   double acceleration;  ///< Residual contact acceleration [m/s^2, rad/s^2]
 };
 
-/// Returns describe(status), extended by names. SingularMass names the `joints` that move no mass,
-/// each once. SingularContacts names the dependent `rows` ("pad/z"), or the contacts `jammed`,
-/// whose tools jam. NotConverged names the rows that contradict each other.
+/// Returns describe(status), followed by names. SingularMass: the `joints` that move no mass, each
+/// once. SingularContacts: the dependent `rows` ("pad/z"), or the contacts `jammed`, whose tools
+/// jam. NotConverged: the rows that contradict each other.
 std::string explain(Status status, const std::vector<std::string>& joints,
                     const std::vector<std::string>& rows, const std::vector<std::string>& jammed,
                     const std::vector<UnmetRow>& unmet = {});
@@ -26,8 +26,8 @@ std::string explain(Status status, const std::vector<std::string>& joints,
 /// twelve rows.
 std::string contradicting(std::vector<UnmetRow> rows);
 
-/// Returns the rows whose residual acceleration exceeds a millionth of the largest. Smaller
-/// residuals are rounding errors.
+/// Returns the rows whose residual acceleration exceeds a millionth of the largest one. Smaller
+/// accelerations are rounding errors.
 std::vector<UnmetRow> unmet_rows(const std::vector<std::string>& names,
                                  std::span<const double> unmet);
 

@@ -15,7 +15,7 @@
 
 namespace burnish {
 
-/// Reference at a state, with the entries of v that move it.
+/// Reference at a state, and the entries of v that move it.
 template <class S>
 struct FrameReference {
   const CompiledReference& compiled;

@@ -25,7 +25,8 @@ void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameRefer
                                     const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                                     const FrameState<S>& state, S* dq, S* dv, int stride) {
   if (frame.body < 0) return;
-  // psi''_k contains a_lambda - g. The product of S_k must use a - g, so that both g x S_k cancel.
+  // psi''_k is computed with a_lambda - g in place of a_lambda. The product of S_k and a must
+  // therefore use a - g too. Then the terms g x S_k and S_k x g cancel.
   const Motion<S> a_minus_gravity = kinematics.bodies[frame.body].a_bias + id.a_joint[frame.body];
   const CompiledReference& compiled = reference.compiled;
   const ReferencePose<S>& at = reference.pose;

@@ -27,8 +27,9 @@ void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinemat
     for (int k = joint.axis; k < joint.axis + joint.nv; ++k) {
       const AxisState<S>& axis = kinematics.axes[k];
       const Motion<S>& psi_ddot = id.axis_acc[k];
-      // Column k, rows j above: S_j . (I psi'' + 2 B psi' [+ S_k x* f]) and
-      // S_j . (I (psi' + S') + 2 B S_k). Row k, columns j above: these terms with the rates of j.
+      // Column k, rows of the axes j above. dtau/dq: S_j . (I psi'' + 2 B psi' [+ S_k x* f]);
+      // dtau/dv: S_j . (I (psi' + S') + 2 B S_k). Row k, columns j: S_k . (the same terms with the
+      // rates of j, without S_k x* f).
       Force<S> by_q = B * (axis.parent_rate * two) + I * psi_ddot;
       const Force<S> by_v = B * (axis.axis * two) + I * axis.rate_sum;
       const Force<S> momentum = I * axis.axis;
@@ -42,7 +43,8 @@ void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinemat
         dv[k * n + j] = dot(turning, above.axis.angular) + dot(above.rate_sum, momentum);
       };
       int j = k;
-      // Entries of one joint rotate its axes and the force together, so S_k x* f does not apply.
+      // A motion of one entry of a joint turns the joint's other axes together with the force. For
+      // pairs of entries of one joint, S_k x* f therefore does not apply.
       for (; j >= joint.axis; j = parent[j]) pair(j);
       by_q += cross(axis.axis, f);
       for (; j >= 0; j = parent[j]) pair(j);

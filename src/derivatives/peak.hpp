@@ -4,7 +4,7 @@
 namespace burnish {
 
 /// Measures the multiply-adds per second of one core on packs (pack_width() numbers each) that stay
-/// in registers. Returns the best of short runs during about `seconds` [s].
+/// in registers. Makes short runs for about `seconds` [s] and returns the highest rate.
 double multiply_add_peak(double seconds = 0.05);
 
 }  // namespace burnish

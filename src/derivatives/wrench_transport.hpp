@@ -11,7 +11,7 @@ namespace burnish {
 struct WrenchEntry {
   int v;
   ReferenceAxes own,
-      requested;  ///< Axes that move the contact's reference, the requested reference
+      requested;  ///< Axes that move the contact's reference and the requested one
   /// Axes that move tool and base. Both are -1 unless the contact's reference follows a surface or
   /// the contact has friction.
   int tool_axis = -1, base_axis = -1;
@@ -25,9 +25,9 @@ void wrench_entries(const Tree& tree, const CompiledContact& contact,
 /// Returns the derivative of state.force_world by an entry of q, in the requested reference at
 /// `pose`. `dlambda` is the world wrench of the derivative of lambda.
 ///
-/// The wrench W of lambda moves with the contact's reference, whose twist per unit rate of the
-/// entry is V_k. Its derivative is V_k x* W. Friction has its own derivative. Both derivatives are
-/// taken relative to the requested reference.
+/// The wrench W of lambda moves with the contact's reference. If V_k is the twist of that reference
+/// per unit rate of the entry, the derivative of W is V_k x* W. The derivative of friction is
+/// added. Both are then converted to derivatives relative to the requested reference.
 template <class S>
 Force<S> wrench_rate(const CompiledContact& contact, const ReferencePose<S>& pose,
                      const WrenchEntry& entry, const ContactState<S>& state,

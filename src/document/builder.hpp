@@ -21,8 +21,8 @@ class Builder {
   }
   /// Adds a scalar.
   void add(Node&& node);
-  /// Counts the values of an anchored node before it is copied. Copies have a lower limit than
-  /// other values, since a few lines of aliases can expand to millions of values.
+  /// Counts the values of an anchored node before the node is copied. Copied values have a lower
+  /// limit than other values, since a few lines of aliases can expand to millions of values.
   void count_copy(const Node& node, Place place);
   /// Adds a copy of `node` for an alias at `place`.
   void add_copy(const Node& node, Place place);

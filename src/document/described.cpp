@@ -21,7 +21,7 @@ void check(double value, const Range& range, const Reader& reader) {
     reader.refuse("it is " + burnish::number(value) + "; wanted " + range.text());
 }
 
-/// Returns the words in files for the values 0, 1, ... of a count.
+/// Returns the words that files use for the values 0, 1, ... of a count.
 std::vector<std::string> words_of(const Field& field) {
   std::istringstream text(field.words);
   return {std::istream_iterator<std::string>(text), {}};

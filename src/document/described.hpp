@@ -15,11 +15,11 @@
 
 namespace burnish::document {
 
-/// Additions to a description for reading a file: readers by type, checks of names, further keys.
+/// Additions to a description for reading a file: readers of C++ types, checks of names, more keys.
 struct Reading {
-  /// Readers of values by their C++ type. They replace the reading by description for these types.
+  /// Readers of values, by C++ type. Values of these types are not read by their description.
   std::map<std::type_index, std::function<void(void* value, const Reader& reader)>> types = {};
-  /// Checks of a text or a list of texts, by Field::name_of: "frame", "joint" or "contact".
+  /// Checks of names that a text or a list of texts contains, by Field::name_of ("frame", ...).
   std::map<std::string, std::function<void(const Reader& names)>> names = {};
   /// Further allowed keys of the outermost map; the caller reads them.
   std::vector<std::string> also = {};
@@ -39,8 +39,8 @@ void read_entry(const Field& field, void* spec, const Reader& reader);
 /// the place for an unknown key, a missing key that is `@stated`, or a value that does not fit.
 void read_described(const Description& description, void* spec, const Reader& reader,
                     const Reading& reading = {});
-/// Returns the value of an entry as YAML on one line; nothing for an empty text, which is not
-/// written.
+/// Returns the value of an entry as YAML on one line. Returns nothing for an empty text, because
+/// files omit it.
 std::optional<std::string> entry_text(const Field& field, const void* spec);
 
 }  // namespace burnish::document

@@ -34,8 +34,8 @@ class ProgressIterator {
   const char** seen_;
 };
 
-/// Receiver of the parser's events. The parser does not report places. The place of each token is
-/// therefore found by reading on from the end of the previous token.
+/// Receiver of the parser's events. The parser does not report the place of a token. Each place is
+/// found by reading on from the end of the previous token.
 class JsonEvents {
  public:
   JsonEvents(const std::string& text, const std::string& name)
@@ -133,7 +133,7 @@ class JsonEvents {
 }  // namespace
 
 Node parse_json(const std::string& text, const std::string& name) {
-  constexpr int megabytes = 32;  // text of this size that holds only short lists takes 1 GB
+  constexpr int megabytes = 32;  // a text of this size with only short lists takes 1 GB of memory
   check_size(text, name, megabytes);
   JsonEvents events(text, name);
   json::sax_parse(events.begin(), events.end_of_text(), &events);

@@ -12,7 +12,7 @@
 namespace burnish::document {
 namespace {
 
-/// Returns the words for a value in messages.
+/// Returns a description of a value for messages, such as "a list".
 std::string kind_text(const Node& node) {
   switch (node.kind) {
     case Kind::Null:

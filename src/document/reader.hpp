@@ -30,7 +30,7 @@ class Reader {
   /// begins with a bracket, a brace or a quote is parsed as YAML; any other value is one scalar.
   static Reader parse_override(const std::string& path, const std::string& value,
                                const std::string& name);
-  /// Reads a given tree, called `name` in messages. `path` is the path of keys to its root.
+  /// Gives access to a tree, called `name` in messages. `path` is the path of keys to its root.
   Reader(Node root, std::string name, std::string path = "");
 
   /// Throws Error about this value: "<file>: line N: <path>: <what>".

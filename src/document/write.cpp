@@ -19,7 +19,7 @@ void put_quoted(const std::string& text, std::string& out) {
   out += '"';
 }
 
-/// Appends a tree to `out`. `put_text` appends its texts.
+/// Appends a tree to `out`. Texts in the tree are appended by `put_text`.
 template <class PutText>
 void put(const Node& node, const PutText& put_text, std::string& out) {
   if (node.kind == Kind::Text) {

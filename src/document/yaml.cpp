@@ -95,7 +95,7 @@ Kind kind_of_plain(const std::string& text) {
 }
 
 Node parse_yaml(const std::string& text, const std::string& name) {
-  constexpr int megabytes = 4;  // text of this size that only opens lists takes 1 GB of memory
+  constexpr int megabytes = 4;  // a text of this size that only opens lists takes 1 GB of memory
   check_size(text, name, megabytes);
   std::istringstream stream(text);
   YamlEvents events(name);

@@ -1,6 +1,6 @@
-// Converts vectors and matrices from axes to entries of v, by adding the results of all axes of an
-// entry. The axes of followers must be scaled already. Used only for trees in which several axes
-// have the same entry of v (see tree.hpp).
+// Sums over axes, for trees in which several axes have the same entry of v (see tree.hpp). The
+// inputs are vectors and matrices with one entry per axis, the outputs have one entry per entry of
+// v. The axes of followers must be scaled already.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-/// Computes by_v (nv) from by_axis (axes).
+/// Computes by_v (nv entries) from by_axis (one entry per axis).
 template <class S>
 void add_up(const Tree& tree, const S* by_axis, S* by_v) {
   std::fill_n(by_v, tree.nv, S(0.0));
@@ -22,8 +22,8 @@ inline void for_related_axes(const Tree& tree, const auto& visit) {
     for (int j = i; j >= 0; j = tree.parent_of_axis[j]) visit(i, j);
 }
 
-/// Sums a symmetric matrix. Reads entries (i, j) for ancestors j of i, and fills the lower triangle
-/// of by_v.
+/// Sums a symmetric matrix over axes. Reads entries (i, j) for ancestors j of i, and fills the
+/// lower triangle of by_v.
 template <class S>
 void add_up_symmetric(const Tree& tree, const S* by_axis, S* by_v) {
   std::fill_n(by_v, tree.nv * tree.nv, S(0.0));
@@ -36,7 +36,7 @@ void add_up_symmetric(const Tree& tree, const S* by_axis, S* by_v) {
   });
 }
 
-/// Sums a general matrix. Reads entries (i, j) and (j, i) for ancestors j of i.
+/// Sums a general matrix over axes. Reads entries (i, j) and (j, i) for ancestors j of i.
 template <class S>
 void add_up_square(const Tree& tree, const S* by_axis, S* by_v) {
   std::fill_n(by_v, tree.nv * tree.nv, S(0.0));

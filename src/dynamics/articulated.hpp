@@ -1,11 +1,11 @@
 // Solver for the mass matrix of deep trees, with a cost that is linear in the number of joints.
 //
 // Eliminating the joints from the tips to the root leaves articulated-body inertias (Featherstone,
-// Rigid Body Dynamics Algorithms, chapter 7). The articulated inertia at entry k, projected on the
-// axis, stores row k of the factor of M = L^T L as one force: L_kj = S_j . row_force_k for all
+// Rigid Body Dynamics Algorithms, chapter 7). At entry k, this inertia times the axis, scaled, is a
+// force that represents row k of the factor L of M = L^T L: L_kj = S_j . row_force_k for all
 // ancestors j. An entry of a row then costs 6 multiplications, and a solve costs 24 per entry of v,
-// for any depth. With L itself, both costs grow with the depth of the tree, and are smaller for
-// shallow trees.
+// for any depth. If a solver uses the entries of L, both costs grow with the depth of the tree, but
+// are smaller for shallow trees.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ template <class S>
 auto factorize_articulated(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
 /// Solver for a mass matrix factorized by factorize_articulated() with the same kinematics. In
-/// lanes whose M is not positive definite, results are finite but meaningless. Only the constructor
-/// allocates.
+/// lanes in which M is not positive definite, results are finite but meaningless. Only the
+/// constructor allocates.
 template <class S>
 class ArticulatedSolver {
  public:

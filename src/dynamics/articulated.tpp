@@ -10,8 +10,8 @@
 namespace burnish {
 namespace articulated_detail {
 
-// Number of columns in a block. The forces (or motions) of a block, with six registers per column,
-// and one axis with its force fit into the vector registers of the target.
+// Number of columns in a block. The vector registers of the target can hold the forces (or motions)
+// of a block, with six registers per column, together with one axis and its force.
 #if defined(__AVX512F__) || defined(__aarch64__)
 inline constexpr int block = 4;
 #else
@@ -20,8 +20,8 @@ inline constexpr int block = 2;
 
 }  // namespace articulated_detail
 
-/// Size of the terms about the world's origin that axis k of body `i` contributes to the diagonal
-/// of M.
+/// Magnitude of the terms that axis k of body `i` contributes to the diagonal of M when computed
+/// about the world's origin.
 template <class S>
 BURNISH_INLINE S added_about_origin(const Kinematics<S>& kinematics, const MassMatrix<S>& m, int i,
                                     int k) {
@@ -31,9 +31,9 @@ BURNISH_INLINE S added_about_origin(const Kinematics<S>& kinematics, const MassM
   return trace + dot(linear, linear) * composite.mass;
 }
 
-/// Minimum pivot of entry k of v, which moves body `i`. Smaller pivots can be rounding errors. The
-/// minimum is 1e-13 of the diagonal entry, plus ten rounding errors of the terms about the world's
-/// origin.
+/// Minimum pivot of entry k of v, which moves body `i`. A smaller pivot can be a rounding error.
+/// The minimum is 1e-13 of the diagonal entry, plus ten rounding errors of the terms about the
+/// world's origin.
 template <class S>
 BURNISH_INLINE S least_mass_pivot(const Tree& tree, const Kinematics<S>& kinematics,
                                   const MassMatrix<S>& m, int i, int k) {
@@ -83,7 +83,7 @@ ArticulatedSolver<S>::ArticulatedSolver(const Tree& tree) : n_(tree.nv) {
   pushed_.resize(segments_.size() * articulated_detail::block);
 }
 
-/// Solves L^T x = right-hand side in the rows of the segment before `end`.
+/// Solves L^T x = right-hand side for the entries of v in the segment, up to entry `end` - 1.
 template <class S>
 template <int C>
 void ArticulatedSolver<S>::pull(const Segment& segment, int end, const Kinematics<S>& kinematics,
@@ -105,7 +105,7 @@ void ArticulatedSolver<S>::pull(const Segment& segment, int end, const Kinematic
   for (int c = 0; c < C; ++c) pulled_[segment.parent * C + c] += force[c];
 }
 
-/// Replaces x by L^-1 x in the rows of the segment.
+/// Replaces x by L^-1 x for the entries of v in the segment.
 template <class S>
 template <int C>
 void ArticulatedSolver<S>::push(const Segment& segment, const Kinematics<S>& kinematics,
@@ -150,8 +150,8 @@ void ArticulatedSolver<S>::solve_negative(const Kinematics<S>& kinematics, const
   for (; j < columns; ++j) solve_block<1>(kinematics, m, rhs + j, x + j, stride);
 }
 
-/// Computes columns `column` up to `column + C` of M^-1, all of one segment. L^-T of these unit
-/// vectors is nonzero only on the path from the segment to the root.
+/// Computes columns `column` up to `column + C` of M^-1, all in one segment. The right-hand sides
+/// are unit vectors, so L^-T times them is nonzero only on the path from the segment to the root.
 template <class S>
 template <int C>
 void ArticulatedSolver<S>::invert_block(const Kinematics<S>& kinematics, const MassMatrix<S>& m,

@@ -10,12 +10,12 @@ struct CompiledReference {
   int origin_body = -1, axes_body = -1;
   Vec3<double> origin;      ///< Origin in the body origin_body [m]
   Mat3<double> axes;        ///< Axes of the reference in the body axes_body
-  Mat3<double> fixed_in;    ///< Axes before the rotation of the reference, in the body axes_body
+  Mat3<double> fixed_in;    ///< Initial axes, before their rotation, in the body axes_body
   bool at_tool = false;     ///< True if the origin is the origin of the tool
   bool at_world = false;    ///< True if the origin is the world's origin
   bool is_aligned = false;  ///< True if the axes are world axes
-  /// True if the axes follow a surface (curved_axes.hpp). The surface is given by Q, b and c in the
-  /// frame with axes `fixed_in` and origin `place`.
+  /// True if the axes follow a surface (curved_axes.hpp). Q, b and c are the coefficients of the
+  /// surface, in the frame with axes `fixed_in` and origin `place`.
   bool is_curved = false;
   int tool_body = -1;
   Vec3<double> place;  ///< Origin of the frame of the surface, in the body axes_body [m]
@@ -25,8 +25,9 @@ struct CompiledReference {
   double c = 0.0;
 };
 
-/// Axes (tree.hpp) along which an entry of v moves the origin of a reference, the body of its axes,
-/// and the tool. -1: no motion. The tool matters only for reference axes that follow a surface.
+/// Axes (tree.hpp) along which an entry of v moves three bodies: the body of the reference's
+/// origin, the body of its axes, and the tool's body; -1 if the entry does not move the body. The
+/// tool's axis matters only for reference axes that follow a surface.
 struct ReferenceAxes {
   int origin = -1, axes = -1, tool = -1;
 };

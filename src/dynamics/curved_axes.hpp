@@ -20,7 +20,7 @@ struct CurvedSurface {
   Vec3<S> b;
 };
 
-/// Axes at one position and velocity of the point.
+/// Axes at one position and velocity of the moving point.
 template <class S>
 struct CurvedAxes {
   Vec3<S> n, n0;
@@ -42,8 +42,8 @@ struct CurvedAxes {
     const Vec3<S> tilt = cross(n, dn);
     return tilt - n * (dot(n0, tilt) * inverse_sum);
   }
-  /// Change dw for a displacement dx of the point, a change dn of the normal and a change dv of the
-  /// velocity of the point.
+  /// Change of w for a displacement dx of the point, the change dn of the normal that it causes,
+  /// and a change dv of the point's velocity.
   BURNISH_INLINE Vec3<S> turn_rate_change(const Vec3<S>& dx, const Vec3<S>& dn,
                                           const Vec3<S>& dv) const {
     const Vec3<S> H_dv = H * dv;

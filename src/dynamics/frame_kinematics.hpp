@@ -1,9 +1,9 @@
 // Placement, velocity, acceleration and Jacobian of a frame that is fixed to a body.
 //
-// The six numbers of a velocity depend on their axes and on the point. A reference states both; its
-// tool is the frame and its base is the world. With the map X of the reference (reference.hpp), the
-// velocity is X v. The acceleration is always the time derivative of the six numbers. With the
-// twist V of the reference, it is
+// The six numbers of a velocity depend on the axes and the point for which they are stated. A
+// reference defines both; its tool is the frame and its base is the world. With the map X of the
+// reference (reference.hpp), the velocity is X v. The acceleration is always the time derivative of
+// the six numbers. With the twist V of the reference, it is
 //   d(X v)/dt = X (a - V x v).
 #pragma once
 

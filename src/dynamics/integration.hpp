@@ -20,9 +20,9 @@ void integrate_configuration(const Tree& tree, const S* q, const S* dq, S* out);
 template <class S>
 void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq);
 
-/// Non-Euclidean tangent block: entries of v of a joint whose motions do not commute, which is a
-/// free-flyer (6 entries, SE(3)), a planar joint (3, SE(2)) or a ball (3, SO(3)). All other joints
-/// have one entry and trivial derivatives:
+/// Non-Euclidean tangent block: entries of v of a joint whose motions do not commute. These joints
+/// are a free-flyer (6 entries, SE(3)), a planar joint (3, SE(2)) and a ball (3, SO(3)). All other
+/// joints have one entry and trivial derivatives:
 /// d(q (+) dq)/dq = d(q (+) dq)/d(dq) = d(q1 (-) q0)/dq1 = 1, d(q1 (-) q0)/dq0 = -1.
 struct TangentBlock {
   int first;       ///< First entry of v

@@ -118,7 +118,7 @@ BURNISH_INLINE void difference_ball(const S* q0, const S* q1, S* dq) {
   dq[2] = w.z;
 }
 
-/// Calls visit(k, twist) for every entry k of a block, with the twist of entry k at unit rate.
+/// For every entry k of a block, calls visit(k, twist) with the twist at a unit rate of entry k.
 template <class S>
 BURNISH_INLINE void for_each_entry(const TangentBlock& block, const auto& visit) {
   for (int k = 0; k < block.size; ++k) {

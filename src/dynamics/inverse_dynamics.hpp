@@ -17,7 +17,7 @@ struct InverseDynamics {
   std::vector<Motion<S>> a_joint;  ///< Sum of S_k qdd_k from the root to each body
   /// psi''_k = (a_parent - g) x S_k + v_parent x psi'_k for each axis and sum of axes
   std::vector<Motion<S>> axis_acc;
-  /// inertia * a_joint - applied wrench for each body; after the sweep, the sum over its subtree
+  /// inertia * a_joint minus the applied wrench of each body; the sweep sums it over subtrees
   std::vector<Force<S>> force;
   std::vector<S> tau;  ///< Joint torques, nv
   // Scratch memory, only for trees in which an entry of v can have several axes:
@@ -25,8 +25,8 @@ struct InverseDynamics {
 };
 
 /// Computes the accelerations of all bodies due to joint accelerations qdd (nv). Sets `force` to
-/// the forces that these accelerations require in addition to the bias forces. Callers subtract
-/// external wrenches from `force` between accelerate and inverse_dynamics_sweep.
+/// the forces that cause these accelerations, without the bias forces. Callers subtract external
+/// wrenches from `force` between accelerate and inverse_dynamics_sweep.
 template <class S>
 void accelerate(const Tree& tree, const Kinematics<S>& kinematics, const S* qdd,
                 InverseDynamics<S>& id);

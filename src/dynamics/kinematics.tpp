@@ -116,7 +116,7 @@ BURNISH_INLINE void move(const TreeJoint& joint, const Motion<S>& v_parent,
     body.v += axes[k].axis * v[k];
   }
   if (joint.nv == 1) {
-    // S x S = 0, so the twists of the parent and of the body give the axis the same rate.
+    // S x S = 0, so the rate v x S is equal for the twists v of the parent and of the body.
     axes[0].rate_sum = axes[0].parent_rate + axes[0].parent_rate;
     body.a_bias += axes[0].parent_rate * v[0];
     return;
@@ -128,8 +128,8 @@ BURNISH_INLINE void move(const TreeJoint& joint, const Motion<S>& v_parent,
   }
 }
 
-/// Computes the coordinates of a follower whose leader is at q. For Continuous joints, the multiple
-/// of the angle is a power of the complex number (cos, sin).
+/// Computes the coordinates of a follower whose leader is at q. For Continuous joints, multiplying
+/// the angle means raising the complex number (cos, sin) to a power.
 template <class S>
 void follow(const TreeFollower& follower, JointKind kind, const S* q, S* own) {
   if (kind != JointKind::Continuous) {

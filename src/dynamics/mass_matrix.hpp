@@ -23,7 +23,7 @@ struct MassMatrix {
   std::vector<S> inverse_diagonal;  ///< 1 / L_ii, nv
   // Only for trees in which an entry of v can have several axes:
   std::vector<S> mass_by_axis, bias_by_axis;
-  std::vector<S> added;  ///< Sums about the world's origin that make up the diagonal of M, nv
+  std::vector<S> added;  ///< Magnitude of the terms in each diagonal entry of M, nv
   // Only for deep trees (articulated.hpp), in world axes about the world's origin:
   std::vector<Force<S>> row_force;  ///< nv forces with L_kj = row_force[k] . (axis of entry j)
   std::vector<ArticulatedInertia<S>> articulated;  ///< Articulated-body inertia of each body
@@ -34,8 +34,8 @@ template <class S>
 void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
 /// Computes L with M = L^T L, after update_mass_and_bias with the same kinematics. Returns the
-/// lanes in which M is not positive definite, because a pivot is not above least_mass_pivot. In
-/// these lanes the factor is finite but meaningless, and inverse_diagonal is zero at weak pivots.
+/// lanes in which M is not positive definite: a pivot does not exceed least_mass_pivot. In these
+/// lanes the factor is finite but meaningless, and inverse_diagonal is zero at such pivots.
 template <class S>
 auto factorize(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 

@@ -24,8 +24,8 @@ struct PassiveJoints {
 };
 
 /// Computes the torques of damping and friction at v (nv) into tau (nv) [Nm or N], and their
-/// derivatives d(tau_k)/dv_k into dtau_dv (nv). `step_ratio`, at most 1, widens the smoothing of
-/// friction from slip to slip / step_ratio.
+/// derivatives d(tau_k)/dv_k into dtau_dv (nv). The smoothing of friction uses slip / step_ratio in
+/// place of slip; `step_ratio` is at most 1.
 template <class S>
 void passive_torque(const PassiveJoints& joints, const S* v, S* tau, S* dtau_dv,
                     const S& step_ratio = S(1.0)) {

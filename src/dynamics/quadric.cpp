@@ -24,7 +24,7 @@ void check_length(double length, const char* what) {
     throw Error(std::string(what) + " is " + number(length) + " m; wanted a positive number");
 }
 
-/// Returns the quadric (x - center)^T M (x - center) / 2 - level, with the opposite sign if hollow.
+/// Returns the quadric (x - center)^T M (x - center) / 2 - level. Its sign is reversed if hollow.
 Quadric about(const Eigen::Vector3d& center, const Eigen::Matrix3d& M, double level, bool hollow) {
   const double sign = hollow ? -1.0 : 1.0;
   return {sign * M, -sign * M * center, sign * (0.5 * center.dot(M * center) - level)};

@@ -56,7 +56,7 @@ Reference Reference::surface_with_normal(const Eigen::Vector3d& normal) {
   if (!normal.allFinite() || normal.norm() < 1e-9)
     throw Error("surface_with_normal: the normal must be finite and not zero");
   const Eigen::Vector3d z = normal.normalized();
-  // Horizontal tangent; for a horizontal surface, the projection of the x axis.
+  // x is a horizontal tangent. On a horizontal surface, x is the projection of the world's x axis.
   Eigen::Vector3d x = Eigen::Vector3d::UnitZ().cross(z);
   if (x.norm() < 1e-6) {
     x = Eigen::Vector3d::UnitX() - z * z.x();

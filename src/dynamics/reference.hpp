@@ -4,9 +4,9 @@
 // X maps motions in world coordinates about the world's origin to the reference. V_k is the twist
 // of the reference per unit rate of entry k of v. Then
 //   d(X m)/dq_k = X (dm/dq_k - V_k x m),   d(X^-T f)/dq_k = X^-T (df/dq_k - V_k x* f).
-// The origin o can be fixed in one body and the axes in another. The twist combines the velocity of
-// o on the first body with the angular velocity of the second. Axes that follow a curved surface
-// (curved_axes.hpp) also turn when the tool moves relative to the second body.
+// The origin o can be fixed in one body and the axes in another. The twist then has the velocity of
+// o as a point of the first body, and the angular velocity of the second. Axes that follow a curved
+// surface (curved_axes.hpp) also turn when the tool moves relative to the second body.
 #pragma once
 
 #include <span>
@@ -45,9 +45,9 @@ Place fixed_in(const Anchor& anchor, const Place& tool, const Place& base, const
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledFrame& tool, const CompiledFrame& base);
 
-/// Returns the reference in which to write the position of the tool. If the axes follow a surface
-/// and the origin is at the tool, the origin moves to the frame of the surface. Other references do
-/// not change.
+/// Returns the reference in which the position of the tool is written. If the axes follow a surface
+/// and the origin is at the tool, this is the reference with its origin in the frame of the
+/// surface. Any other reference is returned unchanged.
 Reference asked_for_positions(Reference reference);
 
 /// Returns true if `matrix` is a rotation matrix, within 1e-6.
@@ -91,8 +91,8 @@ BURNISH_INLINE Vec3<S> reference_origin(const CompiledReference& reference,
   return body.p + body.R * lift<S>(reference.origin);
 }
 
-/// Returns the axes of the reference in the world. `axes`: the same axes in their body, usually
-/// reference.axes.
+/// Returns the rotation from the reference to the world. `axes`: the axes of the reference in their
+/// body, usually reference.axes.
 template <class S>
 BURNISH_INLINE Mat3<S> reference_axes(const CompiledReference& reference, const Mat3<S>& axes,
                                       const Kinematics<S>& kinematics) {
@@ -160,7 +160,7 @@ BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& referenc
           reference_origin(reference, kinematics)};
 }
 
-/// Pose of a reference with `rotation` in place of its own rotation.
+/// Pose of a reference, with `rotation` in place of its own rotation.
 template <class S>
 BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& reference,
                                                const Mat3<S>& rotation,
@@ -248,7 +248,7 @@ BURNISH_INLINE Motion<S> reference_twist(const ReferenceAxes& by, const Referenc
   return V;
 }
 
-/// Derivative of the twist of a body by an entry of q that moves the body along axis `k`.
+/// Derivative of a body's twist by an entry of q that moves the body along axis `k`.
 template <class S>
 BURNISH_INLINE Motion<S> twist_by_q(int body, int k, const Kinematics<S>& kinematics) {
   if (k < 0) return Motion<S>::zero();

@@ -23,7 +23,8 @@ BodyMotion<S> motion_of(const BodyState<S>& body, const Motion<S>& a_joint) {
           transpose_times(body.R, Vec3<S>(a.linear + cross(v.angular, v.linear)))};
 }
 
-/// Adds to `out` the products of the axis with the ten columns of the body's force,
+/// Adds to `out` the products of the axis with the ten columns of the body's force. The columns for
+/// the mass, for the first moments (j = x, y, z) and for the moments of inertia (i = 1 ... 6) are
 ///   [ accel   turn x e_j + w x (w x e_j)   0                          ]
 ///   [ 0       e_j x accel                  E_i turn + w x (E_i w)     ],
 /// with force above moment. E_i are the symmetric unit matrices.

@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-/// Sum of springs and dampers in the linear law.
+/// Accumulator of the terms of all springs and dampers in the linear law.
 struct Sum {
   std::map<std::pair<int, int>, Springs::Linear> entries;
   std::map<int, Springs::Pull> pulls;

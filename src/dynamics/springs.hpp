@@ -16,7 +16,7 @@ namespace burnish {
 struct Springs {
   explicit Springs(const Model& model);
 
-  /// Nonzero entry of d(tau)/dq and d(tau)/dv. Each entry occurs once.
+  /// Place of an entry of d(tau)/dq and d(tau)/dv that can be nonzero. Each place occurs once.
   struct Place {
     int row, column;  ///< Entries of v
     double by_v;      ///< Entry of d(tau)/dv, a constant [Nms/rad or Ns/m]
@@ -65,8 +65,8 @@ void add_spring_torque(const Springs& springs, const S* q, const S* v, S* tau);
 template <class S>
 void spring_slopes(const Springs& springs, const S* q, S* by_q);
 
-/// Energy in the springs [J]. Opposing springs of a joint and its followers count as one combined
-/// spring, whose energy is zero at its rest position.
+/// Energy in the springs [J]. If springs of a joint and its followers pull in opposite directions,
+/// they count as one combined spring, whose energy is zero at its rest position.
 template <class S>
 S spring_energy(const Springs& springs, const S* q);
 

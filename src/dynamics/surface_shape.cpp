@@ -92,7 +92,7 @@ SurfaceDistance of_quadric(const Eigen::Vector3d& A, const Eigen::Vector3d& b, d
   const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
   const Eigen::Matrix3d here = tangent * A.asDiagonal() * tangent / length;
   const double distance = n.dot(y - p);
-  // Second derivative for the parallel surface through y.
+  // Hessian of the distance on the parallel surface through y.
   const Eigen::Matrix3d there = (Eigen::Matrix3d::Identity() + distance * here).inverse() * here;
   return {distance, n, 0.5 * (there + there.transpose())};
 }
@@ -129,7 +129,7 @@ std::string name_of(Kind kind) { return words_of(kind).words[to_size(kind)].word
 std::vector<std::string> surface_kinds() { return words_of(Kind{}).list(); }
 
 namespace {
-/// Returns pointers to the numbers that a text states after the name of the kind, in its order.
+/// Returns pointers to the numbers that follow the name of the kind in a text, in the same order.
 std::vector<double*> stated_of(SurfaceShape& shape) {
   switch (shape.kind) {
     case Kind::Sphere:
@@ -267,7 +267,7 @@ Surface::Surface(const SurfaceShape& shape, const Eigen::Vector3d& point,
   shape.check("the surface");
   normal_ = axes_.col(2);
   const Eigen::Vector3d x = axes_.col(0), y = axes_.col(1), n = normal_;
-  const double into = shape.hollow ? -1.0 : 1.0;  // 1: the centre is on the side opposite to n
+  const double into = shape.hollow ? -1.0 : 1.0;  // -1 if hollow: centre on the side of n
   switch (shape.kind) {
     case Kind::Plane:
     case Kind::Saddle:
@@ -279,7 +279,7 @@ Surface::Surface(const SurfaceShape& shape, const Eigen::Vector3d& point,
       center_ -= into * shape.radius * n;
       axes_ << y, n, x;
       break;
-    case Kind::Cone: {  // axis z: x turned into the material by the half angle
+    case Kind::Cone: {  // the cone's axis z is x, turned into the material by the half angle
       const double c = std::cos(shape.half_angle), s = std::sin(shape.half_angle);
       const Eigen::Vector3d z = c * x - into * s * n;
       center_ -= shape.radius / std::tan(shape.half_angle) * x;

@@ -8,13 +8,13 @@
 namespace burnish {
 namespace {
 
-// Minimum mean number of relatives (ancestors, descendants and the entry itself) of an entry of v
-// for which the articulated-body solver is used. Measured on chains, where this number is the
-// length of the chain, with packs of 8 states.
+// Mean number of relatives of an entry of v (ancestors, descendants and the entry itself) from
+// which the articulated-body solver is used. Measured on chains, whose length is this number, with
+// packs of 8 states.
 constexpr double relatives_of_deep_trees = 22.0;
 
 double mean_relatives(const std::vector<int>& parent_of_v) {
-  double pairs = 0.0;  // pairs of an entry and an ancestor, counted from both sides
+  double pairs = 0.0;  // each pair of entry and ancestor counts twice
   for (int k : parent_of_v)
     for (; k >= 0; k = parent_of_v[to_size(k)]) pairs += 2.0;
   return 1.0 + pairs / static_cast<double>(parent_of_v.size());
@@ -23,11 +23,11 @@ double mean_relatives(const std::vector<int>& parent_of_v) {
 /// Numbering of the axes of a model.
 struct AxisNumbers {
   std::vector<int> first;       ///< First axis of each joint
-  std::vector<int> up_to_root;  ///< Axis of each joint, or sum of the axes of its entry of v
+  std::vector<int> up_to_root;  ///< Axis or sum of axes by which each joint moves its body
   std::vector<AxisSum> sums;
 };
 
-/// Returns the nearest ancestor that moves with the same entry of v, or -1.
+/// Returns the nearest ancestor of a joint that moves with the same entry of v, or -1.
 int same_entry_above(const Model& model, const Joint& joint) {
   int above = joint.parent;
   while (above >= 0 && model.joints[to_size(above)].v_index != joint.v_index)

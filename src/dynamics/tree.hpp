@@ -17,7 +17,7 @@ namespace burnish {
 struct TreeJoint {
   JointKind kind;  ///< Kind. A rotary follower is Continuous if its leader is, otherwise Revolute
   int parent;      ///< Joint index of the parent; -1: the world
-  int q, v, nv;  ///< First entry in q and in v, number of entries in v; a follower has its leader's
+  int q, v, nv;  ///< First entry in q and v, shared by leader and followers; number of entries in v
   int axis;      ///< First of the nv axes
   int follower;  ///< Index in Tree::followers; -1: not a follower
   Mat3<double> R;        ///< Rotation from the joint frame at zero to the parent body
@@ -41,8 +41,8 @@ struct TreeFollower {
   double cosine, sine;  ///< Cosine and sine of the offset
 };
 
-/// Sum of all axes of one entry of v on the path from a body to the root. `own` is the axis nearest
-/// to the body. `above` is the next axis or the next sum.
+/// Sum of all axes of one entry of v on the path from a body to the root. It consists of the axis
+/// nearest to the body (`own`), plus the next axis or the sum of all further axes (`above`).
 struct AxisSum {
   int own, above;
 };
@@ -87,8 +87,9 @@ struct LoadedBody {
   int body;             ///< Joint index of the body
   InertiaSpec inertia;  ///< Inertia of the body with its load, in body axes
 };
-/// Adds the load `carried`, given in `frame`, to the body of this frame in the model. Earlier loads
-/// are not included. Throws Error if frame_on_body does, and allocates only then.
+/// Returns the body of `frame`, with the load `carried` (given in `frame`) added to its inertia in
+/// the model. Loads from earlier calls are not included. Throws Error as frame_on_body does.
+/// Allocates only if it throws.
 LoadedBody loaded_body(std::string_view call, const Model& model, std::string_view frame,
                        const InertiaSpec& carried);
 

@@ -60,8 +60,9 @@ Eigen::MatrixXd initial_covariance(const BaseEstimatorOptions& o, const Vector3d
   return P;
 }
 
-/// Converts the covariance P from errors theta, dv and dp in world axes to the error xi (`sign` 1),
-/// or back (`sign` -1): xi_v = dv + v x theta, xi_p = dp + p x theta. theta is the rotation error.
+/// Converts the covariance P of the errors of rotation (theta), velocity (dv) and position (dp) in
+/// world axes to the covariance of the filter's error xi (`sign` 1), or back (`sign` -1). The
+/// errors satisfy xi_v = dv + v x theta and xi_p = dp + p x theta.
 void change_coordinates(const InertialState<double>& x, double sign, Eigen::MatrixXd& P) {
   Eigen::Matrix3d v, p;
   v << 0.0, -x.v.z, x.v.y, x.v.z, 0.0, -x.v.x, -x.v.y, x.v.x, 0.0;

@@ -43,9 +43,10 @@ void ContactDetector::add(double force, bool in_air) noexcept {
   if (in_air) add_noise(force);
 }
 
-/// Adds a sample in the air. Compares a complete block with the block four blocks earlier, so that
-/// an offset of the sensor cancels, and the sensor's filter does not correlate the two blocks.
-/// Medians of the differences ignore a short touch.
+/// Adds a sample that was taken while the tool is in the air. Compares each complete block of
+/// samples with the block four blocks earlier. An offset of the sensor then cancels, and the
+/// sensor's filter does not correlate the two blocks. Medians of the differences ignore a short
+/// touch.
 void ContactDetector::add_noise(double force) noexcept {
   if (in_block_ == 0) first_ = force;
   block_sum_ += force;

@@ -24,7 +24,8 @@ class RunningMedian {
 };
 
 /// Detector of contact from samples of the force along a surface's normal. While the tool is in the
-/// air, the detector estimates the noise of the sensor. A contact force must exceed the noise:
+/// air, the detector estimates the noise of the sensor. The condition for contact depends on this
+/// noise:
 /// - Quiet sensor (six standard deviations of a sample are below the threshold): one sample must
 ///   exceed the threshold.
 /// - Noisy sensor: the mean over a window must exceed the threshold and six standard deviations of
@@ -67,8 +68,8 @@ class ContactDetector {
   double block_sum_ = 0.0, first_ = 0.0;
   std::array<double, 4> block_means_{};  ///< Ring buffer of the means of blocks [N].
   std::size_t blocks_ = 0;
-  /// Running medians of absolute deviations from the mean of the block four blocks earlier [N].
-  /// sample_strays_: of the first sample of a block. mean_strays_: of the mean of a block.
+  /// Running medians of absolute deviations from the mean of the block four blocks earlier [N]:
+  /// deviations of a block's first sample (sample_strays_) and of a block's mean (mean_strays_).
   RunningMedian sample_strays_, mean_strays_;
 };
 

@@ -82,7 +82,8 @@ void ContactFilter::reset(const InertialState<double>& state, const Vector3d& b_
   for (Foot& foot : feet_) foot.squared = 0.0;
 }
 
-/// Computes the coefficients of zeta in equations (1) to (4), at the state after the tick.
+/// Computes the coefficients of the bias error zeta in equations (1) to (4), at the state after the
+/// tick.
 void ContactFilter::fill_bias_jacobian(const Matrix3d& R_before, const Vec3<double>& phi,
                                        const RotationSeries<double>& c, const Vec3<double>& f,
                                        double dt) noexcept {
@@ -100,8 +101,8 @@ void ContactFilter::fill_bias_jacobian(const Matrix3d& R_before, const Vec3<doub
            [&](int k) { B_.block<3, 3>(at(k), 0) = skew(foot_position(k)) * B_Rg; });
 }
 
-/// Replaces P by Phi P in place. The order ensures that each row only uses rows that are not yet
-/// replaced.
+/// Replaces the covariance P by Phi P in place, with the transition matrix Phi. The order of rows
+/// ensures that each new row only uses rows that are not yet replaced.
 void ContactFilter::propagate_rows(Eigen::MatrixXd& P, const Matrix3d& g,
                                    double dt) const noexcept {
   const auto rows = [&](int entry) { return P.middleRows<3>(entry); };
@@ -154,13 +155,14 @@ void ContactFilter::innovate(int k, const SeenFoot& seen, int row) noexcept {
   r_.segment<3>(row + 3) = to_eigen(log_rotation(state_.R * seen.R * transposed(foot.C), angle));
 }
 
-/// Returns the covariance of the differences (xi_a - xi_b) and (xi_c - xi_d).
+/// Returns the cross-covariance of the differences (xi_a - xi_b) and (xi_c - xi_d).
 Matrix3d ContactFilter::between(int a, int b, int c, int d) const noexcept {
   return P_.block<3, 3>(a, c) - P_.block<3, 3>(a, d) - P_.block<3, 3>(b, c) + P_.block<3, 3>(b, d);
 }
 
-/// Returns the squared innovation r^T S^-1 r of one foot without the other feet. turned_ holds the
-/// noise in world axes. Returns a negative number if S is not positive definite.
+/// Returns the squared innovation r^T S^-1 r of one foot without the other feet, where S is the
+/// covariance of the innovation r. turned_ contains the noise of the feet in world axes. Returns a
+/// negative number if S is not positive definite.
 double ContactFilter::squared_alone(int k) const noexcept {
   const Foot& foot = feet_[index(k)];
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;

@@ -11,11 +11,13 @@
 //   X = exp(xi) X^,  C_k = exp(xi_Ck) C^_k,  b = b^ + zeta.
 // A rotation of the world about the vertical, or a translation of the world, is then one constant
 // direction of xi. The measurements contain no information along these directions, and the
-// covariance never shrinks along them (section on observability). In an error-state filter it does
-// shrink, because that filter linearizes at each new estimate.
+// covariance never shrinks along them (section on observability). In an ordinary error-state
+// filter, the covariance does shrink along them, because that filter linearizes at each new
+// estimate.
 //
-// Propagation over a tick, with phi = (w - b_g) dt and f = a - b_a. These equations are an own
-// derivation. To first order in dt, they equal the matrix A of the paper's section on biases:
+// The error is propagated over a tick, with phi = (w - b_g) dt and f = a - b_a. The following
+// equations were derived for this filter. To first order in dt, they equal the matrix A of the
+// paper's section on biases:
 //   xi_R' = xi_R                                     - R Gamma_1 dt zeta_g                     (1)
 //   xi_v' = xi_v + dt g x xi_R                       + (v' x B_Rg - R D_1 dt^2) zeta_g
 //                                                    - R Gamma_1 dt zeta_a                     (2)
@@ -27,8 +29,8 @@
 // f)/d(phi). Noise of the readings has the same coefficients as the biases. The slip of a foot is
 // added to (4) and (5).
 //
-// Measurement of a foot at the position h with the rotation Q, seen from the IMU. n_h and n_Q are
-// its noise in the axes of the IMU, with Q = exp(n_Q) R^T C. To first order,
+// The measurement of a foot is its position h and its rotation Q, seen from the IMU. n_h and n_Q
+// are the noise of h and Q in the axes of the IMU, with Q = exp(n_Q) R^T C. To first order,
 //   R^ h - (d^ - p^)       = xi_d - xi_p + R n_h                                               (6)
 //   log(R^ Q C^^T)         = xi_C - xi_R + R n_Q                                               (7)
 // A foot that is added at this pose, d^ = p^ + R^ h and C^ = R^ Q, has the errors
@@ -65,7 +67,7 @@ constexpr FootSet foot_bit(int k) { return FootSet{1} << k; }
 /// Contact-aided filter of one IMU with a fixed list of feet. Allocates nothing after construction.
 class ContactFilter {
  public:
-  /// First entry of each part of (xi, zeta). The entries of feet come last.
+  /// First entry of each part of the error (xi, zeta). The entries of feet come last.
   enum : int { R = 0, v = 3, p = 6, gyro_bias = 9, accelerometer_bias = 12, unit_size = 15 };
 
   /// `soles`: one entry per foot, nonzero for a planar foot. `gravity`: gravity vector in the world
@@ -73,8 +75,8 @@ class ContactFilter {
   ContactFilter(const std::vector<char>& soles, const FilterNoise& noise,
                 const Eigen::Vector3d& gravity);
 
-  /// Starts the filter without standing feet. `covariance`: covariance of (xi, zeta) without feet,
-  /// 15 x 15.
+  /// Starts the filter without standing feet. `covariance`: covariance of the error (xi, zeta)
+  /// without feet, 15 x 15.
   void reset(const InertialState<double>& state, const Eigen::Vector3d& b_gyro,
              const Eigen::Vector3d& b_accelerometer, const Eigen::MatrixXd& covariance) noexcept;
 
@@ -82,13 +84,13 @@ class ContactFilter {
   void propagate(const ImuReading& reading, double dt) noexcept;
 
   /// Corrects the estimate with the poses of the standing feet in `asked`. `seen`: pose of each
-  /// foot, seen from the IMU. `noise`: covariance of (n_h, n_Q) of all feet, with seen_size() rows.
-  /// Rejects each foot k whose own squared innovation exceeds gates[k], and returns the rejected
-  /// feet. If an update is numerically impossible, the estimate stays unchanged and `good` becomes
-  /// false.
+  /// foot, seen from the IMU. `noise`: covariance of the noise (n_h, n_Q) of all foot poses, with
+  /// seen_size() rows. Rejects each foot k whose own squared innovation exceeds gates[k], and
+  /// returns the rejected feet. If an update is numerically impossible, the estimate stays
+  /// unchanged and `good` becomes false.
   FootSet update(FootSet asked, const std::vector<SeenFoot>& seen, const Eigen::MatrixXd& noise,
                  const Eigen::VectorXd& gates, bool& good) noexcept;
-  /// Adds standing feet whose poses are those in `seen`.
+  /// Adds standing feet at their poses in `seen`.
   void add(FootSet added, const std::vector<SeenFoot>& seen, const Eigen::MatrixXd& noise) noexcept;
   void remove(FootSet feet_to_remove) noexcept;
 
@@ -104,7 +106,7 @@ class ContactFilter {
   /// Returns the position of a standing foot in the world [m].
   const Vec3<double>& foot_position(int k) const { return feet_[index(k)].d; }
   const Mat3<double>& foot_rotation(int k) const { return feet_[index(k)].C; }
-  /// Returns the covariance of (xi, zeta); zero for feet that do not stand.
+  /// Returns the covariance of the error (xi, zeta); zero for feet that do not stand.
   const Eigen::MatrixXd& covariance() const { return P_; }
 
   int feet() const { return static_cast<int>(feet_.size()); }

@@ -10,7 +10,7 @@ namespace burnish {
 /// Contacts per stage of a task, in the order of the contacts of the RobotState.
 struct StageContacts {
   std::vector<RobotState::ActiveContacts> all;       ///< Active contacts of each stage.
-  std::vector<RobotState::ActiveContacts> supports;  ///< Supports and loops among them.
+  std::vector<RobotState::ActiveContacts> supports;  ///< Active supports and loops of each stage.
   /// Rotation of each contact's reference over time; empty if the rotation is constant.
   std::vector<Signal> rotations;
   std::vector<int> following;      ///< Contacts whose surface set_surface() replaces.

@@ -72,8 +72,8 @@ class ErrorEstimate {
   /// Returns the coefficient of friction of the tool's contacts; 0 without a friction model.
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
-  /// Sets the velocity that a new plan has joint_friction().lead() after its first knot; nv [rad/s
-  /// or m/s]. The estimates of friction change sign with this velocity.
+  /// Sets the velocity of a new plan at the time joint_friction().lead() after the plan's first
+  /// knot; nv [rad/s or m/s]. The estimates of friction change sign with this velocity.
   void foresee(const Eigen::VectorXd& v) noexcept {
     joint_friction_.foresee(v.data());
     v_ahead_ = v;
@@ -125,7 +125,8 @@ class ErrorEstimate {
   std::optional<double> torque_cutoff_;
   Eigen::Vector3d normal_world_, normal_at_first_;
   double contact_threshold_;  ///< Normal force above which the tool is in contact [N].
-  /// Observer with a force sensor, else estimate of force and error together.
+  /// Observer for a robot with a force sensor (observer_), or estimate of both force and error for
+  /// a robot without one (felt_).
   std::optional<ErrorObserver> observer_;
   std::optional<FeltForce> felt_;
   JointFriction joint_friction_;

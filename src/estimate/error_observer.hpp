@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// Detector of changes in the torque error, which tells them from noise. It computes a factor on
-/// the observer's bandwidth.
+/// Detects changes of the torque error that exceed its noise, and computes a factor on the
+/// observer's bandwidth from them.
 class ChangeDetector {
  public:
   ChangeDetector(const Model& model, const ModelErrorOptions& options);
@@ -30,7 +30,7 @@ class ChangeDetector {
 
   double transient_scale_, quiescent_scale_;
   Eigen::VectorXd rate_;                  ///< Smoothed rate of the torque error [Nm/s].
-  Eigen::VectorXd usual_, floor_;         ///< Usual squared rate, and lower bound of it [Nm^2/s^2].
+  Eigen::VectorXd usual_, floor_;         ///< Usual squared rate and its lower bound [Nm^2/s^2].
   Eigen::VectorXd slow_;                  ///< Low-pass filtered rate, for detect_drift() [Nm/s].
   Eigen::VectorXd slow_square_, square_;  ///< Mean squares of slow_ and of the rate [Nm^2/s^2].
   double level_ = 0.0;                    ///< Strength of a transient, 0 to 1.

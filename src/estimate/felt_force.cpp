@@ -9,7 +9,8 @@ namespace {
 
 // Time constants, chosen by hand.
 
-// Learning time in free air before which the observed sum d + J^T f counts as model error [s].
+// Learning time in free air [s]. Until it has passed, the estimated force is zero, and the whole
+// observed torque counts as model error.
 constexpr double first_look = 0.1;
 constexpr double memory = 0.2;  // averaging time in free air [s]
 

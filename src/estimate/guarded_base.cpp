@@ -206,8 +206,8 @@ double GuardedBase::Impl::encoder_place() const noexcept {
 }
 
 /// Takes a snapshot. Each threshold is the value in the options plus three standard deviations due
-/// to noise, biases and tilt. Each deviation combines three axes, so that three of them are about
-/// five standard deviations of a single axis.
+/// to noise, biases and tilt. Each standard deviation combines three axes, so that three times its
+/// value is about five standard deviations of a single axis.
 void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose& unit) noexcept {
   const BaseEstimatorOptions& o = filter.options();
   moment.feet.put(feet, unit, kinematics.all_seen());
@@ -216,8 +216,9 @@ void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose
   const Eigen::MatrixXd& P = filter.covariance();
   const double time = watch_options.window, encoder = encoder_place();
   const auto square = [](double x) { return x * x; };
-  // Errors theta of the rotation and zeta of the bias give the specific force in the world the
-  // error d(R f) = theta x R f - R zeta. At rest, R f = -g, so that d(R f) = g x theta - R zeta.
+  // Let theta be the error of the rotation and zeta the error of the bias. The specific force in
+  // the world then has the error d(R f) = theta x R f - R zeta. At rest, R f = -g, so that this
+  // error is g x theta - R zeta.
   Matrix3d up;
   up << 0.0, -gravity.z(), gravity.y(), gravity.z(), 0.0, -gravity.x(), -gravity.y(), gravity.x(),
       0.0;
@@ -269,8 +270,8 @@ bool GuardedBase::Impl::feet_agree(const UnitPose& unit, FootSet feet, FootSet& 
     const FeetFit::Apart apart = older.feet.apart(k, kinematics.seen(k), unit);
     const double ratio = std::max(apart.place / place, apart.turn / turn);
     agree = agree && ratio <= 1.0;
-    // A foot with less load slips more easily. If only two feet contradict each other, their ratios
-    // are equal, so that the load decides.
+    // A foot with less load slips more easily. If only two feet contradict each other, their values
+    // of `ratio` are equal, so that the load decides.
     const double blame = ratio / (loads.size() == 0 ? 1.0 : std::max(loads[k], 1.0));
     if (worst != 0 && !(blame > max_blame)) continue;
     max_blame = blame;

@@ -11,14 +11,14 @@ namespace {
 // Tuning constants, chosen by hand unless the comment states an origin.
 constexpr double look_ahead = 0.05;      // time ahead of the first knot at which plans are read [s]
 constexpr double constant_memory = 0.3;  // correlation time of the offset c [s]
-constexpr double friction_memory = 10.0;  // correlation time of F and B [s]
+constexpr double friction_memory = 10.0;  // correlation time of friction F and B [s]
 constexpr double noise_memory = 0.5;      // averaging time of noise variances [s]
 // Innovation above which a sample is an outlier [standard deviations].
 constexpr double outlier = 4.0;
-// Initial deviation of F, as a fraction of the effort limit.
+// Initial standard deviation of the Coulomb friction F, as a fraction of the effort limit.
 constexpr double prior_fraction = 0.03;
-constexpr double offset_variance = 100.0;  // initial variance of c, as a multiple of that of F
-// Initial variance of the noise, as a multiple of that of F.
+constexpr double offset_variance = 100.0;  // (initial variance of c) / (initial variance of F)
+// Initial variance of the noise, as a multiple of the initial variance of F.
 constexpr double noise_variance = 0.01;
 constexpr double reversal_noise = 10.0;  // factor on the noise while a joint reverses
 // Time constant of the filters through which measured and planned velocities are compared [s].
@@ -48,8 +48,8 @@ JointFriction::JointFriction(const Model& model, const ModelErrorOptions& option
     : enabled_(options.kind == ModelErrorKind::Torque && options.joint_friction),
       options_(options),
       lead_(look_ahead),
-      // Adds the mean age of a plan, which comes into use after solver_delay and stays in use for
-      // update_period.
+      // The smoothing time includes the mean age of a plan, which comes into use after solver_delay
+      // and stays in use for update_period.
       smoothing_(look_ahead + times.solver_delay + 0.5 * times.update_period),
       joints_(to_size(model.nv)),
       torque_(Eigen::VectorXd::Zero(model.nv)),

@@ -70,7 +70,7 @@ class JointFriction {
     Late sign, speed, given;
     Late actual, foreseen;  ///< Measured and planned velocity, low-pass filtered alike [rad/s].
     double strays = 0.0;  ///< Mean square of the difference `actual` minus `foreseen` [rad^2/s^2].
-    Eigen::Vector3d x;    ///< State: c, F, B.
+    Eigen::Vector3d x;    ///< State: offset c, friction F and B.
     Eigen::Matrix3d P;
     double noise = 0.0;  ///< Variance of the observed error [Nm^2].
   };

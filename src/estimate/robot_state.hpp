@@ -39,14 +39,13 @@ class RobotState {
   /// Computes accelerations and contact forces for joint torques `tau` (nv) [Nm or N], with the
   /// contacts in `active`. The result is in dynamics().
   Status forward(const ActiveContacts& active, const ConstVectorRef& tau) noexcept;
-  /// Computes the same at another configuration and velocity. The state itself does not change.
+  /// Does what forward() does, at another configuration and velocity. The state does not change.
   Status forward_at(const ConstVectorRef& q, const ConstVectorRef& v, const ActiveContacts& active,
                     const ConstVectorRef& tau) noexcept;
   /// Returns the dynamics, with the result of the last forward() or forward_at(). References,
   /// surfaces and friction of its contacts may be changed before the next call of these functions.
   ContactDynamics& dynamics() noexcept { return dynamics_; }
-  /// Returns the selection in which all loops, and all contacts named as one of `contacts`, are
-  /// active.
+  /// Returns the selection of all loops and of all contacts whose names occur in `contacts`.
   ActiveContacts active_in(const std::vector<ContactSpec>& contacts) const;
 
  private:

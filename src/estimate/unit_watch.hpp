@@ -13,8 +13,8 @@ namespace burnish {
 ///   moved  = H^2 (position from the accelerometer - position from the feet).
 /// The position from the accelerometer is integrated with the rotation from the feet, so that a
 /// fault of one sensor shows in one difference only. A constant offset of the gyroscope leads to
-/// turned = offset x window, an offset of the accelerometer to moved = offset x window^2. Encoders
-/// affect these two differences as angles and positions, not as rates.
+/// turned = offset x window, and a constant offset of the accelerometer leads to moved = offset x
+/// window^2. Encoder errors enter both differences directly, without differentiation.
 class UnitWatch {
  public:
   /// `window`: time constant of H [s].

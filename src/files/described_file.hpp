@@ -23,13 +23,13 @@ class DescribedFile {
   using Read = std::function<void(void* spec, const Reader& value)>;
 
   /// `head` is the comment at the start of a written file. `task` is the value of the key `task`.
-  /// If `says_task`, the key is written, and files without it are refused.
+  /// If `says_task`, files are written with this key, and files without it are rejected.
   DescribedFile(const Description& description, std::string head, std::string task,
                 bool says_task = true);
-  /// Reads a key of a section with the function `reading`. If the key is an entry of the
-  /// description, `reading` replaces the entry's own reading. A new key can set several entries at
-  /// once, is read before the other keys of its section, and is not written. Section "" is the top
-  /// level of the file.
+  /// Reads a key of a section with the function `reading`. If an entry of the description has this
+  /// key, `reading` replaces the usual reading of the entry. Any other key is new: it can set
+  /// several entries at once, is read before the other keys of its section, and is not written.
+  /// Section "" is the top level of the file.
   template <class Spec>
   DescribedFile& reads(const std::string& section, const std::string& name,
                        void (*reading)(Spec& spec, const Reader& value)) {
@@ -64,8 +64,8 @@ class DescribedFile {
   std::map<std::string, std::string> units() const;
   /// Refuses files of another task.
   void check_task(const Reader& file) const;
-  /// Sets the entries of the specification that the file, or an override, states. Throws Error with
-  /// the place.
+  /// Sets those entries of the specification that the file or override states. Throws Error with
+  /// the place in the text.
   void read(void* spec, const Reader& file) const;
   /// Calls the function from settles(). read() must have read all `texts` before.
   void settle(void* spec, const std::vector<Reader>& texts) const {
@@ -121,8 +121,8 @@ struct SpecTexts {
   std::vector<Reader> texts = {};
 };
 
-/// Throws Error with the message of `error`, preceded by the place in the last text that states the
-/// entry. If no text states it, the first text's name precedes the message.
+/// Throws Error with the message of `error`, preceded by the place of the entry in the last text
+/// that states it. If no text states it, the message is preceded by the name of the first text.
 [[noreturn]] void refuse_at(const EntryError& error, const std::vector<Reader>& texts);
 
 /// Calls `work`. If it throws an EntryError, throws Error with the place of the entry in the texts.

@@ -16,7 +16,7 @@ Eigen::VectorXd placement_here(const Model& model, const Eigen::VectorXd& q,
 /// Throws Error with the nearest known name.
 Eigen::VectorXd rotation_here(const Model& model, const Eigen::VectorXd& q,
                               const std::string& frame, const Reference& reference);
-/// Coordinates of the target and axes of the residual, for a cost of a frame's position.
+/// Axes for a cost on the position of a frame: coordinates of the target, and axes of the residual.
 struct PositionAxes {
   Eigen::Isometry3d numbers;  ///< Transform from coordinates of targets to the world
   Eigen::Matrix3d rows;       ///< Rotation from axes of the residual's rows to the world

@@ -104,8 +104,8 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
     reader.refuse("the horizon has no knots; wanted stages with their numbers of knots");
 }
 
-/// Projects the velocity at the start onto the velocities that the loops allow. Joints that the
-/// file names keep their velocity.
+/// Projects the velocity at the start onto the velocities that the loops allow. Joints whose
+/// velocity is stated in the file keep it.
 void close_velocity(const Reader& stated, ProblemSpec& spec) {
   if (spec.model.loops.empty()) return;
   std::vector<std::string> keep;
@@ -154,7 +154,7 @@ void set_torques(const std::optional<Reader>& given, const std::vector<std::stri
 }
 
 /// Sets the force states of the initial state, if the state has any. Default: the forces that keep
-/// the robot at rest, with the prescribed forces of `torques: {hold: ...}`.
+/// the robot at rest, given the forces that `torques: {hold: ...}` prescribes.
 void set_forces(const std::optional<Reader>& start, const std::vector<std::string>& contacts,
                 const ProblemScope& scope, ProblemSpec& spec) {
   const auto given = start ? start->find("forces") : std::nullopt;
@@ -208,7 +208,8 @@ ContactSpec read_contact_with_inputs(const std::string& name, const Reader& read
   return contact;
 }
 
-/// Reads the parts that do not depend on stages. The words `hold` and `here` refer to them.
+/// Reads the parts that do not depend on stages. The words `hold` and `here` use values of these
+/// parts.
 void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemFile& result) {
   ProblemSpec& spec = result.spec;
   const Model& model = spec.model;
@@ -253,7 +254,7 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
                    " costs and constraints, the maximum number");
   }
   read_horizon(top["horizon"], known, spec.horizon);
-  // Terminal terms can use forces of the last stage's contacts, if the state has filtered torques.
+  // Terminal terms can use the contact forces of the last stage if the state has filtered torques.
   std::vector<std::string> contacts;
   for (const Stage& stage : spec.stages)
     if (stage.name == spec.horizon.back().stage) contacts = stage.contacts;

@@ -1,4 +1,4 @@
-// Parts of a problem file that later parts refer to, and statics for the word `hold`.
+// Parts of a problem file that later parts use, and the forces and torques of the word `hold`.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,7 @@ struct ProblemScope {
   int controls() const;                      ///< Number of controls
 };
 
-/// Contact forces at rest: the rows of each contact, by contact name.
+/// Contact forces at rest, by contact name: one number for each row of the contact.
 using HeldForces = std::map<std::string, Eigen::VectorXd>;
 
 /// Controls and contact forces of least norm that keep the robot at rest.
@@ -36,12 +36,13 @@ struct Holding {
   HeldForces forces;        ///< Forces of the active contacts [N and Nm]
   double residual = 0.0;    ///< Largest unbalanced torque [Nm]
 };
-/// Returns the table columns of the force states, row by row.
+/// Returns the names of the table columns of the force states: one for each force row.
 std::vector<std::string> force_state_columns(const ProblemSpec& spec);
 /// Returns the force states for these contact forces; 0 for contacts without a force.
 Eigen::VectorXd force_states_of(const ProblemSpec& spec, const HeldForces& forces);
-/// Computes controls and contact forces that keep the robot at rest at `q`. `contacts` are active,
-/// and `prescribed` contains the known forces. Throws Error if the dynamics cannot be evaluated.
+/// Computes the controls and the contact forces that keep the robot at rest at `q`. `contacts` are
+/// the active contacts. `prescribed` contains forces that are already known. Throws Error if the
+/// dynamics cannot be evaluated.
 Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
              const Eigen::VectorXd& q, const HeldForces& prescribed);
 

@@ -5,12 +5,12 @@
 
 namespace burnish::files {
 
-/// Reads {name: input, ...}. An input is {kind: ..., value: ..., frame: ...}; a number or a list is
-/// a constant scalar or vector. Tables of values over time are in `folder`.
+/// Reads {name: input, ...}. An input is {kind: ..., value: ..., frame: ...}. A number or a list in
+/// its place is a constant scalar or vector. Tables of values over time are in `folder`.
 std::vector<InputSpec> read_inputs(const Reader& reader, const Model& model,
                                    const std::filesystem::path& folder);
-/// Returns the name of an input that the key `key` of a map states; empty without this key. Throws
-/// Error with the place and the nearest known name if no input has this name.
+/// Returns the name of the input that the key `key` of a map states, or an empty name without this
+/// key. Throws Error with the place and the nearest known name if there is no such input.
 std::string read_input_name(const Reader& reader, const char* key, const ProblemSpec& spec);
 
 /// Reads the keys of a cost or a constraint that name inputs.

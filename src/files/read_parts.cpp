@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path in `folder` if `name` is a robot path that exists there, else `name`.
+/// Returns folder/name if `name` is a path of a robot and exists there. Otherwise returns `name`.
 std::string locate(const std::string& name, const fs::path& folder) {
   const std::string bare = name.substr(0, name.rfind(':'));
   if (!is_robot_path(name) && !is_robot_path(bare)) return name;

@@ -6,7 +6,7 @@
 namespace burnish::files {
 namespace {
 
-/// Sets the robot's limits. `fraction` scales their range about its centre.
+/// Sets `limits` to the robot's limits, with each range scaled by `fraction` about its centre.
 void set_robot_limits(const ocp::ResidualRows& rows, double fraction, const Reader& reader,
                       RowLimits& limits) {
   if (rows.lower.size() == 0)

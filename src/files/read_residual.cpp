@@ -21,8 +21,8 @@ std::vector<Residual> all_residuals(std::index_sequence<index...> /*of*/) {
   return {Residual(std::variant_alternative_t<index, Residual>{})...};
 }
 
-/// Returns the word for the type of a residual in files, such as frame_position for FramePosition;
-/// empty for a Custom.
+/// Returns the word that files use for the type of a residual, such as frame_position for
+/// FramePosition. Empty for a Custom.
 std::string type_of_residual(const Residual& residual) {
   const std::string name = std::visit(
       [](const auto& r) -> std::string {
@@ -53,7 +53,7 @@ Residual residual_of(const Reader& type) {
   type.refuse("it is not a type of residual");
 }
 
-/// Returns the keys that state a part of a reference and replace the key `reference`, if any.
+/// Returns the keys that each state a part of a reference, as alternatives to the key `reference`.
 std::vector<std::string> shorter_keys(const auto& /*of*/) { return {}; }
 std::vector<std::string> shorter_keys(const residual::FramePosition& /*of*/) { return {"axes"}; }
 std::vector<std::string> shorter_keys(const residual::FrameDistance& /*of*/) { return {"axes"}; }

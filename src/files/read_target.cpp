@@ -120,7 +120,8 @@ Signal read_sine(const TargetSpace& space, const Reader& reader) {
       space.size(), [=](double t, Out p) { p = center + std::sin(rate * t + phase) * amplitude; });
 }
 
-/// Returns the row before `time` and the fraction of the interval to the next row.
+/// Returns the row before `time`, and the place of `time` between this row and the next, from 0 to
+/// 1.
 std::pair<Eigen::Index, double> between(const Eigen::VectorXd& times, double time) {
   const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
   if (after == 0) return {0, 0.0};
@@ -128,9 +129,9 @@ std::pair<Eigen::Index, double> between(const Eigen::VectorXd& times, double tim
   return {after - 1, (time - times[after - 1]) / (times[after] - times[after - 1])};
 }
 
-/// Normalizes quaternions, whose length can differ from 1 by rounding in tables. Replaces q by -q,
-/// the equal rotation, where that is closer to the row before. Interpolation then turns through the
-/// smaller angle.
+/// Normalizes quaternions, whose length in tables can differ from 1 by rounding. Replaces q by -q,
+/// which is the same rotation, if -q is closer to the quaternion of the previous row. Interpolation
+/// then turns through the smaller angle.
 void align_quaternions(const Reader& file, const Eigen::VectorXd& times, Eigen::MatrixXd& points) {
   for (Eigen::Index i = 0; i < times.size(); ++i) {
     auto xyzw = points.col(i).tail<4>();

@@ -17,7 +17,7 @@ struct TargetSpace {
   std::vector<RowGroup> rows = {};
   std::optional<Eigen::VectorXd> here = {};  ///< Value at the start, if the residual has one
   Kind kind = Kind::Plain;
-  /// Axes of offsets from `here`, as columns in the coordinates of targets. Without a value,
+  /// Axes of offsets from `here`, as columns in the coordinates of targets. If this is not set,
   /// offsets are in the coordinates of targets.
   std::optional<Eigen::Matrix3d> offsets = {};
 

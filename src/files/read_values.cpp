@@ -12,7 +12,7 @@
 namespace burnish::files {
 namespace {
 
-/// Reads axes, returned as columns, from a map that may also have the keys `others`.
+/// Reads axes and returns them as columns. The map may also have the keys `others`.
 Eigen::Matrix3d columns_of(const Reader& reader, std::vector<std::string> others) {
   others.insert(others.end(), {"normal", "rpy", "quaternion", "matrix"});
   reader.allow_only(others);
@@ -90,8 +90,8 @@ std::optional<Reference> read_curved(const Reader& reader, std::vector<std::stri
   return {};
 }
 
-/// Removes the joints that move with joint `name` from a posture, because the joint gets a new
-/// value.
+/// Removes the joints that are coupled to joint `name` from a posture, because this joint gets a
+/// new value.
 void forget_coupled(const Model& model, const std::string& name, Posture& posture) {
   const auto& joints = model.joints;
   const auto found = std::find_if(joints.begin(), joints.end(),

@@ -19,8 +19,8 @@ Signal read_target_of(const Residual& residual, const TargetText& text);
 /// Reads the row weights of a State: a list, {q: ..., v: ..., tau: ...} with values as read_rows()
 /// takes them, or one number that scales default_state_weights().
 Eigen::VectorXd read_state_weights(const ProblemScope& scope, const Reader& reader);
-/// Returns the row weights of a State without stated weights: 0 for torques and forces that the
-/// state keeps from the previous step, 1 for all other rows. Empty if all weights are 1.
+/// Returns the default row weights of a State: 0 for torques and forces that the state keeps from
+/// the previous step, 1 for all other rows. Empty if all weights are 1.
 Eigen::VectorXd default_state_weights(const ProblemScope& scope);
 
 }  // namespace burnish::files

@@ -14,8 +14,8 @@ struct StageHolding {
   Eigen::VectorXd control, forces;  ///< nu entries; force states
 };
 
-/// Returns the controls and force states of each stage. Torques of the initial state stay constant
-/// in stages with the same contacts as the first stage.
+/// Returns the controls and force states of each stage. A stage with the same contacts as the first
+/// stage gets the torques and forces of the initial state, if the state has torques.
 std::vector<StageHolding> holding_controls(const Problem& problem) {
   const ProblemSpec& spec = problem.spec();
   const StateLayout& layout = problem.layout();
@@ -53,7 +53,8 @@ void read_trajectory(const Problem& problem, const std::filesystem::path& file,
     if (layout.filtered > 0) guess.xs.col(layout.nq + layout.nv + i) = table.column("tau_" + name);
     guess.us.col(i) = table.column("u_" + name, problem.knots());
   }
-  // Force states are the contact forces of the previous knot; the first ones are initial values.
+  // Force states are the contact forces of the previous knot. At the first knot, they are initial
+  // values.
   int entry = layout.nx() - layout.force_states;
   for (const std::string& column : files::force_state_columns(problem.spec())) {
     guess.xs(0, entry) = problem.initial_state()[entry];

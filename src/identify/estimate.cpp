@@ -8,20 +8,20 @@
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double lag_windows = 6.0;  // Range of lags in sums over lags [windows]
+constexpr double lag_windows = 6.0;  // Largest lag in sums over lags [windows]
 
 /// Returns the largest lag at which residuals count as correlated [samples].
 int lags_of(const Regression& of) {
   return std::min(static_cast<int>(std::ceil(lag_windows * of.samples_per_window)), of.samples / 4);
 }
 
-/// Returns the weight of a lag (M. Bartlett).
+/// Returns M. Bartlett's weight of a lag in such sums, which falls linearly with the lag.
 double lag_weight(int lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1); }
 
-/// Returns the factor that enlarges standard deviations from a sum over lags, because the sum is
-/// only an estimate. It is the ratio of two critical values at 99 %: that of N. Kiefer and T.
-/// Vogelsang, "A New Asymptotic Theory for Heteroskedasticity-Autocorrelation Robust Tests" (2005),
-/// and that of a normal distribution. Large errors are then as rare as they should be.
+/// Returns the factor by which standard deviations grow because the sum over lags that gives them
+/// is itself an estimate. It is a critical value (99 %) of N. Kiefer and T. Vogelsang, "A New
+/// Asymptotic Theory for Heteroskedasticity-Autocorrelation Robust Tests" (2005), divided by the
+/// same critical value of a normal distribution.
 double enlargement(double lags_per_sample) {
   const double b = lags_per_sample;
   return 1.0 + (4.1618 * b + 0.5368 * b * b - 0.9060 * b * b * b) / 2.3263;
@@ -34,8 +34,8 @@ Eigen::MatrixXd covariance_at(const Regression& of, const Eigen::VectorXd& resid
   return r.topRows(n).transpose() * r.bottomRows(n) / static_cast<double>(of.samples);
 }
 
-/// Returns, per torque, the variance of noise that is uncorrelated in time but disturbs a mean as
-/// much as the residuals do: the sum of their autocovariances over lags.
+/// Returns, per torque, the sum of the residuals' autocovariances over all lags. White noise with
+/// this variance would disturb a mean as much as the correlated residuals do.
 Eigen::VectorXd spectral_variance(const Regression& of, const Eigen::VectorXd& residual) {
   const int lags = lags_of(of);
   Eigen::VectorXd result = covariance_at(of, residual, 0).diagonal();
@@ -43,8 +43,8 @@ Eigen::VectorXd spectral_variance(const Regression& of, const Eigen::VectorXd& r
   for (int lag = 1; lag <= lags; ++lag) {
     result += 2.0 * lag_weight(lag, lags) * covariance_at(of, residual, lag).diagonal();
   }
-  // Torques without noise would have unbounded weight, and rounding would hide the prior.
-  constexpr double min_fraction = 1e-5;  // of a torque's rms
+  // Bounds the weights: a torque without noise would outweigh the prior by far.
+  constexpr double min_fraction = 1e-5;  // Smallest noise, as a fraction of a torque's rms
   const Eigen::VectorXd floor =
       (min_fraction * min_fraction * covariance_at(of, of.measured, 0).diagonal().array() + 1e-16)
           .matrix();
@@ -123,7 +123,7 @@ Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
           WA.middleRows(i * of.nv, of.nv).transpose() * C * WA.middleRows((i + lag) * of.nv, of.nv);
     middle += lag_weight(lag, lags) * (lag == 0 ? sum : Eigen::MatrixXd(sum + sum.transpose()));
   }
-  // Corrects for the noise that the fitted parameters absorb. The residuals of one torque within a
+  // Corrects for the noise that the fitted parameters absorb. All residuals of one torque within a
   // window count as one independent number.
   const double pieces = static_cast<double>(residual.size()) / of.samples_per_window;
   middle *= pieces / std::max(1.0, pieces - p);
@@ -147,8 +147,8 @@ Fit fit(const Regression& regression) {
   result.x = regression.prior;
   result.rms_before = rms(regression, regression.before);
   // The residuals show the noise of each torque. The first round assumes equal, small noise in all
-  // torques, so that the motion outweighs the prior. Otherwise, the noise estimated from a bad fit
-  // would stay large.
+  // torques, so that measurements outweigh the prior. If the prior outweighed them, the fit would
+  // be bad, and the noise estimated from it would stay large.
   constexpr double start_fraction = 1e-3, settled = 0.01;
   constexpr int rounds = 40;
   const double start = std::pow(start_fraction * result.rms_before.norm(), 2) + 1e-16;

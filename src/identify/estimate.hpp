@@ -1,4 +1,4 @@
-// Solution of the regression.
+// Solver for the regression of identify().
 #pragma once
 
 #include "identify/regression.hpp"
@@ -16,9 +16,9 @@ struct Fit {
 /// Returns the most probable x (Levenberg-Marquardt method) and its covariance, for noise with the
 /// autocorrelation of the residuals.
 Fit fit(const Regression& regression);
-/// Adds systematic errors of x to its covariance. Smoothing of the motion changes x by `fraction`
-/// of the difference between the solutions for `longer` and `regression`. The sample-and-hold of
-/// torques changes x as well.
+/// Adds two systematic errors of x to its covariance. The error from smoothing the motion is
+/// `fraction` times the difference between the solutions for `longer` and `regression`. The second
+/// error comes from holding torques over a sampling period.
 void add_bias(const Regression& regression, const Regression& longer, double fraction, Fit& fit);
 
 /// Adds to the covariance the error from residuals that noise does not explain. Each parameter in

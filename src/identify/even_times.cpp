@@ -10,13 +10,13 @@
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double even_within = 0.01;  // Fraction of a period
+constexpr double even_within = 0.01;  // Largest jitter of even times [periods]
 /// Longest gap that a cubic bridges [s]. The error for a motion of 4 Hz is 1e-3 of its amplitude.
 constexpr double max_gap = 0.03;
 constexpr double min_bridged_periods = 3.5;  // Gaps up to this length are always bridged [periods]
 constexpr double missing_above = 1.75;       // Longer steps miss a sample [periods]
 constexpr double max_missing_fraction = 0.05;  // Of all samples
-/// Minimum distance between outer and inner nodes of a cubic, which limits the noise [periods].
+/// Minimum distance of a cubic's outer node from its inner neighbour; limits noise [periods].
 constexpr double node_distance = 0.5;
 
 std::string ms_text(double seconds) { return number(1e3 * seconds) + " ms"; }

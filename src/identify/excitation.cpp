@@ -67,7 +67,7 @@ struct Load {
   double fraction = 0.0;  ///< Fraction of the effort limit
 };
 Load heaviest_load(const Model& model, const Eigen::VectorXd& tau) {
-  constexpr double none = 1e-9;  // rounding error of a joint's zero torque [Nm, N]
+  constexpr double none = 1e-9;  // smaller torques are rounding errors [Nm, N]
   Load worst;
   for (int k = 0; k < model.nv; ++k) {
     const double torque = std::abs(tau[k]);
@@ -191,7 +191,7 @@ Excitation::Excitation(const Model& model, const Eigen::VectorXd& q_start, const
 
 /// Reduces the motion until the efforts are within their limits. Returns false if this fails.
 bool Excitation::limit(double effort_share) {
-  constexpr double shrink = 0.8;  // at each attempt, chosen by hand
+  constexpr double shrink = 0.8;  // Factor on the motion at each attempt, chosen by hand
   constexpr int attempts = 12;
   ContactDynamics dynamics(model_);
   const Eigen::VectorXd none(0);
@@ -237,7 +237,7 @@ double Excitation::information(const std::string& frame) const {
     sum += unit.asDiagonal() * (Y.transpose() * Y) * unit.asDiagonal();
   }
   const Eigen::VectorXd values = symmetric_eigen(sum).values;
-  // Directions that no motion excites count equally for all motions.
+  // The lower bound makes directions that no motion excites count equally for all motions.
   return values.cwiseMax(1e-9).array().log().sum();
 }
 

@@ -8,12 +8,14 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// A convincing fault leaves less than this fraction of the squared residual beyond noise, which is
-/// a fifth of the rms. Effects that no fault describes, such as friction, remain in the residual.
+/// A fault is convincing if it reduces the squared residual beyond noise to less than this fraction
+/// (the rms to a fifth). Effects that no fault describes, such as friction, remain in the residual.
 constexpr double convincing = 1.0 / 25.0;
-/// A mild fault leaves less than this fraction (half of the rms). It does not reject the record.
+/// A mild fault, which does not reject the record, must reduce the squared residual beyond noise to
+/// less than this fraction (the rms to a half).
 constexpr double worth_a_hint = 1.0 / 4.0;
-/// A later fault must leave less than this fraction of what an earlier, simpler fault leaves.
+/// A later fault must reduce the squared residual to less than this fraction of the squared
+/// residual with an earlier, simpler fault.
 constexpr double better = 0.7;
 
 }  // namespace
@@ -26,8 +28,7 @@ FaultSearch::FaultSearch(const Model& model, const MotionRecord& record, const W
       unknowns_(unknowns),
       spec_(spec),
       base_(regression(model, record, spec)) {
-  // Each torque counts relative to its own size; a torque that is small beside the largest counts
-  // little.
+  // Divides each torque by its rms; a torque whose rms is small beside the largest counts little.
   constexpr double min_fraction = 0.02;
   const Eigen::Map<const RowMatrix> torques(base_.measured.data(), base_.samples, base_.nv);
   const Eigen::VectorXd size =
@@ -41,7 +42,7 @@ FaultSearch::FaultSearch(const Model& model, const MotionRecord& record, const W
 
 std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected) {
   reference_ = weighted(base_.residual(x));
-  // Factor for the squared noise, because few instants average noise less. It was 1.5 for arm7.
+  // Factor on the squared noise, because a mean over few instants is noisier. It was 1.5 for arm7.
   constexpr double of_few_instants = 2.0;
   noise_ = of_few_instants * weighted(expected.replicate(base_.samples, 1));
   try_negative_mass();
@@ -59,7 +60,7 @@ std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::Ve
   return best_;
 }
 
-/// Tries negative and impossible masses; if they fit, the robot is lighter than its model.
+/// Tries negative and impossible masses. If they fit, the robot is lighter than its model.
 void FaultSearch::try_negative_mass() {
   const double as_it_is = left(rows(base_), &solution_);
   const double mass = solution_[0];
@@ -98,7 +99,7 @@ double FaultSearch::left(const Rows& rows, Eigen::VectorXd* solution) const {
       (A.colwise().norm().array() + 1e-300).inverse().matrix().transpose();
   A = A * scale.asDiagonal();
   Eigen::MatrixXd information = A.transpose() * A;
-  information.diagonal().array() += 1e-10;  // For columns that depend on each other
+  information.diagonal().array() += 1e-10;  // For linearly dependent columns
   const Eigen::VectorXd x =
       scale.asDiagonal() *
       solve_positive(information, A.transpose() * root.cwiseProduct(rows.b)).col(0);

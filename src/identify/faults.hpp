@@ -1,5 +1,5 @@
-// Search for a fault of a record that explains the torques much better: units, signs, swapped
-// columns, gravity, a lag, an encoder offset, or a payload that changes.
+// Search for faults of a record that explain the torques much better than no fault: wrong units or
+// signs, swapped columns, wrong gravity, a lag, an encoder offset, or a payload that changes.
 #pragma once
 
 #include <functional>
@@ -31,9 +31,9 @@ class FaultSearch {
   FaultSearch(const Model& model, const MotionRecord& record, const Windows& windows,
               std::span<const Unknown> unknowns, const IdentificationSpec& spec);
 
-  /// Returns the fault that explains the residual of estimate x best, if it leaves less than a
-  /// fifth of the residual beyond noise (half for a mild fault). `expected`: rms that noise
-  /// explains (nv).
+  /// Returns the fault that explains the residual of estimate x best, if it reduces the rms of the
+  /// residual beyond noise to less than a fifth (to less than a half for a mild fault). `expected`:
+  /// rms of the residual that noise explains, nv entries.
   std::optional<Fault> best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected);
 
  private:

@@ -21,8 +21,8 @@ Rows with_column(const Rows& rows, const Eigen::MatrixXd& columns) {
 
 }  // namespace
 
-/// Tries other gravity vectors by Gauss-Newton steps. Residuals contain products of gravity and
-/// masses, and are otherwise linear.
+/// Tries other gravity vectors. Takes Gauss-Newton steps, because the residuals contain products of
+/// gravity and masses.
 void FaultSearch::try_gravity() {
   std::vector<Regression> along;
   for (int i = 0; i < 3; ++i) {
@@ -62,7 +62,7 @@ void FaultSearch::try_gravity() {
   const auto text = [](const Eigen::Vector3d& g) {
     return "(" + number(g[0]) + ", " + number(g[1]) + ", " + number(g[2]) + ")";
   };
-  constexpr double vanishing = 0.05;  // As a fraction of the model's gravity
+  constexpr double vanishing = 0.05;  // Smallest gravity, as a fraction of the model's gravity
   if (gravity.norm() < vanishing * model_.gravity.norm())
     consider(
         "the torques do not contain the weight of the robot and its payload; wanted the total "

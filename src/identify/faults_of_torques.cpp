@@ -18,7 +18,7 @@ constexpr UnitOfTorque units_of_torque[] = {
     {"Nmm", 1e3},        {"Ncm", 1e2},        {"kNm", 1e-3},        {"kgf m", 0.101972},
     {"kgf cm", 10.1972}, {"kgf mm", 101.972}, {"lbf ft", 0.737562}, {"lbf in", 8.85075},
     {"ozf in", 141.612}, {"dyn cm", 1e7}};
-constexpr double same_unit = 0.05;  // Relative difference of a gain from a unit
+constexpr double same_unit = 0.05;  // Relative tolerance of a gain that counts as a change of unit
 
 bool all_near(const Eigen::ArrayXd& ratio, double tolerance) {
   return ((ratio - 1.0).abs() < tolerance).all();
@@ -32,14 +32,15 @@ double median(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-/// Tries measured = gain * true for each torque. This is linear in the parameters and in 1 / gain.
+/// Tries to explain each measured torque as a gain times the true torque. The equations are linear
+/// in the parameters and in 1 / gain.
 void FaultSearch::try_gains() {
   const int nv = base_.nv;
   const Eigen::VectorXd known = base_.measured - base_.rest;
   const Rows plain = rows(base_);
   Rows with{Eigen::MatrixXd::Zero(plain.A.rows(), plain.A.cols() + nv), -known};
   with.A.leftCols(plain.A.cols()) = plain.A;
-  // A torque that never changes does not have a gain.
+  // The gain of a torque that never changes cannot be estimated; the torque is taken as measured.
   const Eigen::Map<const RowMatrix> torque(base_.measured.data(), base_.samples, nv);
   for (int k = 0; k < nv; ++k) {
     const double range = torque.col(k).maxCoeff() - torque.col(k).minCoeff();
@@ -51,7 +52,7 @@ void FaultSearch::try_gains() {
         with.b[row] += torque(s, k);
     }
   }
-  // Residuals of `with` are in units of the model, so the weights come from the model's torques.
+  // Weights residuals by the model's torques, because `with` has the units of the model.
   const Eigen::VectorXd weight = weight_;
   const Eigen::Map<const RowMatrix> model_torque(known.data(), base_.samples, nv);
   const Eigen::ArrayXd size =
@@ -69,7 +70,7 @@ void FaultSearch::try_gains() {
 
 void FaultSearch::consider_gains(const Eigen::VectorXd& gain, double squares) {
   const auto& g = gain.array();
-  // The median, because noise changes the gains of small torques
+  // Uses the median, because noise changes the gains of small torques.
   const double middle = median(gain);
   const auto as = [&](const std::string& what) { consider(what, squares); };
   for (const UnitOfTorque& unit : units_of_torque)

@@ -11,8 +11,8 @@
 namespace burnish {
 namespace {
 
-/// A joint falls if its torque command exceeds the limit while the joint is farther than this from
-/// the motion [rad, m]. The value is the default of ExcitationSpec::margin.
+/// Distance from the planned motion [rad, m]. A joint that is farther away while its torque command
+/// exceeds the limit counts as falling. The value is the default of ExcitationSpec::margin.
 constexpr double falls_beyond = 0.1;
 /// Deviations up to this distance, a quarter of a turn, give no warning, even if the planned range
 /// is smaller [rad, m]. The light last joint of arm7 deviates by 0.95 rad with seed 2007 of

@@ -27,7 +27,7 @@ void each_joint(const Model& model, const Model& angles, const Visit& visit) {
 /// Throws Error for a (cos, sin) that is not on the unit circle.
 void check_circle(const Model& model, const Joint& joint, const MotionRecord& record,
                   Eigen::Index first) {
-  constexpr double tolerance = 0.05;  // Of the length of (cos, sin)
+  constexpr double tolerance = 0.05;  // On the length of (cos, sin)
   const auto pair = record.q.middleCols(joint.q_index, 2);
   for (Eigen::Index i = first; i < pair.rows(); ++i)
     if (const double length = pair.row(i).norm(); std::abs(length - 1.0) > tolerance)

@@ -6,7 +6,7 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// Returns U without the factor e^alpha.
+/// Returns the matrix U of the pseudo-inertia J = U U^T without its factor e^alpha.
 Eigen::Matrix4d root(const Vector10& eta) {
   Eigen::Matrix4d V = Eigen::Matrix4d::Identity();
   for (int i = 0; i < 3; ++i) V(i, i) = std::exp(eta[1 + i]);
@@ -20,8 +20,8 @@ Eigen::Matrix4d root(const Vector10& eta) {
 }  // namespace
 
 Vector10 LogCholesky::of(const InertiaSpec& inertia) {
-  // A body without extent has no finite logarithm. Masses and radii below these limits do not
-  // matter.
+  // Lower limits of mass and radii of gyration, because the coordinates of a body without mass or
+  // extent would be infinite. Smaller values do not matter.
   constexpr double min_mass = 1e-4, min_radius = 1e-3;  // [kg], [m]
   const double mass = std::max(inertia.mass, min_mass);
   const Eigen::Matrix3d I = inertia.inertia_at_com / mass;
@@ -30,7 +30,7 @@ Vector10 LogCholesky::of(const InertiaSpec& inertia) {
   Vector10 eta;
   eta[0] = 0.5 * std::log(mass);
   eta.tail<3>() = inertia.com;
-  // S = U3 U3^T, from the last row up.
+  // Factors S = U3 U3^T with U3 upper triangular, from the last row up.
   const double u33 = std::sqrt(std::max(S(2, 2), min_moment));
   const double s13 = S(0, 2) / u33, s23 = S(1, 2) / u33;
   const double u22 = std::sqrt(std::max(S(1, 1) - s23 * s23, min_moment));

@@ -4,7 +4,7 @@
 //   U = e^alpha [ e^d1 s12  s13  t1 ]
 //               [ 0    e^d2 s23  t2 ]
 //               [ 0    0    e^d3 t3 ]
-//               [ 0    0    0    1  ],
+//               [ 0    0    0    1  ].
 // The mass is e^(2 alpha), and t is the centre of mass. With the upper left 3 x 3 block L of the
 // matrix in brackets, L L^T is the second moment about the centre of mass, divided by the mass.
 #pragma once

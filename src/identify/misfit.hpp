@@ -17,7 +17,7 @@ struct Evidence {
   const Windows& windows;
   const Regression& regression;
   const Regression& longer;  ///< Regression over longer motion windows
-  double fraction;           ///< Error from smoothing, as a fraction of the difference to `longer`
+  double fraction;           ///< Ratio of the smoothing error to the difference from `longer`
   double torque_noise;       ///< Given noise of each sample; 0: estimated from the record [Nm, N]
 };
 

@@ -165,7 +165,7 @@ void check_torques(const Model& model, CheckedRecord& checked) {
 void check_frozen(const Model& model, CheckedRecord& checked) {
   constexpr double max_standstill = 0.1;      // exactly equal samples within a motion [s]
   constexpr Eigen::Index before = 10;         // Samples that give the speed before and after
-  constexpr double min_speed_fraction = 0.1;  // Of the joint's fastest 10 samples
+  constexpr double min_speed_fraction = 0.1;  // Of the speed over its fastest 10 samples
   // Near a turning point with acceleration a, a joint stays within one quantum for a time T, with
   // quantum = a T^2 / 8. If T is at least 20 samples (max_standstill at 200 Hz or more), the joint
   // moves by at most three quanta in the 10 samples before this time.

@@ -30,7 +30,7 @@ class Instant {
   static int second(const Layout& layout) { return layout.size + 2; }
   static int measured(const Layout& layout) { return layout.size + 3; }
 
-  /// nv x columns().
+  /// Returns the terms at instant i, as a matrix of size nv x columns().
   const Eigen::MatrixXd& at(const SmoothedMotion& motion, int i) {
     add_masses(motion, i);
     for (int k = 0; k < model_.nv; ++k) {
@@ -111,8 +111,8 @@ Regression::Regression(const Model& model, const SmoothedMotion& motion, const W
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples) * nv, Instant::columns(layout));
   for (int i = 0; i < motion.instants(); ++i) {
     const Eigen::MatrixXd& now = instant.at(motion, i);
-    // An instant contributes to all windows that contain it; window s is centred at half + s
-    // stride.
+    // An instant contributes to all windows that contain it. Window s is centred at instant
+    // half + s * stride.
     const int last = std::min(samples - 1, i / stride);
     for (int s = std::max(0, (i - 2 * half + stride - 1) / stride); s <= last; ++s)
       terms.middleRows(static_cast<Eigen::Index>(s) * nv, nv) += kernel[i - s * stride] * now;
@@ -138,7 +138,7 @@ void Regression::take(const Eigen::MatrixXd& terms, double period) {
   before = terms.col(Instant::before(layout));
   second = terms.col(Instant::second(layout));
   measured = terms.col(Instant::measured(layout));
-  // Mean over the period before minus the value half a period ago.
+  // Mean of a torque over the past sampling period minus its value half a period ago.
   held = period * period / 12.0 * second;
 }
 

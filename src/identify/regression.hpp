@@ -1,5 +1,5 @@
-// Regression of identify(): torques against terms that are linear in the unknowns, smoothed by the
-// same window.
+// Regression of identify(): fits torques by terms that are linear in the unknowns. Torques and
+// terms are smoothed by the same window.
 #pragma once
 
 #include <span>

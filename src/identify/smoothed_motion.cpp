@@ -9,8 +9,8 @@
 namespace burnish::identify_detail {
 namespace {
 
-constexpr int min_half = 3;                 // Samples on either side of a window's middle, at least
-constexpr int instants_per_window = 40;     // Of the motion; more instants add no information
+constexpr int min_half = 3;                 // Minimum number of samples beside a window's middle
+constexpr int instants_per_window = 40;     // Per motion window; more instants add no information
 constexpr double implausible_period = 0.5;  // Longer than the period of any controller's record [s]
 constexpr double longer_factor = 1.5;  // Length of the longer motion window over the shorter one
 

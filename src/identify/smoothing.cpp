@@ -8,7 +8,7 @@
 namespace burnish::identify_detail {
 
 Smoother::Smoother(int half, double period) : half_(half), weights_(2 * half + 1, 3) {
-  // Scaled by half a window, so that the powers stay near one.
+  // Scales time by half a window, so that its powers stay near one.
   Eigen::MatrixXd powers(2 * half + 1, 6);
   for (int i = -half; i <= half; ++i) {
     const double x = static_cast<double>(i) / half;

@@ -28,8 +28,8 @@ BURNISH_INLINE LogCoefficients<S> log_coefficients(const S& theta) {
   const S y = -theta * theta;
   const S so3_series =
       S(c1) + y * (S(c2) + y * (S(c3) + y * (S(c4) + y * (S(c5) + y * (S(c6) + y * S(c7))))));
-  // The series in s = x^2, reduced modulo s (s - y)^2, because s is 0 or y at the eigenvalues of
-  // ad: s^n = (n-1) y^(n-2) s^2 - (n-2) y^(n-1) s.
+  // The series in s = x^2 is reduced modulo s (s - y)^2, because s is 0 or y = -theta^2 at the
+  // eigenvalues of ad: s^n = (n-1) y^(n-2) s^2 - (n-2) y^(n-1) s.
   const S series_2 =
       S(c1) -
       y * y *
@@ -80,7 +80,7 @@ Vec3<S> log_rotation(const Mat3<S>& R, S& theta) {
   Vec3<S> u{select(flip, S(-qx), qx), select(flip, S(-qy), qy), select(flip, S(-qz), qz)};
   const S square = dot(u, u);
   const S whole = square + qw * qw;
-  // For a small vector part u, theta/|u| tends to 2/qw, and a series in (|u|/qw)^2 is used.
+  // For a small vector part u of the quaternion, theta/|u| is 2/qw times a series in (|u|/qw)^2.
   const auto small = less(square, S(S(1e-6) * whole));
   const S length = square_root(select(small, S(1.0), square));
   const S angle = S(2.0) * arc_tangent2(length, select(small, S(1.0), qw));

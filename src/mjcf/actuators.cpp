@@ -106,7 +106,7 @@ class Efforts {
   void add_to(std::size_t joint, double factor, const Item& item) {
     has_actuator_ = true;
     const double force = largest_force(item, reading_);
-    // Without gear, 0 times infinity is avoided
+    // A gear of zero transmits nothing; 0 times an infinite force would not be a number.
     if (factor != 0.0) sums_[joint] += std::abs(factor) * force;
   }
 

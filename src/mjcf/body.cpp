@@ -362,7 +362,7 @@ void note_body_omissions(const XMLElement& body, Reading& reading) {
                                example_of(body));
 }
 
-/// Reads a body and its children. `moves`: a joint moves the parent.
+/// Reads a body and its children. `moves` tells whether a joint moves the parent.
 void read_body(const Child& child, const std::string& parent, bool moves, int depth,
                Reading& reading) {
   const XMLElement& xml = *child.xml;

@@ -60,7 +60,7 @@ Eigen::Matrix3d rotation_by(const Form& form, const XMLElement& at, const Compil
       .toRotationMatrix();
 }
 
-/// Returns the form of orientation that an element states itself, or nullptr.
+/// Returns the form in which the element itself states its orientation (such as euler), or nullptr.
 const Form* form_of(const XMLElement& at) {
   const Form* found = nullptr;
   for (const Form& form : forms) {

@@ -14,12 +14,12 @@ enum class InertiaFromGeom { No, Yes, Auto };
 /// ones.
 struct Compiler {
   bool degrees = true;
-  /// Small letters: axes that rotate with the body; capitals: fixed axes
+  /// Euler axes in sequence; small letters rotate with the body, capitals are fixed
   std::string euler = "xyz";
   bool autolimits = true;
   bool strip_paths = false;
   bool balance_inertia = false;
-  /// Default mesh inertia is exact (attribute of files before MuJoCo 3.2.5)
+  /// Whether mesh inertia is exact by default (an attribute of files before MuJoCo 3.2.5)
   bool exact_meshes = false;
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::Auto;
   double min_mass = 0.0;                ///< [kg]

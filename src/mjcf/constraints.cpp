@@ -39,7 +39,7 @@ void read_spring(const Item& item, double at_rest, TendonSpec& tendon, Reading& 
   const XMLElement* at = item.stating("springlength");
   if (at == nullptr) return;
   const std::vector<double> stated = all_numbers(*at, "springlength", place_of(*at));
-  if (stated.empty() || stated[0] < 0.0) return;  // -1: rest of the joints
+  if (stated.empty() || stated[0] < 0.0) return;  // -1: length at the rest of the joint springs
   tendon.rest = stated[0];
   if (stated.size() < 2 || stated[1] == stated[0]) return;
   tendon.stiffness = 0.0;
@@ -142,7 +142,7 @@ bool is_led_by(const std::string& name, const std::string& other, const XMLEleme
 }
 
 /// Fixes a joint at a value, and its followers at the values that result. Removes the joints from
-/// tendons and subtracts their lengths from the tendons' rest lengths.
+/// tendons and subtracts their contributions from the tendons' rest lengths.
 void fix(JointSpec& joint, double value, Reading& reading) {
   joint.placement = joint.placement * displacement(joint, std::vector<double>{value});
   joint.type = JointType::Fixed;
@@ -173,7 +173,8 @@ void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
       example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
 }
 
-/// Holds the free joint of a coupling, second = multiplier * first + offset, with a held joint.
+/// Fixes the free joint of the coupling second = multiplier * first + offset, whose other joint is
+/// held, at the value that results.
 void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupling,
                     const Item& item, Reading& reading) {
   if (first.type != JointType::Fixed) {

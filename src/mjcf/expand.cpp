@@ -14,7 +14,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Elements = std::vector<const XMLElement*>;
 
-/// Rule for the names of copies. For another model, classes and assets are renamed as well.
+/// Rule for the names of copies. In copies of another model, it also renames classes and assets.
 struct Renaming {
   std::string prefix, suffix;
   bool of_another = false;
@@ -84,7 +84,7 @@ void gather(const Elements& elements, NamesByKind& found, Reading& reading) {
 
 // ---- Elements that name copied elements
 
-/// Numbers of copied and of other elements to which an element (or a part of a tendon) refers.
+/// Number of references of an element (or of a part of a tendon) to copied and to other elements.
 struct Reach {
   int among = 0, others = 0;
   void add(const XMLElement& element, const NamesByKind& copied) {
@@ -106,8 +106,8 @@ Reach reach(const XMLElement& element, const NamesByKind& copied, Reading& readi
   return result;
 }
 
-/// Returns whether an element is copied. All names of an equality or actuator must be copied; for a
-/// tendon, one is enough.
+/// Returns whether an element is copied: an equality or actuator if all elements that it names are
+/// copied, a tendon if at least one is.
 bool is_copied(const std::string& section, const Reach& reach) {
   return reach.among > 0 && (section == "tendon" || reach.others == 0);
 }
@@ -133,7 +133,7 @@ const XMLElement& copy_naming(const XMLElement& element, const NamesByKind& copi
 
 constexpr std::array<const char*, 3> naming_sections{"tendon", "equality", "actuator"};
 
-/// Adds copies of tendons, equalities and actuators that name copied elements.
+/// Adds copies of the tendons, equalities and actuators that refer to copied elements.
 void copy_naming_elements(NamesByKind copied, const std::vector<Renaming>& renamings,
                           const Part& from, Part& to, Reading& reading) {
   for (const std::string section : naming_sections) {
@@ -150,7 +150,7 @@ void copy_naming_elements(NamesByKind copied, const std::vector<Renaming>& renam
   }
 }
 
-/// Removes the elements that refer to an element in `gone`, of which only copies are left.
+/// Removes the elements that refer to an original in `gone`, because only its copies are left.
 void drop_naming_elements(NamesByKind gone, Part& part, Reading& reading) {
   for (const std::string section : naming_sections) {
     Elements& elements = part.elements[section];
@@ -324,7 +324,7 @@ const XMLElement& asset_model(const std::string& wanted, const XMLElement& at, R
                     did_you_mean(wanted, known));
 }
 
-/// Adds the classes and assets of another model under a prefix, once.
+/// Adds the classes and assets of another model under a prefix, unless they were added before.
 void take_over(const XMLElement& root, const Renaming& renaming, Reading& reading) {
   if (!reading.attached.emplace(&root, renaming.prefix).second) return;
   Part& part = reading.part_of(root);

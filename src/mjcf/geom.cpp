@@ -195,7 +195,7 @@ void draw_capsule(double radius, double half, const VisualSpec& like,
   }
 }
 
-/// Draws an ellipsoid as a capsule along its longest axis, with the mean radius of the other two.
+/// Draws an ellipsoid as a capsule along its longest axis, with the mean of its other two radii.
 void draw_ellipsoid(const Vector3d& size, VisualSpec visual, std::vector<VisualSpec>& visuals) {
   int longest_axis = 0;
   size.maxCoeff(&longest_axis);

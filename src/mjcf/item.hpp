@@ -21,7 +21,7 @@ struct DefaultClass {
   std::map<std::string, std::vector<const XMLElement*>, std::less<>> elements;
 };
 
-/// Returns the kind of defaults of an element. All actuators share one kind, and so do all tendons.
+/// Returns the kind of an element in <default>. All actuators are one kind, and so are all tendons.
 std::string_view default_kind(std::string_view element);
 
 class DefaultClasses {
@@ -32,7 +32,7 @@ class DefaultClasses {
   void read(const XMLElement& section, Source& source);
 
   /// Reads the <default>s of another model, whose classes are already renamed. `main` becomes a
-  /// second name of the outermost class. The classes do not inherit from the classes of this model.
+  /// second name of its outermost class. The classes do not inherit from the classes of this model.
   void attach(const std::string& main, const std::vector<const XMLElement*>& sections,
               Source& source);
 

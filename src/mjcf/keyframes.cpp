@@ -8,7 +8,7 @@
 namespace burnish::mjcf {
 namespace {
 
-/// Returns whether postures contain the joint; they do not contain followers and held joints.
+/// Returns whether postures have a value for the joint: it is neither held nor a follower.
 bool moves_by_itself(const JointSpec& joint) {
   return joint.type != JointType::Fixed && !joint.mimic;
 }

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 static_assert(std::endian::native == std::endian::little, "mesh files are little-endian");
 
-constexpr std::size_t max_vertices = 5'000'000;  // Also of faces, chosen by hand
+constexpr std::size_t max_vertices = 5'000'000;  // Also limits the faces; chosen by hand
 
 /// Reader of consecutive numbers in a binary file.
 class Bytes {
@@ -179,7 +179,7 @@ Triangles from_msh(const std::string& bytes, const std::string& source) {
   return mesh;
 }
 
-/// Contribution of one face: a tetrahedron with the origin, or the triangle itself.
+/// Contribution of one face: the tetrahedron between the face and the origin, or the face itself.
 struct Piece {
   double measure;  // [m^3] or [m^2], with a sign
   Vector3d centre;

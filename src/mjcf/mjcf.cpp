@@ -135,7 +135,7 @@ void read_sections(const Sections& sections, Reading& reading) {
       reading.warning_notes.note(
           "soft and composed bodies (<composite>, <flexcomp>, <flex>) are ignored",
           example_of(*element));
-  // Sections that name missing links would only add follow-up errors.
+  // Too many links end the reading: later sections would only add errors about missing links.
   if (reading.tree.links.size() > max_links) return;
   Sections& elements = reading.part_of(reading.source.root()).elements;
   read_tendons(elements["tendon"], reading);

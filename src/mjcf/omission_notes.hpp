@@ -9,7 +9,7 @@ namespace burnish::mjcf {
 
 class OmissionNotes {
  public:
-  /// Adds an occurrence. `what` is a sentence about the kind, `example` one element of it.
+  /// Adds an occurrence. `what` describes the kind of content, `example` names one element.
   void note(const std::string& what, const std::string& example) {
     const auto same = std::find_if(kinds_.begin(), kinds_.end(),
                                    [&](const Kind& kind) { return kind.what == what; });

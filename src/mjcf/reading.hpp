@@ -97,7 +97,7 @@ struct Reading {
   std::vector<LinkVisual> drawn;
   std::map<std::string, int> ignored_elements;  ///< Number of ignored elements, by element name
 
-  std::set<std::pair<const XMLElement*, std::string>> attached;  ///< Roots and prefixes
+  std::set<std::pair<const XMLElement*, std::string>> attached;  ///< Root and prefix of each model
   bool has_composed = false;  ///< A <composite> or <flexcomp> exists, whose bodies are not read
   int expanding_depth = 0;
   /// <attach> and <replicate> elements that are already expanded

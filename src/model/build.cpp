@@ -25,7 +25,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Pending {
   const JointSpec* joint;            ///< Joint above the link, nullptr for the root link
   int body;                          ///< Body of the parent link
-  Eigen::Isometry3d parent_in_body;  ///< Placement of the parent link in that body
+  Eigen::Isometry3d parent_in_body;  ///< Placement of the parent link in `body`
 };
 
 /// State of the walk over a description.

@@ -98,7 +98,8 @@ void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
     if (!joint.follows || !has_spring(*spec_of_joint[i])) continue;
     const auto [leader_index, multiplier, offset] = *joint.follows;
     if (multiplier == 0.0) continue;  // the deflection is the same at all postures
-    // k (m q + o - r) m = m^2 k (q - (r - o) / m)
+    // Torque on the leader at q, with multiplier m, offset o, stiffness k and rest position r:
+    // k (m q + o - r) m = m^2 k (q - (r - o) / m).
     const double added = multiplier * multiplier * spec_of_joint[i]->stiffness;
     const double rest = (spec_of_joint[i]->rest - offset) / multiplier;
     double& stiffness = model.stiffness[joint.v_index];

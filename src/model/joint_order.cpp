@@ -30,11 +30,11 @@ bool has_w_first(JointKind kind, JointConvention convention) {
   return convention == JointConvention::Mujoco && unit_entries(kind) == 4;
 }
 
-/// Move w of the quaternion x from the front to the end, and back.
+/// Move the first entry w of the quaternion x to its end, and the last entry w to its front.
 void w_to_end(Eigen::Ref<VectorXd> x) { std::rotate(x.begin(), x.begin() + 1, x.end()); }
 void w_to_front(Eigen::Ref<VectorXd> x) { std::rotate(x.begin(), x.end() - 1, x.end()); }
 
-/// Replace the last entry, an angle, by (cos, sin), and back.
+/// Replace the last entry, an angle, by its (cos, sin), and such a pair by its angle.
 VectorXd with_pair(const VectorXd& x) {
   const Eigen::Index size = x.size() - 1;
   VectorXd result(size + 2);
@@ -50,14 +50,14 @@ VectorXd with_angle(const VectorXd& x) {
 
 bool turns_on_circle(JointKind kind) { return unit_entries(kind) == 2; }
 
-/// Converts the entries of one joint from the convention to those of q.
+/// Converts the entries of one joint from the given convention to entries of q.
 VectorXd ours(VectorXd x, JointKind kind, JointConvention convention) {
   if (has_w_first(kind, convention)) w_to_end(x.tail<4>());
   if (turns_on_circle(kind) && convention != JointConvention::Same) return with_pair(x);
   return x;
 }
 
-/// Converts the entries of one joint from those of q to the convention.
+/// Converts the entries of one joint from entries of q to the given convention.
 VectorXd theirs(VectorXd x, JointKind kind, JointConvention convention) {
   if (has_w_first(kind, convention)) w_to_front(x.tail<4>());
   if (turns_on_circle(kind) && convention != JointConvention::Same) return with_angle(x);

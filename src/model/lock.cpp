@@ -29,7 +29,7 @@ const JointSpec& find_joint(const Locking& locking, const std::string& name,
 bool follows_one_of(const Locking& locking, const JointSpec& joint,
                     const std::set<std::string>& leaders) {
   const JointSpec* at = &joint;
-  // The limit ends cycles of followers; Courses rejects them later.
+  // The number of steps is limited, because followers may form a cycle; Courses rejects it later.
   for (std::size_t steps = 0; steps < locking.tree.joints.size(); ++steps) {
     if (!moves(*at) || !at->mimic) return false;
     at = &named_leader(locking.tree, locking.joint_by_name, *at);

@@ -1,6 +1,6 @@
-// Check of the mass matrix by articulated inertias at one generic posture. S_i are the directions
-// of joint i, and X transforms motions from a body to its child c. The articulated inertia of body
-// i, with all joints beyond it free to move, is
+// Check of the mass matrix by articulated inertias at one generic posture. I_i is the inertia of
+// body i alone, S_i are the directions of its joint, and X transforms motions from a body to its
+// child c. The articulated inertia of body i, with all joints beyond it free to move, is
 //   A_i = I_i + sum over children c of X^T (A_c - A_c S_c D_c^-1 S_c^T A_c) X,
 //   D_c = S_c^T A_c S_c + armature.
 // The mass matrix is positive definite if and only if every D_c is. A quantity that is zero at a

@@ -295,7 +295,7 @@ void check_efforts(const MovingLinks& robot, const ModelOptions& options, Findin
 }
 
 void check_armatures(const MovingLinks& robot, Findings& findings) {
-  constexpr double largest = 10.0;  // relative to robot.mass robot.reach^2, or robot.mass; by hand
+  constexpr double largest = 10.0;  // relative to the robot's inertia or mass; chosen by hand
   for (const MovingLink& link : robot.links) {
     const JointSpec* joint = link.joint;
     if (joint == nullptr || joint->armature <= 0.0) continue;

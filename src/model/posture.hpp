@@ -26,8 +26,8 @@ JointKind kind_of(JointType type);
 std::size_t posture_size(JointType type);
 std::size_t posture_size(JointKind kind);
 
-/// Throws Error unless `values` has `size` finite entries. Of 4 or 7 entries, the last four are a
-/// quaternion whose length must be 1 to within 1e-3. Callers must normalise the quaternion.
+/// Throws Error unless `values` has `size` finite entries. If `size` is 4 or 7, the last four
+/// entries are a quaternion whose length must be 1 to within 1e-3. Callers must normalise it.
 void check_posture_values(const std::string& origin, const std::string& joint,
                           std::span<const double> values, std::size_t size);
 

@@ -10,7 +10,7 @@ namespace burnish {
 namespace {
 
 // Approximate length of an integration step [s]; chosen by hand. The prediction assumes that no
-// contact begins or ends during it.
+// contact begins or ends within a step.
 constexpr double integration_step = 1e-3;
 
 int ticks_of(double delay, double tick_period) {

@@ -26,7 +26,7 @@ class DelayedState {
   /// Returns the time from a command to its effect [s].
   double lead() const noexcept { return lead_; }
   /// Records the torque sent at the end of a tick, and the part of it that compensates joint
-  /// friction; nv each [Nm or N]. For times before the first call, torques equal to the first one
+  /// friction; nv each [Nm or N]. For times before the first call, the torques of the first call
   /// are assumed.
   void send(const Eigen::VectorXd& tau, const Eigen::VectorXd& friction) noexcept;
   /// Returns the commanded torque that acted at the time of the measurement, without the

@@ -1,4 +1,4 @@
-// Friction and sole size of supports in plans, from the friction cones and pressure limits there.
+// Friction and sole size of supports, from the friction cones and pressure limits in plans.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace burnish {
 /// other residual.
 double friction_of(const Residual& residual, const std::string& contact);
 
-/// Friction and sole size of a support in plans. Each figure is from the first term of the problem
-/// that defines it.
+/// Friction and sole size of a support in plans. Each value is taken from the first term of the
+/// problem that defines it.
 struct GroundFigures {
   double friction;        ///< Coefficient of the friction cone; infinite: no cone.
   double half_x, half_y;  ///< Half sides of the sole [m]; 0: no pressure limit with friction.

@@ -43,9 +43,10 @@ class Holding {
   void torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
               const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
               Eigen::VectorXd& tau) noexcept;
-  /// Returns the torques that hold the robot still (nv) [Nm or N]: b(q, 0) for the actuated
-  /// entries, zero for the others. On a robot with loops or supports, the torques also carry the
-  /// load of the unactuated joints. Returns null if the dynamics cannot be evaluated.
+  /// Returns the torques that hold the robot still (nv) [Nm or N]: the gravity torques b(q, 0) for
+  /// the actuated entries, zero for the other entries. On a robot with loops or supports, the
+  /// torques also carry the load of the unactuated joints. Returns null if the dynamics cannot be
+  /// evaluated.
   const Eigen::VectorXd* at_rest(const Eigen::VectorXd& q) noexcept;
   /// Returns the limits of ankle torques, which commands of plans must satisfy too.
   const SoleLimits& soles() const noexcept { return soles_; }

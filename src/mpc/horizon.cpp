@@ -99,7 +99,7 @@ void Horizon::guess_mean_control(int knot, double elapsed, const DdpSolver& solv
   const int N = problem_.knots();
   const double begin = times_.after(knot) + elapsed, end = times_.after(knot + 1) + elapsed;
   const int first = std::min(static_cast<int>(solved_.place(begin)), N - 1);
-  // Only one control of the solution applies.
+  // Within this knot, only one control of the solution applies.
   if (first == N - 1 || end <= solved_.after(first + 1)) return;
   guess_u_.row(knot).setZero();
   double from = begin;

@@ -26,11 +26,11 @@ class Horizon {
 
   /// Sets stage, time and targets of one knot (place_knot) or of all knots (place). If knots have
   /// different lengths, place() moves knots to nearby changes of phase. Without this, a contact
-  /// could begin late by the length of a knot. Exceptions of targets are passed on.
+  /// could begin late by the length of a knot. Exceptions from functions in targets are passed on.
   void place_knot(int knot, double schedule_time);
   void place(double schedule_time);
 
-  /// Set the initial guess of a solve.
+  /// These functions set the initial guess of a solve.
   /// - guess_rest(): the robot stays at rest in the state x, with the controls u.
   /// - guess_shifted(): the last solution, interpolated from the time `schedule_time` of the
   ///   schedule on. After the end of the solution, its last knot is repeated. If knots have equal

@@ -92,7 +92,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
 }
 
 /// Advances the time by one tick while a measurement is missing, so that the policy continues.
-/// Raises a fault when the limit is reached.
+/// Raises a fault if measurements have been missing for longer than `limit` [s].
 void MeasurementGate::bridge(FaultLatch& latch, FaultKind kind, double limit) noexcept {
   now_ += tick_period_;
   const double missing = now_ - last_.time;

@@ -11,8 +11,8 @@
 namespace burnish {
 namespace {
 
-/// Returns the duration of the horizon. Throws Error unless all stages have one step, because knots
-/// keep their steps while stages move along the horizon.
+/// Returns the duration of the horizon. Throws Error unless all stages have the same step or all
+/// knots have their own steps, because knots keep their steps while stages move along the horizon.
 double duration_of(const ProblemSpec& problem) {
   if (problem.stages.empty()) throw Error("MPC: the problem has no stages; wanted at least one");
   const bool own = std::all_of(problem.horizon.begin(), problem.horizon.end(),
@@ -31,8 +31,8 @@ double duration_of(const ProblemSpec& problem) {
 }
 
 int ticks_per_update(const MpcSpec& spec) {
-  // Shortest tick period [s]. It limits the memory for the last second, which has a row for each
-  // tick.
+  // Shortest tick period [s]. It limits the memory of the flight recorder, which has a row for each
+  // tick of the last second.
   constexpr double min_period = 1e-5;
   if (!(spec.tick_period >= min_period))
     throw Error("MPC: tick_period is " + number(spec.tick_period) + " s; wanted at least " +

@@ -24,9 +24,9 @@ std::unique_ptr<MpcTask> checked_task(std::unique_ptr<MpcTask> made) {
   return made;
 }
 
-/// Returns `options` with memory for solves of up to `iterations`. A constraint that cannot be
-/// satisfied is violated at its L1 penalty weight, because there is no time for solves with a
-/// larger weight.
+/// Returns `options` with memory for solves of up to `iterations`. L1 penalty weights are never
+/// raised, because there is no time for further solves; a constraint that its weight cannot enforce
+/// is violated.
 DdpOptions solver_options(DdpOptions options, int iterations) {
   options.limits.max_l1_weight = 0.0;
   options.max_iterations = std::max(options.max_iterations, iterations);
@@ -124,7 +124,7 @@ void MpcController::Impl::reset() noexcept {
 
 /// Resets the inputs of the problem, except payloads.
 void MpcController::Impl::reset_inputs() noexcept {
-  try {  // values over time are functions of the specification
+  try {  // functions of the specification may throw
     for (int i = 0; i < static_cast<int>(problem.spec().inputs.size()); ++i)
       if (problem.spec().inputs[to_size(i)].kind != InputKind::Inertia) problem.reset_input(i);
   } catch (...) {
@@ -141,7 +141,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   next_.due = next_.due || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
   if (fault.is_set()) life_.raise_fault();
-  constexpr double rounding = 1e-9;  // of sums of masses [kg]
+  constexpr double rounding = 1e-9;  // rounding error of sums of masses [kg]
   const bool payload_conflict =
       m.base_is_estimated && !(std::abs(m.base_payload - payloads_.mass()) <= rounding);
   if (payload_conflict) command_.status = worst(command_.status, Status::NotPhysical);

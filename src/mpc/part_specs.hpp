@@ -1,4 +1,5 @@
-// Specifications of the parts and estimators of a controller, derived from that of the controller.
+// Specifications of a controller's parts and estimators, derived from the controller's
+// specification.
 #pragma once
 
 #include <vector>
@@ -14,8 +15,8 @@ namespace burnish {
 
 LoopTimes loop_times(const MpcSpec& spec);
 StageContacts stage_contacts(const MpcSpec& spec);
-/// `spec.normal_base` must be a unit vector. It is the initial normal in world axes, too; a surface
-/// on a frame of the robot needs ErrorEstimate::set_normal().
+/// `spec.normal_base` must be a unit vector. It becomes the initial normal in world axes. For a
+/// surface on a frame of the robot, call ErrorEstimate::set_normal() afterwards.
 ErrorEstimateSpec error_estimate_spec(const MpcSpec& spec);
 /// Returns the supports that are in contact in every stage, in the order of supports_of().
 std::vector<GripSpec> grip_specs(const MpcSpec& spec);

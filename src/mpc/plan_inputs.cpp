@@ -50,7 +50,7 @@ bool is_at_tool(const MpcSpec& spec, const ContactSpec& contact) {
   return contact.tool == spec.tool && contact.base == base_of(spec);
 }
 
-/// Returns true for the force of a contact with one direction, in the contact's own reference.
+/// Returns true for a ContactForce of a contact with one direction, in the contact's own reference.
 bool is_one_force(const Residual& residual, const std::vector<ContactSpec>& contacts) {
   const auto* force = std::get_if<residual::ContactForce>(&residual);
   if (force == nullptr || force->reference || force->target.size() != 1) return false;
@@ -60,7 +60,7 @@ bool is_one_force(const Residual& residual, const std::vector<ContactSpec>& cont
   });
 }
 
-/// Returns true for a target position of the tool relative to MpcSpec::base.
+/// Returns true for a FramePosition of the tool with a target relative to MpcSpec::base.
 bool is_place_of_tool(const Residual& residual, const MpcSpec& spec) {
   const Anchor from = spec.base.empty() ? Anchor(Anchor::World) : Anchor(spec.base);
   const auto* place = std::get_if<residual::FramePosition>(&residual);

@@ -26,7 +26,7 @@ namespace burnish {
 MpcSpec completed(MpcSpec spec);
 
 /// contacts_on_surface() returns the contacts that use the input `surface`,
-/// contacts_with_friction() those that use `tool_friction`. Both return indices.
+/// contacts_with_friction() the contacts that use `tool_friction`. Both functions return indices.
 std::vector<int> contacts_on_surface(const std::vector<ContactSpec>& contacts);
 std::vector<int> contacts_with_friction(const std::vector<ContactSpec>& contacts);
 
@@ -36,17 +36,17 @@ class PlanInputs {
  public:
   explicit PlanInputs(const MpcSpec& spec);
 
-  /// Coefficient of friction at the tool.
+  /// Sets the coefficient of friction at the tool.
   void set_friction(Problem& problem, double coefficient) const noexcept;
-  /// Estimated coefficient under each support, in the order of supports_of().
+  /// Sets the coefficient of friction under each support, in the order of supports_of().
   void set_support_friction(Problem& problem, const Eigen::VectorXd& friction) const noexcept;
-  /// Surface, and depth by which it yields under the tool [m].
+  /// Sets the surface and the depth by which it yields under the tool [m].
   void set_surface(Problem& problem, const Quadric& surface, double depth) const noexcept;
-  /// Amount by which the targets of contact forces are lowered [N].
+  /// Sets the amount by which the targets of contact forces are lowered [N].
   void set_force_error(Problem& problem, double error) const noexcept;
-  /// Torque error: a constant part, and a part that decays over the horizon [Nm or N]. With an
-  /// infinite `decay_time` [s], `decaying` is ignored. Returns false if the problem rejects the
-  /// values.
+  /// Sets the torque error: a constant part `lasting` and a part `decaying` that decays over the
+  /// horizon [Nm or N]. With an infinite `decay_time` [s], `decaying` is ignored. Returns false if
+  /// the problem rejects the values.
   bool set_torque_error(Problem& problem, const Eigen::VectorXd& lasting,
                         const Eigen::VectorXd& decaying, double decay_time) const noexcept;
 

@@ -101,7 +101,7 @@ class Differences {
   Schedule schedule_;
   Horizon horizon_;
   DdpSolver solver_;
-  double decay_time_;  ///< [s]
+  double decay_time_;  ///< Time constant with which a torque error decays [s]
   Eigen::VectorXd x_, no_torque_;
   RowMatrix xs_, us_;
 };

@@ -49,7 +49,7 @@ class Policy {
   void control(double time, const Eigen::VectorXd& x, Eigen::VectorXd& u) noexcept;
   /// Adds `torque` [Nm or N] to entry i of the feedforward in feedback().
   void add_feedforward(int i, double torque) noexcept { feedback_.feedforward[i] += torque; }
-  /// Affine policy at the last control().
+  /// Returns the affine policy at the last control().
   const LinearFeedback& feedback() const { return feedback_; }
 
  private:

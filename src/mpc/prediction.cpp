@@ -10,8 +10,8 @@ Prediction::Prediction(const Problem& problem)
       dx_(Eigen::VectorXd::Zero(problem.layout().ndx())),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)) {}
 
-/// Uses the acceleration at each knot, and integrates positions to second order, independent of the
-/// integrator in plans. An integrator that used the velocity at the end of a knot for the whole
+/// Uses the acceleration at each knot, and integrates positions to second order, whichever
+/// integrator plans use. An integrator that used the velocity at the end of a knot for the whole
 /// knot would be wrong by half the change of velocity.
 bool Prediction::advance(Problem& problem, Horizon& horizon, Policy& policy, double now,
                          double schedule_time, double duration, Eigen::VectorXd& x) {

@@ -14,7 +14,7 @@ class Prediction {
   /// which the policy starts [s]. `schedule_time`: time of the schedule that determines the
   /// contacts [s]. The call overwrites the first knot of the problem, which must be placed again
   /// afterwards. Returns false and leaves x unchanged if the dynamics cannot be evaluated.
-  /// Exceptions of targets are passed on.
+  /// Exceptions from functions in targets are passed on.
   bool advance(Problem& problem, Horizon& horizon, Policy& policy, double now, double schedule_time,
                double duration, Eigen::VectorXd& x);
 

@@ -126,8 +126,9 @@ void SampledLoop::observe(LoopState& s, const Case& with) const {
 }
 
 /// Computes the command of a tick. `start`: initial state of the plan in use. The controller
-/// predicts the state in which a plan comes into use, so that the plan starts in this state. A plan
-/// with a delay assumes the older torque error plan_error.
+/// predicts the state in which a plan comes into use, so that the plan starts in this state. If
+/// plans come into use after a delay, a plan assumes plan_error, the torque error when its
+/// computation began.
 void SampledLoop::control(LoopState& s, int tick, double force_gain, Eigen::MatrixXd& start) const {
   const StateLayout& layout = plan_.layout;
   const int ndx = layout.ndx();

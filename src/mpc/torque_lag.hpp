@@ -8,9 +8,9 @@
 
 namespace burnish {
 
-/// Estimate of the lag of measured torques behind commanded torques, up to 20 ms. It is the lag for
-/// which the mean square difference of the two is smallest. While the torques hardly vary, the
-/// estimate is 0.
+/// Estimate of the lag of measured torques behind commanded torques, up to 20 ms. It is the delay
+/// of the commanded torques for which their mean square difference from the measured torques is
+/// smallest. While the torques hardly vary, the estimate is 0.
 class TorqueLag {
  public:
   /// `tick_period`: time between ticks [s]. `actuated`: entries of v that have a motor.

@@ -51,7 +51,7 @@ class MotorWatch {
   /// commanded torque that should have acted at the measurement (nv).
   void look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept;
   void watch(double now, FaultLatch& latch) const noexcept;
-  /// Entry of v of the first failed motor; -1: no failed motor.
+  /// Returns the entry of v of the first failed motor; -1: no failed motor.
   int lost() const { return lost_; }
   /// Returns the lag of measured behind commanded torques [s]; 0 if no lag is visible.
   double lag() const noexcept { return lag_.seconds(); }

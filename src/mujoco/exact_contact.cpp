@@ -33,7 +33,7 @@ Eigen::Vector3d ExactContact::apply_force(const mjModel& m, mjData& d, double ti
     tip = R.transpose() *
           (tip_world - Eigen::Map<const Eigen::Vector3d>(d.site_xpos + 3 * surface_site_));
   }
-  tip -= moved * along;  // relative to the moved surface
+  tip -= moved * along;  // position relative to the moved surface
   const SurfaceDistance at = surface_.at(tip);
   const double radius = scene_.tip.radius;
   if (!(at.distance < radius) || !is_over(scene_, tip, touched)) return Eigen::Vector3d::Zero();
@@ -46,7 +46,7 @@ Eigen::Vector3d ExactContact::apply_force(const mjModel& m, mjData& d, double ti
   }
   mj_solveM(&m, &d, J_by_M_.data(), J_.data(), 3);
   const Eigen::Map<const Eigen::VectorXd> v(d.qvel, m.nv), a(d.qacc_smooth, m.nv);
-  // Forces of joint friction and followers are approximated by those of the previous step.
+  // Approximates the forces of joint friction and followers by their values in the previous step.
   const Eigen::Map<const Eigen::VectorXd> others(d.qfrc_constraint, m.nv);
   TipStep step{.dt = dt, .depth = radius - at.distance, .n = n, .v = {}, .A = {}};
   step.v = J_ * v + dt * (J_ * a + J_by_M_ * others) -

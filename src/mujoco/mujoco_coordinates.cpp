@@ -117,7 +117,8 @@ void Coordinates::turn(const Joint& joint, int first, const Eigen::Matrix3d& rot
       for (int j = 0; j < n; ++j) (*matrix)(joint.v_index + i, first + j) = rotation(j, i);
 }
 
-/// Computes the correction u x w of a joint whose axes turn: linear velocity u, angular velocity w.
+/// Computes the correction u x w for a joint whose axes turn, with its linear velocity u and
+/// angular velocity w.
 void Coordinates::correct(const Joint& joint, const ConstVectorRef& v) {
   if (turned_entries(joint) == 0) return;
   const bool planar = joint.kind == JointKind::Planar;

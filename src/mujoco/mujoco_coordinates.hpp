@@ -2,13 +2,14 @@
 //  - a continuous joint has an angle as its coordinate,
 //  - quaternions have the order w, x, y, z,
 //  - the linear velocity of planar and floating joints is along fixed axes.
-// Therefore v = T qvel with an orthogonal matrix T, and M_ours = T M T^T,
-// tau_theirs = T^T tau_ours, a_ours = T qacc + (dT/dt) qvel.
+// Therefore v = T qvel with an orthogonal matrix T. Mass matrix, torques and accelerations follow:
+// M_ours = T M T^T, tau_theirs = T^T tau_ours, a_ours = T qacc + (dT/dt) qvel.
 //
 // A joint that follows another one (a follower) has its own coordinates in MuJoCo. T then also
-// contains the multipliers of followers. T_own is T without followers: their columns are zero.
-// qvel = T^T v, M_ours = T M T^T and tau_ours = T tau_theirs still hold. The other directions are
-// v = T_own qvel and tau_theirs = T_own^T tau_ours, which puts all torque on the leaders.
+// contains the multipliers of followers, and qvel = T^T v, M_ours = T M T^T and
+// tau_ours = T tau_theirs still hold. The conversions back are v = T_own qvel and
+// tau_theirs = T_own^T tau_ours. T_own is T with zero columns for followers, so it puts all torque
+// on the leaders.
 #pragma once
 
 #include <mujoco/mujoco.h>

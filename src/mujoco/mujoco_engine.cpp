@@ -86,8 +86,8 @@ std::vector<Eigen::Vector3d> points_of(const Loop& loop) {
   return {-arm * Eigen::Vector3d::Unit(axis), arm * Eigen::Vector3d::Unit(axis)};
 }
 
-/// Returns MuJoCo's connections of the loops. load_loops() sets their points. In the text, MuJoCo
-/// would compute the second point from the neutral posture, in which the loop can be open.
+/// Returns MuJoCo's connections of the loops, without points. load_loops() sets the points, because
+/// MuJoCo would compute the second one from the neutral posture, in which the loop can be open.
 std::string connections_of(const Model& model) {
   std::string text;
   for (const Loop& loop : model.loops) {
@@ -241,8 +241,8 @@ void load_joint_friction(const Model& model, const Coordinates& coordinates, mjM
   }
 }
 
-/// Sets the equality constraints of followers: they accelerate like their leaders, and the plant
-/// corrects their positions after each step. Returns their number. They are the first equalities.
+/// Sets the equality constraints of followers, which are the first equalities: they accelerate like
+/// their leaders, and the plant corrects their positions after each step. Returns their number.
 int load_followers(mjModel& m) {
   constexpr mjtNum d = mjMAXIMP;
   int i = 0;
@@ -298,7 +298,7 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
 }
 
 void Engine::stiffen_equalities() const {
-  // Reduces the error of MuJoCo's largest allowed impedance, which is 1e-4 of the acceleration.
+  // Reduces the error that remains at MuJoCo's largest impedance, 1e-4 of the acceleration.
   constexpr mjtNum compliance_scale = 1e-4;
   for (int row = 0; row < d->nefc; ++row) {
     if (d->efc_type[row] != mjCNSTR_EQUALITY) continue;
@@ -347,7 +347,7 @@ Eigen::Matrix<double, 6, 1> Engine::support_wrench(const Support& support) const
 Eigen::Vector3d Engine::contact_force_world() const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   if (!has_tip()) return sum;
-  // MuJoCo orders the two geoms by type. The force is that on geom2.
+  // MuJoCo orders the two geoms of a contact by type, and reports the force on geom2.
   for (int i = 0; i < d->ncon; ++i) {
     const mjContact& contact = d->contact[i];
     const bool second = contact.geom2 == tip_geom && contact.geom1 == surface_geom;

@@ -14,10 +14,11 @@
 namespace burnish {
 namespace {
 
-/// Largest condition number of J M^-1 J^T, scaled to a unit diagonal, for contacts without
-/// compliance; chosen by hand.
+/// Largest condition number of J M^-1 J^T at checked states, for contacts without compliance. J is
+/// the contact Jacobian, M the mass matrix; the product is scaled to a unit diagonal. Chosen by
+/// hand.
 constexpr double max_condition = 1e5;
-/// Number of random states that are tried for each checked state; chosen by hand.
+/// Largest number of random states that are drawn to find one checkable state; chosen by hand.
 constexpr int tries_per_state = 20;
 
 void check_options(const Problem& problem, const ProblemCheckOptions& options) {

@@ -13,10 +13,11 @@ namespace {
 
 /// Largest angle of a rotation residual at which finite differences are safe [rad]; chosen by hand.
 constexpr double max_angle = std::numbers::pi - 0.1;
-/// Step of the finest extrapolated differences (check_differences.cpp), in units of check_units().
+/// Smallest step of the extrapolated differences (check_differences.cpp), in units of
+/// check_units().
 constexpr double difference_step = 2e-4;
 
-/// Returns the magnitude of a derivative below which its error is absolute rather than relative.
+/// Returns the lower bound of the scale of relative errors: a thousandth of the largest value.
 double floor_of(const Eigen::VectorXd& values) {
   return std::max(1e-9, 1e-3 * (values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff()));
 }

@@ -25,8 +25,8 @@ class CheckPoint {
   /// jump.
   bool near_half_turn() const;
 
-  /// Return one block each for the derivatives by u, q, v and tau. next_state() is only for knots
-  /// before the terminal one.
+  /// Each of these functions returns one block each for the derivatives by u, q, v, tau and the
+  /// force states. next_state() must not be called at the terminal knot.
   std::vector<DerivativeBlock> next_state();
   std::vector<DerivativeBlock> residual(int term);
   /// cost() and all_costs() return an empty list if a residual is close to a breakpoint of its
@@ -40,7 +40,7 @@ class CheckPoint {
   /// Returns the next state (as a tangent vector from next_), the residuals and the costs of all
   /// terms in one vector.
   Eigen::VectorXd stacked(const Eigen::VectorXd& x, const Eigen::VectorXd& u);
-  /// Returns the stacked values after a change of entry k of z by h units.
+  /// Returns the result of stacked() after entry k of z has changed by h units.
   Eigen::VectorXd moved(int k, double h);
   Eigen::MatrixXd differences(int first, int count);
   std::vector<DerivativeBlock> split(const std::string& name, const std::vector<std::string>& rows,
@@ -58,7 +58,7 @@ class CheckPoint {
   Eigen::VectorXd x_, u_;
   int costs_;  ///< Number of costs; constraints follow
   const std::vector<CompiledTerm>& terms_;
-  std::vector<int> first_row_;  ///< First stacked row of each term, then of the costs
+  std::vector<int> first_row_;  ///< First row in stacked() of each term, then of each cost
   Status status_ = Status::Ok;
   Eigen::VectorXd next_, here_;
   Eigen::MatrixXd dynamics_;  ///< Derivative of the next state by z, ndx x nz

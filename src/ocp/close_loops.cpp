@@ -1,4 +1,4 @@
-// Kinematic loops in a problem: contacts that are active in every stage, and the driven joints.
+// Adds the contacts of kinematic loops to all stages of a problem, and finds the driven joints.
 #include <algorithm>
 
 #include "base/to_size.hpp"

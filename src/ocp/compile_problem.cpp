@@ -41,7 +41,7 @@ StateLayout make_layout(const ProblemSpec& spec) {
   return layout;
 }
 
-/// Looks up the contacts with force states, and adds their entries to the state.
+/// Finds the contacts with force states, and adds entries for these force states to the layout.
 std::vector<ForceState> compile_force_states(const ProblemSpec& spec, const ContactSet& contacts,
                                              StateLayout& layout) {
   std::vector<ForceState> result;
@@ -63,8 +63,8 @@ std::vector<ForceState> compile_force_states(const ProblemSpec& spec, const Cont
 }
 
 StateShape make_shape(const StateLayout& layout, const std::vector<TangentBlock>& blocks) {
-  // Force states count as filtered torques, because an impact changes neither. The dynamics of
-  // other stages with force states are linearized as DynamicsForm::Dense.
+  // Force states count as filtered torques, because an impact changes neither. With force states,
+  // stages other than impacts are linearized as DynamicsForm::Dense.
   StateShape shape{layout.nx(), layout.ndx(), layout.nv, layout.filtered + layout.force_states, {}};
   for (const TangentBlock& block : blocks) shape.blocks.push_back({block.first, block.size});
   return shape;

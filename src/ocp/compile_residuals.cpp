@@ -27,7 +27,7 @@ struct ResidualCompiler : TermBuilder {
     std::vector<char> in_block(to_size(layout().ndx()), 0);
     for (const TangentBlock& block : problem.blocks)
       std::fill_n(in_block.begin() + block.first, block.size, char{1});
-    // One diagonal block for each run of entries between tangent blocks, in evaluate()'s order.
+    // Adds one diagonal block for each run of entries between tangent blocks, as evaluate() does.
     int row = 0;
     while (row < layout().ndx()) {
       if (in_block[row] != 0) {
@@ -115,7 +115,7 @@ struct ResidualCompiler : TermBuilder {
     select(Selection::Source::V, entries, layout().column_v(), entries, r.target);
   }
 
-  /// Returns the actuators of these joints, or all actuators.
+  /// Returns the actuators of `joints`; all actuators if `joints` is empty.
   std::vector<int> actuators(const std::vector<std::string>& joints) const {
     std::vector<int> entries;
     for (const int k : velocity_entries(joints)) {
@@ -199,7 +199,7 @@ struct ResidualCompiler : TermBuilder {
     dense_block(3, columns(layout().column_q(), error.view.entries));
   }
 
-  /// Returns the view of a frame in axes other than its own.
+  /// Returns the view of a frame in the axes of a reference. Refuses the frame's own axes.
   FrameView turned(int frame, Reference reference) {
     reference.origin = Anchor::Tool;  // rotations do not depend on the origin
     const FrameView result = view(frame, reference);
@@ -283,8 +283,8 @@ struct ResidualCompiler : TermBuilder {
     dense_block(term.rows, all_columns());
   }
 
-  /// Refuses a contact that does not hold its normal (0 to 2), or that lacks more than one of the
-  /// directions `wanted`. The force along a lacking direction is zero.
+  /// Refuses a contact that does not hold the direction `normal` (0 to 2), or that does not hold
+  /// two or more of the directions `wanted`. The force along a direction that is not held is zero.
   void require_directions(int c, Directions wanted, int normal) const {
     const Directions held = problem.contacts.contacts()[c].spec.directions;
     const Directions both{static_cast<std::uint8_t>(held.bits & wanted.bits)};

@@ -31,7 +31,7 @@ struct CompiledTerm {
   double weight = 1.0;          ///< Weight of a cost, per second in stages with a step
   std::vector<double> weights;  ///< Weights of a cost's rows
   Penalty::Kind penalty = Penalty::Kind::Quadratic;
-  std::vector<double> lower, upper;  ///< Limits of the rows, of a penalty or a constraint
+  std::vector<double> lower, upper;  ///< Limits of the rows of a barrier or a constraint
   double width = 1.0;                ///< Width of the penalty
   std::vector<JacobianBlock> blocks;
   int jacobian_size = 0;
@@ -44,7 +44,8 @@ struct CompiledTerm {
   int curvature_rows = 0;  ///< Number of vectors b
 };
 
-/// A reference with its own rotation at each knot: nine entries of the stage's targets, by columns.
+/// A reference whose rotation depends on time. The stage's targets store the rotation in nine
+/// entries, by columns.
 struct CompiledTurning {
   Signal rotation;   ///< Quaternions
   int target = 0;    ///< First entry in the stage's targets
@@ -52,17 +53,17 @@ struct CompiledTurning {
   std::string of;    ///< Owner of the reference for messages, such as "contact 'pad'"
 };
 
-/// A surface that a reference follows, with its own numbers at each knot: surface_size entries of
-/// the stage's targets.
+/// A surface that a reference follows and that may differ from knot to knot. The stage's targets
+/// store its numbers in surface_size entries.
 struct CompiledSurface {
-  Quadric surface;   ///< Initial surface at every knot
+  Quadric surface;   ///< Surface at all knots until an input replaces it
   int target = 0;    ///< First entry in the stage's targets
   int contact = -1;  ///< Contact that follows the surface; -1: a term
   int term = -1;     ///< Term of the stage that follows the surface; -1: a contact
 };
 
-/// A contact's coefficient of friction, with its own value at each knot: one entry of the stage's
-/// targets.
+/// A contact's coefficient of friction, which may differ from knot to knot. The stage's targets
+/// store it in one entry.
 struct CompiledFriction {
   double coefficient = 0.0;
   int target = 0, contact = 0;
@@ -77,7 +78,7 @@ struct CompiledStage {
   std::vector<CompiledTurning> turnings;
   std::vector<CompiledSurface> surfaces;
   std::vector<CompiledFriction> frictions;
-  std::vector<CompiledUse> uses;             ///< In the order in which they change the targets
+  std::vector<CompiledUse> uses;             ///< In the order in which they are applied
   std::vector<CompiledTerm> terms;           ///< Costs, then constraints
   std::size_t costs = 0;                     ///< Number of costs
   std::vector<double> row_lower, row_upper;  ///< Limits of all constraint rows
@@ -127,8 +128,8 @@ struct CompiledProblem {
   ContactSolver contact_solver;
   std::optional<TorqueModel> torque_model;
   std::optional<PassiveJoints> passive;
-  std::vector<double> torque_bias;  ///< Constant torque beside the actuators, nv entries [Nm or N]
-  /// Torque beside the actuators that KnotTime::decaying multiplies, nv entries [Nm or N]
+  std::vector<double> torque_bias;  ///< Constant additional torque, nv entries [Nm or N]
+  /// Decaying additional torque, to be multiplied by KnotTime::decaying; nv entries [Nm or N]
   std::vector<double> decaying_torque;
   std::vector<CompiledStage> stages;  ///< The terminal stage is the last one
   int largest_rows = 0;               ///< Largest number of rows of a term
@@ -145,8 +146,8 @@ struct CompiledProblem {
 /// Converts a target in the user's form to the target entries of the term.
 void store_target(const CompiledTerm& term, const ConstVectorRef& value, double* out);
 /// Evaluates the signals of a stage at `time` and writes all target entries of the stage to `out`,
-/// before any CompiledUse. A quaternion whose length is not 1 becomes a rotation of NaN. `scratch`
-/// has as many entries as the largest signal, and at least 4.
+/// without the effect of inputs (CompiledUse). A quaternion whose length is not 1 becomes a
+/// rotation of NaN. `scratch` has as many entries as the largest signal, and at least 4.
 void load_targets(const CompiledStage& stage, double time, const InputValues& inputs,
                   Eigen::VectorXd& scratch, double* out);
 /// Writes the surface_size numbers of a surface.

@@ -52,7 +52,7 @@ struct Selection {
 /// Torque rate per_second (u - tau) of actuators. Requires a torque model.
 struct TorqueRate {
   double per_second;  ///< Filter cut-off [rad/s], or 1 / stage step for held torques [1/s]
-  bool by_step;       ///< Held torques: evaluate() uses 1 / knot step instead of per_second
+  bool by_step;       ///< True for held torques: evaluate() uses 1 / knot step as the factor
   std::vector<int> entries;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
@@ -75,15 +75,16 @@ struct TurningReference : CompiledReference {
 /// frame.
 struct FrameView {
   TurningReference reference;
-  /// Joint axes that move the reference's origin, and those that move its axes. Empty for an origin
-  /// or axes on the frame's own body.
+  /// Joint axes that move the reference's origin (`origin`) or turn its axes (`axes`). A list is
+  /// empty if the origin or the axes are on the frame's own body.
   std::vector<MovingAxis> origin, axes;
   std::vector<int> entries;  ///< Entries of v, ascending
   template <class S>
   FrameReference<S> at(const KnotState<S>& knot, int frame) const;
 };
 
-/// Position of a frame minus its target. `frame` is an index of KnotState::frames, here and below.
+/// Position of a frame minus its target. In all residuals, `frame` is an index of
+/// KnotState::frames.
 struct FramePositionError {
   int frame;
   FrameView view;
@@ -103,7 +104,7 @@ struct FrameDistance {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
                 S* curvatures = nullptr) const;
 };
-/// Rotation of a frame relative to its target. The target has nine entries, by columns.
+/// Rotation of a frame relative to its target. The target is a rotation matrix, stored by columns.
 struct FrameRotationError {
   int frame;
   FrameView view;
@@ -139,7 +140,8 @@ struct FrameVelocityError {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// Force of a contact in its own reference: its rows of lambda.
+/// Force of a contact in the contact's own reference, minus its target. The force is the contact's
+/// rows of lambda.
 struct OwnForceError {
   int contact, rows;
   template <class S>

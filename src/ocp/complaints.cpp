@@ -21,7 +21,7 @@ namespace {
 using ocp::CompiledTerm;
 using ocp::ProblemInside;
 
-/// First knot with a warning about a term, and the number of further knots.
+/// First knot at which a term causes a warning, and the number of further such knots.
 struct Finding {
   int knot = -1;
   int more = 0;

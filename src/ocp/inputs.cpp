@@ -121,7 +121,7 @@ CompiledUse offset_of(const CompiledTerm& term, int input, const InputState& sta
   return {How::Offset, input, term.target, entries};
 }
 
-/// Adds the uses that the entries of a cost or a constraint name.
+/// Adds the uses of the inputs that a cost or a constraint names.
 template <class Given>
 void add_uses(const Inputs& inputs, const Given& given, const CompiledTerm& term, int surface,
               CompiledStage& stage) {

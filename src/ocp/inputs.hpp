@@ -45,9 +45,9 @@ struct InputState {
   bool has_value() const { return is_set || !spec.value.empty(); }
 };
 
-/// Writes the value of an input at `time` [s], without the decaying part. The value is zero if
-/// there is none. It is NaN if a value over time is a rotation that is not of length 1, or a
-/// negative friction.
+/// Writes the value of an input at `time` [s], without the decaying part; zeros if the input has no
+/// value. Writes NaN if a value over time is a rotation that is not of length 1, or a negative
+/// friction.
 void evaluate_value(const InputState& state, double time, double* out);
 
 /// Inputs of a problem. Values at the knots are kept by the problem.
@@ -59,7 +59,7 @@ class Inputs {
   int count() const { return static_cast<int>(states_.size()); }
   InputState& operator[](int input) { return states_[static_cast<std::size_t>(input)]; }
   const InputState& operator[](int input) const { return states_[static_cast<std::size_t>(input)]; }
-  /// Index of each input's first entry at a knot, and at last the number of all entries.
+  /// Index of each input's first entry at a knot, followed by the number of all entries.
   const std::vector<int>& first() const { return first_; }
   int entries() const { return first_.back(); }
   /// Returns the index of an input. Throws Error with the nearest known name if it does not exist.

@@ -47,7 +47,7 @@ Eigen::VectorXd loop_forces(const Eigen::MatrixXd& J, const LoopParts& parts,
   const Eigen::MatrixXd driven = J(Eigen::all, parts.driven).transpose();
   const Decomposition balance(passive);
   Eigen::VectorXd forces = balance.solve(Eigen::VectorXd(tau(parts.passive)));
-  // Forces in the kernel act only on the motors.
+  // Forces in the kernel of `passive` act only on the motors.
   const Eigen::FullPivLU<Eigen::MatrixXd> kernel(passive);
   if (kernel.dimensionOfKernel() == 0) return forces;
   const Eigen::MatrixXd free = kernel.kernel();

@@ -71,8 +71,9 @@ class NodeKernel {
   void euler(const KnotTime<S>& when, const S* x, const S* u);
   void euler_derivative(const S& h);
   void euler_dense_derivative(const KnotTime<S>& when);
-  /// Write the contact forces of this knot, and their derivatives, to the force states of the next
-  /// state. Must be called before runge_kutta(), which evaluates the dynamics at other points.
+  /// These functions write the contact forces of this knot, and their derivatives, to the force
+  /// states of the next state. Call them before runge_kutta(), which evaluates the dynamics at
+  /// other points.
   void store_force_states(const CompiledStage& stage);
   void store_force_state_derivatives(const CompiledStage& stage);
   void jump(const CompiledStage& stage, const S* x, bool with_derivatives);
@@ -80,7 +81,7 @@ class NodeKernel {
   void runge_kutta(const CompiledStage& stage, const KnotTime<S>& when, const S* x, const S* u,
                    bool with_derivatives);
   void runge_kutta_derivative(const KnotTime<S>& when, int i);
-  /// Turns the derivatives of an offset into those of the point x (+) offset, in place.
+  /// Replaces the derivatives of an offset by the derivatives of the point x (+) offset.
   void close_point(const S& decay, const S* offset, S* by_z);
   bool in_block(int k) const;
   void check_finite(const CompiledStage& stage, bool expanded);
@@ -93,8 +94,8 @@ class NodeKernel {
   std::vector<S> r_, jacobian_, curvatures_, weighted_, slope_, curvature_, product_;
   std::vector<int> row_list_;
   std::vector<Status> status_;
-  // Runge-Kutta: rates (velocity, acceleration) at the four points of a step, the current point and
-  // its offset, and the derivatives of rates and point by z.
+  // For Runge-Kutta steps: rates (velocity, acceleration) at the four points of a step, the current
+  // point, its offset from x, and the derivatives of the rates and of the point by z.
   std::vector<S> rates_, point_, offset_, rates_by_z_, point_by_z_;
 };
 

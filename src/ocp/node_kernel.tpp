@@ -245,7 +245,8 @@ void NodeKernel<S>::euler_derivative(const S& h) {
   }
 }
 
-/// Computes F of a semi-implicit Euler step from dv' = dv + h da and d(offset) = h dv'.
+/// Computes F, the derivative of the next state by z, for a semi-implicit Euler step of length h.
+/// The step gives dv' = dv + h da and d(offset) = h dv'.
 template <class S>
 void NodeKernel<S>::euler_dense_derivative(const KnotTime<S>& when) {
   const StateLayout& layout = problem_->layout;

@@ -35,7 +35,8 @@ BURNISH_INLINE void scatter_lanes(const NativePack* from, int rows, int columns,
   }
 }
 
-/// Copies lane l of rows x columns packs (row-major, `stride` between rows) to the rows of out[l].
+/// Copies a matrix of rows x columns packs (row-major, `stride` between rows): lane l goes to
+/// out[l].
 void scatter_rows(const NativePack* from, int rows, int columns, int stride, int lanes,
                   double* const* out, int out_stride) {
   if (lanes == native_lanes) {
@@ -349,7 +350,7 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
   const StateLayout& layout = compiled.layout;
   const int lanes = range.end - range.begin;
   const int nz = layout.nz();
-  const int skip = at_stage.nu == 0 ? layout.nu : 0;  // such stages have no controls in z
+  const int skip = at_stage.nu == 0 ? layout.nu : 0;  // without controls, z begins with dx
   double* to[native_lanes];
   const auto collect = [&](auto member) {
     for (int l = 0; l < lanes; ++l) to[l] = out[range.begin + l].*member;

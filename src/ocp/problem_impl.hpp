@@ -74,7 +74,7 @@ struct Problem::Impl {
   /// Returns an input. Throws Error("<call>: ...") if it does not exist. Also throws Error if its
   /// kind is not one of `kinds`, unless `kinds` is empty.
   ocp::InputState& input(const char* call, int index, std::initializer_list<InputKind> kinds);
-  /// Puts a value into effect that was written to the input.
+  /// Applies a value that was written to an input to the targets or the torque bias.
   void accept_input(int index);
   /// Sets the torque bias to the value of its input.
   void load_bias(const ocp::InputState& state);

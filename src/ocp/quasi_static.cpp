@@ -24,7 +24,7 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
   if (x.size() < l.nq)
     throw Error("quasi_static: x has " + std::to_string(x.size()) + " entries; wanted at least " +
                 std::to_string(l.nq));
-  // The bias and the Jacobian are enough: contacts and the mass matrix may be singular.
+  // Only the bias and the Jacobian are used, so contacts and the mass matrix may be singular.
   ContactDynamics dynamics(compiled.model, impl_->contacts_of(stage), {.mu = 1e-6});
   for (int c = 0; c < compiled.contacts.size(); ++c)
     dynamics.set_active(c, at.active[to_size(c)] != 0);
@@ -44,7 +44,8 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
   if (force.size() != 0 && force.size() != rows)
     throw Error("quasi_static: force has " + std::to_string(force.size()) + " entries; wanted " +
                 std::to_string(rows));
-  // S^T u + J^T lambda = b(q, 0) - bias - torque of springs.
+  // Balance of torques at rest, with the selection S of the actuated joints and the gravity torque
+  // b: S^T u + J^T lambda = b(q, 0) - bias - torque of springs.
   const int free = force.size() == 0 ? rows : loops_are_free ? loops : 0;
   const int unknowns = l.nu + free;
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(l.nv, unknowns);

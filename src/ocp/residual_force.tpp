@@ -7,8 +7,8 @@
 
 namespace burnish::ocp {
 
-/// The wrench of a constant lambda moves with the contact's own reference. Expressed in another
-/// reference, it changes with q: wrench_rate() is this transport term.
+/// Even if lambda is constant, the wrench of the contact moves with the contact's own reference. In
+/// another reference, its components therefore change with q; wrench_rate() is this rate.
 template <class S>
 void WrenchView::evaluate(const KnotState<S>& knot, S* w, S* J) const {
   const ConstrainedDynamics<S>& dynamics = *knot.dynamics;
@@ -97,8 +97,8 @@ void ConeMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
     J[nz + c] = dw[normal * nz + c];
   }
   if (curvatures == nullptr) return;
-  // The tangential length is curved across the force. Its curvature along the force comes only from
-  // the smoothing and is omitted.
+  // The length of the tangential force has curvature across the force. Its curvature along the
+  // force comes only from the smoothing and is omitted.
   const S scale = S(1.0) / square_root(length);
   for (int c = 0; c < nz; ++c)
     curvatures[c] = scale * (c1 * dw[t2 * nz + c] - c2 * dw[t1 * nz + c]);

@@ -23,8 +23,8 @@ void store(const Motion<S>& m, S* out) {
   store(m.angular, out + 3);
 }
 
-/// Copies the columns of some entries of v from a matrix with nv columns to J with `columns`
-/// columns, starting at column `first`.
+/// Copies those columns of `full` (nv columns) that belong to `entries` of v to J (`columns`
+/// columns), from column `first` of J on.
 template <class S, class Entry>
 void keep_columns(const S* full, int rows, int nv, const std::vector<Entry>& entries, S* J,
                   int columns, int first) {
@@ -78,9 +78,9 @@ void FramePositionError::evaluate(const KnotState<S>& knot, const S* target, S* 
                           p_target;
   frame_detail::store(transpose_times(at.R, state.p - p_target), r);
   if (J == nullptr) return;
-  // A point with the twist m in the world has the twist m - V_k in the reference. The target is at
-  // rest in the frame in which the axes are fixed. Axes that follow a surface turn relative to this
-  // frame.
+  // Each column is the velocity of the frame minus that of the target, both relative to the
+  // reference. The target is at rest in the frame in which the axes are fixed. Axes that follow a
+  // surface turn relative to that frame, so that the target moves in these axes.
   const int columns = static_cast<int>(view.entries.size());
   S* out = J;
   for_each_entry(knot.compiled_frames[frame], seen.support,
@@ -112,8 +112,9 @@ void FrameDistance::evaluate(const KnotState<S>& knot, const S* target, S* r, S*
     J[k] = sum / r[0];
   }
   if (curvatures == nullptr) return;
-  // The second derivative (1 - n n^T) / r with n = e / r is B^T B with B = S(n) / sqrt(r), and S(n)
-  // the matrix of the cross product n x. With two directions, only one row of B is used.
+  // The length r of the error e has the second derivative (1 - n n^T) / r with n = e / r. It equals
+  // B^T B with B = S(n) / sqrt(r), where S(n) is the matrix of the cross product n x. With two
+  // directions, only one row of B is used.
   const S scale = S(1.0) / (r[0] * square_root(r[0]));
   for (int i = 0; i < 3; ++i) {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
@@ -164,9 +165,9 @@ void FrameInclinationError::evaluate(const KnotState<S>& knot, const S* target, 
 }
 
 /// Height of a point above a surface phi = 0 with gradient g, normal n and Hessian H. At a distance
-/// d below the point along n, phi is phi - d |g| + d^2 k / 2 with k = n . H n. The height is the
-/// smaller root d = 2 phi / (|g| + s) with s^2 = |g|^2 - 2 phi k. If s^2 is below 0.01 |g|^2, s is
-/// 0.1 |g| instead, so that the height is always defined.
+/// d below the point along n, the value of phi is phi - d |g| + d^2 k / 2 with k = n . H n. The
+/// height is the smaller zero of this value, d = 2 phi / (|g| + s) with s^2 = |g|^2 - 2 phi k. If
+/// s^2 is below 0.01 |g|^2, s is 0.1 |g| instead, so that the height is always defined.
 template <class S>
 void FrameHeightError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   const Kinematics<S>& kinematics = knot.dynamics->kinematics();

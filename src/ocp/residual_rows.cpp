@@ -116,7 +116,7 @@ struct RowsOf {
     for (int i = 0; i < r.rows; ++i) rows.push_back({"row " + std::to_string(i)});
     return {rows};
   }
-  /// Returns the six directions as rows, for all other residuals.
+  /// Returns the six directions as rows, for residuals without an overload of their own.
   ResidualRows operator()(const auto& /*of*/) const { return {direction_rows(Directions::all())}; }
 };
 

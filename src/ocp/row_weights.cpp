@@ -10,8 +10,8 @@
 namespace burnish::ocp {
 namespace {
 
-/// Returns a scale that depends on the kind of the row: the robot's limit of the quantity, the
-/// robot's weight for forces, the limit itself for distances, half the width of a support polygon.
+/// Returns a scale that depends on the kind of the row: the robot's limit of the quantity, for
+/// forces the robot's weight, for distances the limit itself, for support polygons half the width.
 /// Returns 0 for other kinds.
 double derived_scale(const Residual& residual, const CompiledTerm& term,
                      const CompiledProblem& problem, std::size_t row) {
@@ -50,7 +50,7 @@ double derived_scale(const Residual& residual, const CompiledTerm& term,
 double scale_of(const Residual& residual, const CompiledTerm& term, const CompiledProblem& problem,
                 const std::string& where, std::size_t row) {
   const auto is_valid = [](double scale) { return scale > 0.0 && std::isfinite(scale); };
-  if (std::isinf(term.lower[row]) && std::isinf(term.upper[row])) return 1.0;  // nothing to violate
+  if (std::isinf(term.lower[row]) && std::isinf(term.upper[row])) return 1.0;  // no limits
   const double half = 0.5 * (term.upper[row] - term.lower[row]);
   if (is_valid(half)) return half;
   const double derived = derived_scale(residual, term, problem, row);

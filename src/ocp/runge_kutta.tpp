@@ -5,8 +5,8 @@
 // Torques at the points follow the torque filter.
 //
 // Rates of joints with several entries cannot be added directly. The offset theta of q0 (+) theta
-// changes with J_r^-1(theta) v. Order four needs two brackets of this series (H. Munthe-Kaas, "High
-// order Runge-Kutta methods on manifolds", 1999):
+// has the rate J_r^-1(theta) v. For order four, two brackets of the series of this rate suffice (H.
+// Munthe-Kaas, "High order Runge-Kutta methods on manifolds", 1999):
 //   k = v + [theta, v] / 2 + [theta, [theta, v]] / 12.
 #pragma once
 
@@ -16,7 +16,8 @@
 namespace burnish::ocp {
 namespace runge_kutta_detail {
 
-/// Return the rate of the offset theta, and the change of this rate with dtheta and dv.
+/// These functions return the rate of the offset theta, and the change of this rate for changes
+/// dtheta and dv.
 template <class S>
 Motion<S> offset_rate(const Motion<S>& theta, const Motion<S>& v) {
   const Motion<S> once = cross(theta, v);
@@ -88,7 +89,7 @@ template <class S>
 void NodeKernel<S>::close_point(const S& decay, const S* offset, S* by_z) {
   const StateLayout& layout = problem_->layout;
   const int nv = layout.nv, nz = layout.nz();
-  // Joints with several entries: d(q (+) dq) = A dq0 + B d(dq).
+  // For joints with several entries, d(q (+) dq) = A dq0 + B d(dq) with Jacobians A and B.
   for (const TangentBlock& block : problem_->blocks) {
     S A[36], B[36], column[6];
     integrate_jacobians(block, offset + block.first, A, B);

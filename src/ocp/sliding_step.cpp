@@ -27,8 +27,8 @@ int normal_of(const ContactSpec& contact) {
   return 2;
 }
 
-/// Returns the size of the normal force in a target or a limit. If the residual has its own
-/// reference, the axes may differ, and the size of the whole force is returned.
+/// Returns the magnitude of the normal force in a target or a limit. If the residual has its own
+/// reference, whose axes may differ, returns the magnitude of the whole force.
 double along_normal(const residual::ContactForce& residual, const Eigen::VectorXd& value) {
   if (value.size() == 0) return 0.0;
   const double size =

@@ -126,7 +126,7 @@ void StageDynamics<S>::stack_by_z(const CompiledStage& stage) {
   const int rows = nv + dynamics_.rows();
   const bool from_state = layout.acts_from_state();
   const int torque_column = from_state ? layout.column_tau() : 0;
-  const int idle = from_state ? layout.column_force() : layout.column_tau();  // first idle column
+  const int idle = from_state ? layout.column_force() : layout.column_tau();  // first zero column
   const bool driven = from_state || stage.nu > 0;
   if (problem_->passive) spring_slopes(problem_->passive->springs, knot_.q, slopes_.data());
   for (int i = 0; i < rows; ++i) {

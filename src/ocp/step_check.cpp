@@ -18,8 +18,8 @@ namespace {
 // Error limits, see check_steps().
 constexpr double min_position_limit = 0.01;  // rad, m
 constexpr double min_velocity_limit = 0.1;   // rad/s, m/s
-constexpr double max_delay = 0.025;          // limit of a position error / largest speed, s
-constexpr double max_speed_fraction = 0.1;   // limit of a velocity error / largest speed
+constexpr double max_delay = 0.025;          // (limit of a position error) / (largest speed), s
+constexpr double max_speed_fraction = 0.1;   // (limit of a velocity error) / (largest speed)
 
 /// Largest difference between the results of n and of 2 n small steps, relative to the larger of
 /// the error and its limit; chosen by hand.
@@ -220,8 +220,8 @@ class StepCheck {
     }
   }
 
-  /// Sets sufficient_step to the longest of 1/2, 1/4, ... of the worst knot's step with errors of
-  /// at most half their limits. Rounds it down to one digit.
+  /// Halves the step of the worst knot until its errors are at most half their limits. Sets
+  /// sufficient_step to this step, rounded down to one digit.
   void find_step() {
     const auto ratio = [](const StepError& e) { return e.knot < 0 ? 0.0 : e.error / e.limit; };
     const StepError& worst_error =

@@ -36,7 +36,7 @@ bool is_file(const fs::path& file) {
 }
 
 /// Returns the existing file with the path `rest` in a package. The folder of the package is in
-/// `folder`, or is `folder` itself. Empty: no such file.
+/// `folder`, or is `folder` itself. Returns an empty path if there is no such file.
 fs::path file_in_package(const fs::path& folder, const std::string& package, const fs::path& rest) {
   if (is_file(folder / package / rest)) return folder / package / rest;
   if (folder.filename() == package && is_file(folder / rest)) return folder / rest;
@@ -116,7 +116,8 @@ fs::path mesh_file(const std::string& uri, const fs::path& folder) {
     folders.push_back(std::move(each));
   for (const fs::path& each : folders)
     if (fs::path file = file_in_package(each, package, rest); !file.empty()) return file;
-  // Descriptions that were copied out of a package often keep the package's folders.
+  // Descriptions that were copied out of a package often keep the package's folders. The path is
+  // therefore also searched in `levels` folders, from `folder` upwards.
   constexpr int levels = 3;
   fs::path above = fs::absolute(folder, ignored);
   for (int level = 0; level < levels; ++level, above = above.parent_path())

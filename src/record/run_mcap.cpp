@@ -15,7 +15,8 @@ namespace {
 
 constexpr double transform_period = 0.01;  // Time between two messages of /tf, chosen by hand [s]
 
-/// Links by body. The first link of a body is its main link and represents the body.
+/// Links of a robot, grouped by body. The first link of a body is its main link and represents the
+/// body.
 class LinkTree {
  public:
   explicit LinkTree(const Model& model) : model_(model), main_(model.joints.size(), -1) {
@@ -253,7 +254,7 @@ class Recorder {
     }
     return target;
   }
-  /// Returns the motion since the start of a surface that the robot carries.
+  /// Returns the motion of a surface that the robot carries, since the start of the run.
   Eigen::Isometry3d moved(const std::vector<Eigen::Isometry3d>& frames) const {
     if (run_.surface.frame.empty()) return Eigen::Isometry3d::Identity();
     const auto carrier = to_size(model_.frame_index(run_.surface.frame));

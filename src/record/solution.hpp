@@ -28,9 +28,10 @@ PlotSignals followed(const ProblemSpec& spec);
 /// exist are NaN.
 Trace solution_trace(Problem& problem, const MatrixView& xs, const MatrixView& us);
 
-/// Returns the policy of each knot, u = u_k + feedforward + gain (x (-) x_k): feedforward, gain,
-/// x_k and u_k, with the names of rows and columns. If the solver did not converge, its last policy
-/// belongs to an earlier trajectory. In this case, computes the policy of the current trajectory.
+/// Returns the policy u = u_k + feedforward + gain (x (-) x_k) of each knot k as its feedforward,
+/// gain, x_k and u_k, with the names of rows and columns. If the solver did not converge, its last
+/// policy belongs to an earlier trajectory. In this case, computes the policy of the current
+/// trajectory.
 nlohmann::ordered_json gains_json(Problem& problem, DdpSolver& solver);
 
 /// Text of limits.csv: one line per constraint row and knot at which the row is active or violated.

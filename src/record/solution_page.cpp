@@ -14,8 +14,8 @@
 namespace burnish {
 namespace {
 
-/// Maximum number of constraint rows on a page; rows with the largest multipliers first. Chosen by
-/// hand.
+/// Maximum number of constraint rows on a page. The rows with the largest multipliers are kept.
+/// Chosen by hand.
 constexpr std::size_t max_rows = 40;
 
 void add_columns(RunPage& page, const Trace& trace) {

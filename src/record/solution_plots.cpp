@@ -53,7 +53,7 @@ PlotSpec states(const Trace& trace) {
   return plot;
 }
 
-/// One panel per joint. Limits are drawn if the torque exceeds half of them.
+/// Plots the torques, one panel per joint. Limits are drawn if the torque exceeds half of a limit.
 PlotSpec torques(const Problem& problem, const Trace& trace) {
   PlotSpec plot{.title = "Torques (dashed: control, where it differs)", .columns = 2};
   plot.panel_width = 460;

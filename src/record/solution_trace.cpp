@@ -107,7 +107,7 @@ struct RowWriter {
         const std::string name =
             contact_name(contact) + "/" + std::string(direction_names[to_size(d)]);
         const auto found = by_name.find(name);
-        // An open contact has no force. At the last knot, forces are not available.
+        // A contact that is not active has the force 0. At the last knot, forces are not available.
         at(force_column(contact, d)) = found != by_name.end() ? found->second
                                        : has_forces           ? 0.0
                                                               : not_available;

@@ -22,7 +22,8 @@ std::string shown(const ShownFigure& figure) {
   return formatted(extreme ? "%.2e" : size < 10.0 ? "%.3f" : "%.2f", size == 0.0 ? 0.0 : value);
 }
 
-/// Returns the text for "{mean}" in meanings: the averaging time, or nothing without averaging.
+/// Returns the text that replaces "{mean}" in the meanings of figures: the averaging time, or
+/// nothing without averaging.
 std::string mean_of(const std::optional<Metrics>& metrics) {
   if (!metrics || metrics->average <= 0.0) return "";
   return formatted("'s mean over %.4g ms", 1e3 * metrics->average);
@@ -125,8 +126,8 @@ std::string metrics_text(const Metrics& metrics) {
 }
 
 PageMetric page_metric(const ShownFigure& figure) {
-  // The page chooses prefixes for lengths and times itself. It expects fractions in percent and
-  // angles in degrees.
+  // The page itself chooses the unit prefixes of lengths and times, such as mm. It expects
+  // fractions in percent and angles in degrees.
   const FigureUnit& unit = figure.entry.unit;
   const bool is_shown = (!*unit.unit && *unit.shown) || std::string_view(unit.shown) == "deg";
   std::optional<double> value;

@@ -221,7 +221,7 @@ double figure_value(const Value& value) {
 struct ShownFigure {
   FigureEntry entry;
   std::string name;     ///< Full name
-  std::string meaning;  ///< Meaning, with the width of the mean and the joint with the margin
+  std::string meaning;  ///< Meaning, with the averaging time or the name of a joint
   double value;         ///< Value in the unit of the entry; NaN: none
 
   bool of_solver() const { return name.starts_with("solver."); }

@@ -27,8 +27,8 @@ class StateRows {
   RigidBody body_;
 };
 
-/// Minimum normal force for a friction ratio and a centre of pressure [N]. Below this force, both
-/// are ill-defined. Chosen by hand.
+/// Minimum normal force for a friction ratio and a centre of pressure [N]. Below this force, ratio
+/// and centre are ill-defined. Chosen by hand.
 constexpr double min_pressure_load = 20.0;
 
 /// Load of a foot, from the wrench in a trace.

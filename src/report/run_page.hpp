@@ -170,7 +170,7 @@ PagePatch surface_patch(const Surface& surface, const Eigen::Vector3d& middle, d
 void add_curved_surface(RunPage& page, const Surface& surface);
 
 /// Returns n such that the page has every nth row of a trace and does not exceed `size`. n is a
-/// multiple of `record_every`, so that the rows of the page are among those of a table with every
+/// multiple of `record_every`, so that every row of the page is also in a table of every
 /// `record_every`th row.
 int page_stride(const Trace& trace, const Model& model, int record_every,
                 const PageSize& size = {});

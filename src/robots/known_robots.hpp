@@ -9,7 +9,7 @@
 namespace burnish {
 
 /// Returns the settings files of the robots in the folders of robot_search_path(), by the name of
-/// the robot's folder. The first folder with a name takes precedence.
+/// the robot's folder. If several folders have a robot of one name, the first takes precedence.
 std::map<std::string, std::filesystem::path> known_robots();
 
 /// Returns true if load_robot() treats `name` as a path, even if no file exists there. A path

@@ -151,7 +151,7 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
     if (std::find(locked.begin(), locked.end(), name) == locked.end()) options.free.push_back(name);
   }
   if (options.free.empty()) {
-    // An empty list would free every joint.
+    // In ModelOptions, an empty list of free joints leaves all joints free.
     refuse(origin, "all joints that the settings leave free are locked; wanted at least one free");
   }
   return options;

@@ -186,7 +186,7 @@ struct ClosedLoop::Impl {
   struct Signal {
     std::vector<TraceColumn> columns;
     std::function<void(const Impl& loop, Row& row)> put;
-    bool is_of_step = false;  ///< Whether the values belong to the plant's step, not to its start.
+    bool is_of_step = false;  ///< True for values of a whole step, false for values at its start.
   };
   static std::vector<Signal> signals_of(const Model& model, const SceneSpec& scene);
   static std::vector<TraceColumn> columns_of(const std::vector<Signal>& signals);
@@ -217,8 +217,8 @@ struct ClosedLoop::Impl {
   int hung;  ///< Frame that hangs on the hoist; -1: none
   /// Placement of the hanging frame at the start.
   Eigen::Isometry3d hung_world = Eigen::Isometry3d::Identity();
-  /// Factor on the wrench of the hoist's spring and damper. It makes the step implicit if they are
-  /// stiff relative to the plant's step; otherwise it is the identity.
+  /// Factor on the wrench of the hoist's spring and damper. If the spring or the damper is stiff
+  /// for the plant's step, the factor makes the step implicit; otherwise it is the identity.
   Matrix6 implicit_factor = Matrix6::Identity();
   Eigen::VectorXd total;
   std::vector<Signal> signals;
@@ -385,7 +385,7 @@ const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau)
 }
 
 /// Returns the signals of the trace, in the order of its columns: first all values at the start of
-/// a step, then those of the step.
+/// a step, then all values of the whole step.
 std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& model,
                                                                    const SceneSpec& scene) {
   std::vector<Signal> signals;

@@ -69,8 +69,8 @@ double CoulombStep::solve_joints(const MatrixView& A, double h) noexcept {
   return largest;
 }
 
-/// Solves for the friction along both tangents together. The larger eigenvalue of their response
-/// replaces the response, so that the friction is opposite to the sliding velocity.
+/// Solves for the friction along both tangents together. In place of the 2 x 2 response matrix,
+/// uses its larger eigenvalue, so that the friction is opposite to the sliding velocity.
 double CoulombStep::solve_tip(double h) noexcept {
   Eigen::Matrix2d W = Eigen::Matrix2d::Zero();
   add_product(h, tangents, tip_response_, W);

@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// Friction in the joints, and of the tip on a surface. The friction impulses p and the velocity at
-/// the end of the step, u = v + W p, satisfy Coulomb's law:
+/// Friction in the joints, and friction of the tip on a surface. Friction impulses p change the
+/// velocity v at the end of the step to u = v + W p. p and u satisfy Coulomb's law:
 /// - For each entry of v, p is in -h (viscous u + coulomb Sgn u).
 /// - For the tip, the law couples the two sliding velocities: a disc replaces the interval Sgn.
 /// Projected Gauss-Seidel iterations solve these equations, starting from the impulses of the

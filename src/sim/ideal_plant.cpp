@@ -59,8 +59,8 @@ ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options)
   return spec;
 }
 
-/// Returns the contacts of the plant: first the contact of the tip, if there is one, then those
-/// that close the robot's loops. The latter are always active.
+/// Returns the contacts of the plant: first the contact of the tip, if there is one, then the
+/// contacts that close the robot's loops. Loop contacts are always active.
 std::vector<ContactSpec> contacts_of(const Model& model, const SceneSpec& scene,
                                      const IdealPlantOptions& options) {
   std::vector<ContactSpec> contacts;

@@ -48,8 +48,8 @@ void check_support(const Model& model, const SupportSpec& support) {
                 " m; wanted both above 0 for a planar foot, or both 0 for a point foot");
 }
 
-/// Throws Error unless the slippery ground is under a support. With a frame that is not a support,
-/// it would have no effect.
+/// Throws Error unless the slippery ground is under a support. Under another frame, the ground
+/// would have no effect.
 void check_ground(const SceneSpec& scene, const SlipperyGround& ground) {
   check_ranges(description_of(&ground), &ground,
                [](const std::string& entry) { return "the slippery ground's " + entry; });

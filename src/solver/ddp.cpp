@@ -124,7 +124,8 @@ NamedMatrix DdpSolver::named_value_hessian(int knot) const {
 }
 
 namespace {
-/// Merges a row at one more knot into `rows`, with one entry per name at its largest violation.
+/// Merges the row of one more knot into `rows`, which has one entry per row name. The entry states
+/// the largest violation over the knots.
 void add_row(CostReport::Row row, std::vector<CostReport::Row>& rows) {
   const auto known = std::find_if(rows.begin(), rows.end(),
                                   [&](const CostReport::Row& r) { return r.name == row.name; });

@@ -19,18 +19,18 @@
 namespace burnish {
 
 namespace {
-/// Factor `raise` by which the penalty weight grows. If less than the fraction `fall` of the
-/// violations remains after this, larger weights count as effective. Chosen by hand.
+/// An increase of the penalty weight by the factor `raise` counts as effective if less than the
+/// fraction `fall` of the violations remains. Chosen by hand.
 constexpr double fall = 0.1, raise = 100.0;
-/// Violations stand still if two conditions hold for `still_patience` iterations. The linear model
-/// leaves at least the fraction `still_fraction` of their sum, and the steps leave at least the
-/// fraction `still_decrease` of this sum. Chosen by hand.
+/// Violations stand still if two conditions hold in `still_patience` consecutive iterations. The
+/// linear model predicts that at least the fraction `still_fraction` of the sum of violations
+/// remains. The sum is at least the fraction `still_decrease` of its first value. Chosen by hand.
 constexpr double still_fraction = 0.5, still_decrease = 0.9;
 constexpr int still_patience = 8;
 
 }  // namespace
 
-/// Switches to elastic mode. Returns false if it is on, its weight is too large, or no row is hard.
+/// Switches to elastic mode. Returns false if the mode is on, its weight too large, or no row hard.
 bool DdpSolver::Impl::become_elastic() {
   if (elastic.on || elastic.weight > options.limits.max_l1_weight) return false;
   bool has_hard_row = false;
@@ -40,8 +40,8 @@ bool DdpSolver::Impl::become_elastic() {
   if (!has_hard_row) return false;
   elastic.on = true;
   limited_before = false;
-  // Elastic mode drops the multipliers of rows. The multipliers of bounds that balanced them are
-  // dropped too.
+  // Elastic mode drops the multipliers of rows, and with them the multipliers of control bounds,
+  // which balanced them.
   for (int k = 0; k < N; ++k)
     std::fill_n(row_views[to_size(k)].multiplier, controls[to_size(k)], 0.0);
   return true;
@@ -129,8 +129,8 @@ bool DdpSolver::Impl::ends_elastic(bool& again) {
   return !again && is_least_violation();
 }
 
-/// Returns whether the violations stand still and cannot be reduced. `again` requests a direction
-/// with the largest L1 weight, which reduces them.
+/// Returns whether the violations stand still and cannot be reduced. If the largest L1 weight
+/// reduces them, sets `again` to request a direction with this weight.
 bool DdpSolver::Impl::ends_still(bool& again) {
   if (!is_still() || options.limits.max_l1_weight < options.limits.l1_weight) return false;
   again = violations_can_fall();

@@ -43,12 +43,12 @@ struct Iterate {
 
 /// Quadratic model of the cost along the search direction.
 struct Direction {
-  /// d1: slope of the expected saving of cost. accept_rollout() adds the contribution of the gaps
-  /// that remain. With constraint rows: slope of the merit function
+  /// d1: expected decrease of cost per step length at length 0. accept_rollout() adds the
+  /// contribution of the gaps that remain. With constraint rows: slope of the merit function
   double slope = 0.0;
   double curvature = 0.0;  ///< d2: curvature along the direction
-  /// MultipleShooting: slope of the cost, and change of cost that the model predicts for a whole
-  /// step
+  /// For StepUpdate::MultipleShooting: slope of the cost, and change of cost that the model
+  /// predicts for a whole step
   double cost_slope = 0.0, model_change = 0.0;
 };
 
@@ -210,11 +210,11 @@ struct DdpSolver::Impl {
   std::unique_ptr<LimitedLq> limited;
   int rows_max = 0;
   std::vector<int> row_counts;
-  std::vector<int> coefficient_counts;  ///< Rows of each knot that are not an entry of z
+  std::vector<int> coefficient_counts;  ///< Number of each knot's rows with coefficients
   std::vector<int> row_slots;           ///< Index of each row within the rows of `limited`
   std::vector<const double*> row_lowers, row_uppers;  ///< Limits of each knot
   std::vector<LimitedLq::Rows> row_views;             ///< Rows of each knot within `limited`
-  /// rows_max entries per knot; row_inverses holds 1 / row_scales.
+  /// Properties of rows, rows_max entries per knot. row_inverses holds 1 / row_scales.
   std::vector<double> row_scales, row_inverses, row_l1_weights, row_quadratic_weights;
   std::vector<double> row_multipliers;  ///< Multipliers of the last solve, rows_max per knot
   std::vector<ValueStorage> value_list;

@@ -10,8 +10,8 @@ namespace burnish {
 /// Number of iterations without expected improvement but with violations, after which elastic mode
 /// begins. Until then, Newton steps can reduce violations in their last digits. Chosen by hand.
 static constexpr int patience_violated = 4;
-/// Largest violation at which a rejected step is corrected, relative to the scale. Farther from the
-/// limits, curvature says little about the position of the limits. Chosen by hand.
+/// Largest violation at which a rejected step is corrected, relative to the scale of the row. At
+/// larger violations, the measured errors do not predict where the limits lie. Chosen by hand.
 static constexpr double near_limits = 0.1;
 
 bool DdpSolver::Impl::increase_regularization() {
@@ -73,7 +73,7 @@ bool DdpSolver::Impl::judge_direction(bool& again) {
     if (again || elastic.on) return !out_of_time() || stop(StopReason::TimeBudget);
   }
   const bool feasible = current.feasible && (!limited || keeps_limits(current));
-  // Takes one more Newton step if the constraint tolerance alone could cause the improvement.
+  // Takes one more Newton step if the constraint tolerance alone could explain the improvement.
   const bool gains = summary.expected_improvement >= options.stop_tolerance;
   const bool unresolved = gains && !std::exchange(at_resolution, true);
   if (!feasible || summary.expected_improvement >= options.stop_tolerance + limit_resolution)

@@ -72,7 +72,7 @@ void DdpSolver::Impl::start_rows() {
   std::fill(start_is_fixed.begin(), start_is_fixed.end(), 0);
 }
 
-/// Assigns each row its index: rows that are entries of z first, then rows with coefficients.
+/// Assigns each row its index: first the rows that are entries of z = (du, dx), then the others.
 void DdpSolver::Impl::place_rows() {
   for (int k = 0; k <= N; ++k) {
     const auto i = to_size(k);

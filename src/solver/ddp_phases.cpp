@@ -11,9 +11,9 @@ namespace burnish {
 
 namespace {
 
-/// Minimum number of multiplications per knot for which threads share a knot. Two workers are
-/// slower than one below about 130,000 (measured with burnish_riccati_bench). Each cache line that
-/// passes between cores costs tens of nanoseconds.
+/// Minimum number of multiplications per knot for which threads share a knot. Below about 130,000
+/// multiplications, two workers are slower than one (measured with burnish_riccati_bench), because
+/// each cache line that passes between cores costs tens of nanoseconds.
 constexpr double min_shared_work = 2e5;
 
 bool usable(const KnotValue& value) { return is_usable(value.status) && std::isfinite(value.cost); }
@@ -94,7 +94,7 @@ bool DdpSolver::Impl::expand(Iterate& at) {
   });
   bool good = take_values(at);
   if (good && limited) take_rows(at);
-  // A trajectory from a rollout does not have gaps; rounding errors are not gaps.
+  // A trajectory from a rollout does not have gaps, only rounding errors.
   const bool rolled_out = at.feasible && options.update == StepUpdate::Rollout;
   if (good && !rolled_out) {
     good = take_gaps(at);
@@ -250,8 +250,8 @@ double DdpSolver::Impl::largest_multiplier() {
 }
 
 /// Returns a penalty for which the direction is a descent direction of the merit. The penalty
-/// follows the rule of Nocedal and Wright, Numerical Optimization (2006), eq. (18.36), but is not
-/// raised above a bound from the largest multiplier.
+/// follows the rule of Nocedal and Wright, Numerical Optimization (2006), eq. (18.36), but rises at
+/// most to a bound that is proportional to the largest multiplier.
 double DdpSolver::Impl::penalty_for_direction() {
   if (current.gap_sum <= 0.0) return penalty;
   const double curvature = std::max(0.0, 2.0 * (direction.model_change - direction.cost_slope));

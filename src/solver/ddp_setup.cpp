@@ -116,7 +116,7 @@ void DdpSolver::Impl::allocate() {
   int tangent_size = 0;
   for (const NonEuclideanBlock& b : state.blocks) tangent_size += 2 * b.size * b.size;
   tangent_size = dense::round_up(tangent_size);
-  // Transposed matrices are read in whole vectors of rows.
+  // Pads the number of rows, because transposed matrices are read in whole SIMD vectors.
   const int dynamics_rows = std::max(ndx, dense::round_up(state.nv));
   const int gain_rows = dense::round_up(nu_max);
   for (std::size_t k = 0; k <= knots; ++k) {

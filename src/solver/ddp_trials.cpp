@@ -55,7 +55,7 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
 }
 
 /// Accepts a rollout if the cost falls by a fraction of the expected improvement, or if the iterate
-/// has gaps. If the expected improvement is negative, the cost may rise by a multiple of it.
+/// has gaps. If a rise is expected, the cost may rise by a multiple of the expected rise.
 bool DdpSolver::Impl::accept_rollout(double length, double gap_improvement) const {
   // Converts the gap contribution from a step of `length` to a step of length one.
   const double whole = gap_improvement / length;

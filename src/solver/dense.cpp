@@ -52,10 +52,10 @@ void mirror_lower(Rows a, Range rows_of_b, double* b, int stride) {
 
 namespace {
 
-/// Factors R rows whose diagonal block starts at column `first`. Applies the inverse transposed
-/// factor to the columns `near`, which contain the block, and to the columns `far`. The block is
-/// factored first, in scalars. The columns then stay in registers and do not wait for the chain of
-/// square roots.
+/// Factors the diagonal block of R rows that starts at column `first`. Multiplies the columns
+/// `near`, which contain the block, and the columns `far` by the inverse transposed factor. The
+/// block is factored first, in scalars, so that the columns stay in registers and do not wait for
+/// the chain of square roots.
 template <int R>
 int factor_rows(double* y, int stride, int first, Range near, Range far, double* inverse) {
   double t[R][R];
@@ -91,7 +91,7 @@ int factor_rows(double* y, int stride, int first, Range near, Range far, double*
   return -1;
 }
 
-/// X <- R^-1 X for the R rows of a diagonal block at y.
+/// Back substitution X <- U^-1 X with the upper triangular block U of R rows at y.
 template <int R>
 void back_substitute(const double* y, int stride, const double* inverse, double* x, int x_stride,
                      int n) {
@@ -108,7 +108,7 @@ void back_substitute(const double* y, int stride, const double* inverse, double*
   }
 }
 
-/// X <- R^-T X for the R rows of a diagonal block at y.
+/// Forward substitution X <- U^-T X with the upper triangular block U of R rows at y.
 template <int R>
 void forward_substitute(const double* y, int stride, const double* inverse, double* x, int x_stride,
                         int n) {

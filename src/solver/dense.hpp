@@ -59,8 +59,8 @@ struct Range {
 
 namespace detail {
 
-// Accumulators, one vector of B per column and one entry of A fill the registers: 32 with AVX-512
-// and NEON, 16 otherwise.
+// Tile size for which the sums, one row of B and one entry of A fill the vector registers: 32
+// registers with AVX-512 and NEON, 16 otherwise.
 #if defined(__AVX512F__) || defined(__aarch64__)
 inline constexpr int tile_rows = 8, tile_vectors = 3;
 #else
@@ -114,8 +114,8 @@ inline constexpr auto tile_table =
 
 }  // namespace detail
 
-/// C (op) A^T B with A: count x m, B: count x n, C: m x n. The outer loop runs over columns, so
-/// that a panel of B stays in the first-level cache.
+/// Sets C to A^T B, or adds or subtracts A^T B, with A: count x m, B: count x n, C: m x n. The
+/// outer loop runs over columns, so that a panel of B stays in the first-level cache.
 template <Update update, bool unit_step = true>
 void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
   using namespace detail;
@@ -133,8 +133,8 @@ void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
 
 namespace detail {
 
-/// Adds x^T B to C vectors of `out`. Few sums would make each addition wait for the one before. The
-/// products of each vector are therefore spread over `parts` independent sums.
+/// Adds x^T B to C SIMD vectors of `out`. With one sum per vector, each addition would wait for the
+/// previous one, so the products of each vector are spread over `parts` independent sums.
 template <int C>
 void row_tile(const double* x, Rows b, int count, double* out) {
   constexpr int parts = C == 1 ? 4 : 2;
@@ -163,7 +163,7 @@ void row_tile(const double* x, Rows b, int count, double* out) {
 
 }  // namespace detail
 
-/// out += x^T B with B: count x n. The sums stay in registers.
+/// Adds x^T B to `out`, with B: count x n. The sums stay in registers.
 inline void add_row_times(const double* x, Rows b, int count, int n, double* out) {
   const int vectors = round_up(n) / lanes;
   int j = 0;
@@ -175,13 +175,13 @@ inline void add_row_times(const double* x, Rows b, int count, int n, double* out
     detail::row_tile<1>(x, {b.data + j * lanes, b.stride}, count, out + j * lanes);
 }
 
-/// Size of the groups of rows or columns that are distributed over workers. No tile or vector then
-/// crosses the border between two workers.
+/// Size of the groups of rows or columns that are distributed over workers, so that no tile or SIMD
+/// vector crosses the border between two workers.
 inline constexpr int group = std::max(lanes, detail::tile_rows);
 
-/// C (op) A^T B for the entries on and below the diagonal, in the given rows of C. The first row
-/// must be a multiple of `group`. Entries above the diagonal are overwritten up to the next tile
-/// border.
+/// Sets C to A^T B, or adds or subtracts A^T B, for the entries on and below the diagonal in the
+/// given rows of C. The first row must be a multiple of `group`. Entries above the diagonal are
+/// overwritten up to the next tile border.
 template <Update update>
 void lower_product(Left a, Rows b, int count, Range rows, double* c, int stride) {
   using namespace detail;
@@ -205,13 +205,13 @@ void lower_product(Left a, Rows b, int count, int n, double* c, int stride) {
   lower_product<update>(a, b, count, Range{0, n}, c, stride);
 }
 
-/// y += factor * x, for the whole vectors that contain the first n entries.
+/// Computes y += factor * x for the first n entries, rounded up to whole SIMD vectors.
 BURNISH_INLINE void add_scaled(double factor, const double* x, int n, double* y) {
   const Lane f(factor);
   for (int i = 0; i < n; i += lanes) store(y + i, load(y + i) + f * load(x + i));
 }
 
-/// y = a + factor * b, for the whole vectors that contain the first n entries.
+/// Computes y = a + factor * b for the first n entries, rounded up to whole SIMD vectors.
 BURNISH_INLINE void sum_scaled(const double* a, double factor, const double* b, int n, double* y) {
   const Lane f(factor);
   for (int i = 0; i < n; i += lanes) store(y + i, load(a + i) + f * load(b + i));
@@ -237,7 +237,7 @@ BURNISH_INLINE void add_times(Rows a, const double* x, int m, int n, double* y) 
   for (int i = 0; i < m; ++i) y[i] += dot(a.data + i * a.stride, x, n);
 }
 
-/// B = A^T with A: m x n, B: n x m. Reads whole vectors of up to round_up(m) rows of A.
+/// B = A^T with A: m x n, B: n x m. Reads whole SIMD vectors of up to round_up(m) rows of A.
 void transpose_copy(Rows a, int m, int n, double* b, int stride);
 
 /// Writes rows of the symmetric matrix B whose lower triangle is the lower triangle of A, and the
@@ -245,9 +245,9 @@ void transpose_copy(Rows a, int m, int n, double* b, int stride);
 /// rows of A at a time. B may be A if `rows` contains all rows.
 void mirror_lower(Rows a, Range rows, double* b, int stride);
 
-/// Cholesky factorization of the leading block of Y = [Q | Z] with nu rows. Replaces Q by R in
-/// place, Q = R^T R with R upper triangular. Replaces Z by R^-T Z in the vectors that contain
-/// `columns` of Y.
+/// Cholesky factorization of the nu x nu block Q of Y = [Q | Z]. Replaces Q by R in place, with
+/// Q = R^T R and R upper triangular. Replaces Z by R^-T Z in the given `columns` of Y, rounded
+/// outwards to whole SIMD vectors.
 /// Returns the first row whose pivot is at most 1e-14 times its diagonal entry, or not finite; -1
 /// if there is none.
 int partial_cholesky(double* y, int stride, int nu, Range columns, double* inverse_diagonal);

@@ -13,7 +13,7 @@ using dense::store;
 namespace {
 
 constexpr double infinite_limit = 1e299;  // Limits of at least this size are infinite
-// Smallest initial n, as a fraction of the L1 weight; chosen by hand
+// Smallest initial multiplier n (interior_rows.hpp), as a fraction of the L1 weight; chosen by hand
 constexpr double min_fraction = 0.1;
 
 Lane zero() { return {0.0}; }
@@ -85,7 +85,8 @@ void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale
   store(equality_ + at, zero());
 }
 
-/// Step of one side of a row for the change dy of the row: dm = weight sign dy + rest.
+/// Newton step of one side of a row, as a function of the change dy of the row's value. The step of
+/// the multiplier is dm = weight sign dy + rest.
 struct InteriorRows::Step {
   Lane weight, rest;
   Lane violation, by_multiplier;  ///< dv = violation + by_multiplier dm

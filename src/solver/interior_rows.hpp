@@ -1,9 +1,9 @@
 // Constraint rows in a primal-dual interior-point method. Each side of a row y has a distance d(y)
 // to its limit (upper - y or y - lower) and four positive variables: slack s, multiplier m,
-// violation v, and the multiplier n of v >= 0. They satisfy
+// violation v, and the multiplier n of v >= 0. With the barrier parameter mu, they satisfy
 //   s = d(y) + v,   n = L1 weight + quadratic weight v - m,   s m = mu,   v n = mu
 // (Nocedal and Wright, Numerical Optimization (2006), section 16.6, with one elastic variable per
-// side). A row that must not be violated has no v.
+// side). A row that must not be violated has no v and no n.
 // A Newton step eliminates all four variables. The row then contributes to the cost gradient a
 // linear function of the row's next value (RowLines in row_force.hpp), so one Riccati recursion
 // computes the step. A row with equal limits is an equality, with a multiplier and a weight as in
@@ -29,9 +29,9 @@ class InteriorRows {
     double equality = 1.0;  ///< Factor on the weights of equality rows
   };
 
-  /// Initialises the rows. All functions process one vector of rows, which starts at entry `at` of
-  /// the row variables and entry `r` of `rows`. The variable v of a row outside its limits starts
-  /// at the actual violation if `infeasible`, and at a small value otherwise.
+  /// Initialises the rows. All functions process one SIMD vector of rows, which starts at entry
+  /// `at` of the row variables and entry `r` of `rows`. The variable v of a row outside its limits
+  /// starts at the actual violation if `infeasible`, and at a small value otherwise.
   void start(int at, const RowArrays& rows, int r, const dense::Lane& scale, const dense::Lane& y,
              double mu, bool infeasible);
   /// Returns the contribution of rows to the cost gradient, a linear function of their next values.
@@ -40,7 +40,7 @@ class InteriorRows {
   /// Computes the step of the row variables for the next values `next` of the rows.
   void take_direction(int at, const RowArrays& rows, int r, const dense::Lane& y,
                       const dense::Lane& next, const Target& target);
-  /// Returns 1 / the step length at which the first variable reaches zero.
+  /// Returns the inverse of the step length at which the first variable reaches zero.
   dense::Lane steepest(int at) const;
   /// Sum and number of the products s m and v n at a step length.
   struct Products {

@@ -103,7 +103,7 @@ void LimitedLq::shift(std::span<const int> controls, std::span<const int> from) 
 }
 
 void LimitedLq::take_over(std::span<const int> controls, int knot, int source) noexcept {
-  // The index of a row depends on the number of controls.
+  // Rows at knots with different numbers of controls have different indices.
   if (controls[to_size(knot)] != controls[to_size(source)]) return;
   const Knot &to = knot_at(knot), &from = knot_at(source);
   dense::copy(from.multiplier, row_count_, to.multiplier);
@@ -111,8 +111,8 @@ void LimitedLq::take_over(std::span<const int> controls, int knot, int source) n
   dense::copy(from.transposed_gain, state_.ndx * control_stride_, to.transposed_gain);
 }
 
-/// Transposes rows with coefficients and dynamics, so that follow_policy() computes whole vectors
-/// of results.
+/// Transposes the dynamics and the rows with coefficients, so that follow_policy() computes whole
+/// SIMD vectors of results.
 void LimitedLq::transpose(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
     const auto i = to_size(k);
@@ -183,7 +183,8 @@ int LimitedLq::vectors_end(const LqHorizon& h, int knot) const {
   return h.rows[i] > 0 ? first_row_ + h.rows[i] : h.controls[i] + state_.ndx;
 }
 
-/// Finds the piece of each row value. Returns the last knot with a changed piece, or -1.
+/// Finds the linear piece (row_piece()) that contains each row's value. Returns the last knot with
+/// a changed piece, or -1.
 int LimitedLq::find_pieces(const LqHorizon& h) {
   int last = -1;
   for (int k = 0; k <= N_; ++k) {
@@ -217,7 +218,7 @@ void LimitedLq::take_pieces(const LqHorizon& h) {
   }
 }
 
-/// out = g + C^T offset.
+/// Computes out = g + C^T offset, with the cost gradient g and the row coefficients C.
 void LimitedLq::gradient(const LqHorizon& h, int knot, double* out) const {
   const auto i = to_size(knot);
   const KnotExpansion& e = h.expansions[i];
@@ -353,12 +354,12 @@ void LimitedLq::raise_weights(const LqHorizon& h) {
   }
 }
 
-/// Detects multipliers that keep growing. Either the weights are too small for rows that barely
-/// move, or the rows cannot all be satisfied and the L1 weights decide.
+/// Detects multipliers that keep growing. In this case, the weights are too small for rows that
+/// barely move, or the rows cannot all be satisfied and the L1 weights decide.
 class LimitedLq::GrowthWatch {
  public:
   enum class Cure { None, Weights, Interior, Jump };
-  /// At a minimum of the pieces.
+  /// Returns the remedy to apply; called at each minimum of the pieces.
   Cure look(const LimitedLqResult& result) {
     constexpr int patience = 10, most_raises = 3;
     slow_ = result.sweeps > 0 && result.residual > 0.99 * residual_before_ ? slow_ + 1 : 0;
@@ -421,7 +422,7 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
   const bool done = approached && approach(h, recursion, result);
   if (!(done ? factor_pieces(h, recursion, result) : begin(h, recursion, warm, result)))
     return result;
-  bool whole = !warm;  // Cold start: there is no trajectory to shorten the first step to
+  bool whole = !warm;  // A cold start has no last trajectory for shorten()
   for (;;) {
     follow_policy(h);
     int from = find_pieces(h);

@@ -48,11 +48,11 @@ struct LimitedLqBudget {
 struct LimitedLqResult {
   int factorizations = 0, sweeps = 0;
   int interior = 0;                ///< Factorizations of the interior-point method
-  bool approached = false;         ///< An interior-point method has converged
+  bool approached = false;         ///< The interior-point method has converged
   double interior_residual = 0.0;  ///< Residual of the interior-point solution
   int semismooth() const { return factorizations - interior; }
   bool converged = false;
-  double residual = 0.0;  ///< Largest change of a multiplier over its weight, at the last minimum
+  double residual = 0.0;  ///< Largest multiplier change, divided by the weight, at the last minimum
   /// Knot and control at which Quu is not positive definite; -1: none.
   int failed_knot = -1, failed_control = -1;
 };
@@ -78,14 +78,14 @@ class LimitedLq {
   /// Resets multipliers and pieces.
   void forget() noexcept;
   /// Shifts the warm start by one knot, for a horizon that starts one knot later. Each knot takes
-  /// the multipliers, pieces and gains of the next knot. The last knot keeps its own data. So does
-  /// a knot whose next knot has another number of controls. Feedforwards are not shifted.
+  /// the multipliers, pieces and gains of the next knot. The last knot, and a knot whose next knot
+  /// has another number of controls, keep their own data. Feedforwards are not shifted.
   void shift(std::span<const int> controls) noexcept;
   /// Shifts the warm start for knots of different lengths: knot k takes the data of knot from[k].
   /// from[k] must be at least k and must not decrease with k.
   void shift(std::span<const int> controls, std::span<const int> from) noexcept;
   int first_row() const { return first_row_; }
-  int places() const { return row_count_; }  ///< Entries of a knot's rows, unused ones included
+  int places() const { return row_count_; }  ///< Allocated entries for a knot's rows
 
   /// Solves the problem. If `warm`, starts from the policies in `horizon` and from the pieces of
   /// the last solve. Does not allocate.

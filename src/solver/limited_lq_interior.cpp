@@ -17,8 +17,8 @@ using dense::store;
 
 namespace {
 
-/// Initial products s m and v n (interior_rows.hpp), relative to the mean over the rows of weight
-/// times squared scale. The constants below are chosen by hand.
+/// Initial products s m and v n (interior_rows.hpp), divided by the mean of weight * scale^2 over
+/// the rows. The constants below are chosen by hand.
 constexpr double start_product = 1.0;
 /// Convergence: products and residuals below this fraction of their initial values.
 constexpr double convergence = 1e-8;

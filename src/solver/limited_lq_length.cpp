@@ -13,8 +13,9 @@ using dense::lanes;
 using dense::load;
 using dense::store;
 
-/// Returns the sum over the rows of e (row_force.hpp) times the change of the row's value along the
-/// step. `length` is 0 at the last trajectory and 1 at the current one.
+/// Returns the derivative of the rows' cost with respect to the step length: the sum over the rows
+/// of the gradient e (row_force.hpp) times the change of the row's value along the step. `length`
+/// is 0 at the last trajectory and 1 at the current one.
 double LimitedLq::force_along(const LqHorizon& h, double length) const {
   const Lane fraction(length);
   Lane sum(0.0);
@@ -71,7 +72,7 @@ LimitedLq::Line LimitedLq::line(const LqHorizon& h) {
   return {elsewhere - curvature, curvature - of_rows};
 }
 
-/// Moves the trajectory to the minimum between the last trajectory and the current one.
+/// Moves the trajectory to the minimum of the objective between the last trajectory and this one.
 void LimitedLq::shorten(const LqHorizon& h) {
   const Line line = this->line(h);
   const double at_begin = force_along(h, 0.0);
@@ -96,7 +97,7 @@ void LimitedLq::shorten(const LqHorizon& h) {
   blend(length);
 }
 
-/// Interpolates between the last trajectory (0) and the current one (1).
+/// Interpolates between the last trajectory (`length` 0) and the current one (`length` 1).
 void LimitedLq::blend(double length) {
   const Lane fraction(length);
   for (const Knot& k : knots_) {

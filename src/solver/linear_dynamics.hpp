@@ -8,8 +8,8 @@ namespace burnish {
 /// Largest size of a non-Euclidean tangent block that the solver's scratch memory supports.
 inline constexpr int max_tangent_size = 8;
 
-/// Multiplies `row`, a row vector over dq, in place by the block matrices A, or, if `of_velocity`,
-/// by the block matrices B. Only entries inside non-Euclidean tangent blocks change.
+/// Multiplies `row`, a row vector over dq, in place by the matrices A of the non-Euclidean tangent
+/// blocks, or by their matrices B if `of_velocity`. Only entries inside such blocks change.
 void transform_tangent(const StateShape& state, const double* tangent_blocks, bool of_velocity,
                        double* row);
 
@@ -18,15 +18,16 @@ void transform_tangent(const StateShape& state, const double* tangent_blocks, bo
 void project_rows(const StateShape& state, const KnotExpansion& e, const double* x, int stride,
                   double* out);
 
-/// next = F z. `scratch`: nv entries.
+/// Computes next = F z. `scratch` needs nv entries.
 void multiply(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
               double* scratch, double* next);
 
-/// Completes next = F z if dv' is already in `next`. SecondOrder only.
+/// Computes the remaining entries of next = F z from the part dv', which `next` already contains.
+/// SecondOrder only.
 void complete_next(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
                    double* scratch, double* next);
 
-/// out += F^T w. Overwrites w. `scratch` needs nv entries plus one vector. Writes whole vectors.
+/// Adds F^T w to `out`, in whole SIMD vectors. Overwrites w. `scratch`: nv entries plus one vector.
 void add_transposed(const StateShape& state, const KnotExpansion& e, int controls, double* w,
                     double* scratch, double* out);
 

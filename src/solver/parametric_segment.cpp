@@ -12,8 +12,8 @@ using dense::Update;
 
 namespace {
 
-/// X <- A^-1 B for the n rows of [A | B], by Gaussian elimination with column pivoting. Returns
-/// false if a pivot is zero or not finite.
+/// Computes X = A^-1 B from the n rows of [A | B], by Gaussian elimination with partial pivoting. X
+/// replaces B. Returns false if a pivot is zero or not finite.
 bool solve_rows(double* a, int stride, int n, int columns) {
   for (int c = 0; c < n; ++c) {
     int best = c;

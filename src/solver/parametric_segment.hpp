@@ -3,7 +3,7 @@
 // Let theta be the multiplier of the segment's final state x+. The cost to go of the segment is
 //   V(x, theta) = vx^T x + 1/2 x^T Vxx x + theta^T (X^T x - 1/2 D theta + r).
 // At the end V is theta^T x+: vx = Vxx = 0, X = 1, D = 0, r = 0. One knot backwards, vx and Vxx
-// follow the usual recursion. With Z = Fu^T X and Quu = R^T R
+// follow the usual recursion with the policy du = k + K x. With Z = Fu^T X and Quu = R^T R,
 //   X <- Fx^T X + K^T Z,   D <- D + (R^-T Z)^T R^-T Z,   r <- r + X^T gap + Z^T k.
 // The rest of the horizon has a value function P, p. With theta = P x+ + p and x+ = X^T x - D theta
 // + r, theta(x) follows from one dense system,

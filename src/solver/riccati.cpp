@@ -116,7 +116,7 @@ void RiccatiRecursion::terminal(const KnotExpansion& e, ValueStorage value) cons
   dense::mirror_lower({e.hessian, e.stride}, {0, state_.ndx}, value.hessian, layout_.value_stride);
 }
 
-/// Y <- [Huu | Hux], Qxx <- Hxx.
+/// Loads the knot's cost: Y <- [Huu | Hux], Qxx <- Hxx.
 void RiccatiRecursion::load_cost(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int first = knot.columns.begin;
@@ -127,13 +127,13 @@ void RiccatiRecursion::load_cost(const Knot& knot) {
                 qxx_.data() + i * layout_.value_stride);
 }
 
-/// U^T = step B^T Vq + Vv, then W and M.
+/// Computes U^T = step B^T Vq + Vv from the rows Vq and Vv of Vxx', then W and M (riccati.hpp).
 void RiccatiRecursion::project_value(const Knot& knot) {
   project_rows(state_, knot.e, knot.next.hessian, layout_.value_stride, knot.own.u.data());
   project_steps(knot);
 }
 
-/// W = U^T T, M = U^T E.
+/// Computes the products W = U^T T and M = U^T E (riccati.hpp).
 void RiccatiRecursion::project_steps(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
@@ -159,7 +159,7 @@ void RiccatiRecursion::project_steps(const Knot& knot) {
   }
 }
 
-/// Computes G and adds the products to Y.
+/// Computes G, and adds to Y the rows of F^T V F that belong to controls (riccati.hpp).
 void RiccatiRecursion::add_to_controls(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
@@ -186,7 +186,7 @@ void RiccatiRecursion::add_to_controls(const Knot& knot) {
   add_passed_to_controls(knot);
 }
 
-/// Y += E^T V E, the contribution of the torque filter. Leaves rows of V E in `passed`.
+/// Adds E^T V E, the contribution of the torque filter, to Y. Leaves rows of V E in `passed`.
 void RiccatiRecursion::add_passed_to_controls(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
@@ -204,7 +204,7 @@ void RiccatiRecursion::add_passed_to_controls(const Knot& knot) {
   }
 }
 
-/// Returns row c of V E, columns dtau.
+/// Returns the row of V E that belongs to the filtered torque c, in columns of dx.
 const double* RiccatiRecursion::pass_filtered(const Knot& knot, int c) {
   const int nv = state_.nv;
   const int vs = layout_.value_stride;
@@ -216,7 +216,7 @@ const double* RiccatiRecursion::pass_filtered(const Knot& knot, int c) {
   return row;
 }
 
-/// w = vx' + Vxx' gap.
+/// Computes the gradient of the next value function after the gap, w = vx' + Vxx' gap.
 void RiccatiRecursion::cross_gap(const Knot& knot, const double* gap, double* hessian_gap,
                                  RiccatiStep& result) {
   const int ndx = state_.ndx;
@@ -228,7 +228,7 @@ void RiccatiRecursion::cross_gap(const Knot& knot, const double* gap, double* he
   dense::sum_scaled(knot.next.gradient, 1.0, hessian_gap, ndx, w_next_.data());
 }
 
-/// q = h + F^T w; also writes qu to Y.
+/// Computes the gradient q = h + F^T w of the knot, and writes its control part qu to Y.
 void RiccatiRecursion::add_gradient(const Knot& knot, const double* gradient) {
   double* q = gradient_.data();
   dense::copy(gradient, knot.nz, q);
@@ -237,7 +237,7 @@ void RiccatiRecursion::add_gradient(const Knot& knot, const double* gradient) {
   for (int i = 0; i < knot.nu; ++i) y[i * y_stride_ + knot.nz] = q[i];
 }
 
-/// Quu, Qux and Qxx += C^T w C.
+/// Adds the cost of constraint rows: C^T w C to Quu, Qux and Qxx.
 void RiccatiRecursion::add_rows(const Knot& knot, const WeightedRows& rows) {
   const int first = knot.columns.begin;
   if (rows.count > 0) {
@@ -254,7 +254,8 @@ void RiccatiRecursion::add_rows(const Knot& knot, const WeightedRows& rows) {
     qxx_.data()[i * layout_.value_stride + i] += rows.diagonal[knot.nu + i];
 }
 
-/// Qxx += P^T G + M^T P. M^T P is nonzero only in the rows that pass through: dq and dtau.
+/// Adds P^T G + M^T P (riccati.hpp) to Qxx. M^T P is nonzero only in the rows of dq and dtau, which
+/// pass through.
 void RiccatiRecursion::add_to_states(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
@@ -277,7 +278,7 @@ void RiccatiRecursion::add_to_states(const Knot& knot) {
   add_passed_controls_to_states(knot);
 }
 
-/// Qxx += E^T V E, rows of dq.
+/// Adds the rows of E^T V E that belong to dq to Qxx.
 void RiccatiRecursion::add_passed_to_states(const Knot& knot) {
   const int qs = layout_.value_stride;
   const double* v = knot.next.hessian;
@@ -315,7 +316,7 @@ void RiccatiRecursion::add_passed_to_states(const Knot& knot) {
   add_rows(rows.end);
 }
 
-/// Qxx += E^T V E, rows of filtered controls.
+/// Adds the rows of E^T V E that belong to filtered torques to Qxx.
 void RiccatiRecursion::add_passed_controls_to_states(const Knot& knot) {
   const int nv = state_.nv;
   const int qs = layout_.value_stride;
@@ -396,7 +397,7 @@ int RiccatiRecursion::factorize(const Knot& knot, const PolicyStorage& policy) {
   return -1;
 }
 
-/// Vxx = Qxx - L^T L, vx = qx - L^T l.
+/// Computes the value function: Vxx = Qxx - L^T L, vx = qx - L^T l.
 void RiccatiRecursion::reduce(const Knot& knot, const ValueStorage& value) {
   const int vs = layout_.value_stride;
   const int ndx = state_.ndx;

@@ -6,9 +6,10 @@
 //   w = vx' + Vxx' gap,   Q = H + F^T Vxx' F,   q = h + F^T w,
 //   du = k + K dx minimises 1/2 z^T Q z + q^T z  (within bounds, if given),
 //   Vxx = Qxx - L^T L,  vx = qx - L^T l,  R^T R = Quu,  L = R^-T Qux,  l = R^-T qu.
-// SecondOrder dynamics are F = T P + E with T: dv' -> dx' = (step B; 1; 0). E holds the parts of z
-// that pass through. With U = Vxx' T, W = T^T U and M = U^T E, only P, which has nv rows, enters
-// dense products: F^T V F = P^T (W P + M) + M^T P + E^T V E.
+// SecondOrder dynamics are F = T P + E. P gives dv' = P z, T: dv' -> dx' = (step B; 1; 0) maps it
+// to dx', and E holds the parts of z that pass through. With V = Vxx', U = V T, W = T^T U and
+// M = U^T E, only P, which has nv rows, enters dense products:
+// F^T V F = P^T (W P + M) + M^T P + E^T V E.
 //
 // A thread team shares one knot: each worker computes some columns of Y and G, some rows of Qxx and
 // some columns of the gains. Each worker computes the small matrices U, W, M and the factor of Quu

@@ -28,8 +28,8 @@ void RiccatiRecursion::resolve(const RiccatiKnot& at, const RiccatiFactor& facto
   const int ndx = state_.ndx, controls = at.controls;
   dense::sum_scaled(at.next.gradient, 1.0, at.hessian_gap, ndx, w_next_.data());
   add_transposed(state_, at.expansion, controls, w_next_.data(), own_[0].passed.data(), gradient);
-  // R^T R k = -qu. Each entry fills a whole vector, because scalar stores followed by vector loads
-  // would stall.
+  // Solves R^T R k = -qu. Each entry fills a whole SIMD vector, because scalar stores followed by
+  // vector loads would stall.
   double* column = column_.data();
   for (int i = 0; i < controls; ++i)
     dense::store(column + i * dense::lanes, dense::Lane(-gradient[i]));

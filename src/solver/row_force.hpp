@@ -36,7 +36,7 @@ inline dense::Lane clip(const dense::Lane& x, const dense::Lane& lower, const de
   return select(less(at_most, lower), lower, at_most);
 }
 
-/// Returns e (see the file's comment) of the vector of rows that starts at i, for values y.
+/// Returns the gradient e (see the file's comment) for values y of the SIMD vector of rows at i.
 inline dense::Lane row_force(const RowArrays& rows, int i, const dense::Lane& y) {
   using dense::load;
   const dense::Lane weight = load(rows.weight + i);

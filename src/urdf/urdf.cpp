@@ -44,8 +44,8 @@ std::string robot_name(const XMLElement& robot, const std::string& source, Findi
   return name;
 }
 
-/// Checks for elements of xacro that were not expanded. Definitions only give a warning. Other
-/// macros throw Error, since links would be missing.
+/// Checks for xacro elements that were not expanded. Definitions and inclusions give a warning.
+/// Other elements cause an Error, since links would be missing.
 void check_macros(const XMLElement& robot, Findings& findings) {
   for (const XMLElement* child = robot.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {

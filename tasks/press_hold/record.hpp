@@ -1,4 +1,4 @@
-// Record of a press_hold run, for the files of the run and its HTML page.
+// Data of a press_hold run that its files and its HTML page contain.
 #pragma once
 
 #include "burnish/tasks/press_hold/press_hold.hpp"

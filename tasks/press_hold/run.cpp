@@ -11,7 +11,7 @@
 namespace burnish::press_hold {
 namespace {
 
-/// Returns the first row of a phase or of any later phase.
+/// Returns the index of the first row that belongs to `phase` or to a later phase.
 int first_row(const Trace& trace, int phase) {
   const Trace::Column phases = trace.column("phase");
   return static_cast<int>(
@@ -87,7 +87,7 @@ RunResult run_task(const RunSpec& spec) {
                           .mpc = &mpc,
                           .plan_step = 0.01,
                           .plan_rate = spec.plan_rate};
-  // The run ends by the time of the schedule, whose clock stops while contact is late.
+  // The run ends when the schedule's clock reaches `end`. The clock stops while contact is late.
   run.goes_on = [&](double now, const Command&) {
     return mpc.schedule().time() < end && now < max_duration;
   };

@@ -16,7 +16,8 @@
 namespace burnish::press_hold {
 namespace {
 
-/// Monitor of a PressingTask that also limits the slip of the tool from its point of contact.
+/// Monitor with the checks of a PressingTask and a limit on the slip of the tool from its point of
+/// contact.
 class Holding final : public MpcTask {
  public:
   Holding(std::unique_ptr<MpcTask> pressing, const MpcSpec& spec, const Task& task,
@@ -57,8 +58,8 @@ double force_at(const Task& task, const Setting& setting, double time) {
                                 pressing::smooth((time - setting.touch) / task.ramp_duration);
 }
 
-/// Returns the target of the state over time: a smooth motion from q_start to q_aside, at rest
-/// before and after.
+/// Returns the target state over time: a smooth motion from q_start to q_aside, with rest before
+/// and after the motion.
 Signal posture(const Task& task, const Setting& setting) {
   const Eigen::Index nq = setting.q_start.size(), nv = setting.robot.model.nv;
   return Signal::over_time(
@@ -186,8 +187,8 @@ bool has_joint(const Model& model, const std::string& name) {
                      [&](const Joint& joint) { return joint.nq == 1 && joint.name == name; });
 }
 
-/// Returns joint number three, counted from the base, of the joints that carry the tool; the last
-/// joint if there are fewer.
+/// Returns the third of the joints that carry the tool, counted from the base. If fewer than three
+/// joints carry it, returns the last of them.
 const Joint& third_joint(const Model& model, const std::string& tool) {
   const int body = model.frames[to_size(model.frame_index(tool))].body;
   const Joint* last = nullptr;

@@ -26,7 +26,8 @@ AdmittanceSpec checked(const Model& model, AdmittanceSpec spec) {
 /// Queue that delays joint commands by a constant time.
 class DelayLine {
  public:
-  /// `delay`: delay [ticks]. A command must be sent every `every` ticks.
+  /// `delay`: time by which commands are delayed [ticks]; `every`: time between two commands
+  /// [ticks].
   DelayLine(const Model& model, long delay, long every)
       : delay_(delay),
         slots_(to_size(delay / every + 2),

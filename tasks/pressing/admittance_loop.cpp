@@ -91,8 +91,8 @@ double AdmittanceLoop::normal_speed(const TaskPoint& target, double inertia,
 }
 
 /// Computes the joint velocities step_ [rad/s (m/s)] that move the tool with `v_tool`, by damped
-/// least squares. In the null space, joints move towards the posture. If a joint would exceed its
-/// velocity limit, all velocities are scaled down.
+/// least squares. In the null space of the tool's Jacobian, joints move towards `posture_`. If a
+/// joint would exceed its velocity limit, all velocities are scaled down.
 void AdmittanceLoop::solve_joints(const Eigen::Vector3d& v_tool) noexcept {
   difference_configuration(tree_, q_.data(), posture_.data(), homing_.data());
   homing_ *= gains_.posture_gain;

@@ -27,10 +27,10 @@ class AdmittanceLoop {
   /// Handles the first contact: clears the integral of the force error and stops the tool along the
   /// normal.
   void touch() noexcept;
-  /// Advances the commanded robot by one period; command() returns the command at the start of the
-  /// period. `pressing`: true to control the force, false to control the speed of the approach.
-  /// `may_integrate`: true if no torque is at its limit. `mass_matrix`: mass matrix of the robot,
-  /// nv x nv. If the returned status is an error, the command is unchanged.
+  /// Advances the commanded robot by one period; command() then returns the command for the start
+  /// of this period. `pressing`: true to control the force, false to control the speed of the
+  /// approach. `may_integrate`: true if no torque is at its limit. `mass_matrix`: mass matrix of
+  /// the robot, nv x nv. If the returned status is an error, the command is unchanged.
   Status step(const TaskPoint& target, const Eigen::Vector3d& force_world, bool pressing,
               bool may_integrate, const Eigen::MatrixXd& mass_matrix) noexcept;
   const JointCommand& command() const noexcept { return command_; }

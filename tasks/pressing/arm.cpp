@@ -17,7 +17,8 @@ bool is_of_loop(const Model& model, const std::string& frame) {
                      [&](const Loop& loop) { return loop.first == frame || loop.second == frame; });
 }
 
-/// Returns a rank that is higher the more a name looks like the frame of a tool; 0: not at all.
+/// Returns a score of how well a name fits the frame of a tool. The score 0 means that it does not
+/// fit.
 int likeness(const std::string& name) {
   int rank = 6;
   for (const char* word : {"tcp", "tool", "flange", "grasp", "_ee", "end_effector"}) {
@@ -135,8 +136,8 @@ void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal,
 std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd& q,
                                             const Disturbances& disturbances,
                                             const LightJointOptions& options) {
-  // Joints that would be light with 1/1.25 of their inertia get an armature too. If one joint is
-  // light, the description probably states no rotor inertias at all. Chosen by hand.
+  // Joints that would be too light with 1/1.25 of their inertia get an armature too. If one joint
+  // is light, the description probably states no rotor inertias at all. Chosen by hand.
   constexpr double nearly_light = 1.25;
   std::map<std::string, double> added;
   if (light_joints(model, q, disturbances, options).empty()) return added;

@@ -10,14 +10,14 @@
 namespace burnish::pressing {
 
 /// Loads a robot. If `robot` is a URDF file, which has no settings, only the joints that carry the
-/// tool move; the others are locked at zero. With `stands`, all joints and the base move. Throws
-/// EntryError for "robot" if load_robot() fails, and for "tool.frame" if the robot does not have
-/// the frame.
+/// tool move; all other joints are locked at zero. With `stands`, all joints and the base move.
+/// Throws EntryError for "robot" if load_robot() fails, and for "tool.frame" if the robot does not
+/// have the frame.
 Robot load_arm(const std::string& robot, const std::string& tool, bool stands = false);
 
 /// Returns "'x' does not exist on robot 'y'" with the nearest name of a frame. If no name is near,
 /// the text lists the end links and the first frames or sites that the robot's files define.
-/// `of_tool`: true to list frames whose name suggests a tool first.
+/// `of_tool`: true to put frames whose names suggest a tool at the start of the list.
 std::string none_of(const Model& model, const std::string& frame, bool of_tool = false);
 
 /// Loads a robot with a floating base, even if its files fix the base. The joints `locked` are

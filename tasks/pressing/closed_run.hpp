@@ -32,8 +32,8 @@ struct ClosedRun {
   RunProgress progress = {};
 };
 
-/// Returns the pushes with a frame each. A push without one acts on the tip or, without a tool, on
-/// the floating base.
+/// Returns the pushes, with a frame added to each push that states none: the frame of the tip or,
+/// without a tool, the frame of the floating base.
 std::vector<Push> with_frames(std::vector<Push> pushes, const Model& model, const SceneSpec& scene);
 
 /// State at the first fault of a run, or at its end.

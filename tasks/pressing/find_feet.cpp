@@ -18,13 +18,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Fractions of the base's height above the ground, chosen by hand.
 constexpr double level = 0.1;      // largest difference in height between feet
-constexpr double opposite = 0.15;  // largest distance of a foot from its mirrored partner
-// Sizes that are assumed if the description does not have any.
+constexpr double opposite = 0.15;  // largest distance of a foot from its partner's mirror image
+// Sizes that are assumed for feet whose size the description does not state.
 constexpr double ball_radius = 0.05, sole_length = 0.2, sole_width = 0.1;
 constexpr double longest_sole = 0.25, widest_sole = 0.15;  // largest sizes of a sole
 
-/// Returns a score of how much a name looks like a frame at the contact point of a foot; 0: not at
-/// all.
+/// Returns a score of how well a name fits a frame at the contact point of a foot. The score 0
+/// means that it does not fit.
 int score_of(const std::string& name) {
   int score = has_one_of(name, {"sole"})           ? 8
               : has_one_of(name, {"foot", "feet"}) ? 6
@@ -67,7 +67,7 @@ class FootSearch {
       return std::nullopt;
     }
     if (!order(ends)) {
-      // Keeps only ends that are named like feet, because other branches may end as low.
+      // Keeps only ends that are named like feet, because other branches may be as low as the feet.
       const std::string why = why_;
       std::erase_if(ends, [&](const End& end) { return name_score(end) == 0; });
       if (ends.empty() || !order(ends)) {
@@ -371,7 +371,7 @@ class FootSearch {
       const pressing::SoleShape shape = sole(end, axes, feet.size_from);
       feet.half_x = std::min(feet.half_x, shape.half_x);
       feet.half_y = std::min(feet.half_y, shape.half_y);
-      constexpr double near = 0.1;  // fraction of half the width
+      constexpr double near = 0.1;  // tolerance, as a fraction of half the width
       put_frame(end, axes * shape.centre, axes, near * shape.half_y, feet);
     }
     return feet;
@@ -398,7 +398,7 @@ class FootSearch {
   }
 
   std::optional<Feet> with_balls(const std::vector<End>& ends) {
-    // Distance of a frame from the centre of a foot [m], chosen by hand.
+    // Largest distance at which a frame is taken as the centre of a foot [m]; chosen by hand.
     constexpr double near = 2e-3;
     Feet feet;
     feet.radius = infinity;

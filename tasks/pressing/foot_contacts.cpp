@@ -11,10 +11,10 @@
 namespace burnish::pressing {
 namespace {
 
-/// Smallest part of a constraint row that must be independent of the rows before it, as a fraction
-/// of the row's length. Soles in found postures are level to 1e-4 rad, so that the fraction is
-/// up to 1e-4 in dependent rows. For legs that can move a foot in the direction of the row, the
-/// fraction is 0.05 or more.
+/// Limit below which a constraint row counts as dependent on the preceding rows: length of its
+/// independent component, as a fraction of its length. Dependent rows have up to 1e-4, because
+/// soles in found postures are level to 1e-4 rad. Rows along which the leg can move its foot have
+/// at least 0.05.
 constexpr double min_independent_fraction = 3e-3;
 
 Directions held_by(const Standing& standing) {
@@ -51,7 +51,7 @@ std::vector<ContactSpec> foot_contacts(const Model& model, const Standing& stand
     feet.push_back(contact.with_gains(0.0, standing.contact_kd));
   }
   if (feet.empty()) return feet;
-  // Puts loops before feet: diagnose() reports a row as redundant if rows before it imply it.
+  // Puts loops before feet: diagnose() reports a row as redundant if the preceding rows imply it.
   std::vector<ContactSpec> all = loop_contacts(model);
   all.insert(all.end(), feet.begin(), feet.end());
   const ContactSet set(model, all);

@@ -12,8 +12,8 @@ namespace burnish::pressing {
 
 /// Returns one contact per foot, named as the frame of the foot. Soles hold six directions, point
 /// feet three. Some legs have few joints, for example no ankle roll, and cannot move a foot in some
-/// directions while the other feet stand. A direction that depends on preceding directions at `q`
-/// (nq) is left out. Throws Error if `q` is not a configuration.
+/// directions while the other feet stand. A direction is left out if it depends on preceding
+/// directions at the configuration `q` (nq). Throws Error if `q` is not a configuration.
 std::vector<ContactSpec> foot_contacts(const Model& model, const Standing& standing,
                                        const Eigen::VectorXd& q);
 

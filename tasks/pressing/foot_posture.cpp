@@ -33,7 +33,7 @@ std::vector<bool> entries_of_legs(const Model& model, const Standing& standing) 
   return leg;
 }
 
-/// Deviations of feet and trunk from their targets, with the Jacobian.
+/// Deviations of feet and trunk from their targets, with the Jacobian of the deviations.
 class OffPlace {
  public:
   OffPlace(const Model& model, const Standing& standing, const FootPosture& wanted)
@@ -216,8 +216,8 @@ Eigen::Isometry3d level(Eigen::Isometry3d foot) {
   return foot;
 }
 
-/// Returns a posture with the base lowered by `crouch`: of the postures found, the one with the
-/// smallest torques, or nothing. The search starts at `from`; `last` receives its last iterate.
+/// Searches for postures with the base lowered by `crouch`, starting near `from`. Returns the
+/// posture found that has the smallest torques, or nothing. `last` receives the last iterate.
 std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standing& standing,
                                                 const Eigen::VectorXd& from, double crouch,
                                                 Eigen::VectorXd& last) {
@@ -236,8 +236,8 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
   }
   wanted.base_height = ground + (1.0 - crouch) * (base.translation().z() - ground);
   constexpr double tolerance = 1e-4;
-  // Trunk and arms move only if no posture is found with the legs alone. The search starts with
-  // knees bent to either side, because straight legs are singular.
+  // Trunk and arms move only if no posture is found with the legs alone. Searches start with legs
+  // bent by several angles in both directions, because straight legs are singular.
   std::optional<Eigen::VectorXd> best;
   double min_torque = std::numeric_limits<double>::infinity();
   for (const double others : {0.0, 0.1, 1.0}) {

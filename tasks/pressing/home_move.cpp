@@ -88,9 +88,9 @@ double stretch_for_torque(const Model& model, const Eigen::VectorXd& q_begin,
                           const Eigen::VectorXd& displacement, double duration) {
   constexpr int samples = 40;
   constexpr double torque_fraction = 0.8;  // default of ReachOptions::torque_share
-  // Fraction of the limit that is left for the motion; chosen by hand.
+  // Smallest fraction of a torque limit that the motion may use; chosen by hand.
   constexpr double min_fraction = 0.1;
-  constexpr double max_stretch = 5.0;  // largest factor; chosen by hand
+  constexpr double max_stretch = 5.0;  // largest returned factor; chosen by hand
   ContactDynamics dynamics(model);
   double stretch = 1.0;
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);

@@ -11,9 +11,10 @@
 namespace burnish::pressing {
 
 /// Returns the move from home to the start posture; nullopt if the task states no home. The move is
-/// straight in joint space unless check_home_move() finds that it touches the surface. It then
-/// passes through a corner, which is the start lifted along the normal. The lift is 0.05, 0.1 or
-/// 0.2 m, whichever passes the check first. If none passes, the move is straight.
+/// straight in joint space unless check_home_move() finds that the robot would touch the surface.
+/// In that case, the move passes through a corner: the start posture, lifted along the normal by
+/// 0.05, 0.1 or 0.2 m, the first of these that passes the check. If none passes, the move is
+/// straight.
 /// Throws EntryError for "home" (an unknown posture or joint, values beyond a joint's limits, a
 /// robot with loops or a floating base) and for "home.duration" (a joint would exceed its velocity
 /// limit).

@@ -35,7 +35,7 @@ constexpr double max_finger_mass = 0.01;
 /// Returns whether each joint of the model belongs to a finger.
 std::vector<bool> are_of_fingers(const Model& model) {
   const std::size_t count = model.joints.size();
-  // Mass of the joint's body and of all its descendants [kg].
+  // By joint: mass of its body and of all descendants of this body [kg].
   std::vector<double> carried(count, 0.0);
   for (std::size_t i = count; i-- > 0;) {  // backwards, because parents come before their children
     carried[i] += model.joints[i].mass;

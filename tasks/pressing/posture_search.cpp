@@ -33,7 +33,8 @@ struct Candidate {
   double manipulability = 0.0;  ///< Smallest singular value of the tool's Jacobian [m].
 };
 
-/// Weights of two aims in a search step: the axis of the tool, and the middle of the joint ranges.
+/// Weights of two aims of a search step: to turn the tool's axis to its target, and to move joints
+/// towards the middle of their ranges.
 struct Balance {
   double damping;  ///< Damping of the axis error; infinite: the axis is ignored [rad].
   double middle;  ///< Fraction of the distance to the middle of the joint ranges that a step moves.
@@ -41,7 +42,6 @@ struct Balance {
 // Chosen by hand.
 constexpr Balance balances[] = {{0.05, 0.0}, {0.05, 0.02}, {1.0, 0.05}};
 
-/// Inputs of a posture search.
 struct SearchInput {
   const PressingPlace& place;
   const Model& model;
@@ -50,7 +50,7 @@ struct SearchInput {
   const CheckReach& check_reach;
 };
 
-/// Search that descends from starting postures and evaluates the results.
+/// Search that improves starting postures by iteration, and evaluates the results.
 class Search {
  public:
   /// `press`: unit vector of the pressing direction, in the frame of the tool.
@@ -99,8 +99,8 @@ class Search {
     return evaluated(q);
   }
 
-  /// Returns the condition on a starting posture that the candidate violates; empty if it meets all
-  /// conditions.
+  /// Returns a text about the first condition that the candidate violates; empty if the candidate
+  /// meets all conditions on starting postures.
   std::string complaint(const Candidate& c) const {
     const auto turned = [](double rad) { return number(rad * 57.29577951308232) + " degrees"; };
     if (c.off > options_.reach.tolerance)
@@ -160,8 +160,8 @@ class Search {
     const int rows = place ? 6 : 3, nv = model_.nv;
     Eigen::MatrixXd J(rows, nv);
     Eigen::VectorXd error(rows);
-    // Shortest rotation from the axis to the inward normal. If the two are opposite, any rotation
-    // axis will do.
+    // Shortest rotation from the pressing axis to the inward normal. If the two are opposite, any
+    // perpendicular rotation axis serves.
     Eigen::Vector3d turn = axis.cross(into_);
     const double sine = turn.norm();
     turn = sine > 1e-9 ? Eigen::Vector3d(turn / sine) : Eigen::Vector3d(axis.unitOrthogonal());
@@ -197,8 +197,8 @@ class Search {
       }
   }
 
-  /// Adds whole turns to joint angles. Each angle then is the one nearest to the middle of its
-  /// range, or nearest to zero without limits. Joints that lead other joints are unchanged.
+  /// Adds whole turns to joint angles, so that each angle is as near as possible to the middle of
+  /// its range, or to zero without limits. Joints that other joints follow are unchanged.
   void unwind(Eigen::VectorXd& q) const {
     constexpr double turn = 2.0 * std::numbers::pi;
     for (const Joint& joint : model_.joints) {
@@ -241,10 +241,10 @@ class Search {
     return body == other;
   }
 
-  /// Sets `body` and `body_wanted` of a candidate: distance between two parts of the robot, and
-  /// required distance. Three points of the last link are compared with the links of the arm and
-  /// with the origins of all other links. The pair with the smallest ratio of distance to required
-  /// distance is kept.
+  /// Sets `body` and `body_wanted` of a candidate to the distance and the required distance of the
+  /// critical pair. A pair is one of three points of the last link, and a link of the arm or the
+  /// origin of another link. The critical pair has the smallest ratio of distance to required
+  /// distance.
   void measure_body(Candidate& c) {
     const auto joint = [&](int index) -> const Joint& { return model_.joints[to_size(index)]; };
     const int last = model_.frames[to_size(model_.frame_index(place_.tool))].body;
@@ -315,8 +315,8 @@ class Search {
     return (p - a - fraction * along).norm();
   }
 
-  /// Returns the largest static torque, with and without the contact force, as a fraction of the
-  /// effort limit.
+  /// Returns the largest static torque of a joint, as a fraction of its effort limit. Both cases
+  /// count: with and without the contact force.
   double torque_fraction() const {
     const Eigen::Vector3d push = -place_.force * into_;
     const Eigen::VectorXd weight = body_.gravity_torque();
@@ -375,8 +375,8 @@ bool same_place(const Model& model, const Candidate& a, const Candidate& b) {
          difference(model, a.q, b.q).cwiseAbs().maxCoeff() < 1e-2;
 }
 
-/// Descends from all starting postures. Returns the results that meet the conditions, the best
-/// first. If there are none, `why` receives the condition that the nearest result violates.
+/// Searches from all starting postures. Returns the results that meet all conditions, the best one
+/// first. If none does, `why` receives a condition that the nearest result violates.
 std::vector<Candidate> good_candidates(Search& search, const Model& model, std::string& why) {
   std::vector<Candidate> good;
   std::optional<Candidate> nearest;

@@ -98,7 +98,8 @@ class Pressing final : public MpcTask {
       normal_world_ = base_world_.linear() * (surface_ ? surface_->normal() : normal_at_first_);
     }
     mean_.add(force);
-    // In a schedule without a phase in free space, noise is estimated while contact is due.
+    // If the schedule has no phase in free space, noise is estimated in the phase in which contact
+    // is due.
     const Touch phase = phase_of(view);
     const bool in_air = phase == Touch::Free || (phase == Touch::Due && !detector_.knows_noise());
     detector_.add(force.dot(normal_world_), in_air);

@@ -1,5 +1,5 @@
-// Records of runs of all tasks that press or stand: figures of ticks, plots, and the HTML page of a
-// run.
+// Records of runs of all tasks that press or stand: statistics of the computing times of ticks,
+// plots, and the HTML page of a run.
 #pragma once
 
 #include "burnish/sim/disturbances.hpp"
@@ -9,7 +9,8 @@
 namespace burnish::pressing {
 
 nlohmann::ordered_json ticks_json(const TaskRun& run);
-/// Returns the figures of a standing robot as JSON; null for a robot that does not stand.
+/// Returns the figures (measured quantities) of a standing robot as JSON; null for a robot that
+/// does not stand.
 nlohmann::ordered_json standing_json(const TaskRun& run);
 
 /// Returns the names of all files that write_run_files() may write for a run.

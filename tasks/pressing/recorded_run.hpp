@@ -1,5 +1,5 @@
-// Writing of the files of a run. A task describes its run by a RecordedRun, from which these
-// functions make the parts that all tasks have in common.
+// Writing of the files of a run. A task describes its run by a RecordedRun. From this description,
+// the functions below make the contents that files of all tasks have in common.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace burnish::pressing {
 
-/// Specification of a run with its name.
+/// Specification of a run, and the name of the run.
 template <class RunSpec>
 struct NamedRun {
   std::string name;          ///< Title of the page.
@@ -17,7 +17,8 @@ struct NamedRun {
   RunSpec spec;
 };
 
-/// Figures that only one task has: a section of metrics.json, and entries of the HTML page.
+/// Figures (measured quantities) that only one task has, as a section of metrics.json and as
+/// entries of the HTML page.
 struct OwnFigures {
   std::string section;
   Json json = nullptr;
@@ -47,7 +48,7 @@ struct RecordedRun {
   Eigen::Vector3d origin_world = Eigen::Vector3d::Zero();
   /// Names of the phases, by their number in the trace.
   std::vector<std::string> phase_names = {};
-  int phase = 0;                 ///< Phase of a tool that has its own plots.
+  int phase = 0;                 ///< Phase that has its own plots, for tasks with a tool.
   std::string phase_title = {};  ///< Title of the plots of `phase`, such as "while it holds".
   double update_period = 0.0;    ///< Time between two plans [s].
   std::optional<Metrics> metrics = {};
@@ -76,8 +77,8 @@ RecordedRun record_of(const std::string& task, const NamedRun<RunSpec>& run,
           .scene = result.setting.scene};
 }
 
-/// Returns the figures of a task as JSON and for the HTML page; empty without figures. `each(see)`
-/// must call see(entry, member) for each figure.
+/// Returns `figures` as JSON and as entries of the HTML page; both are empty without figures.
+/// `each(see)` must call see(entry, member) for each figure.
 template <class Figures, class Each>
 OwnFigures own_figures(const std::string& section, const std::optional<Figures>& figures,
                        const Each& each) {

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* time_axis = "time [s]";
 constexpr int black = 6;
 
-/// Returns a curve with at most 3000 of its points.
+/// Returns the curve reduced to at most 3000 points.
 Curve thinned(Curve curve) {
   constexpr Eigen::Index max_points = 3000;
   if (curve.x.size() <= max_points) return curve;

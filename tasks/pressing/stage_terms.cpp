@@ -18,11 +18,12 @@ Eigen::VectorXd rest_torque(const Model& model, const Eigen::VectorXd& q) {
 }
 
 namespace {
-/// Returns the scale of constraint rows with limits +- limit: the limit, or 1 without a limit.
+/// Returns the scale of constraint rows that are limited to +- `limit`. The scale equals the limit,
+/// or 1 for a row without a limit.
 Eigen::VectorXd scale_of(const Eigen::VectorXd& limit) {
   return limit.unaryExpr([](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; });
 }
-/// Returns the entries of a vector (nv) without those of a floating base, which come first.
+/// Returns the vector `entries` (nv) without the entries of a floating base, which come first.
 Eigen::VectorXd of_joints(const Model& model, const Eigen::VectorXd& entries) {
   const Joint& first = model.joints.front();
   return first.kind == JointKind::FreeFlyer ? Eigen::VectorXd(entries.tail(model.nv - first.nv))

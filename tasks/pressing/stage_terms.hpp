@@ -30,9 +30,9 @@ std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limit
                                      const Eigen::VectorXd& q_start);
 /// Returns constraints on the controls; empty without effort limits.
 std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits);
-/// Returns constraints on torque rates; empty without effort limits. The rates are those of a
-/// torque model with this cut-off frequency [rad/s]. Throws EntryError for rate limits without a
-/// cut-off frequency.
+/// Returns constraints on torque rates; empty without effort limits. The rates are computed from a
+/// torque model with the cut-off frequency `cutoff` [rad/s]. Throws EntryError for rate limits
+/// without a cut-off frequency.
 std::vector<Constraint> torque_rate_limits(const Model& model, const PlanLimits& limits,
                                            double cutoff);
 /// Returns the largest torques that the controller may send (nv) [Nm (N)].
@@ -50,11 +50,11 @@ CostTerm torque_cost(const Eigen::VectorXd& rest, double weight);
 /// the reference.
 CostTerm place_cost(const std::string& name, const std::string& tool, const Signal& position,
                     const Reference& on_surface, double weight, double normal_weight);
-/// Returns a cost on the tool's speed in the world along the normal, the third axis of the
-/// reference. Of the twist `target`, only the third entry matters.
+/// Returns a cost on the deviation of the tool's normal speed from the third entry of the twist
+/// `target`. The speed is relative to the world; the normal is the third axis of the reference.
 CostTerm normal_speed_cost(const std::string& name, const std::string& tool, const Signal& target,
                            const Reference& on_surface, double weight);
-/// Returns a twist (6) with this speed along z [m/s].
+/// Returns a twist (6) whose only nonzero entry is the linear velocity `speed` along z [m/s].
 Eigen::VectorXd normal_twist(double speed);
 /// Returns a cost on the deviation of the normal force of the contact "surface" from `force` [N].
 CostTerm force_cost(const Signal& force, double weight);

@@ -115,9 +115,10 @@ class HeldMotion {
 }  // namespace
 
 Fallback steady_fallback(const MpcSpec& mpc, const std::vector<SupportSpec>& feet) {
-  // Gain margins, chosen by hand. The second margin is used if no scale reaches the first one.
+  // Gain margins, chosen by hand. The second margin is used if no entry of `scales` reaches the
+  // first one.
   constexpr std::array margins{2.0, 1.0};
-  constexpr std::array scales{1.0, 0.7, 0.5, 0.35};  // with smaller gains, a robot sags
+  constexpr std::array scales{1.0, 0.7, 0.5, 0.35};  // smaller gains let robots sag
   Fallback fallback = mpc.fallback;
   if (feet.empty() || !mpc.problem.model.loops.empty()) return fallback;
   const HeldMotion motion(mpc, feet);

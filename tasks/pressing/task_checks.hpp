@@ -13,8 +13,8 @@ namespace burnish::pressing {
 /// duration [s].
 void check_durations(const std::vector<std::pair<std::string, double>>& durations);
 
-/// Throws EntryError for `controller.step` if the step of plans [s] is at least 2 / kd. With such a
-/// step, errors of the contact grow from knot to knot. `kd`: damping of the contact [1/s]; `named`:
+/// Throws EntryError for `controller.step` if the step of plans [s] is at least 2 / kd, because
+/// contact errors would then grow from knot to knot. `kd`: damping of the contact [1/s]; `named`:
 /// entry that states `kd`.
 void check_contact_step(double step, const std::string& named, double kd);
 
@@ -28,15 +28,14 @@ struct PlanTimes {
 /// the time between two updates, or the knots do not fit into the horizon.
 void check_plan_times(const PlanTimes& times);
 
-/// Returns the PlanTimes of a task.
 template <class Task>
 PlanTimes plan_times_of(const Task& task) {
   return {task.tick_rate, task.update_rate, task.solver_delay, task.horizon, task.step, task.knots};
 }
 
 /// Adds a note if a stated `friction` of the surface has no effect because the disturbances state
-/// another value. `key`: entry of `friction`, such as "surface.friction"; `usual`: default of this
-/// entry.
+/// another friction. `key`: key of `friction` in task files, such as "surface.friction"; `usual`:
+/// default of this key.
 void note_friction(const std::string& key, double friction, double usual,
                    const Disturbances& disturbances, std::vector<std::string>& notes);
 

@@ -16,7 +16,8 @@ class MeanForce {
   explicit MeanForce(int samples) : ring_(Eigen::Matrix3Xd::Zero(3, samples)) {}
   void reset() noexcept;
   void add(const Eigen::Vector3d& force) noexcept;
-  /// Returns the mean over the window; over all samples until the window is full [N].
+  /// Returns the mean over the window [N]. Until the window is full, it is the mean over all
+  /// samples.
   const Eigen::Vector3d& value() const { return mean_; }
   int samples() const { return static_cast<int>(ring_.cols()); }
   bool is_full() const { return count_ >= ring_.cols(); }
@@ -28,7 +29,8 @@ class MeanForce {
 };
 
 /// Monitor of the force in free space. At the start of the phase Touch::Leaving, the tool still
-/// presses. It counts as free once it has been off the surface for longer than a bounce takes.
+/// presses. The tool counts as free once it has been off the surface for longer than a bounce
+/// takes.
 class FreeSpaceWatch {
  public:
   FreeSpaceWatch(const ToolLimits& limits, double contact_threshold)
@@ -44,7 +46,7 @@ class FreeSpaceWatch {
   double threshold_;
   /// Time in the phase Leaving, and time off the surface [s].
   double leaves_for_ = 0.0, off_for_ = 0.0;
-  bool released_ = false;  ///< True if the tool has left the surface, or should have.
+  bool released_ = false;  ///< True once the tool is off the surface, or should be by now.
 };
 
 /// Monitor of contact that comes later than planned.

@@ -14,9 +14,9 @@ struct PlanAt {
 };
 PlanAt plan_now(const MpcController& mpc);
 
-/// Returns the names of hard constraints that the plan reaches to within a thousandth of their
-/// scale, such as "torque limits/arm_left_4_joint, pressure of ...". At most three names, sorted by
-/// the number of knots at which the constraint is reached.
+/// Returns the names of at most three hard constraints that the plan reaches to within a thousandth
+/// of their scale, such as "torque limits/arm_left_4_joint, pressure of ...". Constraints that are
+/// reached at the most knots come first.
 std::string limits_near(const ProblemSpec& spec, const PlanAt& plan);
 
 }  // namespace burnish::push_wall

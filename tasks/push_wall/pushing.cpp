@@ -13,7 +13,7 @@ namespace {
 
 using pressing::slid;
 
-/// Updates the low-pass filter `mean` with a time constant [s].
+/// Adds the sample `value` to the low-pass filter `mean`, which has the given time constant [s].
 void low_pass(double& mean, double value, double dt, double time_constant) noexcept {
   mean += -std::expm1(-dt / time_constant) * (value - mean);
 }
@@ -146,8 +146,8 @@ void Pushing::reset_slow_slip(const RigidBody& body) noexcept {
     p_slow_[i] = body.placement(feet_[i]).translation();
 }
 
-/// Returns whether a hand or a foot has moved during about the last second, and sets its index. A
-/// high-pass filter removes slow creep.
+/// Returns whether a hand or a foot has slipped during about the last second, and sets `hand` or
+/// `foot` to its index. A high-pass filter removes slow creep.
 bool Pushing::slides(const TaskView& view, int& hand, int& foot) noexcept {
   // Time constant of the high-pass filter [s], chosen by hand.
   constexpr double time_constant = 1.0;

@@ -17,8 +17,8 @@ enum Phase : int { settle, approach, ramp, hold, force_search, top, release, ret
 /// [s]. Chosen by hand.
 inline constexpr double back_duration = 1.5;
 
-/// Returns the statics that compute the largest force of each hand at rest, within the constraints
-/// of plans.
+/// Returns the solver for the largest force with which each hand can push at rest. Its limits on
+/// feet and torques equal those of the plans.
 pressing::Statics make_statics(const Task& task, const Setting& setting);
 
 /// Monitor with two events. "contact": the force of both hands exceeds the threshold. "limit": a
@@ -58,7 +58,7 @@ class Pushing final : public MpcTask {
   Setting setting_;
   std::shared_ptr<SearchState> search_;
   std::array<Hand, 2> hands_;
-  std::vector<int> feet_;  ///< Frames of RigidBody.
+  std::vector<int> feet_;  ///< Frame indices of the feet, for RigidBody.
   /// Positions of the feet in the world: at the start, and low-pass filtered over 1 s [m].
   std::vector<Eigen::Vector3d> p_feet_, p_slow_;
   double start_height_ = 0.0;  ///< Height of the centre of mass at the start [m].

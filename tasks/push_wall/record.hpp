@@ -1,4 +1,4 @@
-// Record of a push_wall run, for the files of the run and its HTML page.
+// Data of a push_wall run that its files and its HTML page contain.
 #pragma once
 
 #include "burnish/tasks/push_wall/push_wall.hpp"

@@ -17,7 +17,7 @@
 namespace burnish::push_wall {
 namespace {
 
-/// Returns the first row of a phase or of any later phase.
+/// Returns the index of the first row that belongs to `phase` or to a later phase.
 int first_row(const Trace& trace, int phase) {
   const Trace::Column phases = trace.column("phase");
   return static_cast<int>(
@@ -205,8 +205,8 @@ std::string outcome_of(const Task& task, const RunResult& result, const pressing
   return text + cause_of(task, result);
 }
 
-/// Returns the scene with the wall of the plant, to which the disturbances of the surface are
-/// applied.
+/// Returns the scene of the plant: `nominal` with the disturbances of the surface applied to the
+/// wall.
 SceneSpec with_true_wall(const Task& task, const SceneSpec& nominal) {
   SceneSpec scene = nominal;
   const SurfaceSpec wall = plant_scene(nominal, task.disturbances).surface;

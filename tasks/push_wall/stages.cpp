@@ -49,7 +49,6 @@ struct Builder {
   const Setting& setting;
   const Model& model;
   Shared force_search;
-  /// Contacts of the feet.
   std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
 
   Eigen::VectorXd state_target() const {
@@ -236,7 +235,8 @@ Eigen::Vector3d com_per_force(const Setting& s, double weight, double ground) {
   return {-m.y() / weight, m.x() / weight, 0.0};
 }
 
-/// Returns the value of Setting::room.
+/// Returns the value of Setting::room, the distance of the centre of pressure at the start from the
+/// middle of the feet [m].
 double room_of(const Setting& s, std::size_t feet) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < feet; ++i)
@@ -355,7 +355,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared force_search) 
   }
   pressing::set_standing(task.standing, mpc);
   mpc.supports.insert(mpc.supports.end(), task.hands.begin(), task.hands.end());
-  mpc.support_sensors = true;  // wrenches are needed, because hands are in contact only at times
+  mpc.support_sensors = true;  // needed, because hands are not always in contact
   mpc.problem.initial_state = build.state_target();
   mpc.problem.stages = build.stages();
   mpc.problem.terminal = build.everywhere();

@@ -25,7 +25,8 @@ double amplitude(const Sway& sway, int direction) {
   return direction < 3 ? sway.shift[direction] : sway.turn[direction - 3];
 }
 
-/// Returns the statics of the robot on its feet, within the constraints of plans.
+/// Returns the solver that checks whether the robot can stand at rest. Its limits on feet and
+/// torques equal those of the plans.
 pressing::Statics make_statics(const Task& task, const Setting& setting) {
   const Model& model = setting.robot.model;
   pressing::StaticsSpec spec{
@@ -35,7 +36,7 @@ pressing::Statics make_statics(const Task& task, const Setting& setting) {
   return {model, spec};
 }
 
-/// Check whether postures with a moved trunk exist, and whether the robot can stand in them.
+/// Tests whether postures with a moved trunk exist, and whether the robot can stand in them.
 class Reach {
  public:
   Reach(const Task& task, const Setting& setting)
@@ -68,8 +69,7 @@ class Reach {
     }
     return std::nullopt;
   }
-  /// Returns whether the trunk can move by this amplitude [m (rad)] in one direction, to both
-  /// sides.
+  /// Returns whether the trunk can move by + and - `amplitude` [m (rad)] along `direction`.
   bool reaches(int direction, double amplitude) {
     // The tolerance is tight. Otherwise, position errors of the feet would count as motion of the
     // trunk.

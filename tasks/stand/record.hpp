@@ -1,4 +1,4 @@
-// Record of a stand run, for the files of the run and its HTML page.
+// Data of a stand run that its files and its HTML page contain.
 #pragma once
 
 #include "burnish/tasks/stand/stand.hpp"

@@ -27,7 +27,6 @@ struct Builder {
   const Task& task;
   const Setting& setting;
   const Model& model;
-  /// Contacts of the feet.
   std::vector<ContactSpec> feet = pressing::foot_contacts(model, setting.standing, setting.q_start);
 
   Eigen::VectorXd start_state() const {

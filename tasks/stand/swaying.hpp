@@ -33,8 +33,8 @@ class Swaying final : public MpcTask {
  private:
   Task task_;
   Setting setting_;
-  int base_;               ///< Frame of RigidBody.
-  std::vector<int> feet_;  ///< Frames of RigidBody.
+  int base_;               ///< Frame index of the base, for RigidBody.
+  std::vector<int> feet_;  ///< Frame indices of the feet, for RigidBody.
   std::vector<Eigen::Isometry3d> start_;
 };
 
