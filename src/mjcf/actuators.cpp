@@ -79,8 +79,9 @@ class Efforts {
       }
     }
     if (const auto tendon = item.text("tendon")) return add_by_tendon(*tendon, gear[0], item);
-    reading_.warning_notes.note("actuators that act on no joint or fixed tendon are ignored",
-                                example_of(item.xml()));
+    reading_.warning_notes.note(
+        "actuators that act on neither a joint nor a fixed tendon are ignored",
+        example_of(item.xml()));
   }
 
   void limit_joints() const {

@@ -278,7 +278,7 @@ void check_free(const Within& within, const std::string& parent, std::size_t joi
   if (parent != world_name)
     refuse_at(within.item.xml(), "a free joint must belong to a body directly in the world");
   if (joints != 1)
-    refuse_at(within.item.xml(), "a free joint must be the only one of its body; this body has " +
+    refuse_at(within.item.xml(), "a free joint must be the only joint of its body; this body has " +
                                      std::to_string(joints) + " joints");
 }
 
@@ -356,7 +356,8 @@ void read_sites(const std::vector<Within>& sites, const std::string& link, Readi
 void note_body_omissions(const XMLElement& body, Reading& reading) {
   const Item item(body, nullptr);
   if (item.flag("mocap", false))
-    reading.warning_notes.note("motion-capture bodies (mocap) are fixed", example_of(body));
+    reading.warning_notes.note("motion-capture bodies (mocap) are read as fixed bodies",
+                               example_of(body));
   if (item.text("gravcomp").value_or("0") != "0")
     reading.warning_notes.note("gravity compensation of bodies (gravcomp) is ignored",
                                example_of(body));

@@ -305,7 +305,7 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
     loop.first_link = link_of(item, "body1", reading);
     loop.second_link = link_of(item, "body2", reading);
     const auto anchor = item.numbers("anchor", 3);
-    if (!is_weld && !anchor) refuse_at(item.xml(), "it has no anchor; a point of body1 is needed");
+    if (!is_weld && !anchor) refuse_at(item.xml(), "it has no anchor; wanted a point of body1");
     // Pose of the second body in the first body's frame at qpos0.
     const Isometry3d drawn = reading.link_at_start.at(loop.first_link).inverse() *
                              reading.link_at_start.at(loop.second_link);

@@ -320,8 +320,7 @@ const XMLElement& asset_model(const std::string& wanted, const XMLElement& at, R
       if (known.back() == wanted) return reading.source.open_model(*asset);
     }
   }
-  refuse_at(at, "model " + in_quotes(wanted) + " is not a <model> of <asset>" +
-                    did_you_mean(wanted, known));
+  refuse_at(at, "<asset> has no <model> " + in_quotes(wanted) + did_you_mean(wanted, known));
 }
 
 /// Adds the classes and assets of another model under a prefix, unless they were added before.

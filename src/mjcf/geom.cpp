@@ -80,7 +80,7 @@ GeomSource state(const Item& item, const Isometry3d& around, const Compiler& com
   if (item.stating("mass") != nullptr) geom.mass = item.number("mass", 0.0);
   geom.density = item.number("density", default_density);
   if (geom.mass.value_or(0.0) < 0.0 || geom.density < 0.0)
-    refuse_at(item.xml(), "its mass or density is negative; it must be zero or positive");
+    refuse_at(item.xml(), "its mass or density is negative; wanted zero or more");
   const std::vector<double> size = item.overlaid("size", {0.0, 0.0, 0.0});
   geom.solid.size = Vector3d(size[0], size[1], size[2]);
   geom.solid.is_shell = item.flag("shellinertia", false);

@@ -62,7 +62,7 @@ void read_key(const XMLElement& key, Names& names, std::size_t size, Reading& re
     refuse_at(key, "qpos has " + std::to_string(qpos.size()) + " numbers; wanted " +
                        std::to_string(size));
   if (!reading.tree.postures.emplace(name, read_posture(key, qpos, reading)).second)
-    refuse_at(key, "two keyframes have this name; the first one is used");
+    refuse_at(key, "an earlier keyframe has the same name");
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ void read_keyframes(const std::vector<const XMLElement*>& elements, Reading& rea
     if (const char* name = key->Attribute("name")) names.take(name);
   for (const XMLElement* key : elements)
     reading.findings.attempt_or_warn([&] { read_key(*key, names, size, reading); },
-                                     "; the posture is left out");
+                                     "; this posture is left out");
   if (!all_neutral) reading.tree.postures.emplace("qpos0", posture_at_start(reading));
 }
 

@@ -133,8 +133,8 @@ int index_of(std::string_view word, std::size_t vertices, const std::string& sou
   const long count = static_cast<long>(vertices);
   const long index = stated < 0 ? count + stated : stated - 1;
   if (stated == 0 || index < 0 || index >= count)
-    refuse(source, "the mesh has a face with the vertex " + in_quotes(word) + "; wanted at most " +
-                       std::to_string(vertices));
+    refuse(source, "the mesh has a face with vertex number " + in_quotes(word) +
+                       "; wanted at most " + std::to_string(vertices) + ", the number of vertices");
   return static_cast<int>(index);
 }
 

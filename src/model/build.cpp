@@ -232,24 +232,26 @@ void check_isometry(const std::string& origin, const std::string& what,
                      (rotation * rotation.transpose()).isIdentity(1e-6) &&
                      rotation.determinant() > 0.0;
   if (valid) return;
-  refuse(origin, what + " is not a placement; wanted a finite position and a rotation matrix");
+  refuse(origin,
+         what + " is not a rigid transformation; wanted a finite position and a rotation matrix");
 }
 
 void add_frames(const TreeSpec& tree, const std::vector<FrameSpec>& frames, Model& model) {
   for (const FrameSpec& added : frames) {
     if (added.name.empty())
-      refuse(tree, "a frame to add has no name; wanted a name for every frame");
+      refuse(tree, "an added frame has no name; wanted a name for every frame");
     if (model.has_frame(added.name)) {
-      refuse(tree, "frame to add " + in_quotes(added.name) + " already exists; wanted a new name");
+      refuse(tree, "the added frame " + in_quotes(added.name) +
+                       " has the name of another frame; wanted a new name");
     }
     if (!model.has_frame(added.parent)) {
       std::vector<std::string> existing;
       for (const Frame& frame : model.frames) existing.push_back(frame.name);
-      refuse(tree, "frame to add " + in_quotes(added.name) + ": its parent frame " +
-                       in_quotes(added.parent) + " does not exist" +
+      refuse(tree, "the parent frame of the added frame " + in_quotes(added.name) + ", " +
+                       in_quotes(added.parent) + ", does not exist" +
                        did_you_mean(added.parent, existing));
     }
-    check_isometry(origin_of(tree), "placement of frame to add " + in_quotes(added.name),
+    check_isometry(origin_of(tree), "the placement of the added frame " + in_quotes(added.name),
                    added.placement);
     const Frame& parent = model.frames[to_size(model.frame_index(added.parent))];
     Frame frame{added.name, FrameKind::User, parent.body, parent.placement * added.placement};

@@ -110,8 +110,9 @@ void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
       if (std::abs(multiplier) != 1.0 || (stiffness > 0.0 && std::abs(rest_difference) > 1e-9)) {
         refuse(origin, "joint " + in_quotes(joint.name) + " has a spring and follows joint " +
                            in_quotes(leader.name) +
-                           ", which is continuous; wanted a multiplier of 1 or -1 and springs with "
-                           "the same rest angle of this joint, or a revolute joint " +
+                           ", which is continuous; wanted a multiplier of 1 or -1 and springs that "
+                           "rest at the same angle of " +
+                           in_quotes(leader.name) + ", or a revolute joint " +
                            in_quotes(leader.name));
       }
     }

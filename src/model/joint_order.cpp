@@ -138,8 +138,8 @@ void JointOrder::require_all_joints() const {
       missing.push_back(joint.name);
   if (missing.empty()) return;
   refuse("the order leaves out " + listed("joint", missing) + ", which " +
-         (missing.size() == 1 ? "moves" : "move") + "; wanted all moving joints, or lock " +
-         (missing.size() == 1 ? "it" : "them"));
+         (missing.size() == 1 ? "moves" : "move") + "; wanted all moving joints, or " +
+         (missing.size() == 1 ? "this joint locked" : "these joints locked"));
 }
 
 void JointOrder::check(const Eigen::Ref<const VectorXd>& entries, int size,

@@ -45,14 +45,14 @@ void choose_locked(Locking& locking) {
       refuse(locking.tree,
              "joint 'root_joint' of a free-flying base cannot be locked; wanted a fixed base");
     }
-    if (moves(find_joint(locking, name, "joint to lock"))) locking.locked.insert(name);
+    if (moves(find_joint(locking, name, "lock: joint"))) locking.locked.insert(name);
   }
   if (locking.options.free.empty()) return;
   std::set<std::string> free;
   for (const std::string& name : locking.options.free) {
     if (free_base && name == root_joint_name) continue;
-    if (!moves(find_joint(locking, name, "joint to leave free"))) {
-      refuse(locking.tree, "joint to leave free " + in_quotes(name) +
+    if (!moves(find_joint(locking, name, "free: joint"))) {
+      refuse(locking.tree, "free: joint " + in_quotes(name) +
                                " is fixed in the description; wanted a moving joint");
     }
     if (locking.locked.contains(name)) {
@@ -65,9 +65,9 @@ void choose_locked(Locking& locking) {
     if (!moves(joint)) continue;
     const bool follows = follows_one_of(locking, joint, free);
     if (free.contains(joint.name) && joint.mimic && !follows) {
-      refuse(locking.tree, "joint to leave free " + in_quotes(joint.name) + " follows joint " +
-                               in_quotes(joint.mimic->leader) +
-                               ", which is locked; wanted that joint free too");
+      refuse(locking.tree, "free: joint " + in_quotes(joint.name) + " follows joint " +
+                               in_quotes(joint.mimic->leader) + ", which is locked; wanted " +
+                               in_quotes(joint.mimic->leader) + " free too");
     }
     if (!free.contains(joint.name) && !follows) locking.locked.insert(joint.name);
   }
@@ -79,9 +79,9 @@ void check_posture(const Locking& locking) {
       check_posture_values(origin_of(locking.tree), name, values, 7);
       continue;
     }
-    const JointSpec& joint = find_joint(locking, name, "joint of the posture");
+    const JointSpec& joint = find_joint(locking, name, "posture: joint");
     if (!moves(joint)) {
-      refuse(locking.tree, "joint of the posture " + in_quotes(name) +
+      refuse(locking.tree, "posture: joint " + in_quotes(name) +
                                " is fixed in the description; wanted a moving joint");
     }
     check_posture_values(origin_of(locking.tree), name, values, posture_size(joint.type));

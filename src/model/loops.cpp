@@ -22,8 +22,9 @@ void check_placement(const LoopSpec& loop, const Eigen::Isometry3d& placement, c
   if (placement.matrix().allFinite() && (R * R.transpose()).isIdentity(1e-6) &&
       R.determinant() > 0.0)
     return;
-  findings.problem(label_of(loop) + ": its " + which +
-                   " frame is not a placement; wanted a finite position and a rotation matrix");
+  findings.problem(
+      label_of(loop) + ": the placement of its " + which +
+      " frame is not a rigid transformation; wanted a finite position and a rotation matrix");
 }
 
 /// Returns an unnamed frame at `placement` in a link.
@@ -75,7 +76,7 @@ void add_loops(const TreeSpec& tree, Model& model) {
                        " are one body, because all joints between them are locked, and the loop "
                        "is open by " +
                        miss.text() +
-                       "; wanted a posture that closes it, or one of the joints free");
+                       "; wanted a posture that closes the loop, or one of the joints free");
     }
     first.name = spec.name + "/first";
     second.name = spec.name + "/second";

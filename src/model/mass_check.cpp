@@ -136,14 +136,14 @@ struct Oddities {
     add(massless,
         verb(massless, " moves", " move") +
             " no mass, so that the mass matrix is singular; give a link beyond the joint a mass, "
-            "or the joint an armature, or lock it");
+            "or the joint an armature, or lock the joint");
     add(twins,
         verb(twins, " moves", " move") +
             " no mass of its own, so that the mass matrix is singular: joints beyond it move "
-            "the same bodies in the same directions; give its link a mass or lock it");
+            "the same bodies in the same directions; give its link a mass or lock the joint");
     add(negative, verb(negative, " moves", " move") +
                       " a negative inertia, so that the mass matrix is not positive definite; "
-                      "correct the inertias of the links beyond the joint or lock it");
+                      "correct the inertias of the links beyond the joint or lock the joint");
   }
 };
 

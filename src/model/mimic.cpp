@@ -42,7 +42,8 @@ Course Courses::of(const JointSpec& joint) {
   if (const auto found = cached_.find(&joint); found != cached_.end()) return found->second;
   if (!in_progress_.insert(&joint).second) {
     refuse(tree_, "joint " + in_quotes(joint.name) +
-                      " copies itself through its leaders; wanted a leader that copies no joint");
+                      " follows itself, directly or through other joints; wanted a leader that "
+                      "follows no joint");
   }
   Course course;
   if (locked_.contains(joint.name)) {
@@ -63,11 +64,11 @@ Course Courses::through_leader(const JointSpec& joint) {
   const JointSpec& leader = named_leader(tree_, joints_, joint);
   if (posture_size(joint.type) != 1) {
     refuse(tree_, "joint " + in_quotes(joint.name) +
-                      " copies another joint but does not have exactly one coordinate; wanted a "
+                      " follows another joint but does not have exactly one coordinate; wanted a "
                       "revolute, continuous or prismatic joint");
   }
   if (posture_size(leader.type) > 1) {
-    refuse(tree_, "joint " + in_quotes(joint.name) + " copies joint " + in_quotes(leader.name) +
+    refuse(tree_, "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
                       ", which has more than one coordinate; wanted a revolute, continuous or "
                       "prismatic joint");
   }
@@ -98,7 +99,7 @@ Course Courses::held_by_lock(const JointSpec& joint) {
   const Course course = through_leader(joint);
   if (course.leader == nullptr) return course;
   const std::string leader = in_quotes(joint.mimic->leader);
-  refuse(tree_, "joint " + in_quotes(joint.name) + " is locked but copies joint " + leader +
+  refuse(tree_, "joint " + in_quotes(joint.name) + " is locked but follows joint " + leader +
                     ", which moves; lock " + leader + " too or give " + in_quotes(joint.name) +
                     " a value in the posture");
 }
@@ -118,7 +119,7 @@ void Courses::check_multiplier(const JointSpec& joint, const JointSpec& leader,
   const JointSpec& endless = turns_endlessly(joint)    ? joint
                              : turns_endlessly(leader) ? leader
                                                        : *above.leader;
-  refuse(tree_, "joint " + in_quotes(joint.name) + " copies joint " + in_quotes(leader.name) +
+  refuse(tree_, "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
                     " with the multiplier " + number(multiplier) + ", but joint " +
                     in_quotes(endless.name) +
                     " is continuous; wanted a revolute joint, or a whole multiplier of at most a "

@@ -91,7 +91,7 @@ void agree_with_leader(const Model& model, const Joint& joint, double stated,
   refuse(label_of(model), "posture of joint " + in_quotes(joint.name) + ": its value is " +
                               number(stated) + ", but it follows joint " + in_quotes(leader.name) +
                               ", which is at " + number(joint_value(model, leader, q)) +
-                              (has_value ? "" : " (without a value of its own)") + " and implies " +
+                              (has_value ? "" : " (not stated in the posture)") + " and implies " +
                               number(given) + "; correct or omit one of the two values");
 }
 
@@ -218,7 +218,7 @@ Eigen::VectorXd configuration(const Model& model, const Posture& posture) {
         name == root_joint_name || std::find(model.locked_joints.begin(), model.locked_joints.end(),
                                              name) != model.locked_joints.end();
     if (!is_ignored) {
-      refuse(label_of(model), "joint of the posture " + in_quotes(name) + " does not exist" +
+      refuse(label_of(model), "posture: joint " + in_quotes(name) + " does not exist" +
                                   did_you_mean(name, existing));
     }
   }

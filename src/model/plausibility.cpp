@@ -100,7 +100,7 @@ void check_velocities(const TreeSpec& tree, Findings& findings) {
   if (degrees.are_majority())
     findings.warn(degrees.text() + " has a velocity limit of " +
                   number(degrees.odd.front()->velocity_limit) + " rad/s; at most " +
-                  number(fastest) + " rad/s was expected. Is it in degrees per second?");
+                  number(fastest) + " rad/s was expected. Is the limit in degrees per second?");
   for (const JointSpec& joint : tree.joints)
     if (joint.type != JointType::Fixed && joint.velocity_limit == 0.0)
       findings.warn(label_of(joint) +
@@ -149,7 +149,7 @@ void check_far_masses(const MovingLinks& robot, Findings& findings) {
       findings.warn(label_of(*link.link) + ": its centre of mass is " +
                     number(link.link->inertia.com.norm()) +
                     " m from its origin, but joints and shapes reach " + number(robot.skeleton) +
-                    " m; a centre inside the link was expected. Is it in mm?");
+                    " m; a centre inside the link was expected. Is the centre in mm?");
 }
 
 /// Warns of a radius of gyration above the robot's reach. Correct files have at most 0.85 of the
@@ -171,12 +171,12 @@ void check_large_inertias(const MovingLinks& robot, Findings& findings) {
   }
   if (worst == nullptr) return;
   const InertiaSpec& inertia = worst->link->inertia;
-  findings.warn(label_of(*worst->link) + ": a moment of inertia of " +
-                number(moments_of(inertia).largest) + " kg m^2 at a mass of " +
-                number(inertia.mass) + " kg gives a radius of gyration of " + number(largest) +
-                " m, beyond the robot's reach of " + number(robot.reach) + " m" +
-                (count > 1 ? ", as for " + std::to_string(count - 1) + " other links" : "") +
-                "; a smaller moment was expected. Is it in kg mm^2, or the mass in t?");
+  findings.warn(
+      label_of(*worst->link) + ": a moment of inertia of " + number(moments_of(inertia).largest) +
+      " kg m^2 at a mass of " + number(inertia.mass) + " kg gives a radius of gyration of " +
+      number(largest) + " m, beyond the robot's reach of " + number(robot.reach) + " m" +
+      (count > 1 ? ", as for " + std::to_string(count - 1) + " other links" : "") +
+      "; a smaller moment was expected. Is the moment in kg mm^2, or the mass in tonnes?");
 }
 
 /// Returns the density of a ball with the link's mass and largest second moment of mass [kg/m^3].
@@ -226,7 +226,7 @@ void check_size(const MovingLinks& robot, Findings& findings) {
   findings.warn("the links weigh " + number(robot.mass) + " kg and reach " + number(robot.reach) +
                 " m: mass over reach cubed is " + number(density) + " kg/m^3; " + number(thinnest) +
                 " to " + number(densest) + " was expected. Are " +
-                (density < thinnest ? "lengths in mm, or masses in t?" : "masses in g?"));
+                (density < thinnest ? "lengths in mm, or masses in tonnes?" : "masses in g?"));
 }
 
 /// Warns of light links with the shape and the inertia of a heavy link.
@@ -247,7 +247,7 @@ void check_light_links(const MovingLinks& robot, Findings& findings) {
     findings.warn(label_of(*link.link) + ": its mass is " + number(inertia.mass) +
                   " kg, but its shapes have a volume of " + number(1e3 * link.volume) +
                   " litres and its moments of inertia are up to " + number(largest) +
-                  " kg m^2; a larger mass was expected. Is it in t?");
+                  " kg m^2; a larger mass was expected. Is the mass in tonnes?");
   }
 }
 
@@ -285,13 +285,14 @@ void check_efforts(const MovingLinks& robot, const ModelOptions& options, Findin
   if (whole <= 0.0 || efforts.seen < 3) return;
   const Suspects large{efforts.large, efforts.seen}, small{efforts.small, efforts.seen};
   if (joints_per_strong * large.odd.size() >= large.seen)
-    findings.warn(
-        large.text() + " has an effort limit of " + number(large.odd.front()->effort_limit) +
-        " Nm; the robot's weight at its reach requires " + number(whole) + " Nm. Is it in Nmm?");
+    findings.warn(large.text() + " has an effort limit of " +
+                  number(large.odd.front()->effort_limit) +
+                  " Nm; the robot's weight at its reach requires " + number(whole) +
+                  " Nm. Is the limit in Nmm?");
   if (small.are_majority())
     findings.warn(small.text() + " has an effort limit of " +
                   number(small.odd.front()->effort_limit) +
-                  " Nm, too little for the weight that it carries. Is it in kNm?");
+                  " Nm, too little for the weight that it carries. Is the limit in kNm?");
 }
 
 void check_armatures(const MovingLinks& robot, Findings& findings) {
@@ -306,7 +307,7 @@ void check_armatures(const MovingLinks& robot, Findings& findings) {
                   (slides ? " kg" : " kg m^2") + ", but " +
                   (slides ? "the whole robot weighs " : "the inertia of the stretched robot is ") +
                   number(scale) + (slides ? " kg" : " kg m^2") +
-                  "; a smaller armature was expected. Is it in kg cm^2?");
+                  "; a smaller armature was expected. Is the armature in kg cm^2?");
   }
 }
 

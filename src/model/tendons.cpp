@@ -113,13 +113,13 @@ TreeSpec with_held_tendons(const TreeSpec& tree, const ModelOptions& options) {
     if (parts.size() > 2) {
       refuse(tree, label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
                        "; wanted at most two moving joints, because one length can couple two "
-                       "joints only: lock the others");
+                       "joints only; lock the others");
     }
     if (!held.can_follow(parts[1].joint, parts[0].joint)) std::swap(parts[0], parts[1]);
     if (!held.can_follow(parts[1].joint, parts[0].joint)) {
       refuse(tree, label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
-                       ", but neither joint can follow the other; wanted one of the two without a "
-                       "leader, and locked or left free only together with the other");
+                       ", but neither joint can follow the other; wanted one of them without a "
+                       "leader of its own, and both locked or both free");
     }
     // c_0 q_0 + c_1 q_1 = rest
     changed.at(parts[1].joint)->mimic =

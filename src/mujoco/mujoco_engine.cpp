@@ -55,17 +55,18 @@ void check_engine_supports(const SurfaceSpec& surface) {
   const SurfaceShape& shape = surface.shape;
   if (!surface.frame.empty())
     throw Error("MuJoCo's own contact does not support a surface that the robot carries (frame " +
-                in_quotes(surface.frame) + "); wanted a surface in the world, or contact: exact");
+                in_quotes(surface.frame) +
+                "); wanted a surface in the world, or the exact contact model (contact: exact)");
   if (!surface.motion.is_at_rest())
     throw Error(
         "MuJoCo's own contact does not support a moving surface; wanted a surface at rest, or "
-        "contact: exact");
+        "the exact contact model (contact: exact)");
   const bool is_supported = shape.kind == Kind::Plane || shape.kind == Kind::Sphere ||
                             shape.kind == Kind::Cylinder || shape.kind == Kind::Ellipsoid;
   if (!is_supported || shape.hollow)
     throw Error("MuJoCo's own contact does not support a " + shape.text() +
-                "; wanted a plane, a sphere, a cylinder or an ellipsoid that is not hollow, or "
-                "contact: exact");
+                "; wanted a plane, or a sphere, cylinder or ellipsoid that is not hollow, or "
+                "the exact contact model (contact: exact)");
 }
 
 /// Returns the points at which MuJoCo connects a loop's frames, in the frames' axes [m]: one point

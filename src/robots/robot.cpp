@@ -91,9 +91,10 @@ Place find_robot(const std::string& name) {
     throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant after it");
   }
   if (!is_settings(*file)) {
-    throw Error("robot " + in_quotes(name) +
-                " names a variant of a description; wanted a settings file, which can have "
-                "variants");
+    throw Error("robot " + in_quotes(name) + " has the variant " + in_quotes(variant) + ", but " +
+                in_quotes(robot) +
+                " is a description, and only settings files have variants; wanted a settings file, "
+                "or no variant");
   }
   return {*file, variant};
 }
@@ -152,7 +153,8 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
   }
   if (options.free.empty()) {
     // In ModelOptions, an empty list of free joints leaves all joints free.
-    refuse(origin, "all joints that the settings leave free are locked; wanted at least one free");
+    refuse(origin,
+           "all joints that the settings leave free are locked; wanted at least one free joint");
   }
   return options;
 }
@@ -293,7 +295,7 @@ void check_loops_closed(const Robot& robot, Findings& findings) {
       const LoopDistance distance{miss.translation, miss.rotation};
       if (!distance.closes())
         findings.warn(what + "its values leave loop " + in_quotes(miss.loop) + " open by " +
-                      distance.text() + "; the joints move until it closes");
+                      distance.text() + "; burnish moves the joints until the loop closes");
     }
   }
 }

@@ -76,8 +76,10 @@ std::string light_joints_text(const std::vector<LightJoint>& joints) {
           " past the speed limit before control reacts; the description probably lacks the inertia "
           "of the motors' rotors";
   if (!lines.empty())
-    text += "; wanted typical rotor inertias, 2 ms x effort / velocity: joints: {" + lines +
-            "} in robot.yaml";
+    text +=
+        "; wanted typical rotor inertias (2 ms x effort limit / velocity limit) in robot.yaml, "
+        "such as joints: {" +
+        lines + "}";
   return text;
 }
 

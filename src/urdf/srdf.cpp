@@ -61,7 +61,7 @@ void add_value(const XMLElement& element, Value value, const XmlPlace& place,
   check_posture_values(place.source, value.joint, value.numbers, posture_size(type));
   const auto [stated, is_new] = posture.emplace(value.joint, value.numbers);
   if (is_new || stated->second == value.numbers) return;
-  refuse(place, element, "joint " + in_quotes(value.joint) + " has two values; the first counts");
+  refuse(place, element, "joint " + in_quotes(value.joint) + " has another value above");
 }
 
 }  // namespace

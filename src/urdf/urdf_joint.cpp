@@ -70,8 +70,9 @@ void read_range(const XMLElement& limit, const XmlPlace& place, JointSpec& joint
   read_number(limit, "lower", place, true, lower, findings);
   read_number(limit, "upper", place, true, upper, findings);
   const auto missing = [&](const char* end, const char* other, double value) {
-    findings.warn(line_text(limit) + place.element + ": <limit> has no '" + end + "' and '" +
-                  other + "' = " + number(value) + "; its " + end + " end is taken as unlimited");
+    findings.warn(line_text(limit) + place.element + ": <limit> has '" + other +
+                  "' = " + number(value) + " but no '" + end +
+                  "'; the joint is taken as unlimited at its " + end + " end");
   };
   if (!has_lower && upper < 0.0) {
     missing("lower", "upper", upper);

@@ -233,7 +233,7 @@ TEST_F(MjcfAttach, BadAttachOrReplicate_IsRefused) {
     return with_arm + "<worldbody>" + swing("", "") + inside + "</worldbody>";
   };
   expect_words(refused(in_world("<attach model='b' body='base' prefix='x_'/>")),
-               {"line 1", "model 'b'", "'a'"});
+               {"line 1", "<model> 'b'", "'a'"});
   expect_words(refused(in_world("<attach model='a' body='bose' prefix='x_'/>")),
                {"body 'bose'", "did you mean 'base'"});
   expect_words(refused(in_world("<attach model='a' body='base'/>")), {"'prefix'"});

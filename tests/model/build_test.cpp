@@ -313,7 +313,7 @@ TEST(ModelBuild, AddedFrames_AreFixedToTheirParents) {
   options.frames = {tip};
   expect_words(refusal([&] { build_model(branching_tree(), options); }), {"tip", "tool"});
   options.frames = {tool, tool};
-  expect_words(refusal([&] { build_model(branching_tree(), options); }), {"tool", "exists"});
+  expect_words(refusal([&] { build_model(branching_tree(), options); }), {"tool", "another frame"});
   options.frames = {tool};
   options.frames[0].placement.linear() *= 2.0;
   expect_words(refusal([&] { build_model(branching_tree(), options); }), {"tool", "placement"});

@@ -230,9 +230,9 @@ TEST(Followers, FixedLeader_LocksFollowersAndFixedFollowersAreIgnored) {
 TEST(Followers, CycleUnknownLeaderOrSeveralCoordinates_AreRefused) {
   TreeSpec tree = coupled_hand();
   tree.joints[1].mimic = MimicSpec{"third", 1.0, 0.0};
-  expect_words(refusal([&] { build_model(tree); }), {"hand.urdf", "copies itself"});
+  expect_words(refusal([&] { build_model(tree); }), {"hand.urdf", "follows itself"});
   tree.joints[1].mimic = MimicSpec{"z_first", 1.0, 0.0};
-  expect_words(refusal([&] { build_model(tree); }), {"'z_first'", "copies itself"});
+  expect_words(refusal([&] { build_model(tree); }), {"'z_first'", "follows itself"});
   tree = coupled_hand();
   tree.joints[2].mimic->leader = "z_firstt";
   expect_words(refusal([&] { build_model(tree); }), {"'second'", "'z_firstt'", "'z_first'?"});
@@ -264,7 +264,7 @@ TEST(Followers, PostureOfAFollower_SetsTheLeaderAndMustNotContradictIt) {
   expect_words(refusal([&] {
                  configuration(continuous, {{"second", {1.0}}});
                }),
-               {"'second'", "'z_first'", "without a value"});
+               {"'second'", "'z_first'", "not stated"});
 }
 
 TEST(Followers, MasslessLeader_MovesTheMassOfItsFollowers) {

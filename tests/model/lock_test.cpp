@@ -128,7 +128,7 @@ TEST(LockedJoints, FollowerWithAnInvalidLeader_IsRefused) {
   expect_words(refusal([&] { build_model(tree, options); }), {"'firstt'", "'first'?"});
   tree = hand();
   tree.joints[1].mimic = MimicSpec{"third", 1.0, 0.0};
-  expect_words(refusal([&] { build_model(tree, options); }), {"copies itself"});
+  expect_words(refusal([&] { build_model(tree, options); }), {"follows itself"});
   tree = hand();
   tree.joints[1].type = JointType::Floating;
   expect_words(refusal([&] { build_model(tree, options); }), {"'second'", "one coordinate"});

@@ -58,7 +58,7 @@ TEST(Loops, InvalidLoop_IsRefusedByName) {
   expect_words(refused(tree), {"a loop has no name"});
   tree = four_bar();
   tree.loops[0].first.linear() *= 2.0;
-  expect_words(refused(tree), {"loop 'pin'", "first frame", "not a placement"});
+  expect_words(refused(tree), {"loop 'pin'", "first frame", "not a rigid transformation"});
   tree = four_bar();
   tree.loops[0].line = 12;
   tree.links[1].name = "pin/first";

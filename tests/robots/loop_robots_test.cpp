@@ -90,7 +90,8 @@ TEST_F(LoopSettings, OpenPosture_IsClosedWithAWarningOrRefused) {
   EXPECT_TRUE(load(pin + posture(0.0)).warnings.empty()) << "six decimals must be accurate enough";
   const Robot moved = load(pin + posture(0.1));
   ASSERT_EQ(moved.warnings.size(), 1U);
-  expect_words(moved.warnings[0], {"posture 'start'", "loop 'pin'", "mm", "move until it closes"});
+  expect_words(moved.warnings[0],
+               {"posture 'start'", "loop 'pin'", "mm", "moves the joints until the loop closes"});
   EXPECT_LT(loop_misses(moved.model, moved.posture("start"))[0].translation, 1e-8);
   RobotOverrides strict;
   strict.strict = true;

@@ -204,7 +204,7 @@ TEST_F(RobotFiles, BadEntriesOfSrdf_AreWarnings) {
   expect_words(robot.warnings[0], {"arm.srdf: line 3: ", "'bad'", "'hinje'", "'hinge'?"});
   expect_words(robot.warnings[1], {"'hinge'", "wanted 1"});
   expect_words(robot.warnings[2], {"line 5", "'far'"});
-  expect_words(robot.warnings[3], {"line 8", "two values"});
+  expect_words(robot.warnings[3], {"line 8", "another value above"});
   expect_words(robot.warnings[4], {"line 9", "no name"});
   // A broken file that nobody requested is a warning only.
   write("arm.srdf", "solid");

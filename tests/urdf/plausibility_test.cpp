@@ -72,7 +72,7 @@ const std::vector<DefectCase>& defect_cases() {
        joints([](JointSpec& j) { j.velocity_limit *= degrees; }),
        {"joint '", "velocity limit of", "degrees per second?"}},
       {"MassesInGrams", links([](InertiaSpec& i) { i.mass *= 1e3; }), {"link '", "in g"}},
-      {"MassesInTonnes", links([](InertiaSpec& i) { i.mass *= 1e-3; }), {"link '", "in t?"}},
+      {"MassesInTonnes", links([](InertiaSpec& i) { i.mass *= 1e-3; }), {"link '", "in tonnes?"}},
       {"LengthsInMillimetres", lengths_in_mm, {"reach", "in mm"}},
       {"InertiasInKilogramSquareMillimetres",
        links([](InertiaSpec& i) { i.inertia_at_com *= 1e6; }),
@@ -146,7 +146,7 @@ TEST(ImplausibleLink, WrongNumber_IsNamedWithItsValue) {
   expect_words(warning_after([](TreeSpec& t) { link_of(t, "link_3").inertia.mass *= 1e3; }),
                {"line ", "link 'link_3'", "2600 kg", "in g"});
   expect_words(warning_after([](TreeSpec& t) { link_of(t, "link_2").inertia.mass *= 1e-3; }),
-               {"link 'link_2'", "0.0036 kg", "in t?"});
+               {"link 'link_2'", "0.0036 kg", "in tonnes?"});
   expect_words(warning_after([](TreeSpec& t) { link_of(t, "link_2").inertia.com *= 1e3; }),
                {"link 'link_2'", "centre of mass", "m from its origin", "in mm?"});
 }

@@ -72,7 +72,7 @@ const std::vector<TreeCase>& tree_cases() {
        {"link 'a'", "principal moment -1", "negative"}},
       {"Massless",
        [](Tree& t) { t.links[4].inertia = {}; },
-       {"joint 'd' moves no mass", "singular", "lock it"}},
+       {"joint 'd' moves no mass", "singular", "lock the joint"}},
       {"PointOnAxis",
        [](Tree& t) { t.links[3].inertia.inertia_at_com.setZero(); },
        {"joint 'c' moves no mass"}},
