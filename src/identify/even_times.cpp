@@ -76,15 +76,15 @@ Unevenness unevenness(const Eigen::VectorXd& time, const Eigen::VectorXd& steps)
 
 void check_gaps(const Unevenness& uneven, Eigen::Index samples) {
   if (uneven.gap > std::max(max_gap, min_bridged_periods * uneven.period))
-    throw Error("the record has no samples for " + ms_text(uneven.gap) + " after " +
-                number(uneven.gap_at) + " s; wanted gaps of at most " +
+    throw Error("the record has no samples for " + ms_text(uneven.gap) + " from " +
+                number(uneven.gap_at) + " s on; wanted gaps of at most " +
                 ms_text(std::max(max_gap, 3.0 * uneven.period)) +
                 ", or a part of the record without this gap");
   const double fraction =
       static_cast<double>(uneven.missing) / static_cast<double>(samples + uneven.missing);
   if (fraction > max_missing_fraction)
     throw Error("the record lacks " + number(100.0 * fraction) +
-                " % of its samples, of which one is expected every " + ms_text(uneven.period) +
+                " % of the samples expected at a period of " + ms_text(uneven.period) +
                 "; wanted at most " + number(100.0 * max_missing_fraction) + " %");
 }
 
@@ -165,8 +165,9 @@ void make_even(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& time
            ms_text(uneven.jitter);
   if (uneven.missing > 0)
     what += (what.empty() ? "" : ", and ") + std::to_string(uneven.missing) +
-            (uneven.missing == 1 ? " sample is" : " samples are") + " missing, the longest gap " +
-            ms_text(uneven.gap) + " after " + number(uneven.gap_at) + " s";
+            (uneven.missing == 1 ? " sample is" : " samples are") +
+            " missing (the longest gap lasts " + ms_text(uneven.gap) + " and begins at " +
+            number(uneven.gap_at) + " s)";
   record.warnings.push_back(what + "; the record is resampled every " + ms_text(record.period) +
                             " by cubic interpolation");
 }

@@ -178,7 +178,7 @@ Excitation::Excitation(const Model& model, const Eigen::VectorXd& q_start, const
   if (!std::isfinite(best_information))
     throw Error(
         "excitation: no motion was found that stays within the effort limits: at full size, " +
-        effort_text(heaviest, spec.effort_share) + ", and still too much even at " +
+        effort_text(heaviest, spec.effort_share) + ", and the effort is still too large at " +
         number(std::round(100.0 * heaviest.size)) +
         " % of the full size; wanted another start (--posture), fewer joints (--joints) or "
         "a larger effort_share (--effort-share)");
@@ -270,7 +270,7 @@ void Excitation::at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::
 Trace Excitation::trace(double period) const {
   if (!(period > 0.0) || duration_ / period > 1e7)
     throw Error("excitation: period is " + number(period) +
-                " s; wanted more than 0, with at most 1e7 rows in the trace");
+                " s; wanted more than 0, and long enough for a trace of at most 1e7 rows");
   // One position per entry of v, because check() allows only joints with one coordinate.
   Eigen::VectorXd start(model_.nv);
   std::vector<TraceColumn> columns{{"time", "s"}};

@@ -67,7 +67,8 @@ void FaultSearch::try_negative_mass() {
   const std::string of = in_quotes(unknowns_.front().frame);
   consider(mass < 0.0 && !unknowns_.front().replaces
                ? "only a mass of " + number(mass) + " kg at " + of +
-                     " explains the torques; does the model contain a part that was not mounted?"
+                     " explains the torques; does the model contain a part that was not mounted on "
+                     "the robot?"
                : "the torques require a physically impossible mass distribution at " + of +
                      "; are the masses of the model's links wrong?",
            as_it_is);

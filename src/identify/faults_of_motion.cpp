@@ -185,8 +185,8 @@ void FaultSearch::try_encoder_offsets() {
     if (joint.nq != 1 || joint.kind == JointKind::Prismatic) continue;
     for (const double by : {-quarter, quarter, 2.0 * quarter})
       consider(
-          in_quotes(q_column(model_, joint.q_index)) + " looks off by " + number(-by) +
-              " rad; does the encoder's zero match the model's?",
+          in_quotes(q_column(model_, joint.q_index)) + " seems to have a constant error of " +
+              number(-by) + " rad; does the encoder's zero match the model's zero?",
           left(rows(with_positions([&](RowMatrix& q) { q.col(joint.q_index).array() += by; }))));
   }
   int best = -1;
@@ -202,8 +202,8 @@ void FaultSearch::try_encoder_offsets() {
   for (int iteration = 0; iteration < 4 && std::abs(offset) < largest; ++iteration)
     offset = improve(best, offset, trial).first;
   constexpr double mild = 0.01;  // Largest usual error of a calibration [rad, m]
-  consider(in_quotes(q_column(model_, best)) + " looks off by a constant " + number(-trial.offset) +
-               " rad (m); is that encoder calibrated?",
+  consider(in_quotes(q_column(model_, best)) + " seems to have a constant error of " +
+               number(-trial.offset) + " rad (m); is that encoder calibrated?",
            trial.squares, std::abs(trial.offset) < mild);
 }
 
@@ -212,7 +212,7 @@ void FaultSearch::try_options() {
     if (spec_.*option) return;
     IdentificationSpec other = spec_;
     other.*option = true;
-    consider(std::string(what) + " explains the torques: " + flag,
+    consider(std::string(what) + " would explain the torques; wanted the option " + flag,
              left(rows(regression(model_, record_, other))), true);
   };
   with(&IdentificationSpec::offset, "a constant error of each torque", "offset (--offset)");

@@ -99,12 +99,11 @@ void FaultSearch::consider_gains(const Eigen::VectorXd& gain, double squares) {
   std::string list;
   for (int k = 0; k < gain.size(); ++k)
     if (std::abs(gain[k] - 1.0) > 0.05)
-      list +=
-          (list.empty() ? "" : ", ") + in_quotes(tau_column(model_, k)) + " by " + number(gain[k]);
-  if (list.empty())
-    list = "by factors from " + number(g.minCoeff()) + " to " + number(g.maxCoeff());
-  as("torques are multiples of the torques that the motion requires, " + list +
-     "; wanted Nm (N) with the sign of the joint's axis: are their sensors calibrated?");
+      list += (list.empty() ? "" : ", ") + number(gain[k]) + " times for " +
+              in_quotes(tau_column(model_, k));
+  if (list.empty()) list = number(g.minCoeff()) + " to " + number(g.maxCoeff()) + " times";
+  as("torques are multiples of the torques that the motion requires (" + list +
+     "); wanted Nm (N) with the sign of the joint's axis: are their sensors calibrated?");
 }
 
 void FaultSearch::try_torque_columns() {

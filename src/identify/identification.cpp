@@ -93,7 +93,7 @@ void warn_of(Identification& result) {
   if (!result.converged)
     result.warnings.emplace_back(
         "the estimate did not converge: the motion hardly distinguishes the "
-        "bodies; name fewer bodies");
+        "bodies; wanted fewer bodies");
   for (const EstimatedInertia& one : result.inertias) {
     const std::vector<int> missing = one.not_shown();
     if (missing.empty()) continue;
@@ -125,9 +125,10 @@ void judge(Identification& result, const identify_detail::Misfit& misfit,
       result.warnings.push_back(oddity + "; the torques still fit the motion");
     return;
   }
-  const std::string left =
-      in_quotes(column) + " has a residual of " + number(result.rms_after[misfit.joint]) +
-      " Nm (N) rms, and its noise is only " + number(result.rms_expected[misfit.joint]);
+  const std::string left = in_quotes(column) + " has a residual of " +
+                           number(result.rms_after[misfit.joint]) +
+                           " Nm (N) rms, but noise explains only " +
+                           number(result.rms_expected[misfit.joint]) + " Nm (N)";
   const std::string guess = fault ? "; " + fault->sentence : std::string();
   if (fault && !fault->is_mild)
     throw Error("identify: the torques do not fit the motion: " + left + guess + joined(oddities));
@@ -137,7 +138,8 @@ void judge(Identification& result, const identify_detail::Misfit& misfit,
                      ? ""
                      : "; wanted positions in rad (m) and torques in Nm (N) of this robot and one "
                        "payload without contacts"));
-  const char* enlarged = result.coulomb.empty() ? ": standard deviations are enlarged for it" : "";
+  const char* enlarged =
+      result.coulomb.empty() ? ", so the standard deviations of the estimates are enlarged" : "";
   result.warnings.push_back(left + enlarged + guess + joined(oddities));
 }
 

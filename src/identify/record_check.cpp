@@ -97,8 +97,8 @@ void mend(CheckedRecord& checked, Eigen::VectorXd& signal, const std::vector<Out
                            (count == 1 ? " sample, at " : " samples, the worst at ") +
                            time_text(checked.record, largest->at);
   if (static_cast<double>(count) > std::max<double>(min_outliers, outlier_fraction * samples))
-    throw Error("identify: " + what + "; wanted at most " + number(100.0 * outlier_fraction) +
-                " % of outliers: is a connection loose?");
+    throw Error("identify: " + what + "; wanted outliers in at most " +
+                number(100.0 * outlier_fraction) + " % of the samples: is a connection loose?");
   checked.warnings.push_back(
       what + (count == 1 ? "; this outlier is replaced" : "; these outliers are replaced") +
       " by interpolation");
@@ -131,7 +131,7 @@ void check_positions(const Model& model, CheckedRecord& checked) {
         checked.warnings.push_back(in_quotes(column) + " wraps by 2 pi " + std::to_string(wraps) +
                                    (wraps == 1 ? " time, at " : " times, first at ") +
                                    time_text(checked.record, first) +
-                                   ": treated as one continuous angle");
+                                   "; it is treated as one continuous angle");
       }
     mend(checked, signal, outliers_of(steps, signal.size()), column, unit_of_q(joint));
     if (!steps.sudden.empty())

@@ -148,7 +148,7 @@ TEST(ContinuousJointRecord, FaultyAngle_IsNamedWithItsFault) {
   expect_refused_record(of("joint_5", [](const std::string&, int, double a) { return -a; }),
                         {"'q_joint_5' have the opposite sign"});
   expect_refused_record(of("joint_3", [](const std::string&, int, double a) { return a + 0.2; }),
-                        {"'q_joint_3' looks off by a constant 0.2"});
+                        {"'q_joint_3' seems to have a constant error of 0.2"});
   expect_refused_record(of("joint_5", [](const std::string&, int i,
                                          double a) { return i == 700 ? std::nan("") : a; }),
                         {"'q_joint_5' holds a NaN or an infinity at 0.7 s"});

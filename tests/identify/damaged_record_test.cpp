@@ -98,7 +98,8 @@ TEST(DamagedRecord, TorquesInOtherUnits_AreRefusedWithTheUnit) {
 
 TEST(DamagedRecord, TorquesWithTheWrongSign_AreRefused) {
   expect_refused([](auto& r) { r.tau *= -1.0; }, {"all torques", "sign"});
-  expect_refused([](auto& r) { r.tau.col(1) *= -1.0; }, {"'tau_joint_2' by -1.0", "sign"});
+  expect_refused([](auto& r) { r.tau.col(1) *= -1.0; },
+                 {"-1.0", "times for 'tau_joint_2'", "sign"});
 }
 
 TEST(DamagedRecord, TorquesThatNeverChange_AreRefused) {
@@ -161,7 +162,7 @@ TEST(DamagedRecord, UnevenTimes_AreResampled) {
 TEST(DamagedRecord, LostSamples_AreInterpolated) {
   const auto lost = [](int i) { return i % 100 < 3; };
   expect_resampled(from_table([](int) { return 0.0; }, lost),
-                   {"samples are missing", "the longest gap 16 ms"});
+                   {"samples are missing", "the longest gap lasts 16 ms"});
 }
 
 TEST(DamagedRecord, LongGapsAndManyLostSamples_AreRefused) {
@@ -175,7 +176,7 @@ TEST(DamagedRecord, LongGapsAndManyLostSamples_AreRefused) {
   };
   EXPECT_NE(refusal([](int i) { return i > 1000 && i < 1020; }).find("no samples for 80"),
             std::string::npos);
-  EXPECT_NE(refusal([](int i) { return i % 10 == 0; }).find("% of its samples"), std::string::npos);
+  EXPECT_NE(refusal([](int i) { return i % 10 == 0; }).find("% of the samples"), std::string::npos);
 }
 
 TEST(DamagedRecord, WrappedAngleAtUnevenTimes_IsUnwrapped) {
@@ -295,8 +296,10 @@ TEST(DamagedRecord, TorquesWithWrongGravity_AreNamed) {
 }
 
 TEST(DamagedRecord, EncoderOffset_IsNamed) {
-  expect_refused([](auto& r) { r.q.col(1).array() += 0.1; }, {"'q_joint_2' looks off"});
-  expect_refused([](auto& r) { r.q.col(5).array() += 0.5 * M_PI; }, {"'q_joint_6' looks off"});
+  expect_refused([](auto& r) { r.q.col(1).array() += 0.1; },
+                 {"'q_joint_2' seems to have a constant error"});
+  expect_refused([](auto& r) { r.q.col(5).array() += 0.5 * M_PI; },
+                 {"'q_joint_6' seems to have a constant error"});
 }
 
 TEST(DamagedRecord, UnmodelledFriction_IsAHintAndEnlargesTheDeviation) {
