@@ -387,7 +387,7 @@ def test_feedback_plan_interpolates_states_and_applies_gains(press):
     x = solver.xs[1] + 0.01
     wanted = feedback.feedforward + feedback.gain @ (x - feedback.state)
     assert np.allclose(plan.control(2.013, x), wanted)
-    with pytest.raises(burnish.Error, match="3 numbers; wanted 14"):
+    with pytest.raises(burnish.Error, match="3 entries; wanted 14"):
         plan.control(2.0, [1.0, 2.0, 3.0])
     small = burnish.Problem(press.spec.problem.replace(
         horizon=[burnish.HorizonSegment("approach", 2)]))

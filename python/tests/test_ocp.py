@@ -135,7 +135,7 @@ def test_horizon_knots_have_individual_steps(robot):
     assert problem.spec.horizon == spec.horizon
     problem.set_step(1, 0.03)
     assert problem.step_of(1) == 0.03
-    with pytest.raises(bn.Error, match="set_step: a step of 0 s; wanted a positive number"):
+    with pytest.raises(bn.Error, match="set_step: the step is 0 s; wanted a positive number"):
         problem.set_step(1, 0.0)
     with pytest.raises(bn.Error, match="9 s with 4 knots"):
         bn.Problem(spec.replace(horizon=[bn.HorizonSegment("move", 4, duration=9)]))

@@ -66,8 +66,8 @@ void check_supports(const MpcSpec& spec) {
           std::find(stage.contacts.begin(), stage.contacts.end(), support) == stage.contacts.end())
         throw Error("MPC: stage " + in_quotes(stage.name) +
                     " does not contain the contact of support " + in_quotes(support) +
-                    "; wanted all supports in every stage, or support_sensors true, with measured "
-                    "wrenches");
+                    "; wanted all supports in every stage, or support_sensors true and a measured "
+                    "wrench of each support");
   }
 }
 

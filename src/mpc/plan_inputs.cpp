@@ -23,10 +23,9 @@ int find_input(const ProblemSpec& problem, const std::string& name, InputKind ki
   for (std::size_t i = 0; i < problem.inputs.size(); ++i) {
     if (problem.inputs[i].name != name) continue;
     if (problem.inputs[i].kind != kind)
-      throw Error(
-          "MPC: input " + in_quotes(name) +
-          " has another kind than the controller's input of this name; wanted its kind or another "
-          "name");
+      throw Error("MPC: input " + in_quotes(name) +
+                  " has another kind than the controller's input of this name; wanted the same "
+                  "kind, or another name");
     return static_cast<int>(i);
   }
   return -1;

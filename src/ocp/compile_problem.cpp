@@ -100,7 +100,7 @@ void check_torque_model(const std::optional<TorqueModel>& model) {
     throw Error("torque_model: held torques have a cut-off of " + number(model->cutoff) +
                 " rad/s; wanted 0 rad/s, or the exact discretisation");
   if (!model->is_held() && (!(model->cutoff > 0.0) || !std::isfinite(model->cutoff)))
-    throw Error("torque_model: cut-off of " + number(model->cutoff) +
+    throw Error("torque_model: the cut-off is " + number(model->cutoff) +
                 " rad/s; wanted a positive number");
 }
 
@@ -247,7 +247,7 @@ KnotTime<double> CompiledProblem::timing(const CompiledStage& stage, double step
 
 void CompiledProblem::check_step(const std::string& place, double step) const {
   if (!(step > 0.0) || !std::isfinite(step))
-    throw Error(place + ": a step of " + number(step) + " s; wanted a positive number");
+    throw Error(place + ": the step is " + number(step) + " s; wanted a positive number");
   if (torque_model && std::abs(decay_after(*torque_model, step)) > 1.0)
     throw Error(place + ": the torque model of " + number(torque_model->cutoff) +
                 " rad/s is unstable with Euler steps of " + number(step) +

@@ -52,7 +52,7 @@ struct ResidualCompiler : TermBuilder {
   void select(Selection::Source source, std::vector<int> entries, int first_column,
               const std::vector<int>& columns, const Signal& signal) {
     term.rows = static_cast<int>(entries.size());
-    if (term.rows == 0) refuse("has no rows; wanted at least one");
+    if (term.rows == 0) refuse("it has no rows; wanted at least one");
     zero_target(signal, term.rows);
     JacobianBlock block{0, term.rows, {}, true};
     for (const int c : columns) block.columns.push_back(first_column + c);
@@ -146,7 +146,7 @@ struct ResidualCompiler : TermBuilder {
     const bool held = layout().holds_torque;
     TorqueRate rate{held ? 1.0 / stage.step : spec.torque_model->cutoff, held, actuators(r.joints)};
     term.rows = static_cast<int>(rate.entries.size());
-    if (term.rows == 0) refuse("has no rows; wanted at least one");
+    if (term.rows == 0) refuse("it has no rows; wanted at least one");
     zero_target(r.target, term.rows);
     for (int i = 0; i < term.rows; ++i)
       term.blocks.push_back(
@@ -368,8 +368,8 @@ struct ResidualCompiler : TermBuilder {
   }
 
   void operator()(const residual::Custom& r) {
-    if (r.rows < 1) refuse("has " + std::to_string(r.rows) + " rows; wanted at least 1");
-    if (!r.value) refuse("has no value function");
+    if (r.rows < 1) refuse("it has " + std::to_string(r.rows) + " rows; wanted at least 1");
+    if (!r.value) refuse("it has no value function; wanted one");
     CustomResidual compiled{r, {}, {}};
     for (const std::string& name : r.frames) compiled.frames.push_back(frame(name));
     for (const std::string& name : r.contacts) compiled.contacts.push_back(contact(name));

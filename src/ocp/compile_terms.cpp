@@ -52,7 +52,7 @@ void TermBuilder::finish_limits(const Eigen::VectorXd& lower, const Eigen::Vecto
              " exclude every number; wanted a lower limit below infinity and an upper limit above "
              "-infinity");
     if (term.lower[i] > term.upper[i])
-      refuse(of + "lower limit " + number(term.lower[i]) + " is above the upper one " +
+      refuse(of + "lower limit " + number(term.lower[i]) + " is above the upper limit " +
              number(term.upper[i]));
   }
 }
@@ -60,7 +60,7 @@ void TermBuilder::finish_limits(const Eigen::VectorXd& lower, const Eigen::Vecto
 void TermBuilder::finish_constraint(const Constraint& constraint) {
   Eigen::VectorXd lower = constraint.lower;
   if (lower.size() == 0 && constraint.upper.size() == 0) {
-    if (!is_margin()) refuse("has no limits; wanted a lower or an upper limit");
+    if (!is_margin()) refuse("it has no limits; wanted a lower or an upper limit");
     lower = Eigen::VectorXd::Zero(1);
   }
   finish_limits(lower, constraint.upper, "the ");
@@ -110,9 +110,9 @@ void TermBuilder::find_curvatures() {
 
 void TermBuilder::finish_weights(const CostTerm& cost) {
   if (!(cost.weight >= 0.0) || !std::isfinite(cost.weight))
-    refuse("weight is " + number(cost.weight) + "; wanted a number of at least 0");
+    refuse("the weight is " + number(cost.weight) + "; wanted a number of at least 0");
   if (cost.weights.size() != 0 && cost.weights.size() != term.rows)
-    refuse("has " + std::to_string(cost.weights.size()) + " row weights; wanted " +
+    refuse("it has " + std::to_string(cost.weights.size()) + " row weights; wanted " +
            std::to_string(term.rows));
   term.weight = cost.weight;
   for (int i = 0; i < term.rows; ++i) {

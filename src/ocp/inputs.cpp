@@ -36,7 +36,8 @@ int checked_size(const InputSpec& spec) {
     return size;
   };
   if (!spec.frame.empty() && spec.kind != InputKind::Inertia)
-    refuse(spec.name, text_of(spec.kind) + " has no frame; wanted no frame, or the kind inertia");
+    refuse(spec.name,
+           text_of(spec.kind) + " cannot have a frame; wanted no frame, or the kind inertia");
   switch (spec.kind) {
     case InputKind::Scalar:
       return wanted(1);
@@ -152,7 +153,8 @@ void add_uses(const Inputs& inputs, const Given& given, const CompiledTerm& term
       return;
     }
     if (!has_target_point(term.residual))
-      throw Error("the residual has neither a curved reference nor a target position; wanted one");
+      throw Error(
+          "the residual has neither a curved reference nor a target position; wanted one of them");
     stage.uses.push_back({How::Depth, input, term.target, 3});
   });
 }

@@ -114,7 +114,8 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
     case StopReason::NotEvaluated:
       return failure(s, problem);
     case StopReason::NotPositiveDefinite:
-      return "Quu is not positive definite at " + problem.knot_name(s.knot) + ", control " +
+      return "the Hessian of the controls (Quu) is not positive definite at " +
+             problem.knot_name(s.knot) + ", control " +
              name_or_number(problem.control_names(), s.control) + ", even with regularization " +
              largest;
     case StopReason::Infeasible:

@@ -351,7 +351,7 @@ TEST_F(Input, InvalidSpecifications_AreRefused) {
   refused(offset, {{.name = "error", .value = Eigen::Vector2d(1.0, 2.0)}},
           {"2 entries", "wanted 1"});
   refused(offset, {{.name = "error", .value = NAN}}, {"NaN"});
-  refused(offset, {{.name = "error", .frame = "tool"}}, {"has no frame"});
+  refused(offset, {{.name = "error", .frame = "tool"}}, {"cannot have a frame"});
   refused(offset, {{.name = ""}}, {"an input has no name"});
   refused({.residual = residual::State{}, .offset_input = "error"}, {scalar},
           {"cannot change the target"});

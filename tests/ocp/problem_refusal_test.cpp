@@ -241,7 +241,7 @@ std::vector<BadSpec> bad_costs() {
       {"limit_nan", with_penalty(Penalty::at_least(nan)), {"lower limit", "NaN"}},
       {"limits_crossed",
        with_penalty(Penalty::barrier(one(1.0), one(0.0))),
-       {"lower limit 1", "above the upper one 0"}},
+       {"lower limit 1", "above the upper limit 0"}},
       {"limit_infinite", with_penalty(Penalty::at_least(infinity)), {"exclude every number"}},
       {"width", with_penalty(Penalty::smooth_absolute(0.0)), {"width is 0"}},
       {"width_nan", with_penalty(Penalty::log_barrier(one(0.0), {}, nan)), {"width is nan"}},
@@ -308,7 +308,7 @@ std::vector<BadSpec> bad_constraints() {
       {"constraint_limit_nan", with(none, one(nan), "box"), {"the upper limit holds a NaN"}},
       {"constraint_crossed",
        with(one(1.0), one(0.0), "box"),
-       {"lower limit 1", "above the upper one 0"}},
+       {"lower limit 1", "above the upper limit 0"}},
       {"constraint_named_as_a_cost",
        with(one(0.0), none, "position"),
        {"constraint 'position'", "used twice"}},
@@ -327,8 +327,8 @@ std::vector<BadSpec> bad_stages() {
       {"stage_terminal",
        [](ProblemSpec& s) { s.stages[0].name = "terminal"; },
        {"'terminal'", "end of the horizon"}},
-      {"step_zero", [](ProblemSpec& s) { s.stages[0].step = 0.0; }, {"step of 0 s", "positive"}},
-      {"step_nan", [](ProblemSpec& s) { s.stages[0].step = nan; }, {"step of nan s"}},
+      {"step_zero", [](ProblemSpec& s) { s.stages[0].step = 0.0; }, {"step is 0 s", "positive"}},
+      {"step_nan", [](ProblemSpec& s) { s.stages[0].step = nan; }, {"step is nan s"}},
       {"impact_of_nothing",
        [](ProblemSpec& s) {
          s.stages[0].impact = true;
@@ -375,7 +375,7 @@ std::vector<BadSpec> bad_robots() {
          s.torque_model = TorqueModel{.cutoff = 0.0};
          s.initial_state = Eigen::VectorXd::Zero(21);
        },
-       {"torque_model", "cut-off of 0"}},
+       {"torque_model", "cut-off is 0"}},
       {"torque_states_with_a_cutoff",
        [](ProblemSpec& s) {
          s.torque_model = TorqueModel{30.0, TorqueModel::Discretization::Held};

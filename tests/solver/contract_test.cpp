@@ -197,7 +197,7 @@ TEST(DdpSolver, IndefiniteControlHessian_NamesTheControl) {
   DdpSolver solver(p);
   EXPECT_EQ(solver.solve().reason, StopReason::NotPositiveDefinite);
   expect_words(solver.text(),
-               {"Quu is not positive definite at stage, knot 9, control 'u0'", "1e+09"});
+               {"(Quu) is not positive definite at stage, knot 9, control 'u0'", "1e+09"});
 }
 
 TEST(DdpSolver, ControlWithoutCost_IsRegularized) {
