@@ -47,8 +47,9 @@ void check(const ContactSpec& spec) {
   const Directions held{
       static_cast<std::uint8_t>(spec.directions.bits & Directions::linear().bits)};
   if (held.count() != 1)
-    throw Error(who + "the contact has friction and holds " +
-                (held.bits == 0 ? std::string("no direction of translation") : held.text()) +
+    throw Error(who + "the contact has friction, " +
+                (held.bits == 0 ? std::string("but none of its directions is a translation")
+                                : "and its directions of translation are " + held.text()) +
                 "; wanted exactly one of x, y and z, the direction in which the contact presses");
 }
 

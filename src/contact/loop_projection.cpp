@@ -193,8 +193,8 @@ std::string LoopProjection::explanation() const {
     if (worst == nullptr || miss.translation + miss.rotation > worst->translation + worst->rotation)
       worst = &miss;
   if (worst == nullptr) return "";
-  return "loop " + in_quotes(worst->loop) + " cannot be closed from the given posture: " +
-         LoopDistance{worst->translation, worst->rotation}.text() + " remain";
+  return "loop " + in_quotes(worst->loop) + " cannot be closed from the given posture: a gap of " +
+         LoopDistance{worst->translation, worst->rotation}.text() + " remains";
 }
 
 std::vector<LoopMiss> loop_misses(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q) {

@@ -58,7 +58,7 @@ std::string explain(Status status, const std::vector<std::string>& joints,
            (one ? "its" : "their") +
            " own at this posture, so that the mass matrix is not positive definite: give the " +
            (one ? "link a mass or the joint" : "links a mass or the joints") +
-           " an armature, or lock " + (one ? "it" : "them");
+           " an armature, or lock the " + (one ? "joint" : "joints");
   }
   if (status == Status::SingularContacts && !rows.empty()) {
     const std::string them = rows.size() == 1 ? "it" : "them";

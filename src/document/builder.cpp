@@ -39,7 +39,7 @@ Node Builder::take() {
 
 void Builder::check_key(const Node& node) {
   if (expects_key() && bad_key_.empty() && (!node.is_scalar() || node.kind == Kind::Null))
-    bad_key_ = sentence(node.place, "its keys must be names");
+    bad_key_ = sentence(node.place, "a key is not a name; wanted a name");
 }
 
 void Builder::count(const Node& node, std::size_t depth) {

@@ -35,7 +35,7 @@ Eigen::Matrix3d matrix_of(const Reader& reader) {
 /// Returns the rotation of the key rpy, quaternion or matrix of a map, or the identity.
 Eigen::Quaterniond rotation_in(const Reader& reader) {
   if (int(reader.has("rpy")) + int(reader.has("quaternion")) + int(reader.has("matrix")) > 1)
-    reader.refuse("more than one of the keys rpy, quaternion and matrix is stated; state one");
+    reader.refuse("several of the keys rpy, quaternion and matrix are stated; state one");
   if (reader.has("rpy")) return from_rpy(reader["rpy"].vector3());
   if (reader.has("quaternion")) return quaternion_of(reader["quaternion"]);
   if (reader.has("matrix")) return Eigen::Quaterniond(matrix_of(reader["matrix"]));

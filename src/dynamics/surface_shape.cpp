@@ -209,8 +209,8 @@ void SurfaceShape::check(const std::string& who) const {
         throw Error(what + ": the distance to its edge is not finite; wanted a number in m");
       if (!(slope > 0.0 && slope < 1.5))
         throw Error(what + ": its slope is " + number(slope) +
-                    " rad; wanted above 0 and below 1.5 (a ridge whose surface rises behind its "
-                    "edge is hollow)");
+                    " rad; wanted above 0 and below 1.5 (if the surface rises behind the edge, "
+                    "state a hollow ridge)");
       return;
     case Kind::Ellipsoid:
       for (const double length : semi_axes) check_length(what, "semi-axis", length);

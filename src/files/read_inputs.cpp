@@ -35,7 +35,8 @@ Signal read_value(InputKind kind, const std::filesystem::path& folder, const Rea
     case InputKind::Inertia:
       break;
   }
-  reader.refuse("a surface or an inertia has no value until the program sets one; wanted no value");
+  reader.refuse(
+      "a surface or an inertia gets its value from set_input(); wanted no value in the file");
 }
 
 InputSpec read_input(const std::string& name, const Reader& reader, const Model& model,

@@ -58,23 +58,30 @@ double number_at(const Reader& reader, const char* key, double otherwise) {
 
 Signal read_circle(const TargetSpace& space, const Reader& reader) {
   if (space.size() != 3)
-    reader.refuse("a circle needs a target with 3 entries, and this target has " +
-                  std::to_string(space.size()) + "; wanted another path");
+    reader.refuse("the path is a circle, but the target has " + std::to_string(space.size()) +
+                  (space.size() == 1 ? " entry" : " entries") +
+                  "; wanted a target with 3 entries, or another path");
   reader.allow_only({"center", "start", "radius", "rate", "axes", "phase"});
   Eigen::Vector3d a = Eigen::Vector3d::UnitX(), b = Eigen::Vector3d::UnitY();
   if (const auto axes = reader.find("axes")) {
     const std::vector<Reader> two = axes->entries();
-    if (two.size() != 2) axes->refuse("wanted two axes of 3 numbers each");
+    if (two.size() != 2)
+      axes->refuse("it has " + std::to_string(two.size()) +
+                   (two.size() == 1 ? " entry" : " entries") +
+                   "; wanted two axes of 3 numbers each");
     a = two[0].vector3();
     b = two[1].vector3();
     if (std::abs(a.norm() - 1.0) > 1e-3 || std::abs(b.norm() - 1.0) > 1e-3 ||
         std::abs(a.dot(b)) > 1e-3)
-      axes->refuse("wanted two axes of length 1 at a right angle");
+      axes->refuse(
+          "the axes do not have length 1 or are not at a right angle; wanted two axes of length 1 "
+          "at a right angle");
   }
   const double radius = reader["radius"].positive(), rate = reader["rate"].number();
   const double phase = number_at(reader, "phase", 0.0);
   if (reader.has("center") == reader.has("start"))
-    reader.refuse("wanted either 'center' or 'start' (the point at time 0)");
+    reader.refuse(std::string("keys 'center' and 'start' (the point at time 0) are both ") +
+                  (reader.has("start") ? "stated; state one" : "missing; wanted one of them"));
   const bool from_center = reader.has("center");
   const Reader origin = reader[from_center ? "center" : "start"];
   a = offsets_from(origin, space, a);
@@ -183,7 +190,9 @@ Signal read_points(const std::filesystem::path& folder, const TargetSpace& space
 
 Signal read_rotation_over_time(const std::filesystem::path& folder, const Reader& reader) {
   reader.allow_only({"line", "points"});
-  if (reader.has("line") == reader.has("points")) reader.refuse("wanted either 'line' or 'points'");
+  if (reader.has("line") == reader.has("points"))
+    reader.refuse(std::string("keys 'line' and 'points' are both ") +
+                  (reader.has("line") ? "stated; state one" : "missing; wanted one of them"));
   return read_target(folder, {{{"quaternion", 4}}, {}, TargetSpace::Kind::Rotation}, reader);
 }
 

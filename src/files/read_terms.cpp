@@ -84,11 +84,11 @@ std::vector<CostTerm> read_costs(const ProblemScope& scope, const std::optional<
     }
     const auto base = shared ? shared->find(name) : std::nullopt;
     if (!base)
-      value.refuse(known.empty()
-                       ? "wanted a cost with a 'type'; the file has no 'terms' to refer to"
-                       : "unknown term; wanted a cost with a 'type', or a name "
-                         "among the file's 'terms'" +
-                             did_you_mean(name, known));
+      value.refuse(known.empty() ? "it has no 'type', and the file has no 'terms' with costs of "
+                                   "this name; wanted a cost with a 'type'"
+                                 : "it has no 'type', and the file's 'terms' have no cost of this "
+                                   "name; wanted a 'type', or a name from 'terms'" +
+                                       did_you_mean(name, known));
     if (value.is_map()) {
       terms.push_back(read_cost(scope, contacts, name, base->changed_by(value)));
     } else {

@@ -83,8 +83,8 @@ std::string PageWriter::finish(const fs::path& folder) const {
   if (page_template().empty()) return std::string("no run.html: ") + no_page;
   if (runs_.size() < 2) return "";
   if (size_ > largest_comparison)
-    return "no comparison.html: the runs take more than 100 MB, too much for one page; burnish "
-           "report makes a page of selected runs";
+    return "no comparison.html: the runs take more than 100 MB, too much for one page; `burnish "
+           "report` makes a page of selected runs";
   write_runs_page(names_, runs_, file);
   return "all runs on one page: " + file.string();
 }

@@ -172,8 +172,8 @@ TEST_P(SlidingTool, ContactWithoutOneNormal_IsRefused) {
     EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
   };
   const SlidingFriction usual;
-  refused(spec(usual, Directions::all()), "holds x,y,z; wanted exactly one of x, y and z");
-  refused(spec(usual, Directions::angular()), "no direction of translation");
+  refused(spec(usual, Directions::all()), "are x,y,z; wanted exactly one of x, y and z");
+  refused(spec(usual, Directions::angular()), "none of its directions is a translation");
   refused(spec(SlidingFriction{-1.0}), "friction: coefficient");
   refused(spec(SlidingFriction{0.3, 0.0}), "friction: speed");
   refused(spec(SlidingFriction{0.3, 0.01, -0.1}), "friction: radius");

@@ -32,8 +32,7 @@ TEST(Placement, InvalidRotationOrKey_IsRefused) {
   expect_words(refused("{matrix: [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}"), {"matrix: it is not a"});
   expect_words(refused("{matrix: [[1, 0, 0], [0, 1, 0]]}"), {"matrix: it has 2 rows; wanted 3"});
   expect_words(refused("{quaternion: [0, 0, 0, 2]}"), {"quaternion: ", "length 2; wanted 1"});
-  expect_words(refused("{rpy: [0, 0, 0], quaternion: [0, 0, 0, 1]}"),
-               {"more than one of the keys"});
+  expect_words(refused("{rpy: [0, 0, 0], quaternion: [0, 0, 0, 1]}"), {"several of the keys"});
   expect_words(refused("{xzy: [0, 0, 0]}"), {"key 'xzy' is unknown; did you mean 'xyz'?"});
 }
 

@@ -99,7 +99,8 @@ TEST_F(ProblemFiles, SlidingFriction_IsReadWithItsDefaults) {
   expect_words(refused("directions: z, friction: {coeficient: 0.4}"),
                {"did you mean 'coefficient'"});
   expect_words(refused("directions: z, friction: {speed: 0}"), {"friction.speed", "0"});
-  expect_words(refused("directions: linear, friction: {}"), {"has friction and holds x,y,z"});
+  expect_words(refused("directions: linear, friction: {}"),
+               {"has friction, and its directions of translation are x,y,z"});
 }
 
 TEST_F(ProblemFiles, BadRotationsOverTime_AreRefused) {
@@ -115,7 +116,7 @@ TEST_F(ProblemFiles, BadRotationsOverTime_AreRefused) {
   expect_words(refused(table("zero.csv")), {"points.file", "quaternion at 1 s", "length 0"});
   expect_words(refused(table("long.csv")), {"points.file", "quaternion at 1 s", "length 1.1"});
   expect_words(refused("over_time: {sine: {}}"), {"over_time", "'sine'"});
-  expect_words(refused("over_time: {}"), {"over_time", "either 'line' or 'points'"});
+  expect_words(refused("over_time: {}"), {"over_time", "'line' and 'points' are both missing"});
   expect_words(refused("rpy: [0, 0, 1], " + table("zero.csv")), {"'rpy'", "unknown"});
 }
 
