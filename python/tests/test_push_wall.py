@@ -31,7 +31,7 @@ def test_setting_has_feet_and_hands_as_supports():
 @pytest.mark.parametrize("work, words", [
     (lambda: push_wall.make_task(forse=3), "no entry 'forse'"),
     (lambda: push_wall.make_task(overrides=["forse=3"]), "did you mean 'force'"),
-    (lambda: push_wall.make_task(SHIPPED, force=500.0), "limits.force: it is 400 N"),
+    (lambda: push_wall.make_task(SHIPPED, force=500.0), "limits.force: the limit is 400 N"),
     (lambda: push_wall.make_setting(push_wall.make_task(SHIPPED, hands=["left_tol", "tool"])), "left_tool"),
     (lambda: push_wall.run(SHIPPED, plant="ideal"), "cannot simulate the scene's supports"),
     (lambda: push_wall.read_task("nowhere.yaml"), "nowhere.yaml"),

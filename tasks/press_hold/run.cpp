@@ -52,10 +52,11 @@ std::string outcome_of(const RunResult& result, const pressing::RunEnd& end) {
   if (!result.hold)
     return "the hold was not completed: the run ended at " + number(end.time) + " s, in phase " +
            phase;
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "held: %.1f s, %.2f rad aside, rms force error %.2f N, slip %.2f mm", end.time,
-                result.hold->moved_aside, result.metrics->force_rmse, 1e3 * result.hold->slip);
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "held: %.1f s, joints moved aside by up to %.2f rad, rms force error %.2f N, slip %.2f mm",
+      end.time, result.hold->moved_aside, result.metrics->force_rmse, 1e3 * result.hold->slip);
   return text;
 }
 

@@ -112,7 +112,7 @@ Eigen::VectorXd moved_aside(const Task& task, const Model& model, Eigen::VectorX
     const std::string entry = "aside." + name;
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw EntryError(entry, "robot " + in_quotes(model.name) + " does not have a joint " +
-                                  in_quotes(name) + " with one position" +
+                                  in_quotes(name) + " with one coordinate" +
                                   did_you_mean(name, names));
     const int at =
         std::find_if(model.joints.begin(), model.joints.end(),
@@ -200,10 +200,9 @@ const Joint& third_joint(const Model& model, const std::string& tool) {
     if (++count == 3) break;
   }
   if (last == nullptr)
-    throw EntryError(
-        "aside",
-        "robot " + in_quotes(model.name) +
-            " does not have a joint with one position between base and tool; wanted at least one");
+    throw EntryError("aside", "robot " + in_quotes(model.name) +
+                                  " does not have a joint with one coordinate between base and "
+                                  "tool; wanted at least one");
   return *last;
 }
 
@@ -215,8 +214,8 @@ std::vector<std::string> fit_to_robot(Task& task, const Robot& robot) {
   std::vector<std::string> changes;
   if (!task.posture.empty() && task.posture != searched_posture &&
       !robot.postures.contains(task.posture)) {
-    changes.push_back("posture: " + of_robot + in_quotes(task.posture) +
-                      "; a posture was found for the surface");
+    changes.push_back("posture: " + of_robot + "the posture " + in_quotes(task.posture) +
+                      "; a posture found for the surface replaces it");
     task.posture = searched_posture;
   }
   if (task.aside.empty() || std::any_of(task.aside.begin(), task.aside.end(),

@@ -244,12 +244,12 @@ class FootSearch {
       const std::string pair = name_of(ends[i]) + " and " + name_of(ends[partner]);
       if (nearest > opposite * height_) {
         why_ = pair + " end low, but are " + number(std::round(1e3 * nearest) / 1e3) +
-               " m away from mirrored positions; wanted at most " +
+               " m away from mirror-symmetric positions; wanted at most " +
                number(std::round(1e3 * opposite * height_) / 1e3) + " m";
         return false;
       }
       if (ends[partner].joints != ends[i].joints) {
-        why_ = pair + " end low at mirrored positions, but have legs of " +
+        why_ = pair + " end low at mirror-symmetric positions, but have legs of " +
                std::to_string(ends[i].joints) + " and " + std::to_string(ends[partner].joints) +
                " joints";
         return false;

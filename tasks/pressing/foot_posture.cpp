@@ -202,7 +202,7 @@ std::string joints_at_limits(const Model& model, const Standing& standing,
   for (std::size_t i = 0; i < std::min(max_names, names.size()); ++i)
     text += (i == 0 ? "" : ", ") + names[i];
   if (names.size() > max_names) text += " and others";
-  return text.empty() ? "" : "; the search ended at limits of " + text;
+  return text.empty() ? "" : "; the search ended at the limits of the joints " + text;
 }
 
 /// Returns the foot turned about its origin by the smallest angle that makes its sole level. A foot
@@ -270,11 +270,14 @@ Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing,
     if (!first) first = std::move(found);
   }
   if (first) return *first;
-  throw Error("no posture was found with level feet, an upright base lowered by at most " +
-              number(crouch) +
-              " of its height above the feet (crouch), and the centre of mass above their middle" +
-              joints_at_limits(model, standing, last) +
-              "; wanted a posture in the robot's settings, or another crouch");
+  throw Error(
+      "no posture was found in which the feet are level, the base is upright and lowered by at "
+      "most " +
+      number(crouch) +
+      " of its height above the feet (crouch), and the centre of mass is above the middle of the "
+      "feet" +
+      joints_at_limits(model, standing, last) +
+      "; wanted a posture in the robot's settings, or another crouch");
 }
 
 double crouch_at(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {

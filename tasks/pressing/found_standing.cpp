@@ -48,8 +48,8 @@ Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::st
   robot = with_feet(std::move(robot), *feet);
   notes.push_back((is_auto ? "feet: "
                            : "standing.feet: " + in_quotes(stated.front()) +
-                                 " and the others are not in robot " + in_quotes(robot.model.name) +
-                                 "; feet: ") +
+                                 " and the other feet are not frames of robot " +
+                                 in_quotes(robot.model.name) + "; feet: ") +
                   feet_text(*feet));
   notes.insert(notes.end(), feet->notes.begin(), feet->notes.end());
   note_wheels(robot.model, feet->frames, notes);

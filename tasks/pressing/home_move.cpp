@@ -21,10 +21,10 @@ void refuse_impossible(const Model& model) {
                                  "open; wanted a robot without loops");
   for (const Joint& joint : model.joints)
     if (joint.kind == JointKind::FreeFlyer)
-      throw EntryError("home",
-                       "the base of robot " + in_quotes(model.name) +
-                           " floats, and a straight move of its joints does not keep balance; "
-                           "wanted a fixed base");
+      throw EntryError(
+          "home", "the base of robot " + in_quotes(model.name) +
+                      " floats, and the robot could fall during a straight move of its joints; "
+                      "wanted a fixed base");
 }
 
 Eigen::VectorXd home_configuration(const HomeSpec& home, const Robot& robot,

@@ -84,9 +84,10 @@ void check_standing(const Model& model, const Standing& standing) {
   constexpr std::size_t min_points = 3;  // fewer than three point feet do not span an area
   if (standing.stands() && !standing.has_soles() && standing.feet.size() < min_points)
     throw EntryError("standing.feet",
-                     std::to_string(standing.feet.size()) + " point feet, on which robot " +
-                         in_quotes(model.name) +
-                         " cannot stand still; wanted at least three, or soles (half_x, half_y)");
+                     "robot " + in_quotes(model.name) + " cannot stand still on " +
+                         std::to_string(standing.feet.size()) +
+                         (standing.feet.size() == 1 ? " point foot" : " point feet") +
+                         "; wanted at least three, or soles (half_x, half_y)");
 }
 
 namespace {
@@ -117,11 +118,13 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
       throw EntryError(
           "standing.feet",
           "the sole of " + in_quotes(foot) +
-              " is not level at the start: z of that frame, which is normal to the sole, is " +
+              " is not level at the start: the z axis of this frame, which is the sole's normal, "
+              "is " +
               number(degrees_from_vertical(at)) +
-              " degrees off the vertical; wanted at most 11 degrees: a posture with level soles, a "
-              "frame whose z points up from the sole (`frames` of robot.yaml adds one), or point "
-              "feet (standing.half_x and half_y 0)");
+              " degrees off the vertical; wanted at most 11 degrees. Remedies: a posture with "
+              "level "
+              "soles; a frame whose z axis points up from the sole (key `frames` of robot.yaml); "
+              "point feet (standing.half_x and half_y 0)");
     support.point.z() += sinks - (standing.has_soles() ? 0.0 : standing.radius);
     supports.push_back(support);
   }

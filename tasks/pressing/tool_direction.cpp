@@ -66,8 +66,8 @@ void note_tool_direction(const std::string& frame, const std::optional<Eigen::Ve
   if (direction.decided) return;
   notes.push_back("the description does not determine the sign of the pressing axis of tool " +
                   in_quotes(frame) +
-                  ": neither the tool, the joint before nor the centre of mass of the link is "
-                  "offset from the last joint along its axis; " +
+                  ": the tool, the second-last joint and the last link's centre of mass have no "
+                  "offset along the axis of the last joint; " +
                   axis_text(direction.axis) + " is assumed; set " + axis_text(-direction.axis) +
                   " if the tool presses in the opposite direction");
 }

@@ -32,12 +32,13 @@ void check_forces(const Task& task) {
                                          " N");
   if (task.force_limit <= force_max(task) || force_max(task) <= task.force)
     refuse("limits.force",
-           "it is " + number(task.force_limit) + " N and each hand is to reach " +
-               number(std::max(task.force, force_max(task))) + " N; wanted more than " +
+           "the limit is " + number(task.force_limit) +
+               " N, but the target of each hand rises to " +
+               number(std::max(task.force, force_max(task))) + " N; wanted a limit above " +
                (std::isfinite(task.force_search.force_max)
                     ? number(force_max(task)) + " N"
                     : number(task.force / search_fraction) +
-                          " N, because the search ends at nine tenths of limits.force"));
+                          " N, because the search ends at nine tenths of the limit"));
 }
 
 }  // namespace
@@ -70,10 +71,10 @@ void check_task(const Task& task) {
   check_ranges(description_of(&task), &task,
                [](const std::string& entry) { return "the task: " + entry; });
   if (task.hands.size() != 2 || task.hands[0] == task.hands[1])
-    refuse("hands", "the task has " + std::to_string(task.hands.size()) +
-                        (task.hands.size() == 1 ? " hand" : " hands") +
-                        (task.hands.size() == 2 ? " with the same name" : "") +
-                        "; wanted two different frames");
+    refuse("hands", (task.hands.size() == 2 ? "both hands are " + in_quotes(task.hands[0])
+                                            : "the list has " + std::to_string(task.hands.size()) +
+                                                  (task.hands.size() == 1 ? " frame" : " frames")) +
+                        "; wanted two different frames, one for each hand");
   if (!task.standing.force_sensors)
     refuse("standing.force_sensors",
            "it is false; wanted true, because the task measures the forces of hands and feet");

@@ -111,8 +111,7 @@ class Reach {
     const bool loaded = limit.starts_with("load of ");
     return EntryError(
         entry, "the robot, which weighs " + number(model_.total_mass() * model_.gravity.norm()) +
-                   " N, cannot stand " + where +
-                   " within the constraints of plans: it violates the constraint " +
+                   " N, cannot stand " + where + " without violating the plans' constraint " +
                    in_quotes(limit) +
                    (loaded ? ", which must be at least " +
                                  number(pressing::min_load_of(model_, setting_.standing)) +
@@ -199,8 +198,8 @@ std::vector<std::string> sway_notes(const Task& task, const Setting& setting) {
   std::vector<std::string> notes;
   if (!left_out.empty())
     notes.push_back(
-        "sway: " + joined(left_out) +
-        " omitted, because no posture on these feet moves the trunk in this direction alone");
+        "sway: " + joined(left_out) + (left_out.size() == 1 ? " is" : " are") +
+        " omitted, because no posture on these feet moves the trunk in that direction alone");
   if (!made_smaller.empty())
     notes.push_back("sway: reduced to the size and the reach of the robot: " +
                     joined(made_smaller));

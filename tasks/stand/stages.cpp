@@ -122,8 +122,9 @@ std::string posture_of(const Task& task, Setting& s) {
   if (!is_of_another || task.posture.empty() || task.posture == searched_posture ||
       s.robot.postures.contains(task.posture))
     return task.posture;
-  s.notes.push_back("posture: robot " + in_quotes(s.robot.model.name) + " does not have " +
-                    in_quotes(task.posture) + "; a posture was found");
+  s.notes.push_back("posture: robot " + in_quotes(s.robot.model.name) +
+                    " does not have the posture " + in_quotes(task.posture) +
+                    "; a posture found by search replaces it");
   return searched_posture;
 }
 

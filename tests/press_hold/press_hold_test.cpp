@@ -49,7 +49,7 @@ TEST(PressHold, AnotherRobot_SearchesAPostureAndMovesItsThirdJoint) {
   expect_words(refusal([&] { make_setting(task, robot); }), {"posture", "'ready'"});
   const std::vector<std::string> changes = fit_to_robot(task, robot);
   ASSERT_EQ(changes.size(), 2U);
-  expect_words(changes[0], {"posture: robot 'talos' does not have 'ready'", "found"});
+  expect_words(changes[0], {"posture: robot 'talos' does not have the posture 'ready'", "found"});
   expect_words(changes[1], {"aside: ", "'joint_3'", "moves instead, by", " rad"});
   EXPECT_EQ(task.posture, searched_posture);
   ASSERT_EQ(task.aside.size(), 1U);

@@ -155,8 +155,8 @@ TEST(PushWall, InvalidFile_RefusalNamesTheLine) {
   expect_words(refused("task: push_wal\n"), {"my.yaml: line 1: task", "push_wall"});
   expect_words(refused(head + "forse: 3\n"), {"line 4", "forse", "force"});
   expect_words(refused(head + "force: -3\n"), {"line 4: force", "-3"});
-  expect_words(refused(head + "hands: [tool]\n"), {"line 4: hands: the task has 1"});
-  expect_words(refused(head + "hands: [tool, tool]\n"), {"line 4: hands", "with the same name"});
+  expect_words(refused(head + "hands: [tool]\n"), {"line 4: hands: the list has 1 frame"});
+  expect_words(refused(head + "hands: [tool, tool]\n"), {"line 4: hands", "both hands are 'tool'"});
   expect_words(refused(head + "hands: [left_tol, tool]\n"),
                {"line 4: hands: ", "'left_tol'", "did you mean 'left_tool'?"});
   expect_words(refused(head + "wall: {normal: [0, 0, 0]}\n"), {"line 4: wall.normal"});
@@ -169,7 +169,8 @@ TEST(PushWall, InvalidFile_RefusalNamesTheLine) {
                {"line 4: force_search.hold_duration: it is 0.3 s; wanted at least 0.4 s"});
   expect_words(refused(head + "force_search: {force_max: 40}\n"),
                {"line 4: force_search.force_max: it is 40 N"});
-  expect_words(refused(head + "limits: {force: 52}\n"), {"line 4: limits.force: it is 52 N"});
+  expect_words(refused(head + "limits: {force: 52}\n"),
+               {"line 4: limits.force: the limit is 52 N"});
   expect_words(refused(head + "limits: {force: never}\n"), {"force_search.force_max: it is never"});
   expect_words(refused(head + "standing: {force_sensors: false}\n"),
                {"line 4: standing.force_sensors: it is false"});

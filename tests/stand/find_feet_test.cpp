@@ -271,7 +271,8 @@ TEST(FindFeet, NoFeet_ReasonIsGiven) {
   const std::string place = "0.000000 -0.100000 0";
   asymmetric.replace(asymmetric.find(place), place.size(), "0.3 -0.1 0");
   EXPECT_FALSE(find_feet(loaded(asymmetric), &reason));
-  expect_words(reason, {"'leg1_ankle' and 'leg0_ankle'", "0.3 m away from mirrored positions"});
+  expect_words(reason,
+               {"'leg1_ankle' and 'leg0_ankle'", "0.3 m away from mirror-symmetric positions"});
 }
 
 TEST(FindFeet, WheelsOrUnpairedLeg_FindsNoFeet) {

@@ -163,10 +163,11 @@ TEST(StandRobot, AnotherRobot_FindsFeetAndPostureWithNotes) {
   EXPECT_EQ(setting.standing.feet,
             (std::vector<std::string>{"fl_foot", "fr_foot", "rl_foot", "rr_foot"}));
   EXPECT_FALSE(setting.standing.has_soles());
-  expect_words(notes_text(task, setting),
-               {"standing.feet: 'left_sole_link' and the others are not in robot 'quadruped'",
-                "fl_foot, fr_foot, rl_foot, rr_foot (found), point feet of radius 0.018 m",
-                "posture: robot 'quadruped' does not have 'standing_board'"});
+  expect_words(
+      notes_text(task, setting),
+      {"standing.feet: 'left_sole_link' and the other feet are not frames of robot 'quadruped'",
+       "fl_foot, fr_foot, rl_foot, rr_foot (found), point feet of radius 0.018 m",
+       "posture: robot 'quadruped' does not have the posture 'standing_board'"});
   const Task auto_task = short_task(BURNISH_ROBOTS_DIR "/talos", {"standing.feet=auto"});
   const Setting found = make_setting(auto_task);
   EXPECT_EQ(found.standing.feet, (std::vector<std::string>{"left_sole_link", "right_sole_link"}));
@@ -179,7 +180,7 @@ TEST(StandRobot, AnotherRobot_FindsFeetAndPostureWithNotes) {
       {"standing.feet: no feet were found on robot 'arm7': "});
   expect_words(
       refusal([] { make_setting(short_task(quadruped, {"standing.feet=[fl_foot, rr_foot]"})); }),
-      {"standing.feet: 2 point feet", "at least three, or soles"});
+      {"cannot stand still on 2 point feet", "at least three, or soles"});
 }
 
 /// Robot of 2.5 kg with effort limits of 1000 Nm, from a file that is not part of burnish.
@@ -192,7 +193,7 @@ TEST_F(Stand, LightRobotSolo12_StandsAndSways) {
   // Left and right feet carry equal loads, so rounding decides which foot the message names.
   expect_words(refusal([&] { run(task); }),
                {"posture: the robot, which weighs 24.525 N, cannot stand at the start",
-                "it violates the constraint 'load of ", "_FOOT', which must be at least 12 N",
+                "violating the plans' constraint 'load of ", "_FOOT', which must be at least 12 N",
                 "standing.min_load"});
   task.standing.min_load = std::nullopt;
   const RunResult result = run(task);
@@ -307,7 +308,7 @@ TEST_F(Stand, LegsWithoutAnkleRoll_SwaysInPossibleDirections) {
   EXPECT_GT(setting.sway.shift.x(), 0.01);
   EXPECT_GT(setting.sway.turn.y(), 0.01);
   expect_words(notes_text(task, setting),
-               {"sway: y, roll and yaw omitted",
+               {"sway: y, roll and yaw are omitted",
                 "turning about z of 'r_sole' depends on the other directions of the feet"});
   // Eleven of the twelve directions are independent.
   int constrained = 0;
@@ -379,8 +380,9 @@ TEST(StandRobot, LegsThatReachNoPosture_RefusalNamesJointsAtTheirLimits) {
     text.replace(lower, text.find("' upper", lower) - lower, "lower='0.6");
   }
   const Task task = biped_task(scratch.write("biped.urdf", text).string(), 1.0);
-  expect_words(refusal([&] { make_setting(task); }),
-               {"posture: no posture was found", "ended at limits of '", "'l_ankle'"});
+  expect_words(
+      refusal([&] { make_setting(task); }),
+      {"posture: no posture was found", "ended at the limits of the joints '", "'l_ankle'"});
 }
 
 TEST(StandRobot, DescriptionWithoutPostures_SearchesOneWithANote) {
@@ -388,7 +390,8 @@ TEST(StandRobot, DescriptionWithoutPostures_SearchesOneWithANote) {
   Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
   task.posture = "standing_board";
   expect_words(notes_text(task, make_setting(task)),
-               {"posture: robot 'biped' does not have 'standing_board'; a posture was found"});
+               {"posture: robot 'biped' does not have the posture 'standing_board'; a posture "
+                "found by search replaces it"});
 }
 
 TEST(StandRobot, GroundTooStiff_NoteProposesAStiffness) {
@@ -490,7 +493,7 @@ TEST(StandFile, InvalidFile_RefusalNamesTheLine) {
       refused(head + "standing: {half_x: 0.1, half_y: 0.1}\n"),
       {"standing.feet: the sole of", "is not level at the start", "degrees off the vertical"});
   expect_words(refused(head + "sway: {shift: [0, 0.2, 0], fit: false}\n"),
-               {"line 3: sway: ", "it violates"});
+               {"line 3: sway: ", "violating the plans' constraint"});
   expect_words(refused(head + "posture: standin\n"), {"line 3: posture", "'standing'"});
   expect_words(refused(head + "controller: {update_rate: 300}\n"),
                {"line 3: controller.update_rate: it is 300 Hz"});

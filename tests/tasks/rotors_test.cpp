@@ -37,8 +37,9 @@ TEST(Rotors, LightWrist_IsNamedWithALineToPaste) {
   EXPECT_NEAR(light[0].inertia, 3e-5, 1e-6);
   EXPECT_GT(light[0].speed, light[0].limit);
   EXPECT_NEAR(light[0].armature, 2e-3 * 28.0 / 3.0, 1e-12);
-  expect_words(light_joints_text(light), {"joint 'j6' (", "torque noise alone", "limit 3.6",
-                                          "joints: {j6: {armature: 0.0186667}} in robot.yaml"});
+  expect_words(light_joints_text(light),
+               {"joint 'j6' (", "torque noise alone", "limit 3.6",
+                "in robot.yaml, such as joints: {j6: {armature: 0.0186667}}"});
 }
 
 TEST(Rotors, UsualWristOrNoNoise_NamesNoJoint) {
