@@ -76,8 +76,9 @@ void check_resumed(const ExperimentArguments& a) {
   const std::optional<CampaignFile> there = CampaignFile::read(a.out);
   if (!there) return;
   if (there->version != program_version())
-    throw Error(fmt::format("'{}' holds runs of burnish {}, and this is {}; wanted another folder",
-                            a.out, there->version, program_version()));
+    throw Error(
+        fmt::format("'{}' holds runs of burnish {}, but this is burnish {}; wanted another folder",
+                    a.out, there->version, program_version()));
   if (there->campaign.name == CampaignFile::sweep)
     throw Error(fmt::format("'{}' holds runs of burnish sweep; wanted another folder", a.out));
   Campaign same = there->campaign;

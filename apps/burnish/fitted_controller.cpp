@@ -21,7 +21,7 @@ void describe(const FittedController& controller, const std::string& place, bool
   if (!controller.fits_all || controller.fitted.meets) return;
   fmt::print(stderr,
              "burnish: {}: warning: the control loop tolerates {}; wanted {:g} ms of extra delay, "
-             "and half and twice the gain of each joint (model_error.transient_scale, "
+             "and gains of 0.5 to 2 in each joint (model_error.transient_scale, "
              "model_error.bandwidth, weights.position)\n",
              place, controller.margins->text(), 1e3 * polishing::RequiredMargins{}.delay);
 }

@@ -27,9 +27,9 @@ CampaignFile campaign_in(const std::string& folder) {
                     "that `burnish experiment NAME --shard I/N` wrote",
                     folder, CampaignFile::name));
   if (file->version != program_version())
-    throw Error(
-        fmt::format("'{}' holds runs of burnish {}, and this is {}; wanted runs of one version",
-                    folder, file->version, program_version()));
+    throw Error(fmt::format(
+        "'{}' holds runs of burnish {}, but this is burnish {}; wanted runs of one version", folder,
+        file->version, program_version()));
   return *file;
 }
 

@@ -134,7 +134,7 @@ void read_forces_in(const Reader& reader, EvalRequest& request) {
       if (taken == name &&
           (other.rotation != reference.rotation || other.quadric || reference.quadric))
         entry.refuse("two references have the name " + in_quotes(name) +
-                     "; wanted an object that names each reference");
+                     "; wanted an object whose keys are different names of the references");
     request.forces_in.emplace_back(name, reference);
   };
   const bool is_reference = reader.has("origin") || reader.has("axes") || reader.has("surface") ||

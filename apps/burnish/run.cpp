@@ -89,7 +89,7 @@ void print_margins(const std::string& name, const Task& task, const MpcSpec& spe
   if (!meets(air) || !meets(contact))
     fmt::print(stderr,
                "burnish: {}: warning: the control loop tolerates {}; wanted {:g} ms of extra "
-               "delay, and half and twice the gain of each joint\n",
+               "delay, and gains of 0.5 to 2 in each joint\n",
                name, margins.text(), 1e3 * wanted.delay);
   else if (talks)
     fmt::print("{}: the control loop tolerates {}\n", name, margins.text());

@@ -45,8 +45,9 @@ std::string with_entry(const std::string& text, const std::string& entry) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].starts_with(key)) continue;
     if (!is_blank(lines[i].substr(key.size())))
-      throw Error("the entries of the key 'postures' must be on lines below it; add by hand: " +
-                  entry);
+      throw Error(
+          "the entries of the key 'postures' must be on lines below it; add this line by hand: " +
+          entry);
     std::size_t next = i + 1, indent = 2;
     while (next < lines.size() && is_blank(lines[next])) ++next;
     if (next < lines.size() && indentation(lines[next]) > 0) indent = indentation(lines[next]);
@@ -94,10 +95,10 @@ std::filesystem::path settings_file_of(const std::string& robot) {
     const std::string extension = file->extension().string();
     if (extension == ".yaml" || extension == ".yml") return *file;
   }
-  throw Error(
-      fmt::format("robot '{}' has no settings file to add a posture to; burnish show ROBOT "
-                  "--write-settings DIR --tool FRAME drafts one",
-                  robot));
+  throw Error(fmt::format(
+      "robot '{}' has no settings file to add a posture to; wanted a settings file, which "
+      "`burnish show ROBOT --write-settings DIR --tool FRAME` drafts",
+      robot));
 }
 
 void add_posture(const std::filesystem::path& settings, const std::string& name,

@@ -173,7 +173,7 @@ TEST(Campaign, IncompatibleShards_AreRefusedByMerge) {
   replace(second / "campaign.json", BURNISH_VERSION, "0.1.7");
   refused(quoted(first) + " " + quoted(second), "'" + second.string() +
                                                     "' holds runs of burnish "
-                                                    "0.1.7, and this is " BURNISH_VERSION);
+                                                    "0.1.7, but this is burnish " BURNISH_VERSION);
   replace(second / "campaign.json", "0.1.7", BURNISH_VERSION);
   for (const auto& entry : fs::directory_iterator(second / "runs"))
     if (is_timing(entry.path()))

@@ -41,7 +41,7 @@ TEST(Program, BadUsage_IsRefusedInOneSentence) {
   expect_refused(run("check arm7 --contact tool=tool,kp=1,2"), "kp: it has 2 numbers; wanted 6");
   expect_refused(run("check arm7 --contact tool=tool,kp=1,kp=2"), "key 'kp' is stated twice");
   expect_refused(run("check arm7 --contact tool=tool,reference=local,normal=0,0,1"),
-                 "a normal requires reference=surface");
+                 "key 'normal' is given without reference=surface");
   const std::string nope = run("check arm7 --tool nope").err;
   EXPECT_NE(nope.find("frame 'nope' does not exist"), std::string::npos) << nope;
   EXPECT_EQ(nope.find("did you mean"), std::string::npos) << nope;

@@ -145,7 +145,8 @@ TEST(Polish, SearchedPosture_IsPrintedAndAddedToTheSettings) {
                  "posture 'a' already exists");
   expect_refused(
       run(polish + quoted(scratch.folder / "arm.urdf") + " --tool flange --write-posture a"),
-      "burnish show ROBOT --write-settings DIR --tool FRAME drafts one");
+      "wanted a settings file, which `burnish show ROBOT --write-settings DIR --tool FRAME` "
+      "drafts");
   expect_refused(run(polish + folder + " --surface table --surface board --write-posture a"),
                  "wanted one --surface");
 }
