@@ -83,7 +83,7 @@ int input_index(const Problem& problem, const char* call, const Name& input) {
   const int index = std::get<int>(input);
   if (index < 0 || index >= inputs)
     throw Error(
-        std::string(call) + ": input " + std::to_string(index) + "; " +
+        std::string(call) + ": input " + std::to_string(index) + " does not exist; " +
         (inputs == 0 ? "the problem has no inputs" : "wanted 0 to " + std::to_string(inputs - 1)));
   return index;
 }

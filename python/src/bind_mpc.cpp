@@ -282,8 +282,8 @@ void bind_plan_policy(PlanClass& c) {
             if (self.empty()) throw Error("FeedbackPlan.control: there is no plan; load one first");
             LinearFeedback feedback = self.make_feedback();
             if (x.size() != feedback.state.size())
-              throw Error("FeedbackPlan.control: a state of " + std::to_string(x.size()) +
-                          " numbers; wanted " + std::to_string(feedback.state.size()));
+              throw Error("FeedbackPlan.control: the state has " + std::to_string(x.size()) +
+                          " entries; wanted " + std::to_string(feedback.state.size()));
             self.at(time, feedback);
             Eigen::VectorXd u(feedback.feedforward.size());
             self.control(feedback, Eigen::VectorXd(x), u);
@@ -329,8 +329,8 @@ void bind_feedback_plan(py::module_& m) {
           "time_of",
           [](const FeedbackPlan& self, int knot) {
             if (knot < 0 || knot > self.knots())
-              throw Error("FeedbackPlan.time_of: knot " + std::to_string(knot) + "; wanted 0 to " +
-                          std::to_string(self.knots()));
+              throw Error("FeedbackPlan.time_of: knot " + std::to_string(knot) +
+                          " does not exist; wanted 0 to " + std::to_string(self.knots()));
             return self.time_of(knot);
           },
           py::arg("knot"),

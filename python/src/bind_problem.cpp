@@ -184,8 +184,8 @@ int stage_index(const Problem& problem, const char* call, const Name& stage) {
   const int stages = static_cast<int>(problem.stage_names().size());
   const int index = std::get<int>(stage);
   if (index < 0 || index >= stages)
-    throw Error(std::string(call) + ": stage " + std::to_string(index) + "; wanted 0 to " +
-                std::to_string(stages - 1));
+    throw Error(std::string(call) + ": stage " + std::to_string(index) +
+                " does not exist; wanted 0 to " + std::to_string(stages - 1));
   return index;
 }
 
@@ -202,7 +202,7 @@ int term_index(const Problem& problem, const char* call, int knot, const Name& t
   const int terms = problem.terms(knot);
   const int index = std::get<int>(term);
   if (index < 0 || index >= terms)
-    throw Error(std::string(call) + ": term " + std::to_string(index) + "; " +
+    throw Error(std::string(call) + ": term " + std::to_string(index) + " does not exist; " +
                 problem.knot_name(knot) + " has " + std::to_string(terms) + " terms");
   return index;
 }

@@ -21,8 +21,8 @@ struct ProblemMachine {
 /// Throws Error unless 0 <= knot <= last.
 inline void check_knot(const char* call, int knot, int last) {
   if (knot < 0 || knot > last)
-    throw Error(std::string(call) + ": knot " + std::to_string(knot) + "; wanted 0 to " +
-                std::to_string(last));
+    throw Error(std::string(call) + ": knot " + std::to_string(knot) +
+                " does not exist; wanted 0 to " + std::to_string(last));
 }
 
 }  // namespace burnish::python

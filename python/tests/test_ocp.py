@@ -105,9 +105,9 @@ def test_support_margin_takes_lists_of_points(robot):
 def test_invalid_knots_terms_and_shapes_raise(robot):
     problem = bn.Problem(spec_of(robot, base_costs()))
     x, u = problem.initial_state, np.zeros(7)
-    with pytest.raises(bn.Error, match="Problem.time_of: knot 7; wanted 0 to 6"):
+    with pytest.raises(bn.Error, match="Problem.time_of: knot 7 does not exist; wanted 0 to 6"):
         problem.time_of(7)
-    with pytest.raises(bn.Error, match="Problem.residual: term 2; move, knot 0 has 2"):
+    with pytest.raises(bn.Error, match="Problem.residual: term 2 does not exist; move, knot 0 has 2"):
         problem.residual(0, 2, x, u)
     with pytest.raises(bn.Error, match="Problem.roll: x has 3 entries; wanted 14"):
         problem.roll(0, np.zeros(3), u)
@@ -117,7 +117,7 @@ def test_invalid_knots_terms_and_shapes_raise(robot):
         problem.evaluate(np.zeros((7, 14)), np.zeros((5, 7)))
     with pytest.raises(bn.Error, match="evaluate: threads is 0; wanted at least 1"):
         problem.evaluate(np.zeros((7, 14)), np.zeros((6, 7)), threads=0)
-    with pytest.raises(bn.Error, match="Problem.quasi_static: stage 2; wanted 0 to 1"):
+    with pytest.raises(bn.Error, match="Problem.quasi_static: stage 2 does not exist; wanted 0 to 1"):
         problem.quasi_static(2, x)
     with pytest.raises(bn.Error, match="initial_state: x has 2 entries; wanted 14"):
         problem.set_initial_state([1.0, 2.0])
@@ -436,7 +436,7 @@ def test_invalid_inputs_raise_errors(robot):
     plane = bn.Quadric.plane([0.0, 0.0, 0.0], [0, 0, 1])
     with pytest.raises(bn.Error, match="unknown input 'force_eror'; did you mean 'force_error'"):
         problem.set_input("force_eror", 1.0)
-    with pytest.raises(bn.Error, match="Problem.set_input: input 2; wanted 0 to 1"):
+    with pytest.raises(bn.Error, match="Problem.set_input: input 2 does not exist; wanted 0 to 1"):
         problem.set_input(2, 1.0)
     with pytest.raises(bn.Error, match="input 'force_error' is a scalar; wanted a surface"):
         problem.set_input("force_error", plane)
@@ -448,11 +448,11 @@ def test_invalid_inputs_raise_errors(robot):
         problem.set_input("force_error", 1.0, 2.0, 0.0)
     with pytest.raises(bn.EvaluationError, match="Problem.set_input: .*NaN"):
         problem.set_input("force_error", math.nan)
-    with pytest.raises(bn.Error, match="Problem.input_at: knot 7; wanted 0 to 6"):
+    with pytest.raises(bn.Error, match="Problem.input_at: knot 7 does not exist; wanted 0 to 6"):
         problem.input_at("force_error", 7)
     with pytest.raises(bn.Error, match="stage 'move'.*'force'.*unknown input 'force_eror'; did you mean"):
         bn.Problem(pressing_with_an_input(robot, offset_input="force_eror"))
-    with pytest.raises(bn.Error, match="Problem.reset_input: input 0; the problem has no inputs"):
+    with pytest.raises(bn.Error, match="Problem.reset_input: input 0 does not exist; the problem has no inputs"):
         bn.Problem(spec_of(robot, base_costs())).reset_input(0)
     spec.inputs[0].name = "force_error"
     with pytest.raises(bn.Error, match="input 'force_error': the name is used twice"):

@@ -89,9 +89,9 @@ def test_gains_match_the_value_function(robot):
     np.testing.assert_array_equal(gain.values, solver.gain(3))
     assert value.rows == value.columns == problem.state_names
     np.testing.assert_array_equal(value.values, solver.value_hessian(40))
-    with pytest.raises(bn.Error, match="DdpSolver.gain: knot 40; wanted 0 to 39"):
+    with pytest.raises(bn.Error, match="DdpSolver.gain: knot 40 does not exist; wanted 0 to 39"):
         solver.gain(40)
-    with pytest.raises(bn.Error, match="DdpSolver.value_gradient: knot -1; wanted 0 to 40"):
+    with pytest.raises(bn.Error, match="DdpSolver.value_gradient: knot -1 does not exist; wanted 0 to 40"):
         solver.value_gradient(-1)
 
 

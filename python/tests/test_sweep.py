@@ -105,7 +105,7 @@ class TestPoints:
 
     @pytest.mark.parametrize("vary, samples, words", [
         ({"a": {"from": 3, "to": 1, "count": 2}}, None, "vary.a goes from 3 to 1; wanted the lower limit first"),
-        ({"a": {"from": 1, "to": 3, "count": 2, "step": 1}}, None, "one of count and step"),
+        ({"a": {"from": 1, "to": 3, "count": 2, "step": 1}}, None, "one of 'count' and 'step'"),
         ({"a": {"from": 1, "to": 3, "step": 5}}, None, "vary.a.step is 5; wanted"),
         ({"a": {"from": 0, "to": 3, "count": 3, "log": True}}, None, "wanted a lower limit above 0"),
         ({"a": {"from": 0, "to": 3, "cuont": 3}}, None, "did you mean 'count'?"),
@@ -116,8 +116,8 @@ class TestPoints:
         ({"a": {"uniform": [1, 0]}}, 3, "wanted the lower limit first"),
         ({"a": {"normal": [1, 0]}}, 3, "standard deviation of 0"),
         ({"a": {"log_uniform": [0, 1]}}, 3, "wanted a lower limit above 0"),
-        ({"a": {"uniform": [0, 1]}}, None, "'a' has a distribution, and samples is missing"),
-        ({"a": [1]}, 3, "samples is given, and no key has a distribution"),
+        ({"a": {"uniform": [0, 1]}}, None, "'a' has a distribution, and key 'samples' is missing"),
+        ({"a": [1]}, 3, "'samples' is given, and no key has a distribution"),
         ({"a": {"uniform": [0, 1]}}, 0, "at least 1"),
         ({"a": {"uniform": [0, 1]}}, {"conut": 1}, "did you mean 'count'?"),
         ({"path": [1], "path.radius": [2]}, None, "'path' and 'path.radius', which is a part of 'path'"),
@@ -145,13 +145,13 @@ class TestRefusals:
         assert "did you mean 'force'?" in self.refused(polishing(vary={"forse": [1]}))
         assert "did you mean 'surface_friction'?" in self.refused(
             polishing(vary={"disturbances.surface_fricton": {"uniform": [0, 1]}}, samples=2))
-        assert "controller is 'mcp'" in self.refused(polishing(controller="mcp"))
+        assert "'controller' is 'mcp'" in self.refused(polishing(controller="mcp"))
         assert "wanted mujoco or ideal" in self.refused(polishing(plant="gazebo"))
-        assert "has only one controller; wanted no controller" in self.refused(pressing(controller="mpc"))
+        assert "has only one controller; wanted no such key" in self.refused(pressing(controller="mpc"))
         assert "did you mean 'hold_duration'?" in self.refused(pressing(vary={"phases.hold_duraton": [1]}))
-        assert "vary has 'disturbances.seed' too" in self.refused(
+        assert "'vary' has 'disturbances.seed' too" in self.refused(
             polishing(seeds=3, vary={"disturbances.seed": [1]}))
-        assert "wanted figure, above and runs" in self.refused(polishing(stop=3))
+        assert "wanted the keys 'figure', 'above' and 'runs'" in self.refused(polishing(stop=3))
         bad = tmp_path / "bad.yaml"
         bad.write_text("task: [")
         assert "is not valid YAML" in self.refused(bad)
@@ -351,7 +351,7 @@ class TestShards:
         assert f"'{tmp_path}' holds no runs of a campaign" in refused(part, tmp_path)
         for key, value, words in (("campaign", "task: x\n", "holds runs of another campaign than"),
                                   ("task", "force: 3\n", "holds runs of another task than"),
-                                  ("version", "0.0.1", "holds runs of burnish 0.0.1, and this is"),
+                                  ("version", "0.0.1", "holds runs of burnish 0.0.1, but this is burnish"),
                                   ("experiment", "seeds", "wanted runs of burnish sweep")):
             other = tmp_path / f"other_{key}"
             other.mkdir()

@@ -140,7 +140,7 @@ def test_groups_of_runs_are_not_traded_off(tmp_path, monkeypatch):
     assert list(apart.groups) == ["surface.stiffness 100000.0", "surface.stiffness 1000000.0"]
     report = _tune.report_text(apart)
     assert "Figures on test runs, by group" in report and "| surface.stiffness 1000000.0 |" in report
-    with pytest.raises(campaign.CampaignError, match="per names 'surface.stifness', which is not in vary; did you mean"):
+    with pytest.raises(campaign.CampaignError, match="'per' names 'surface.stifness', which is not in 'vary'; did you mean"):
         tuned(tmp_path / "no", **ground, per=["surface.stifness"])
 
 
@@ -247,11 +247,11 @@ def test_confidence_intervals_use_the_t_distribution():
     ({"tune": {"force": {"from": 40, "to": 20}}}, "wanted the lower limit first"),
     ({"tune": {"force": {"from": 30, "to": 40}}}, "starts at 20; wanted a range that contains the start"),
     ({"tune": {"force": {"from": 30, "to": 40, "start": 50}}}, "starts at 50; wanted a range that contains the start"),
-    ({"tune": {"force": [1, 2]}}, "wanted from and to"),
-    ({"tune": {"surface.friction": {"from": 0.0, "to": 0.9}}}, "'surface.friction' is in vary, and 'surface.friction' is tuned"),
+    ({"tune": {"force": [1, 2]}}, "wanted the keys 'from' and 'to'"),
+    ({"tune": {"surface.friction": {"from": 0.0, "to": 0.9}}}, "'surface.friction' is in 'vary', and 'surface.friction' is in 'tune'"),
     ({"tune": {"surface_height": {"from": 0, "to": 1, "log": True}}}, "wanted a lower limit above 0"),
     ({"train": {"samples": {"count": 2, "seed": 5}}, "test": {"samples": {"count": 2, "seed": 5}}}, "in common"),
-    ({"train": 3}, "train is 3; wanted seeds, or samples"),
+    ({"train": 3}, "train is 3; wanted the key 'seeds', or 'samples'"),
     ({"evaluations": 2}, "evaluations is 2"),
     ({"minimise": 3}, "wanted minimise: FIGURE"),
     ({"minimize": "x"}, "did you mean 'minimise'?"),

@@ -50,8 +50,8 @@ class Part:
             raise CampaignError(f"'{folder}' holds no runs of a campaign; wanted a folder that burnish sweep FILE "
                                 f"--shard I/N wrote") from error
         if part.version != burnish.__version__:
-            raise CampaignError(f"'{folder}' holds runs of burnish {part.version}, and this is {burnish.__version__}; "
-                                f"wanted equal versions")
+            raise CampaignError(f"'{folder}' holds runs of burnish {part.version}, but this is burnish "
+                                f"{burnish.__version__}; wanted equal versions")
         return part
 
 
@@ -66,8 +66,8 @@ def _common_part(folders: Sequence[Path]) -> Part:
         for what, one, another in (("another campaign", first.campaign, other.campaign),
                                    ("another task", first.task, other.task)):
             if one != another:
-                raise CampaignError(f"'{folder}' holds runs of {what} than '{folders[0]}'; wanted shards of one "
-                                    f"campaign")
+                raise CampaignError(f"'{folder}' holds runs of {what} than those in '{folders[0]}'; wanted shards of "
+                                    f"one campaign")
     return first
 
 

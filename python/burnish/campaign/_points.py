@@ -62,12 +62,12 @@ def _span(where: str, value: Any) -> Tuple[float, float]:
 def _range(where: str, given: Mapping[str, Any]) -> List[Any]:
     only(where, given, ["from", "to", "count", "step", "log"])
     if "from" not in given or "to" not in given or ("count" in given) == ("step" in given):
-        raise CampaignError(f"{where} is a range with {', '.join(given)}; wanted from, to, and one of count and "
-                            f"step")
+        raise CampaignError(f"{where} is a range with {', '.join(given)}; wanted 'from', 'to', and one of 'count' "
+                            f"and 'step'")
     low, high = _span(where, [given["from"], given["to"]])
     log = given.get("log", False)
     if log and (low <= 0 or "step" in given):
-        raise CampaignError(f"{where} is a logarithmic range from {low:g}; wanted a lower limit above 0, and count")
+        raise CampaignError(f"{where} is a logarithmic range from {low:g}; wanted a lower limit above 0, and 'count'")
     if "step" in given:
         step = number(where + ".step", given["step"])
         if not 0 < step <= high - low:
@@ -159,14 +159,14 @@ def read_values(vary: Any, samples: Any) -> Values:
     if vary is None:
         vary = {}
     if not isinstance(vary, dict):
-        raise CampaignError(f"vary is {vary!r}; wanted keys of the task with their values")
+        raise CampaignError(f"'vary' is {vary!r}; wanted keys of the task with their values")
     values = Values({}, {}, 0, False, 0)
     for key, given in vary.items():
         _read_key(str(key), given, values)
     keys = [*values.listed, *values.drawn]
     for key, other in itertools.permutations(keys, 2):
         if other.startswith(key + "."):
-            raise CampaignError(f"vary has '{key}' and '{other}', which is a part of '{key}'; wanted one of them")
+            raise CampaignError(f"'vary' has '{key}' and '{other}', which is a part of '{key}'; wanted one of them")
     _read_samples(samples, values)
     return values
 
@@ -191,15 +191,15 @@ def _read_key(key: str, given: Any, values: Values) -> None:
 def _read_samples(given: Optional[Any], values: Values) -> None:
     if given is None:
         if values.drawn:
-            raise CampaignError(f"'{next(iter(values.drawn))}' has a distribution, and samples is missing; wanted "
-                                f"samples: {{count: N}}")
+            raise CampaignError(f"'{next(iter(values.drawn))}' has a distribution, and key 'samples' is missing; "
+                                f"wanted samples: {{count: N}}")
         return
     given = {"count": given} if isinstance(given, int) else given
     if not isinstance(given, dict):
-        raise CampaignError(f"samples is {given!r}; wanted a number, or count, sobol and seed")
+        raise CampaignError(f"'samples' is {given!r}; wanted a number, or the keys 'count', 'sobol' and 'seed'")
     only("samples", given, ["count", "sobol", "seed"])
     if not values.drawn:
-        raise CampaignError("samples is given, and no key has a distribution; wanted one, such as "
+        raise CampaignError("'samples' is given, and no key has a distribution; wanted one, such as "
                             "force: {uniform: [20, 40]}")
     values.samples = count("samples.count", given.get("count"), 1)
     if values.samples > max_runs:

@@ -97,7 +97,7 @@ def read_seeds(where: str, given: Any, values: Values) -> List[int]:
     if given is None:
         return []
     if SEED in values.listed or SEED in values.drawn:
-        raise CampaignError(f"{where} is given, and vary has '{SEED}' too; wanted one of them")
+        raise CampaignError(f"{where} is given, and 'vary' has '{SEED}' too; wanted one of them")
     if isinstance(given, int):
         given = {"count": given}
     if isinstance(given, dict):
@@ -105,7 +105,7 @@ def read_seeds(where: str, given: Any, values: Values) -> List[int]:
         first = count(f"{where}.first", given.get("first", 0), 0)
         return list(range(first, first + count(f"{where}.count", given.get("count"), 1)))
     if not isinstance(given, list) or not given:
-        raise CampaignError(f"{where} is {given!r}; wanted a number of seeds, a list, or first and count")
+        raise CampaignError(f"{where} is {given!r}; wanted a number of seeds, a list, or the keys 'first' and 'count'")
     return [count(where, seed, 0) for seed in given]
 
 
@@ -114,14 +114,14 @@ def program_words(tree: Mapping[str, Any], task: TaskFile) -> List[str]:
     if task.polishes:
         controller = tree.get("controller", "mpc")
         if controller not in ("mpc", "baseline", "admittance"):
-            raise CampaignError(f"controller is {controller!r}; wanted mpc, baseline or admittance")
+            raise CampaignError(f"'controller' is {controller!r}; wanted mpc, baseline or admittance")
         words += ["--controller", controller]
     elif "controller" in tree:
-        raise CampaignError(f"controller is given, and the task '{task.path}' has only one controller; wanted no "
-                            f"controller")
+        raise CampaignError(f"key 'controller' is given, and the task '{task.path}' has only one controller; wanted "
+                            f"no such key")
     if "plant" in tree:
         if tree["plant"] not in ("mujoco", "ideal"):
-            raise CampaignError(f"plant is {tree['plant']!r}; wanted mujoco or ideal")
+            raise CampaignError(f"'plant' is {tree['plant']!r}; wanted mujoco or ideal")
         words += ["--plant", tree["plant"]]
     return words
 
@@ -130,7 +130,7 @@ def _stop(given: Any) -> Optional[Stop]:
     if given is None:
         return None
     if not isinstance(given, dict) or "figure" not in given or "above" not in given:
-        raise CampaignError(f"stop is {given!r}; wanted figure, above and runs")
+        raise CampaignError(f"'stop' is {given!r}; wanted the keys 'figure', 'above' and 'runs'")
     only("stop", given, ["figure", "above", "runs"])
     return Stop(str(given["figure"]), number("stop.above", given["above"]),
                 count("stop.runs", given.get("runs", 1), 1))
@@ -140,7 +140,7 @@ def _worst(given: Any) -> Optional[Worst]:
     if given is None:
         return None
     if not isinstance(given, dict) or "figure" not in given:
-        raise CampaignError(f"worst is {given!r}; wanted figure and count")
+        raise CampaignError(f"'worst' is {given!r}; wanted the keys 'figure' and 'count'")
     only("worst", given, ["figure", "count"])
     return Worst(str(given["figure"]), count("worst.count", given.get("count", 3), 1))
 

@@ -96,7 +96,7 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
     not_worse, per = (_texts(tree.get(key)) for key in ("not_worse", "per"))
     for key in per:
         if key not in train[0]:
-            raise CampaignError(f"per names '{key}', which is not in vary{nearest(key, list(train[0]))}")
+            raise CampaignError(f"'per' names '{key}', which is not in 'vary'{nearest(key, list(train[0]))}")
     minimise = " + ".join(f"{weight:g} {figure}" for figure, weight in weights.items()) or tree["minimise"]
     return Tuning(str(tree.get("name", name)), task, keys, minimise, not_worse,
                   number("slack", tree.get("slack", 0.0)), per, train, test,
@@ -109,8 +109,8 @@ def _weights(given: Any) -> Dict[str, float]:
     if isinstance(given, str):
         return {}
     if not isinstance(given, dict) or not given:
-        raise CampaignError("the tuning has no minimise; wanted minimise: FIGURE, such as force_rmse, or several "
-                            "figures with weights, such as {force_rmse: 1, position_rmse: 1000}")
+        raise CampaignError("the tuning has no key 'minimise'; wanted minimise: FIGURE, such as force_rmse, or "
+                            "several figures with weights, such as {force_rmse: 1, position_rmse: 1000}")
     weights = {str(figure): number(f"minimise.{figure}", weight) for figure, weight in given.items()}
     for figure, weight in weights.items():
         if weight <= 0:
@@ -140,7 +140,7 @@ def _start(task: TaskFile, key: str) -> float:
     if isinstance(tree, bool) or not isinstance(tree, (int, float)):
         given = "nothing" if tree is None else repr(tree)
         raise CampaignError(f"tune.{key}: its value in the task '{task.path}' is {given}; wanted a number, or "
-                            f"`start` beside from and to")
+                            f"the key 'start' beside 'from' and 'to'")
     return float(tree)
 
 
@@ -151,7 +151,7 @@ def _keys(given: Any, task: TaskFile) -> List[Key]:
     for name, span in given.items():
         where = f"tune.{name}"
         if not isinstance(span, dict) or "from" not in span or "to" not in span:
-            raise CampaignError(f"{where} is {span!r}; wanted from and to")
+            raise CampaignError(f"{where} is {span!r}; wanted the keys 'from' and 'to'")
         only(where, span, ["from", "to", "log", "start"])
         low, high, log = number(where, span["from"]), number(where, span["to"]), bool(span.get("log", False))
         if not low < high:
@@ -171,7 +171,8 @@ def _conditions(tree: Mapping[str, Any], which: str, keys: List[Key]) -> List[Po
     """Points of the training or the test: samples of the distributions in `vary`, and seeds."""
     given = tree.get(which)
     if not isinstance(given, dict):
-        raise CampaignError(f"{which} is {given!r}; wanted seeds, or samples of the distributions in vary")
+        raise CampaignError(f"{which} is {given!r}; wanted the key 'seeds', or 'samples' of the distributions in "
+                            f"'vary'")
     only(which, given, ["seeds", "samples"])
     samples = given.get("samples")
     samples = {"count": samples} if isinstance(samples, int) else samples
@@ -182,7 +183,7 @@ def _conditions(tree: Mapping[str, Any], which: str, keys: List[Key]) -> List[Po
     for key in keys:
         for name in [*values.listed, *values.drawn]:
             if name == key.name or name.startswith(key.name + ".") or key.name.startswith(name + "."):
-                raise CampaignError(f"'{name}' is in vary, and '{key.name}' is tuned; wanted one of them")
+                raise CampaignError(f"'{name}' is in 'vary', and '{key.name}' is in 'tune'; wanted one of them")
     points = values.points()
     seeds = read_seeds(f"{which}.seeds", given.get("seeds"), values)
     return [{**point, SEED: seed} for point in points for seed in seeds] if seeds else points
